@@ -1,0 +1,213 @@
+//! The words of appearance that scenes, drawings and figures share: colour, line style, and the `[style]` of a figure.
+//!
+//! A leaf module: it imports nothing of the crate.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// A colour with straight (not premultiplied) alpha, 8 bits a channel, in sRGB.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Rgba {
+    /// Red, 0 … 255.
+    pub r: u8,
+    /// Green, 0 … 255.
+    pub g: u8,
+    /// Blue, 0 … 255.
+    pub b: u8,
+    /// Opacity, 0 (clear) … 255 (opaque).
+    pub a: u8,
+}
+
+impl Rgba {
+    /// An opaque colour.
+    #[must_use]
+    pub const fn rgb(r: u8, g: u8, b: u8) -> Self {
+        Self { r, g, b, a: 255 }
+    }
+
+    /// A colour with opacity.
+    #[must_use]
+    pub const fn rgba(r: u8, g: u8, b: u8, a: u8) -> Self {
+        Self { r, g, b, a }
+    }
+
+    /// The same colour with another opacity.
+    #[must_use]
+    pub const fn with_alpha(self, a: u8) -> Self {
+        Self { a, ..self }
+    }
+
+    /// True when nothing shows through.
+    #[must_use]
+    pub const fn is_opaque(self) -> bool {
+        self.a == 255
+    }
+}
+
+/// Why a text is no colour.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("a colour is written \"#rrggbb\" or \"#rrggbbaa\" in hexadecimal digits")]
+pub struct ColorError;
+
+impl FromStr for Rgba {
+    type Err = ColorError;
+
+    /// Reads `#rrggbb` or `#rrggbbaa`.
+    fn from_str(text: &str) -> Result<Self, ColorError> {
+        let digits = text.strip_prefix('#').ok_or(ColorError)?;
+        if !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
+            return Err(ColorError);
+        }
+        let value = u32::from_str_radix(digits, 16).map_err(|_| ColorError)?;
+        let bytes = match digits.len() {
+            6 => ((value << 8) | 0xff).to_be_bytes(),
+            8 => value.to_be_bytes(),
+            _ => return Err(ColorError),
+        };
+        Ok(Self::rgba(bytes[0], bytes[1], bytes[2], bytes[3]))
+    }
+}
+
+impl fmt::Display for Rgba {
+    /// `#rrggbb` when opaque, `#rrggbbaa` otherwise.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "#{:02x}{:02x}{:02x}", self.r, self.g, self.b)?;
+        if !self.is_opaque() {
+            write!(f, "{:02x}", self.a)?;
+        }
+        Ok(())
+    }
+}
+
+/// How faces are coloured (`[style] shading`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Shading {
+    /// Edges only, no faces.
+    Wireframe,
+    /// One colour a face, from the face's own normal.
+    #[default]
+    Flat,
+    /// Light at the vertices, colours interpolated.
+    Gouraud,
+    /// Normals interpolated, light at each pixel.
+    Phong,
+}
+
+/// How hidden surfaces are removed (`[style] visibility`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Visibility {
+    /// A depth per pixel; the nearest wins.
+    #[default]
+    DepthBuffer,
+    /// Faces sorted by the depth of their centroid: fails where faces interlock, and is there to be seen failing.
+    Painter,
+    /// Exact order by splitting faces at each other's planes.
+    Bsp,
+}
+
+/// What is done with the part of a line that lies behind a face (`[style] hidden_lines`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum HiddenLines {
+    /// Drawn with dashes, thinner.
+    #[default]
+    Dashed,
+    /// Not drawn.
+    Hidden,
+    /// Drawn as if nothing stood before it.
+    Shown,
+}
+
+/// The ground and the contrast of all pictures (`[style] theme`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Theme {
+    /// A light ground.
+    #[default]
+    Light,
+    /// A dark ground.
+    Dark,
+    /// White ground and strokes that survive greyscale, for paper.
+    Print,
+}
+
+/// The `[style]` section of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Style {
+    /// How faces are coloured.
+    pub shading: Shading,
+    /// How hidden surfaces are removed.
+    pub visibility: Visibility,
+    /// What is done with hidden parts of lines.
+    pub hidden_lines: HiddenLines,
+    /// Samples per pixel: 1, 4 or 16.
+    pub antialias: u8,
+    /// The ground and the contrast.
+    pub theme: Theme,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Self {
+            shading: Shading::default(),
+            visibility: Visibility::default(),
+            hidden_lines: HiddenLines::default(),
+            antialias: 4,
+            theme: Theme::default(),
+        }
+    }
+}
+
+/// The pattern of a stroke; lengths are multiples of the stroke's width.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Dash {
+    /// No gaps.
+    #[default]
+    Solid,
+    /// Dashes of 4 widths, gaps of 3.
+    Dashed,
+    /// Dots, gaps of 2.5 widths.
+    Dotted,
+    /// A dash, a dot.
+    DashDot,
+}
+
+/// How one stroke looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineStyle {
+    /// Colour of the stroke.
+    pub color: Rgba,
+    /// Width in pixels at scale 1.
+    pub width: f32,
+    /// Pattern of the part that can be seen.
+    pub dash: Dash,
+    /// What is done with the part that lies behind a face.
+    pub hidden: HiddenLines,
+    /// An arrow head at the last point.
+    pub arrow: bool,
+}
+
+/// The shape of a point mark; shapes differ so that colour never carries the meaning alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum MarkShape {
+    /// A filled disc.
+    #[default]
+    Disc,
+    /// A ring.
+    Ring,
+    /// A filled square.
+    Square,
+    /// A filled diamond.
+    Diamond,
+    /// Two crossing strokes.
+    Cross,
+}
+
+/// A picture that is painted on a surface: premultiplied RGBA, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texture {
+    /// Width in texels.
+    pub width: u32,
+    /// Height in texels.
+    pub height: u32,
+    /// 4 bytes a texel, premultiplied.
+    pub rgba: Vec<u8>,
+}

@@ -1,0 +1,177 @@
+//! The display list: what a picture consists of, in pixels with depth. The only thing that outputs know.
+//!
+//! Pixels: (0, 0) is the top-left corner of the top-left pixel, x to the right, y down; the centre of pixel (i, j) is
+//! (i + ½, j + ½). Depth: **1 at the near plane, 0 at the far plane** (reversed, so that `f32` keeps its resolution where
+//! perspective crowds the depths), affine in the picture's plane; the greater depth is nearer.
+//!
+//! Order, the same for every output: opaque surfaces (the nearest wins; of equal depths the first drawn stays), then
+//! translucent surfaces from back to front (hidden by what is opaque and nearer), then strokes and marks (the hidden parts of
+//! them as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a face counts as visible), then labels.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::appearance::{LineStyle, MarkShape, Rgba, Texture};
+
+/// A picture, ready for an output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// What is under everything.
+    pub background: Rgba,
+    /// Samples per pixel for surfaces: 1, 4 or 16. Strokes and labels are always smooth.
+    pub antialias: u8,
+    /// Faces.
+    pub surfaces: Vec<Surface>,
+    /// Lines.
+    pub strokes: Vec<StrokeSet>,
+    /// Point marks.
+    pub marks: Vec<Mark>,
+    /// Texts.
+    pub labels: Vec<Label>,
+}
+
+/// A set of triangles painted one way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// x, y in pixels and depth, one per vertex; all inside the picture (clipping has been done).
+    pub positions: Vec<[f32; 3]>,
+    /// 1/w of each vertex for perspective-correct interpolation; empty where w is the same everywhere or nothing is
+    /// interpolated.
+    pub inverse_w: Vec<f32>,
+    /// Indices into `positions`; either winding (culling has been done).
+    pub triangles: Vec<[u32; 3]>,
+    /// The colours.
+    pub paint: Paint,
+    /// Drawn after all that is opaque, from back to front, with the alpha of its colours.
+    pub translucent: bool,
+    /// False: no depth test and no depth written (the plan has shown that no test can change the picture).
+    pub depth_test: bool,
+}
+
+/// The colours of a [`Surface`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Paint {
+    /// One colour for everything.
+    Solid(Rgba),
+    /// One colour for each triangle.
+    Faces(Vec<Rgba>),
+    /// One colour for each vertex, interpolated (Gouraud).
+    Vertices(Vec<Rgba>),
+    /// A normal for each vertex, interpolated; light at each pixel (Phong).
+    Phong(Phong),
+    /// A picture, stretched over the surface.
+    Texture {
+        /// The picture.
+        image: Arc<Texture>,
+        /// Texture coordinates of each vertex, 0 … 1, (0, 0) at the top left.
+        uv: Vec<[f32; 2]>,
+        /// 255 is opaque.
+        opacity: u8,
+    },
+}
+
+/// What is needed to light a pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Phong {
+    /// Unit normals in view space, one per vertex.
+    pub normals: Vec<[f32; 3]>,
+    /// Positions in view space, one per vertex.
+    pub positions: Vec<[f32; 3]>,
+    /// The colour of the material.
+    pub color: Rgba,
+    /// The lights, in view space.
+    pub lighting: Lighting,
+}
+
+/// Lights in view space, in the simple model of `[2]` and `[3]`: ambient + diffuse + specular.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Lighting {
+    /// Ambient share of the colour, 0 … 1.
+    pub ambient: f32,
+    /// Share of the diffuse term, 0 … 1.
+    pub diffuse: f32,
+    /// Share of the specular term, 0 … 1.
+    pub specular: f32,
+    /// Exponent of the specular term.
+    pub shininess: f32,
+    /// True where the viewer is at infinity (parallel projection).
+    pub distant_viewer: bool,
+    /// Light both sides of a face.
+    pub two_sided: bool,
+    /// The lights.
+    pub lights: Vec<ViewLight>,
+}
+
+/// One light, in view space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ViewLight {
+    /// A unit vector **towards** the light.
+    Directional([f32; 3]),
+    /// The position of the light.
+    Point([f32; 3]),
+}
+
+/// A set of polylines that look the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StrokeSet {
+    /// x, y in pixels and depth.
+    pub points: Vec<[f32; 3]>,
+    /// Each polyline: a range of `points`. The arrow head, where the style has one, is at the last point of each.
+    pub polylines: Vec<Range<u32>>,
+    /// How they look; the width is in pixels of this drawing (already scaled).
+    pub style: LineStyle,
+}
+
+/// A point mark.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// x, y in pixels and depth.
+    pub position: [f32; 3],
+    /// Its shape.
+    pub shape: MarkShape,
+    /// Half its width in pixels.
+    pub radius: f32,
+    /// Its colour.
+    pub color: Rgba,
+    /// Colour of a thin outline, so that it shows on any ground.
+    pub outline: Rgba,
+    /// Drawn faintly (true) or fully (false) where a face stands before it.
+    pub fade_if_hidden: bool,
+}
+
+/// Where a text lies relative to its point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Anchor {
+    /// The point is at the left end of the text.
+    #[default]
+    Left,
+    /// The point is at the middle of the text.
+    Center,
+    /// The point is at the right end of the text.
+    Right,
+}
+
+/// A text. `_c` in the text lowers one character, `_{prp}` several (subscripts).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// x, y in pixels (before `offset`) and depth.
+    pub position: [f32; 3],
+    /// Moves the text, in pixels.
+    pub offset: [f32; 2],
+    /// The text.
+    pub text: String,
+    /// Height of the type in pixels.
+    pub size: f32,
+    /// Colour of the letters.
+    pub color: Rgba,
+    /// Colour of the halo that keeps the letters legible on any ground.
+    pub halo: Rgba,
+    /// Horizontal place; vertically the middle of the x-height is at the point.
+    pub anchor: Anchor,
+    /// Drawn faintly (true) or fully (false) where a face stands before its point.
+    pub fade_if_hidden: bool,
+}

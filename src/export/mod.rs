@@ -1,0 +1,1 @@
+//! Drawing or report → file formats.

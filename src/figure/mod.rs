@@ -1,0 +1,47 @@
+//! A figure: camera parameters, image, viewport, scene, style and observers. One figure file is one `Figure`.
+
+use crate::appearance::Style;
+use crate::camera::{ImageSize, Parameters, Viewport};
+use crate::scene::SceneSpec;
+use glam::DVec3;
+
+/// Everything that a picture depends on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Figure {
+    /// `[camera]`
+    pub camera: Parameters,
+    /// `[image]`
+    pub image: ImageSize,
+    /// `[viewport]`; `None`: the whole image, depth 0 … 1.
+    pub viewport: Option<Viewport>,
+    /// `[scene]`
+    pub scene: SceneSpec,
+    /// `[style]`
+    pub style: Style,
+    /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be seen.
+    pub observers: Observers,
+}
+
+/// The observers of the two three-dimensional pictures.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Observers {
+    /// `[observers.world]`
+    pub world: Option<Observer>,
+    /// `[observers.canonical]`
+    pub canonical: Option<Observer>,
+}
+
+/// Who looks at a three-dimensional picture: an orbit about a target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Observer {
+    /// The point in the middle of the picture, in the space of the picture.
+    pub target: DVec3,
+    /// Distance of the eye from the target; also the measure of zoom.
+    pub distance: f64,
+    /// Degrees about y, 0 = the eye on the +z side, 90 = on the +x side.
+    pub azimuth: f64,
+    /// Degrees above the ground, −90 … 90.
+    pub elevation: f64,
+    /// Parallel (true) or perspective projection of this picture.
+    pub parallel: bool,
+}

@@ -1,0 +1,31 @@
+//! Camera Lab: an interactive laboratory for the virtual camera of computer graphics.
+//!
+//! Data goes one way: **figure → camera → pipeline → drawing → picture**. The window ([`gui`]) and the command line
+//! ([`cli`]) are two thin shells over the same library: what one can show, the other can print.
+//!
+//! | space | unit | axes |
+//! | --- | --- | --- |
+//! | world | scene units | right-handed, y up |
+//! | view (VRC) | scene units | right-handed, x right, y up, z towards the viewer |
+//! | clip | homogeneous | x, y, z in \[−w, w\] inside the volume |
+//! | ndc | 1 | left-handed, −1 … 1, z into the screen |
+//! | window | scene units | on the plane z_c = −F, x right, y up |
+//! | image | pixels | (0, 0) is the top-left corner, y down |
+//!
+//! Where to start reading: [`camera`] for the model of the notes, [`pipeline`] for the way from a scene to a picture.
+
+pub mod appearance;
+pub mod camera;
+pub mod cli;
+pub mod drawing;
+pub mod export;
+pub mod figure;
+pub mod geometry;
+#[cfg(feature = "gui")]
+pub mod gui;
+pub mod i18n;
+pub mod inspect;
+pub mod pipeline;
+pub mod raster;
+pub mod scene;
+pub mod views;

@@ -1,0 +1,124 @@
+//! What is drawn: meshes in world space, lights, and the lines, marks and texts that stand in the world.
+
+pub mod mesh;
+pub mod spec;
+
+use std::sync::Arc;
+
+use glam::{DMat4, DVec3};
+
+use crate::appearance::{LineStyle, MarkShape, Rgba};
+pub use mesh::Mesh;
+pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
+
+/// A scene, flat: every transform has been multiplied out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// Meshes.
+    pub objects: Vec<Object>,
+    /// Lights; without any, faces show their own colour.
+    pub lights: Vec<Light>,
+    /// Lines in the world.
+    pub lines: Vec<Line>,
+    /// Point marks in the world.
+    pub marks: Vec<PointMark>,
+    /// Texts in the world.
+    pub texts: Vec<Text>,
+}
+
+/// A mesh at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// For messages, the scene tree and the probe.
+    pub name: String,
+    /// The shape, shared between copies.
+    pub mesh: Arc<Mesh>,
+    /// Model matrix.
+    pub world_from_object: DMat4,
+    /// How its faces are coloured.
+    pub paint: ObjectPaint,
+    /// False: faces show their colour as it is, whatever the lights.
+    pub lit: bool,
+    /// True: back faces are drawn too. Closed meshes are one-sided.
+    pub two_sided: bool,
+    /// False: the mesh has no faces in this picture (edges only).
+    pub faces: bool,
+    /// How its edges are drawn; `None`: not at all (except in wireframe, which draws them in the object's colour).
+    pub edges: Option<LineStyle>,
+}
+
+/// The colours of an object.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ObjectPaint {
+    /// One colour; its alpha is the object's opacity.
+    Solid(Rgba),
+    /// One colour for each triangle of the mesh.
+    Faces(Arc<Vec<Rgba>>),
+    /// One colour for each vertex of the mesh.
+    Vertices(Arc<Vec<Rgba>>),
+    /// A picture by texture coordinates (one for each vertex of the mesh), unlit.
+    Texture {
+        /// Width, height in texels and premultiplied RGBA.
+        image: Arc<crate::appearance::Texture>,
+        /// 0 … 1, (0, 0) at the top left.
+        uv: Arc<Vec<[f32; 2]>>,
+        /// 255 is opaque.
+        opacity: u8,
+    },
+}
+
+/// A source of light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Light {
+    /// Parallel light that travels along `direction` (world, any length but 0).
+    Directional {
+        /// Where the light goes.
+        direction: DVec3,
+    },
+    /// Light from a point (world).
+    Point {
+        /// Where the lamp is.
+        position: DVec3,
+    },
+}
+
+/// A polyline in the world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// World points.
+    pub points: Vec<DVec3>,
+    /// How it looks.
+    pub style: LineStyle,
+}
+
+/// A point mark in the world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointMark {
+    /// World.
+    pub position: DVec3,
+    /// Its shape.
+    pub shape: MarkShape,
+    /// Half its width in pixels at scale 1.
+    pub radius: f32,
+    /// Its colour.
+    pub color: Rgba,
+    /// Faint where a face stands before it; else always fully drawn.
+    pub fade_if_hidden: bool,
+}
+
+/// A text in the world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Text {
+    /// World.
+    pub position: DVec3,
+    /// The text, with `_` for subscripts as in the labels of a drawing.
+    pub text: String,
+    /// Moves it on the picture, in pixels at scale 1 (x right, y down).
+    pub offset: [f32; 2],
+    /// Height of the type in pixels at scale 1.
+    pub size: f32,
+    /// Colour of the letters.
+    pub color: Rgba,
+    /// Faint where a face stands before its point; else always fully drawn.
+    pub fade_if_hidden: bool,
+}

@@ -1,0 +1,1 @@
+//! A figure → the scene that each of the three pictures shows, and its observer.
