@@ -1,5 +1,7 @@
 //! Every text in both languages, as typed Rust values.
 
+pub mod pictures;
+
 /// A language of the interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lang {

@@ -1,1 +1,119 @@
 //! A figure → the scene that each of the three pictures shows, and its observer.
+//!
+//! There is one engine: the image is the scene seen by the figure's camera, the world is the scene with the camera's own gear
+//! seen by a second camera (the observer), and the canonical volume is the scene after clipping and projection, seen by a
+//! third. All three go through [`pipeline::draw`](crate::pipeline::draw).
+//!
+//! | picture | space of its scene | observer |
+//! | --- | --- | --- |
+//! | [`image`] | world | the figure's camera |
+//! | [`world`] | world | [`Observer`](crate::figure::Observer) |
+//! | [`canonical`] | ndc, shown as `(x_n, y_n, −z_n)`, which is right-handed | [`Observer`](crate::figure::Observer) |
+
+pub mod canonical;
+pub mod handles;
+pub mod image;
+pub mod observer;
+pub mod palette;
+pub mod pick;
+pub mod world;
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+
+use crate::appearance::{Rgba, Texture};
+use crate::camera::Camera;
+use crate::figure::Figure;
+use crate::pipeline::Target;
+use crate::scene::Scene;
+pub use handles::Handle;
+pub use palette::Palette;
+
+/// What all three pictures are made from.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup<'a> {
+    /// Style and image size are taken from here; the camera's parameters in it may be nonsense.
+    pub figure: &'a Figure,
+    /// The camera that the pictures are about.
+    pub camera: &'a Camera,
+    /// What the camera looks at: [`scene_of`] the figure.
+    pub scene: &'a Scene,
+    /// The words in the pictures.
+    pub labels: &'a Labels,
+    /// Size of the picture.
+    pub size: Size,
+    /// What comes and goes with the pointer.
+    pub extras: &'a Extras,
+}
+
+/// The size of a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Pixels for one unit of stroke width or type size: 1 on a plain screen, 2 where pixels are small or in a large export.
+    pub scale: f32,
+}
+
+impl Size {
+    /// Width / height; 1 for an empty picture.
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        if self.width == 0 || self.height == 0 { 1.0 } else { f64::from(self.width) / f64::from(self.height) }
+    }
+
+    fn target(self, background: Rgba) -> Target {
+        Target { width: self.width, height: self.height, scale: self.scale, background }
+    }
+}
+
+/// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Labels {
+    /// The view window.
+    pub window: &'static str,
+    /// The front face of the volume.
+    pub near: &'static str,
+    /// The back face of the volume.
+    pub far: &'static str,
+    /// The camera before an operation.
+    pub before: &'static str,
+}
+
+/// What comes and goes with the pointer, and what only a shell can make.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Extras {
+    /// The image's pixels, painted on the view window in the world.
+    pub painted_image: Option<Arc<Texture>>,
+    /// What is pointed at, marked in all three pictures.
+    pub probe: Option<Probe>,
+    /// The operation that is being tried, shown in the world.
+    pub ghost: Option<Ghost>,
+    /// The handle under the pointer, drawn stronger.
+    pub hot: Option<Handle>,
+}
+
+/// What is pointed at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Probe {
+    /// A point of the world, such as a vertex.
+    Point(DVec3),
+    /// A point `(x_p, y_p)` of the view window, such as the centre of a pixel: its ray is shown.
+    Window(DVec2),
+}
+
+/// An operation and the camera before it; the camera after it is the one of the [`Setup`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ghost {
+    /// The camera before.
+    pub before: Camera,
+}
+
+/// The scene of a figure in the colours of its theme.
+#[must_use]
+pub fn scene_of(_figure: &Figure) -> Scene {
+    Scene::default()
+}
