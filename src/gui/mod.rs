@@ -1,1 +1,69 @@
-//! The window.
+//! The window: a thin shell over the library. What it shows, the command line can print.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | [`app`] | what happens in a frame, in order |
+//! | [`state`] | what the panels and the pictures share |
+//! | [`document`] | the figure that is being edited, its file, undo and redo |
+//! | [`canvas`] | the three pictures in the middle |
+
+pub mod app;
+pub mod canvas;
+pub mod document;
+pub mod state;
+pub mod theme;
+
+use std::path::PathBuf;
+
+use crate::figure::Figure;
+use crate::i18n::Lang;
+pub use app::App;
+pub use state::State;
+
+/// What the window opens with.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// The figure; its camera must be possible.
+    pub figure: Figure,
+    /// Its file and the text in it, so that saving keeps the comments; `None`: a new figure.
+    pub file: Option<(PathBuf, String)>,
+    /// The language of the interface.
+    pub lang: Lang,
+}
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+pub enum GuiError {
+    /// No display, or no usable OpenGL.
+    #[error("{0}")]
+    NoWindow(String),
+    /// The figure's camera is impossible.
+    #[error(transparent)]
+    Camera(#[from] crate::camera::CameraError),
+}
+
+/// Opens the window and returns when it is closed.
+///
+/// # Errors
+/// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.
+pub fn run(start: Start) -> Result<(), GuiError> {
+    let state = State::new(start)?;
+    let options = eframe::NativeOptions {
+        viewport: eframe::egui::ViewportBuilder::default()
+            .with_title("Camera Lab")
+            .with_app_id("camera-lab")
+            .with_inner_size([1280.0, 720.0])
+            .with_min_inner_size([640.0, 400.0]),
+        system_font_fallback: false,
+        ..Default::default()
+    };
+    eframe::run_native(
+        "camera-lab",
+        options,
+        Box::new(move |context| {
+            theme::install_fonts(&context.egui_ctx);
+            Ok(Box::new(App::new(state)))
+        }),
+    )
+    .map_err(|error| GuiError::NoWindow(error.to_string()))
+}

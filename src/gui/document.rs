@@ -1,0 +1,208 @@
+//! The figure that is being edited: the last one that was possible, the draft that may not be, its file, undo and redo.
+
+use std::path::PathBuf;
+
+use crate::camera::{Camera, CameraError, Parameters};
+use crate::figure::{Figure, Observers};
+
+/// What one undo step brings back.
+#[derive(Clone, Debug, PartialEq)]
+struct Snapshot {
+    figure: Figure,
+    draft: Parameters,
+}
+
+/// The figure that is being edited.
+#[derive(Clone, Debug)]
+pub struct Document {
+    figure: Figure,
+    camera: Camera,
+    draft: Parameters,
+    problem: Option<CameraError>,
+    path: Option<PathBuf>,
+    source: String,
+    saved: Figure,
+    committed: Snapshot,
+    past: Vec<Snapshot>,
+    future: Vec<Snapshot>,
+}
+
+/// More steps than anybody goes back; a snapshot is a few kilobytes.
+const MAX_STEPS: usize = 500;
+
+impl Document {
+    /// A document that has not been changed yet.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the figure's camera is impossible.
+    pub fn new(figure: Figure, file: Option<(PathBuf, String)>) -> Result<Self, CameraError> {
+        let camera = Camera::new(&figure.camera)?;
+        let (path, source) = file.map_or((None, String::new()), |(path, source)| (Some(path), source));
+        Ok(Self {
+            camera,
+            draft: figure.camera,
+            problem: None,
+            path,
+            source,
+            saved: figure.clone(),
+            committed: Snapshot { draft: figure.camera, figure: figure.clone() },
+            past: Vec::new(),
+            future: Vec::new(),
+            figure,
+        })
+    }
+
+    /// The figure as it is drawn: its camera is always possible.
+    #[must_use]
+    pub fn figure(&self) -> &Figure {
+        &self.figure
+    }
+
+    /// The camera of [`Self::figure`].
+    #[must_use]
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// The parameters as the fields show them; may be nonsense.
+    #[must_use]
+    pub fn draft(&self) -> &Parameters {
+        &self.draft
+    }
+
+    /// Why the draft is no camera.
+    #[must_use]
+    pub fn problem(&self) -> Option<&CameraError> {
+        self.problem.as_ref()
+    }
+
+    /// Takes new camera parameters: where they are possible they become the figure's, otherwise the last good ones stay and
+    /// [`Self::problem`] says why.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        if self.draft == parameters {
+            return;
+        }
+        self.draft = parameters;
+        match Camera::new(&parameters) {
+            Ok(camera) => {
+                self.figure.camera = parameters;
+                self.camera = camera;
+                self.problem = None;
+            }
+            Err(error) => self.problem = Some(error),
+        }
+    }
+
+    /// Changes anything but the camera; what `change` does to `figure.camera` is ignored.
+    pub fn edit(&mut self, change: impl FnOnce(&mut Figure)) {
+        let camera = self.figure.camera;
+        change(&mut self.figure);
+        self.figure.camera = camera;
+    }
+
+    /// The observers: where one looks from is kept in the file, but it is no change of the figure and no undo step.
+    pub fn observers_mut(&mut self) -> &mut Observers {
+        &mut self.figure.observers
+    }
+
+    fn snapshot(&self) -> Snapshot {
+        let mut figure = self.figure.clone();
+        figure.observers = Observers::default();
+        Snapshot { figure, draft: self.draft }
+    }
+
+    fn restore(&mut self, snapshot: &Snapshot) {
+        let observers = self.figure.observers;
+        self.figure = snapshot.figure.clone();
+        self.figure.observers = observers;
+        if let Ok(camera) = Camera::new(&self.figure.camera) {
+            self.camera = camera;
+        }
+        self.draft = snapshot.draft;
+        self.problem = Camera::new(&self.draft).err();
+    }
+
+    /// Makes an undo step of what has changed since the last one. Call it when no pointer or key is held, so that a drag is
+    /// one step.
+    pub fn commit(&mut self) {
+        let now = self.snapshot();
+        if now == self.committed {
+            return;
+        }
+        self.past.push(std::mem::replace(&mut self.committed, now));
+        if self.past.len() > MAX_STEPS {
+            self.past.remove(0);
+        }
+        self.future.clear();
+    }
+
+    /// True where there is something to undo.
+    #[must_use]
+    pub fn can_undo(&self) -> bool {
+        !self.past.is_empty()
+    }
+
+    /// True where there is something to redo.
+    #[must_use]
+    pub fn can_redo(&self) -> bool {
+        !self.future.is_empty()
+    }
+
+    /// Goes one step back.
+    pub fn undo(&mut self) {
+        self.commit();
+        if let Some(earlier) = self.past.pop() {
+            self.restore(&earlier);
+            self.future.push(std::mem::replace(&mut self.committed, earlier));
+        }
+    }
+
+    /// Goes one step forward.
+    pub fn redo(&mut self) {
+        self.commit();
+        if let Some(later) = self.future.pop() {
+            self.restore(&later);
+            self.past.push(std::mem::replace(&mut self.committed, later));
+        }
+    }
+
+    /// Takes another figure over, as one undo step.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the figure's camera is impossible; nothing has changed then.
+    pub fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
+        let camera = Camera::new(&figure.camera)?;
+        self.draft = figure.camera;
+        self.camera = camera;
+        self.figure = figure;
+        self.problem = None;
+        self.commit();
+        Ok(())
+    }
+
+    /// The file, once there is one.
+    #[must_use]
+    pub fn path(&self) -> Option<&PathBuf> {
+        self.path.as_ref()
+    }
+
+    /// The text of the file as it was read or written last, with its comments; empty without a file.
+    #[must_use]
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// Notes that the figure now stands in a file with this text.
+    pub fn mark_saved(&mut self, path: PathBuf, source: String) {
+        self.path = Some(path);
+        self.source = source;
+        self.saved = self.figure.clone();
+    }
+
+    /// True where closing would lose something. From where the pictures are seen does not count.
+    #[must_use]
+    pub fn is_changed(&self) -> bool {
+        let saved = Figure { observers: self.figure.observers, ..self.saved.clone() };
+        self.figure != saved || self.draft != self.saved.camera
+    }
+}
