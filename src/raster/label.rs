@@ -1,0 +1,113 @@
+//! Texts and point marks on the picture.
+
+use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
+
+use crate::appearance::{MarkShape, Rgba};
+use crate::drawing::{Anchor, Label, Mark};
+
+use super::depth::DepthBuffer;
+use super::text;
+
+/// What is left of the opacity where a face stands before a label or a mark.
+const FADED: f32 = 0.35;
+/// Width of the halo's stroke, as a share of the type size; half of it is outside the letter.
+const HALO: f32 = 0.28;
+
+/// Draws a text, on a halo.
+pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
+    if !finite(label.position, label.size) || !label.offset.iter().all(|v| v.is_finite()) {
+        return;
+    }
+    let Some(path) = text::outline(&label.text, label.size) else { return };
+    let width = text::measure(&label.text, label.size).width;
+    let left = match label.anchor {
+        Anchor::Left => 0.0,
+        Anchor::Center => 0.5 * width,
+        Anchor::Right => width,
+    };
+    let x = label.position[0] + label.offset[0] - left;
+    let y = label.position[1] + label.offset[1] + 0.5 * text::x_height(label.size);
+    let place = Transform::from_translate(x, y);
+    let opacity = opacity(label.fade_if_hidden && is_hidden(depth, label.position));
+    let stroke = Stroke { width: HALO * label.size, line_join: LineJoin::Round, ..Stroke::default() };
+    pixmap.stroke_path(&path, &paint(label.halo, opacity), &stroke, place, None);
+    pixmap.fill_path(&path, &paint(label.color, opacity), FillRule::Winding, place, None);
+}
+
+/// Draws a point mark.
+pub(super) fn mark(pixmap: &mut Pixmap, depth: &DepthBuffer, mark: &Mark) {
+    if !finite(mark.position, mark.radius) {
+        return;
+    }
+    let [x, y, _] = mark.position;
+    let r = mark.radius;
+    let Some(path) = mark_path(mark.shape, x, y, r) else { return };
+    let opacity = opacity(mark.fade_if_hidden && is_hidden(depth, mark.position));
+    let line = (0.35 * r).max(1.0);
+    let (inner, outer) = (paint(mark.color, opacity), paint(mark.outline, opacity));
+    let stroke = |width| Stroke { width, line_join: LineJoin::Miter, ..Stroke::default() };
+    let still = Transform::identity();
+    match mark.shape {
+        MarkShape::Ring | MarkShape::Cross => {
+            pixmap.stroke_path(&path, &outer, &stroke(2.0 * line + 1.5), still, None);
+            pixmap.stroke_path(&path, &inner, &stroke(2.0 * line), still, None);
+        }
+        MarkShape::Disc | MarkShape::Square | MarkShape::Diamond => {
+            pixmap.stroke_path(&path, &outer, &stroke(2.0), still, None);
+            pixmap.fill_path(&path, &inner, FillRule::Winding, still, None);
+        }
+    }
+}
+
+fn mark_path(shape: MarkShape, x: f32, y: f32, r: f32) -> Option<Path> {
+    let mut b = PathBuilder::new();
+    match shape {
+        MarkShape::Disc => b.push_circle(x, y, r),
+        MarkShape::Ring => b.push_circle(x, y, 0.8 * r),
+        MarkShape::Square => {
+            b.push_rect(tiny_skia::Rect::from_ltrb(x - 0.9 * r, y - 0.9 * r, x + 0.9 * r, y + 0.9 * r)?)
+        }
+        MarkShape::Diamond => {
+            let r = 1.2 * r;
+            b.move_to(x, y - r);
+            b.line_to(x + r, y);
+            b.line_to(x, y + r);
+            b.line_to(x - r, y);
+            b.close();
+        }
+        MarkShape::Cross => {
+            let r = 0.8 * r;
+            b.move_to(x - r, y - r);
+            b.line_to(x + r, y + r);
+            b.move_to(x - r, y + r);
+            b.line_to(x + r, y - r);
+        }
+    }
+    b.finish()
+}
+
+fn finite(position: [f32; 3], size: f32) -> bool {
+    position.iter().all(|v| v.is_finite()) && size.is_finite() && size > 0.0
+}
+
+fn opacity(hidden: bool) -> f32 {
+    if hidden { FADED } else { 1.0 }
+}
+
+fn paint(c: Rgba, opacity: f32) -> Paint<'static> {
+    let mut color = super::color(c);
+    color.apply_opacity(opacity);
+    let mut paint = Paint { anti_alias: true, ..Paint::default() };
+    paint.set_color(color);
+    paint
+}
+
+/// True where a face stands before the point.
+fn is_hidden(depth: &DepthBuffer, p: [f32; 3]) -> bool {
+    if p[0] < 0.0 || p[1] < 0.0 {
+        return false;
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative; `as` saturates")]
+    let front = depth.at(p[0] as u32, p[1] as u32);
+    front.is_some_and(|z| z > p[2] + 1e-3 * p[2].abs() + 1e-5)
+}

@@ -1,0 +1,3 @@
+//! What both integration binaries share.
+
+pub(crate) mod picture;

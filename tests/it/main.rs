@@ -1,0 +1,6 @@
+//! The contract, the pictures and the layers, in one binary.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod raster_pictures;

@@ -1,0 +1,72 @@
+//! The rules of depth and order of a drawing, frozen in small pictures.
+
+use camera_lab::appearance::Rgba;
+use camera_lab::drawing::{Anchor, Drawing, Label, Paint, Surface};
+use camera_lab::raster::Rasterizer;
+
+use crate::common::picture::assert_picture;
+
+const BLUE: Rgba = Rgba::rgb(0x44, 0x77, 0xaa);
+const YELLOW: Rgba = Rgba::rgb(0xdd, 0xaa, 0x33);
+const INK: Rgba = Rgba::rgb(0x22, 0x22, 0x22);
+const WHITE: Rgba = Rgba::rgb(255, 255, 255);
+
+fn drawing(width: u32, height: u32) -> Drawing {
+    Drawing {
+        width,
+        height,
+        background: WHITE,
+        antialias: 4,
+        surfaces: Vec::new(),
+        strokes: Vec::new(),
+        marks: Vec::new(),
+        labels: Vec::new(),
+    }
+}
+
+fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, color: Rgba) -> Surface {
+    Surface {
+        positions,
+        inverse_w: Vec::new(),
+        triangles,
+        paint: Paint::Solid(color),
+        translucent: !color.is_opaque(),
+        depth_test: true,
+    }
+}
+
+fn label(position: [f32; 3], text: &str, fade_if_hidden: bool) -> Label {
+    Label {
+        position,
+        offset: [0.0, 0.0],
+        text: text.into(),
+        size: 18.0,
+        color: INK,
+        halo: Rgba::rgba(255, 255, 255, 200),
+        anchor: Anchor::Center,
+        fade_if_hidden,
+    }
+}
+
+/// Two triangles that pass through each other, and a translucent one before and behind them.
+#[test]
+fn crossing_triangles() {
+    let mut d = drawing(120, 90);
+    d.surfaces.push(surface(vec![[10.0, 10.0, 0.2], [110.0, 45.0, 0.8], [10.0, 80.0, 0.2]], vec![[0, 1, 2]], BLUE));
+    d.surfaces.push(surface(vec![[110.0, 10.0, 0.2], [10.0, 45.0, 0.8], [110.0, 80.0, 0.2]], vec![[0, 1, 2]], YELLOW));
+    let red = Rgba::rgba(0xcc, 0x33, 0x11, 0x80);
+    d.surfaces.push(surface(vec![[30.0, 85.0, 0.45], [60.0, 2.0, 0.45], [90.0, 85.0, 0.45]], vec![[0, 1, 2]], red));
+    assert_picture("crossing_triangles", &Rasterizer::default().paint(&d).expect("a picture"));
+}
+
+/// Texts before a face, behind it, and behind it but not to be faded.
+#[test]
+fn label_behind_a_face() {
+    let mut d = drawing(160, 120);
+    let corners = vec![[20.0, 10.0, 0.5], [140.0, 10.0, 0.5], [140.0, 110.0, 0.5], [20.0, 110.0, 0.5]];
+    d.surfaces.push(surface(corners, vec![[0, 1, 2], [0, 2, 3]], BLUE));
+    d.labels.push(label([80.0, 30.0, 0.6], "M_{prp}·p_c", true));
+    d.labels.push(label([80.0, 60.0, 0.4], "visão θ", true));
+    d.labels.push(label([80.0, 90.0, 0.4], "ção ½", false));
+    assert_picture("label_behind_a_face", &Rasterizer::default().paint(&d).expect("a picture"));
+}
