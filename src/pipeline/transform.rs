@@ -1,0 +1,258 @@
+//! Object → world → view → clip → image, in `f64` up to the image.
+
+use glam::{DMat3, DMat4, DVec3};
+
+use super::Target;
+use crate::camera::{Basis, Camera, Projection};
+
+/// A point of clip space, with the distance from the eye instead of z: clip z crowds the far depths together, the distance
+/// does not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ClipPoint {
+    /// x, in \[−w, w\] inside the volume.
+    pub(super) x: f64,
+    /// y, in \[−w, w\] inside the volume.
+    pub(super) y: f64,
+    /// Homogeneous w: `depth` in perspective, 1 in parallel projection.
+    pub(super) w: f64,
+    /// Distance from the plane through the eye, −z_c, in scene units; in \[F, B\] inside the volume.
+    pub(super) depth: f64,
+}
+
+/// The camera as the pipeline applies it, point by point.
+#[derive(Clone, Debug)]
+pub(super) struct Projector {
+    position: DVec3,
+    basis: Basis,
+    /// Perspective (true) or parallel projection.
+    pub(super) perspective: bool,
+    /// F.
+    pub(super) near: f64,
+    /// B.
+    pub(super) far: f64,
+    /// x_clip = scale_x · x_view − shift_x · w; the shift is 0 for a symmetric window.
+    pub(super) scale: [f64; 2],
+    pub(super) shift: [f64; 2],
+}
+
+impl Projector {
+    /// Takes from `camera` the coefficients of `[0]` Eqs. (5.13) and (5.15).
+    pub(super) fn new(camera: &Camera) -> Self {
+        let window = camera.window();
+        let perspective = camera.projection() == Projection::Perspective;
+        let reach = if perspective { 2.0 * camera.near() } else { 2.0 };
+        Self {
+            position: camera.position(),
+            basis: camera.basis(),
+            perspective,
+            near: camera.near(),
+            far: camera.far(),
+            scale: [reach / window.width(), reach / window.height()],
+            shift: [(window.right + window.left) / window.width(), (window.top + window.bottom) / window.height()],
+        }
+    }
+
+    /// A world point in view space; C is subtracted before anything is rotated.
+    pub(super) fn view(&self, p_world: DVec3) -> DVec3 {
+        self.view_vector(p_world - self.position)
+    }
+
+    /// A world vector in view space.
+    pub(super) fn view_vector(&self, d: DVec3) -> DVec3 {
+        DVec3::new(self.basis.u.dot(d), self.basis.v.dot(d), self.basis.n.dot(d))
+    }
+
+    /// A view point in clip space.
+    #[inline]
+    pub(super) fn clip(&self, p_view: DVec3) -> ClipPoint {
+        let depth = -p_view.z;
+        let w = if self.perspective { depth } else { 1.0 };
+        ClipPoint {
+            x: self.scale[0] * p_view.x - self.shift[0] * w,
+            y: self.scale[1] * p_view.y - self.shift[1] * w,
+            w,
+            depth,
+        }
+    }
+
+    /// The way from the space of an object to view space.
+    pub(super) fn view_from_object(&self, world_from_object: DMat4) -> ViewFromObject {
+        let linear = DMat3::from_mat4(world_from_object);
+        let translation = world_from_object.w_axis.truncate();
+        let Basis { u, v, n } = self.basis;
+        let view_from_world = DMat3::from_cols(u, v, n).transpose();
+        let inverse = linear.inverse();
+        let determinant = linear.determinant();
+        // With the eye in object space, one subtraction and one 3×3 product take a vertex to view space, and objects far from
+        // the origin lose nothing. The inverse costs digits where the scales along the axes differ wildly.
+        let condition = norm(linear) * norm(inverse);
+        if determinant != 0.0 && condition < 1e3 {
+            ViewFromObject {
+                eye: inverse * (self.position - translation),
+                linear: view_from_world * linear,
+                through_world: None,
+                determinant,
+            }
+        } else {
+            ViewFromObject {
+                eye: self.position,
+                linear: view_from_world,
+                through_world: Some((linear, translation)),
+                determinant,
+            }
+        }
+    }
+
+    /// The depth of the display list, 1 at F and 0 at B, straight from the distance: no difference of nearly equal numbers.
+    #[inline]
+    pub(super) fn picture_depth(&self, depth: f64) -> f64 {
+        let share = (self.far - depth) / (self.far - self.near);
+        if self.perspective { share * (self.near / depth) } else { share }
+    }
+}
+
+fn norm(m: DMat3) -> f64 {
+    m.to_cols_array().iter().fold(0.0, |sum, c| sum + c * c).sqrt()
+}
+
+/// Object space → view space.
+#[derive(Clone, Debug)]
+pub(super) struct ViewFromObject {
+    eye: DVec3,
+    linear: DMat3,
+    /// Model matrix, where the eye could not be taken to object space.
+    through_world: Option<(DMat3, DVec3)>,
+    /// Of the model matrix: negative where it mirrors.
+    determinant: f64,
+}
+
+impl ViewFromObject {
+    /// A point of the object in view space.
+    #[inline]
+    pub(super) fn point(&self, p: DVec3) -> DVec3 {
+        match self.through_world {
+            None => self.linear * (p - self.eye),
+            Some((linear, translation)) => self.linear * (linear * p + translation - self.eye),
+        }
+    }
+
+    /// The size of the numbers from which the view coordinates of `p` are summed up: what their rounding is measured by.
+    pub(super) fn magnitude(&self, p: DVec3) -> f64 {
+        match self.through_world {
+            None => norm(self.linear) * (p - self.eye).length(),
+            Some((linear, translation)) => norm(linear) * p.length() + translation.length() + self.eye.length(),
+        }
+    }
+
+    /// True where the object is mirrored, so that its triangles turn the other way round.
+    pub(super) fn mirrored(&self) -> bool {
+        self.determinant < 0.0
+    }
+
+    /// The matrix for normals: cofactors of the linear part (the inverse transpose times the determinant, which a flattened
+    /// object has too), with the sign that keeps normals outside.
+    pub(super) fn normal_matrix(&self) -> DMat3 {
+        let m = match self.through_world {
+            None => self.linear,
+            Some((linear, _)) => self.linear * linear,
+        };
+        let cofactors = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
+        if self.mirrored() { cofactors * -1.0 } else { cofactors }
+    }
+}
+
+/// Vertices in view space, one array per coordinate, so that each stage runs over plain arrays.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ViewVertices {
+    pub(super) x: Vec<f64>,
+    pub(super) y: Vec<f64>,
+    /// −z.
+    pub(super) depth: Vec<f64>,
+}
+
+impl ViewVertices {
+    /// Transforms each of `positions` once.
+    pub(super) fn fill(&mut self, positions: &[DVec3], view_from_object: &ViewFromObject) {
+        self.x.clear();
+        self.y.clear();
+        self.depth.clear();
+        for &p in positions {
+            let q = view_from_object.point(p);
+            self.x.push(q.x);
+            self.y.push(q.y);
+            self.depth.push(-q.z);
+        }
+    }
+
+    pub(super) fn point(&self, index: u32) -> DVec3 {
+        let i = index as usize;
+        DVec3::new(self.x[i], self.y[i], -self.depth[i])
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.x.len()
+    }
+}
+
+/// Clip space → image pixels with depth: divide and viewport.
+#[derive(Clone, Debug)]
+pub(super) struct Screen {
+    half_width: f64,
+    half_height: f64,
+}
+
+/// Corners of triangles lie on this grid of the pixel, so that what decides about a triangle (its orientation, its coverage)
+/// is exact arithmetic on the very numbers that are drawn.
+pub(super) const SUBPIXELS: f64 = 256.0;
+
+impl Screen {
+    pub(super) fn new(target: Target) -> Self {
+        Self { half_width: f64::from(target.width) / 2.0, half_height: f64::from(target.height) / 2.0 }
+    }
+
+    /// A point inside the volume in pixels (y down), with the depth of the display list.
+    #[inline]
+    pub(super) fn project(&self, projector: &Projector, p: ClipPoint) -> [f64; 3] {
+        let inverse_w = 1.0 / p.w;
+        [
+            clamp((p.x * inverse_w) * self.half_width + self.half_width, 2.0 * self.half_width),
+            clamp(self.half_height - (p.y * inverse_w) * self.half_height, 2.0 * self.half_height),
+            clamp(projector.picture_depth(p.depth), 1.0),
+        ]
+    }
+}
+
+/// Into 0 … limit; 0 for what is no number.
+#[inline]
+fn clamp(value: f64, limit: f64) -> f64 {
+    let v = if value > 0.0 { value } else { 0.0 };
+    if v < limit { v } else { limit }
+}
+
+/// To the display list, exactly on the grid of [`SUBPIXELS`].
+#[inline]
+pub(super) fn on_grid(p: [f64; 3]) -> [f32; 3] {
+    // Next to this number the spacing of f64 is one subpixel: adding it and taking it away again leaves the rounded number.
+    const MAGIC: f64 = 1.5 / (SUBPIXELS * f64::EPSILON);
+    single([(p[0] + MAGIC) - MAGIC, (p[1] + MAGIC) - MAGIC, p[2]])
+}
+
+/// To the display list, without the grid.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "pixels behind the viewport: single precision is the display list's"
+)]
+pub(super) fn single(p: [f64; 3]) -> [f32; 3] {
+    p.map(|c| c as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_grid_has_256_places_a_pixel_and_rounds_to_the_nearest() {
+        assert_eq!(on_grid([10.0, 0.0, 0.5]), [10.0, 0.0, 0.5]);
+        assert_eq!(on_grid([100.0 + 1.4 / 256.0, 4096.0 + 1.6 / 256.0, 0.5]), [100.00390625, 4096.0078125, 0.5]);
+    }
+}
