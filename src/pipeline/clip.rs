@@ -31,7 +31,8 @@ pub(super) fn distances(projector: &Projector, p: ClipPoint) -> [f64; PLANES] {
 
 /// Bit `i` is set where the point is outside plane `i`; [`NOT_A_NUMBER`] where a coordinate is none or too large to be cut.
 pub(super) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
-    if !(p.x.abs() + p.y.abs() + p.depth.abs() < f64::MAX / 4.0) {
+    let size = p.x.abs() + p.y.abs() + p.depth.abs();
+    if size.is_nan() || size > f64::MAX / 4.0 {
         return NOT_A_NUMBER;
     }
     let mut code = 0;

@@ -15,7 +15,7 @@ pub(super) struct ClipPoint {
     pub(super) y: f64,
     /// Homogeneous w: `depth` in perspective, 1 in parallel projection.
     pub(super) w: f64,
-    /// Distance from the plane through the eye, −z_c, in scene units; in \[F, B\] inside the volume.
+    /// Distance from the plane through the eye, −z in the VRC, in scene units; in \[F, B\] inside the volume.
     pub(super) depth: f64,
 }
 
@@ -30,7 +30,7 @@ pub(super) struct Projector {
     pub(super) near: f64,
     /// B.
     pub(super) far: f64,
-    /// x_clip = scale_x · x_view − shift_x · w; the shift is 0 for a symmetric window.
+    /// `x_clip = scale[0] · x_view − shift[0] · w`, the same for y; the shift is 0 for a symmetric window.
     pub(super) scale: [f64; 2],
     pub(super) shift: [f64; 2],
 }
@@ -253,6 +253,6 @@ mod tests {
     #[test]
     fn the_grid_has_256_places_a_pixel_and_rounds_to_the_nearest() {
         assert_eq!(on_grid([10.0, 0.0, 0.5]), [10.0, 0.0, 0.5]);
-        assert_eq!(on_grid([100.0 + 1.4 / 256.0, 4096.0 + 1.6 / 256.0, 0.5]), [100.00390625, 4096.0078125, 0.5]);
+        assert_eq!(on_grid([100.0 + 1.4 / 256.0, 3.0 + 1.6 / 256.0, 0.5]), [100.0 + 1.0 / 256.0, 3.0078125, 0.5]);
     }
 }

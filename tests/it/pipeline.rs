@@ -1,5 +1,7 @@
 //! Scenes through the pipeline, held against numbers that were worked out by hand.
 
+#![expect(clippy::unwrap_used, reason = "tests")]
+
 use std::sync::Arc;
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
