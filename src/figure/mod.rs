@@ -1,8 +1,16 @@
 //! A figure: camera parameters, image, viewport, scene, style and observers. One figure file is one `Figure`.
 
+mod edit;
+pub mod error;
+mod near;
+pub mod read;
+pub mod words;
+pub mod write;
+
 use crate::appearance::Style;
 use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::SceneSpec;
+pub use error::FigureError;
 use glam::DVec3;
 
 /// Everything that a picture depends on.

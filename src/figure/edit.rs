@@ -1,0 +1,140 @@
+//! A change of a figure → the change of its text, with comments and order kept.
+
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike};
+
+use super::Figure;
+use super::read;
+use super::write::to_toml;
+
+/// The figure file of `figure`, made from an earlier text by changing only what differs: comments, order and the way in
+/// which numbers are written stay. A text that is no figure file is replaced.
+///
+/// # Guarantees
+/// Reading the text gives `figure` back, as with [`to_toml`].
+#[must_use]
+pub fn update(text: &str, figure: &Figure) -> String {
+    edit(text, figure).unwrap_or_else(|| to_toml(figure))
+}
+
+fn edit(text: &str, figure: &Figure) -> Option<String> {
+    let mut old = to_toml(&read::parse(text).ok()?);
+    let new = to_toml(figure);
+    if old == new {
+        return Some(text.to_owned());
+    }
+    let new_document: DocumentMut = new.parse().ok()?;
+    let (text, bom) = text.strip_prefix('\u{feff}').map_or((text, ""), |rest| (rest, "\u{feff}"));
+    let mut document: DocumentMut = text.parse().ok()?;
+    // Some defaults depend on other keys (the preset on the objects, the viewport on the image): a second round writes down
+    // those that the first has moved.
+    for _ in 0..2 {
+        merge(document.as_table_mut(), old.parse::<DocumentMut>().ok()?.as_table(), new_document.as_table());
+        old = to_toml(&read::parse(&document.to_string()).ok()?);
+        if old == new {
+            break;
+        }
+    }
+    let mut edited = document.to_string();
+    if text.contains("\r\n") {
+        edited = edited.replace("\r\n", "\n").replace('\n', "\r\n");
+    }
+    // Where the user's way of writing is too unlike ours to be edited piece by piece, the numbers come first.
+    (to_toml(&read::parse(&edited).ok()?) == new).then(|| format!("{bom}{edited}"))
+}
+
+/// Takes to `mine` what has changed from `old` to `new`.
+fn merge(mine: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) {
+    for (key, _) in old.iter().filter(|(key, _)| !new.contains_key(key)) {
+        mine.remove(key);
+    }
+    for (key, value) in new.iter() {
+        let was = old.get(key);
+        if !was.is_some_and(|was| same(was, value)) {
+            merge_item(mine, key, was, value);
+        }
+    }
+}
+
+/// True where both are written alike.
+fn same(a: &Item, b: &Item) -> bool {
+    let same_table = |a: &dyn TableLike, b: &dyn TableLike| {
+        a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| same(a, b)))
+    };
+    match (a, b) {
+        (Item::Value(a), Item::Value(b)) => a.to_string() == b.to_string(),
+        (Item::Table(a), Item::Table(b)) => same_table(a, b),
+        (Item::ArrayOfTables(a), Item::ArrayOfTables(b)) => {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same_table(a, b))
+        }
+        _ => false,
+    }
+}
+
+fn merge_item(table: &mut dyn TableLike, key: &str, old: Option<&Item>, new: &Item) {
+    match (table.get_mut(key), new) {
+        (Some(Item::ArrayOfTables(mine)), Item::ArrayOfTables(new)) => {
+            merge_list(mine, old.and_then(Item::as_array_of_tables), new);
+        }
+        (Some(Item::Value(mine)), Item::Value(new)) if !(mine.is_inline_table() && new.is_inline_table()) => {
+            let decor = mine.decor().clone();
+            *mine = new.clone();
+            *mine.decor_mut() = decor;
+        }
+        (Some(mine), new) if mine.is_table_like() && new.is_table_like() => {
+            let nothing = Table::new();
+            if let (Some(mine), Some(new)) = (mine.as_table_like_mut(), new.as_table_like()) {
+                merge(mine, old.and_then(Item::as_table_like).unwrap_or(&nothing), new);
+            }
+        }
+        _ => {
+            table.insert(key, without_place(new.clone()));
+        }
+    }
+}
+
+/// Merges tables of one list: those of the same name, else those at the same place, are the same table.
+fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &ArrayOfTables) {
+    let name = |table: &Table| table.get("name").map(ToString::to_string);
+    let old: Vec<&Table> = old.iter().flat_map(|list| list.iter()).collect();
+    let mut rest: Vec<Option<Table>> = mine.iter().cloned().map(Some).collect();
+    let mut places: Vec<isize> = mine.iter().filter_map(Table::position).collect();
+    places.sort_unstable();
+    let mut places = places.into_iter();
+    let by_name: Vec<Option<usize>> =
+        new.iter().map(|table| old.iter().position(|was| name(was).is_some() && name(was) == name(table))).collect();
+    mine.clear();
+    for (i, table) in new.iter().enumerate() {
+        let source = by_name[i].or_else(|| (i < old.len() && !by_name.contains(&Some(i))).then_some(i));
+        let found = source.and_then(|j| Some((old.get(j)?, rest.get_mut(j)?.take()?)));
+        let merged = match found {
+            Some((was, mut found)) => {
+                merge(&mut found, *was, table);
+                found.set_position(places.next());
+                found
+            }
+            None => match without_place(Item::Table(table.clone())) {
+                Item::Table(table) => table,
+                _ => continue,
+            },
+        };
+        mine.push(merged);
+    }
+}
+
+/// The item without the places that its tables had in another document.
+fn without_place(mut item: Item) -> Item {
+    match &mut item {
+        Item::Table(table) => {
+            table.set_position(None);
+            for (_, child) in table.iter_mut() {
+                *child = without_place(std::mem::take(child));
+            }
+        }
+        Item::ArrayOfTables(list) => list.iter_mut().for_each(|table| table.set_position(None)),
+        _ => {}
+    }
+    item
+}
+
+#[cfg(test)]
+mod tests;

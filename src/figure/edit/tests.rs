@@ -1,0 +1,227 @@
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use super::*;
+use crate::appearance::{HiddenLines, Rgba, Style, Theme};
+use crate::camera::{ImageSize, Parameters, Projection, ViewWindow, Viewport};
+use crate::figure::words::{PRESETS, SHADINGS, VISIBILITIES};
+use crate::figure::{Observer, Observers};
+use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
+use glam::DVec3;
+use proptest::prelude::*;
+
+fn point() -> impl Strategy<Value = DVec3> {
+    let number =
+        || prop_oneof![-1e3..1e3, Just(0.0), Just(-0.0), Just(1e-300), Just(-1e150), any::<i32>().prop_map(f64::from)];
+    (number(), number(), number()).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+fn parameters() -> impl Strategy<Value = Parameters> {
+    let directions = proptest::array::uniform3(-1.0..1.0).prop_map(DVec3::from_array);
+    let window = proptest::option::of((0.01..5.0, 0.01..5.0).prop_map(|(w, h): (f64, f64)| ViewWindow {
+        left: -w,
+        right: w * 1.5,
+        bottom: -h / 3.0,
+        top: h,
+    }));
+    (directions.clone(), directions, any::<bool>(), 1e-3..179.0, 1e-3..1e3, 0.1..10.0, window)
+        .prop_map(|(position, up, parallel, view_angle, near, aspect, window)| Parameters {
+            position: position * 10.0,
+            focal_point: DVec3::new(11.0, 12.0, 13.0),
+            view_up: up,
+            projection: if parallel { Projection::Parallel } else { Projection::Perspective },
+            view_angle,
+            height: near / 3.0,
+            aspect,
+            near,
+            far: near * 1000.0,
+            window,
+        })
+        .prop_filter("a camera", |p| crate::camera::Camera::new(p).is_ok())
+}
+
+fn shape() -> impl Strategy<Value = Option<Shape>> {
+    prop_oneof![
+        Just(None),
+        Just(Some(Shape::Torus)),
+        proptest::collection::vec(point(), 0..4).prop_map(|points| Some(Shape::Points(points))),
+        (point(), point()).prop_map(|(a, b)| Some(Shape::Segments(vec![[a, b]; 2]))),
+        "[a-z\"'\\\\\n ç]{1,9}".prop_map(|path| Some(Shape::Mesh { path })),
+    ]
+}
+
+fn scene() -> impl Strategy<Value = SceneSpec> {
+    let object = (shape(), point(), point(), any::<Option<[u8; 4]>>(), 3_u32..=512, any::<bool>());
+    let light = (any::<bool>(), point()).prop_map(|(directional, p)| {
+        if directional { LightSpec::Directional(p + DVec3::new(0.5, 0.5, 0.25)) } else { LightSpec::Point(p) }
+    });
+    let lights = proptest::collection::vec(light, 0..3);
+    (proptest::sample::select(PRESETS), proptest::collection::vec(object, 0..5), lights).prop_map(
+        |((_, preset), objects, lights)| SceneSpec {
+            preset,
+            objects: objects
+                .into_iter()
+                .enumerate()
+                .map(|(i, (shape, translate, scale, color, segments, child))| ObjectSpec {
+                    name: format!("peça \"{i}\""),
+                    shape,
+                    parent: (child && i > 0).then(|| "peça \"0\"".to_owned()),
+                    translate,
+                    rotate: translate,
+                    scale,
+                    color: color.map(|[r, g, b, a]| Rgba { r, g, b, a }),
+                    segments,
+                })
+                .collect(),
+            lights: lights.into_iter().filter(|l| *l != LightSpec::Directional(DVec3::ZERO)).collect(),
+        },
+    )
+}
+
+fn figure() -> impl Strategy<Value = Figure> {
+    let viewport = proptest::option::of((-100..100, 1_u32..=16_384, 0.0..=1.0, 0.0..=1.0).prop_map(
+        |(x, width, depth_near, depth_far)| Viewport { x, y: -x, width, height: width, depth_near, depth_far },
+    ));
+    let style = (proptest::sample::select(SHADINGS), proptest::sample::select(VISIBILITIES)).prop_map(
+        |((_, shading), (_, visibility))| Style {
+            shading,
+            visibility,
+            hidden_lines: HiddenLines::Shown,
+            antialias: 16,
+            theme: Theme::Dark,
+        },
+    );
+    let observer = || {
+        proptest::option::of((point(), 0.1..1e4, -90.0..=90.0, any::<bool>()).prop_map(
+            |(target, distance, elevation, parallel)| Observer {
+                target,
+                distance,
+                azimuth: elevation * 5.0,
+                elevation,
+                parallel,
+            },
+        ))
+    };
+    (parameters(), 1_u32..=16_384, viewport, scene(), style, observer(), observer()).prop_map(
+        |(camera, width, viewport, scene, style, world, canonical)| Figure {
+            camera,
+            image: ImageSize { width, height: 16_385 - width },
+            viewport,
+            scene,
+            style,
+            observers: Observers { world, canonical },
+        },
+    )
+}
+
+const BY_HAND: &str = r##"# My figure, for the third lecture
+[style] # first, for a change
+theme = "dark" # the room is dark
+
+[camera]
+near = 1     # an integer
+position = [ 3,
+             4, # up
+             5 ]
+
+  # the torus
+  [[scene.objects]]
+  name = "torus"   # its name
+  shape = "torus"
+  # the box
+  [[scene.objects]]
+  name = "box"
+  shape = "box"
+  color = "#ff0000" # red
+# the end
+"##;
+
+const OTHER_FORMS: [&str; 5] = [
+    "",
+    BY_HAND,
+    "camera.near = 0.5\ncamera.far = 7 # far\nscene = { preset = \"cube\", objects = [{ name = \"a\" }, { name = \"b\" }] }\n",
+    "camera = { near = 0.5, window = { left = -1, right = 1, bottom = -1, top = 1 } } # all\r\n[scene]\r\nobjects = [{ shape = \"box\" }] # one\r\n",
+    "\u{feff}[camera.window] # w\nleft = -1\nright = 1\nbottom = -1\ntop = 1\n[observers]\nworld = { distance = 3 } # near\n",
+];
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back(figure in figure()) {
+        let text = to_toml(&figure);
+        let back = read::parse(&text);
+        prop_assert_eq!(back.as_ref(), Ok(&figure), "{}", &text);
+        prop_assert_eq!(to_toml(&back.unwrap()), text);
+    }
+
+    #[test]
+    fn what_is_edited_reads_back(before in figure(), after in figure(), form in 0..OTHER_FORMS.len()) {
+        for text in [OTHER_FORMS[form], &to_toml(&before)] {
+            let edited = edit(text, &after);
+            prop_assert!(edited.is_some(), "had to be replaced: {}", text);
+            let edited = edited.unwrap();
+            let back = read::parse(&edited);
+            prop_assert_eq!(back.as_ref(), Ok(&after), "{}", edited);
+        }
+    }
+}
+
+#[test]
+fn a_figure_that_did_not_change_leaves_the_text_alone() {
+    for text in OTHER_FORMS {
+        assert_eq!(update(text, &read::parse(text).unwrap()), text);
+    }
+}
+
+#[test]
+fn comments_and_order_stay() {
+    let mut figure = read::parse(BY_HAND).unwrap();
+    figure.camera.near = 0.25;
+    figure.camera.far = 50.0;
+    figure.style.theme = Theme::Print;
+    figure.scene.objects[1].color = None;
+    figure.scene.objects[1].segments = 12;
+    figure.image.width = 800;
+    let expected = BY_HAND
+        .replace("near = 1 ", "near = 0.25 ")
+        .replace("5 ]\n", "5 ]\nfar = 50.0\n")
+        .replace("theme = \"dark\" #", "theme = \"print\" #")
+        .replace("  color = \"#ff0000\" # red\n", "segments = 12\n");
+    let edited = update(BY_HAND, &figure);
+    assert_eq!(edited.replace("\n[image]\nwidth = 800\nheight = 768\n", ""), expected, "{edited}");
+}
+
+#[test]
+fn objects_keep_their_comments_when_others_come_and_go() {
+    let mut figure = read::parse(BY_HAND).unwrap();
+    figure.scene.objects.remove(0);
+    let without = update(BY_HAND, &figure);
+    assert!(without.contains("# the box") && !without.contains("# the torus"), "{without}");
+    let mut turned = read::parse(BY_HAND).unwrap();
+    turned.scene.objects.reverse();
+    let edited = update(BY_HAND, &turned);
+    assert!(edited.find("# the box") < edited.find("# the torus"), "{edited}");
+    assert!(edited.contains("# red") && edited.contains("# its name"), "{edited}");
+}
+
+#[test]
+fn forms_that_others_use_are_edited_in_place() {
+    let mut figure = read::parse(OTHER_FORMS[2]).unwrap();
+    figure.camera.far = 9.0;
+    figure.scene.preset = Preset::House;
+    let expected = OTHER_FORMS[2].replace("far = 7", "far = 9.0").replace("cube", "house");
+    assert_eq!(update(OTHER_FORMS[2], &figure), expected);
+}
+
+#[test]
+fn line_ends_of_windows_stay() {
+    let mut figure = read::parse(OTHER_FORMS[3]).unwrap();
+    figure.style.antialias = 1;
+    figure.camera.near = 0.75;
+    let edited = update(OTHER_FORMS[3], &figure);
+    assert!(edited.contains("near = 0.75") && edited.contains("# one"), "{edited}");
+    assert_eq!(edited.matches('\n').count(), edited.matches("\r\n").count(), "{edited:?}");
+}
+
+#[test]
+fn what_is_no_figure_is_replaced() {
+    assert_eq!(update("[camera]\nnear = what", &Figure::default()), to_toml(&Figure::default()));
+}

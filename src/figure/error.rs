@@ -1,0 +1,128 @@
+//! Why a text is no figure.
+
+use crate::camera::CameraError;
+
+/// The first fault of a figure file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("line {line}: {key}: {problem}")]
+pub struct FigureError {
+    /// Counted from 1.
+    pub line: usize,
+    /// The section and key as they are written, `[camera] near`; empty where none is concerned.
+    pub key: String,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+/// What is wrong with a line of a figure file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Problem {
+    /// The bytes are no UTF-8.
+    #[error("not UTF-8 (byte {byte:#04x})")]
+    NotUtf8 {
+        /// The first byte that does not fit.
+        byte: u8,
+    },
+    /// The file is larger than any figure.
+    #[error("more than {limit} bytes")]
+    TooLarge {
+        /// The greatest number of bytes.
+        limit: usize,
+    },
+    /// Not TOML.
+    #[error("not TOML: {detail}")]
+    Syntax {
+        /// The text of the line.
+        found: String,
+        /// The parser's explanation, in English.
+        detail: String,
+    },
+    /// A key or section that is there twice.
+    #[error("there twice")]
+    Duplicate,
+    /// A key that no section of this name has.
+    #[error("unknown; known: {}", known.join(", "))]
+    UnknownKey {
+        /// The key that was probably meant.
+        near: Option<String>,
+        /// The keys that exist there.
+        known: Vec<&'static str>,
+    },
+    /// A value of the wrong type or out of its range.
+    #[error("is {found}; allowed: {allowed:?}")]
+    Value {
+        /// The value as it is written, shortened.
+        found: String,
+        /// What would do.
+        allowed: Allowed,
+    },
+    /// A key without which the section says nothing.
+    #[error("missing")]
+    Missing {
+        /// What would do.
+        allowed: Allowed,
+    },
+    /// Two objects have the same name.
+    #[error("the name {name} is there twice")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// A parent that no object is called.
+    #[error("no object is called {name}")]
+    UnknownParent {
+        /// The name.
+        name: String,
+        /// The object that was probably meant.
+        near: Option<String>,
+    },
+    /// An object is its own ancestor.
+    #[error("{name} is its own ancestor")]
+    ParentCycle {
+        /// The name of the object.
+        name: String,
+    },
+    /// The values of `[camera]` make no camera.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+}
+
+/// What a value may be.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Allowed {
+    /// A finite number.
+    Number,
+    /// A finite number greater than 0.
+    PositiveNumber,
+    /// A number between two, both included.
+    NumberIn(f64, f64),
+    /// An integer between two, both included.
+    IntegerIn(i64, i64),
+    /// One of some integers.
+    Integers(&'static [i64]),
+    /// `[x, y, z]`, three finite numbers.
+    Vector,
+    /// `[x, y, z]`, not all 0.
+    NonZeroVector,
+    /// A list of `[x, y, z]`.
+    Points,
+    /// A list of an even number of `[x, y, z]`.
+    PointPairs,
+    /// `"#rrggbb"` or `"#rrggbbaa"`.
+    Color,
+    /// A text that is not empty.
+    Text,
+    /// One of some words.
+    Word {
+        /// The words.
+        words: Vec<&'static str>,
+        /// The one that was probably meant.
+        near: Option<String>,
+    },
+    /// A section, `[like.this]`.
+    Section,
+    /// Sections, `[[like.this]]`.
+    Sections,
+    /// An inline table or section with these keys.
+    Table(&'static str),
+}

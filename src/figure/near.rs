@@ -1,0 +1,190 @@
+//! The key that was probably meant.
+
+/// What other programs, the notes and hasty hands call the keys.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("fov", "view_angle"),
+    ("fovy", "view_angle"),
+    ("fov_y", "view_angle"),
+    ("field_of_view", "view_angle"),
+    ("angle", "view_angle"),
+    ("theta", "view_angle"),
+    ("viewangle", "view_angle"),
+    ("eye", "position"),
+    ("c", "position"),
+    ("location", "position"),
+    ("camera_position", "position"),
+    ("from", "position"),
+    ("pos", "position"),
+    ("up", "view_up"),
+    ("vup", "view_up"),
+    ("up_vector", "view_up"),
+    ("lookat", "focal_point"),
+    ("look_at", "focal_point"),
+    ("target", "focal_point"),
+    ("center", "focal_point"),
+    ("centre", "focal_point"),
+    ("at", "focal_point"),
+    ("to", "focal_point"),
+    ("pf", "focal_point"),
+    ("ref", "focal_point"),
+    ("znear", "near"),
+    ("z_near", "near"),
+    ("near_plane", "near"),
+    ("front", "near"),
+    ("zfar", "far"),
+    ("z_far", "far"),
+    ("far_plane", "far"),
+    ("back", "far"),
+    ("aspect_ratio", "aspect"),
+    ("ratio", "aspect"),
+    ("orthographic", "parallel"),
+    ("orthogonal", "parallel"),
+    ("ortho", "parallel"),
+    ("type", "projection"),
+    ("type", "shape"),
+    ("type", "kind"),
+    ("mode", "projection"),
+    ("l", "left"),
+    ("r", "right"),
+    ("b", "bottom"),
+    ("t", "top"),
+    ("w", "width"),
+    ("h", "height"),
+    ("colour", "color"),
+    ("position", "translate"),
+    ("translation", "translate"),
+    ("rotation", "rotate"),
+    ("size", "scale"),
+    ("slices", "segments"),
+    ("resolution", "segments"),
+    ("file", "path"),
+    ("vertices", "points"),
+    ("segments", "points"),
+    ("samples", "antialias"),
+    ("msaa", "antialias"),
+    ("antialiasing", "antialias"),
+    ("position", "target"),
+    ("focal_point", "target"),
+    ("cam", "camera"),
+    ("cube", "box"),
+    ("ball", "sphere"),
+    ("donut", "torus"),
+];
+
+/// Where a key is at home, for keys that stand in the wrong section.
+const HOMES: &[(&str, &str)] = &[
+    ("position", "camera"),
+    ("focal_point", "camera"),
+    ("view_up", "camera"),
+    ("projection", "camera"),
+    ("view_angle", "camera"),
+    ("aspect", "camera"),
+    ("near", "camera"),
+    ("far", "camera"),
+    ("window", "camera"),
+    ("width", "image"),
+    ("height", "image"),
+    ("depth_near", "viewport"),
+    ("depth_far", "viewport"),
+    ("preset", "scene"),
+    ("objects", "scene"),
+    ("lights", "scene"),
+    ("shading", "style"),
+    ("visibility", "style"),
+    ("hidden_lines", "style"),
+    ("antialias", "style"),
+    ("theme", "style"),
+];
+
+/// The one of `known` that `word` probably stands for, or where the key is at home.
+pub(super) fn key(word: &str, known: &[&str]) -> Option<String> {
+    known
+        .iter()
+        .find(|key| key.eq_ignore_ascii_case(word))
+        .map(|key| (*key).to_owned())
+        .or_else(|| synonym(word, known))
+        .or_else(|| home(&word.to_lowercase()))
+        .or_else(|| by_letters(word, known.iter().copied()))
+        .or_else(|| SYNONYMS.iter().find(|(other, _)| *other == word.to_lowercase()).and_then(|(_, key)| home(key)))
+}
+
+/// The one of `known` that `word` probably stands for.
+pub(super) fn word(word: &str, known: &[&str]) -> Option<String> {
+    synonym(word, known).or_else(|| by_letters(word, known.iter().copied()))
+}
+
+fn synonym(word: &str, known: &[&str]) -> Option<String> {
+    let word = word.to_lowercase().replace('-', "_");
+    SYNONYMS.iter().find(|(other, key)| *other == word && known.contains(key)).map(|(_, key)| (*key).to_owned())
+}
+
+fn home(key: &str) -> Option<String> {
+    HOMES.iter().find(|(k, _)| *k == key).map(|(k, section)| format!("[{section}] {k}"))
+}
+
+/// The one of `known` that differs least in its letters, where that is little.
+pub(super) fn by_letters<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
+    const LONGEST: usize = 64;
+    let plain = |s: &str| s.to_lowercase().replace(['-', ' '], "_").chars().collect::<Vec<_>>();
+    let word = plain(word);
+    if word.len() > LONGEST {
+        return None;
+    }
+    let (best, steps) = known.map(|k| (k, distance(&word, &plain(k)))).min_by_key(|(_, steps)| *steps)?;
+    (steps <= 2 && steps * 2 < word.len().max(2)).then(|| best.to_owned())
+}
+
+/// The number of letters to insert, delete, replace, or exchange with their neighbour (optimal string alignment).
+fn distance(a: &[char], b: &[char]) -> usize {
+    let mut before: Vec<usize> = Vec::new();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut next = vec![i];
+        for j in 1..=b.len() {
+            let same = usize::from(a[i - 1] != b[j - 1]);
+            let mut steps = (row[j - 1] + same).min(row[j] + 1).min(next[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                steps = steps.min(before[j - 2] + 1);
+            }
+            next.push(steps);
+        }
+        before = std::mem::replace(&mut row, next);
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CAMERA: &[&str] = &["position", "focal_point", "view_up", "view_angle", "aspect", "near", "far"];
+
+    #[test]
+    fn other_programs_names_lead_to_ours() {
+        for (theirs, ours) in [("fov", "view_angle"), ("eye", "position"), ("up", "view_up"), ("zNear", "near")] {
+            assert_eq!(key(theirs, CAMERA).as_deref(), Some(ours));
+        }
+    }
+
+    #[test]
+    fn typing_errors_lead_to_the_key() {
+        for (typed, ours) in
+            [("focalpoint", "focal_point"), ("apsect", "aspect"), ("View_Up", "view_up"), ("nera", "near")]
+        {
+            assert_eq!(key(typed, CAMERA).as_deref(), Some(ours));
+        }
+    }
+
+    #[test]
+    fn a_key_in_the_wrong_section_is_sent_home() {
+        assert_eq!(key("theme", CAMERA).as_deref(), Some("[style] theme"));
+        assert_eq!(key("fov", &["width", "height"]).as_deref(), Some("[camera] view_angle"));
+    }
+
+    #[test]
+    fn what_resembles_nothing_gets_no_suggestion() {
+        assert_eq!(key("banana", CAMERA), None);
+        assert_eq!(key("", CAMERA), None);
+        assert_eq!(key(&"near".repeat(100_000), CAMERA), None);
+    }
+}

@@ -1,0 +1,215 @@
+//! The text of a figure file → [`Figure`].
+
+mod scene;
+mod section;
+mod syntax;
+
+use std::ops::Range;
+
+use glam::DVec3;
+use toml_edit::{Document, TableLike};
+
+use super::error::{Allowed, FigureError, Problem};
+use super::words::{HIDDEN_LINES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
+use super::{Figure, Observer, Observers};
+use crate::appearance::Style;
+use crate::camera::{Camera, CameraError, ImageSize, Parameters, Projection, ViewWindow, Viewport};
+pub(super) use scene::DEFAULT_SEGMENTS;
+use section::{Fault, Section};
+
+/// The longest figure file in bytes.
+pub const MAX_BYTES: usize = 8 << 20;
+
+/// The longest side of an image in pixels.
+pub const MAX_SIDE: u32 = 16_384;
+
+/// How far the corner of a viewport may lie outside the image, in pixels.
+const MAX_OFFSET: i64 = 32_768;
+
+/// Reads the bytes of a figure file, whatever they are.
+///
+/// # Errors
+/// [`FigureError`] names the first line that is at fault.
+pub fn parse_bytes(bytes: &[u8]) -> Result<Figure, FigureError> {
+    let fault = |line, problem| FigureError { line, key: String::new(), problem };
+    if bytes.len() > MAX_BYTES {
+        return Err(fault(1, Problem::TooLarge { limit: MAX_BYTES }));
+    }
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let good = error.valid_up_to();
+        let line = 1 + bytes[..good].iter().filter(|b| **b == b'\n').count();
+        fault(line, Problem::NotUtf8 { byte: bytes[good] })
+    })?;
+    parse(text)
+}
+
+/// Reads a figure file. A key that is missing has its default; the empty text is the default figure.
+///
+/// # Guarantees
+/// The camera of the figure is one that [`Camera::new`] accepts.
+///
+/// # Errors
+/// [`FigureError`] names the first line that is at fault: the line, the key, what was found and what is allowed.
+pub fn parse(text: &str) -> Result<Figure, FigureError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
+    let mut root = Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0);
+    let mut faults = Vec::new();
+    let image_section = root.section("image", "[image]");
+    let figure = Figure {
+        camera: camera(root.section("camera", "[camera]"), &mut faults),
+        image: ImageSize::default(),
+        viewport: None,
+        scene: scene::scene(root.section("scene", "[scene]"), &mut faults),
+        style: style(root.section("style", "[style]"), &mut faults),
+        observers: observers(root.section("observers", "[observers]"), &mut faults),
+    };
+    let image = image(image_section, &mut faults);
+    let viewport = viewport(root.section("viewport", "[viewport]"), image, &mut faults);
+    faults.extend(root.finish());
+    match faults.into_iter().min_by_key(|fault| fault.at) {
+        Some(Fault { at, key, problem }) => Err(FigureError { line: line_of(text, at), key, problem }),
+        None => Ok(Figure { image, viewport, ..figure }),
+    }
+}
+
+fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
+    let default = Parameters::default();
+    let parameters = Parameters {
+        position: section.vector("position", default.position),
+        focal_point: section.vector("focal_point", default.focal_point),
+        view_up: section.vector("view_up", default.view_up),
+        projection: section.word("projection", PROJECTIONS, default.projection),
+        view_angle: section.number("view_angle", default.view_angle),
+        height: section.number("height", default.height),
+        aspect: section.number("aspect", default.aspect),
+        near: section.number("near", default.near),
+        far: section.number("far", default.far),
+        window: window(&mut section, faults),
+    };
+    if section.faults.is_empty()
+        && let Err(error) = Camera::new(&parameters)
+    {
+        let concerned = keys_of(&error);
+        let key = concerned.iter().find(|key| section.is_present(key)).or(concerned.first());
+        section.fault(key.copied().unwrap_or_default(), Problem::Camera(error));
+    }
+    faults.extend(section.finish());
+    parameters
+}
+
+/// The keys of `[camera]` that an error is about, the most likely culprit first.
+fn keys_of(error: &CameraError) -> Vec<&'static str> {
+    match error {
+        CameraError::FocalPointAtPosition => vec!["focal_point", "position"],
+        CameraError::ViewUpZero => vec!["view_up"],
+        CameraError::ViewUpCollinear => vec!["view_up", "focal_point", "position"],
+        CameraError::OutOfRange { key, .. } => vec![*key],
+    }
+}
+
+fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindow> {
+    let mut section = camera.section("window", "[camera] window.");
+    if !section.is_table() {
+        return None;
+    }
+    let mut side = |key| {
+        let value = section.number(key, 0.0);
+        if !section.is_present(key) {
+            section.missing(key, Allowed::Number);
+        }
+        value
+    };
+    let window = ViewWindow { left: side("left"), right: side("right"), bottom: side("bottom"), top: side("top") };
+    let found = section.finish();
+    let good = found.is_empty();
+    faults.extend(found);
+    good.then_some(window)
+}
+
+fn image(mut section: Section<'_>, faults: &mut Vec<Fault>) -> ImageSize {
+    let default = ImageSize::default();
+    let size = ImageSize {
+        width: section.integer("width", 1, i64::from(MAX_SIDE), default.width),
+        height: section.integer("height", 1, i64::from(MAX_SIDE), default.height),
+    };
+    faults.extend(section.finish());
+    size
+}
+
+fn viewport(mut section: Section<'_>, image: ImageSize, faults: &mut Vec<Fault>) -> Option<Viewport> {
+    let given = !section.is_empty();
+    let viewport = Viewport {
+        x: section.integer("x", -MAX_OFFSET, MAX_OFFSET, 0),
+        y: section.integer("y", -MAX_OFFSET, MAX_OFFSET, 0),
+        width: section.integer("width", 1, i64::from(MAX_SIDE), image.width),
+        height: section.integer("height", 1, i64::from(MAX_SIDE), image.height),
+        depth_near: section.number_in("depth_near", 0.0, 1.0, 0.0),
+        depth_far: section.number_in("depth_far", 0.0, 1.0, 1.0),
+    };
+    faults.extend(section.finish());
+    given.then_some(viewport)
+}
+
+fn style(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Style {
+    let default = Style::default();
+    let style = Style {
+        shading: section.word("shading", SHADINGS, default.shading),
+        visibility: section.word("visibility", VISIBILITIES, default.visibility),
+        hidden_lines: section.word("hidden_lines", HIDDEN_LINES, default.hidden_lines),
+        antialias: section.integer_of("antialias", &[1, 4, 16], default.antialias),
+        theme: section.word("theme", THEMES, default.theme),
+    };
+    faults.extend(section.finish());
+    style
+}
+
+fn observers(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observers {
+    let world = section.section("world", "[observers.world]");
+    let canonical = section.section("canonical", "[observers.canonical]");
+    let (has_world, has_canonical) = (section.is_present("world"), section.is_present("canonical"));
+    faults.extend(section.finish());
+    Observers {
+        world: has_world.then(|| observer(world, faults)),
+        canonical: has_canonical.then(|| observer(canonical, faults)),
+    }
+}
+
+fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
+    let observer = Observer {
+        target: section.vector("target", DVec3::ZERO),
+        distance: section.positive("distance", 10.0),
+        azimuth: section.number("azimuth", 30.0),
+        elevation: section.number_in("elevation", -90.0, 90.0, 20.0),
+        parallel: section.word("projection", PROJECTIONS, Projection::Perspective) == Projection::Parallel,
+    };
+    faults.extend(section.finish());
+    observer
+}
+
+/// The line of a place in the text, counted from 1.
+fn line_of(text: &str, at: usize) -> usize {
+    1 + text.as_bytes()[..at.min(text.len())].iter().filter(|b| **b == b'\n').count()
+}
+
+/// A piece of the text that fits into a sentence: one line, no control characters, not long.
+fn snippet(text: &str, span: Range<usize>) -> String {
+    const LONGEST: usize = 40;
+    let piece = text.get(span).unwrap_or_default();
+    let mut shown = String::new();
+    for c in piece.split_whitespace().collect::<Vec<_>>().join(" ").chars() {
+        if shown.chars().count() >= LONGEST {
+            shown.push('…');
+            break;
+        }
+        if c.is_control() {
+            shown.extend(c.escape_default());
+        } else {
+            shown.push(c);
+        }
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,247 @@
+//! One section of a figure file, whose keys are asked for one by one; what nobody asked for is unknown.
+
+use glam::DVec3;
+use toml_edit::{Item, TableLike, Value};
+
+use super::snippet;
+use crate::appearance::Rgba;
+use crate::figure::error::{Allowed, Problem};
+use crate::figure::near;
+use crate::figure::words::{self, Words};
+
+/// A fault, and where it stands in the text.
+#[derive(Debug)]
+pub(super) struct Fault {
+    pub(super) at: usize,
+    pub(super) key: String,
+    pub(super) problem: Problem,
+}
+
+/// A section that is there, or one of which every key has its default.
+pub(super) struct Section<'a> {
+    text: &'a str,
+    table: Option<&'a dyn TableLike>,
+    label: String,
+    at: usize,
+    asked: Vec<&'static str>,
+    pub(super) faults: Vec<Fault>,
+}
+
+impl<'a> Section<'a> {
+    /// The section of `table`; `label` is written before its keys in messages, `at` is where it starts.
+    pub(super) fn new(text: &'a str, table: Option<&'a dyn TableLike>, label: &str, at: usize) -> Self {
+        Self { text, table, label: label.to_owned(), at, asked: Vec::new(), faults: Vec::new() }
+    }
+
+    /// Where `key` stands; `None` where it is not there.
+    pub(super) fn place(&self, key: &str) -> Option<usize> {
+        let (key, item) = self.table?.get_key_value(key)?;
+        Some(key.span().or_else(|| item.span()).map_or(self.at, |span| span.start))
+    }
+
+    /// Where the section starts.
+    pub(super) fn start(&self) -> usize {
+        self.at
+    }
+
+    pub(super) fn is_present(&self, key: &str) -> bool {
+        self.table.is_some_and(|table| table.contains_key(key))
+    }
+
+    /// True where there is a table, even an empty one.
+    pub(super) fn is_table(&self) -> bool {
+        self.table.is_some()
+    }
+
+    /// True where no key is there.
+    pub(super) fn is_empty(&self) -> bool {
+        self.table.is_none_or(|table| table.iter().next().is_none())
+    }
+
+    pub(super) fn name_of(&self, key: &str) -> String {
+        match self.label.as_str() {
+            "" => key.to_owned(),
+            label if label.ends_with('.') => format!("{label}{key}"),
+            label => format!("{label} {key}"),
+        }
+    }
+
+    pub(super) fn fault(&mut self, key: &str, problem: Problem) {
+        let at = self.place(key).unwrap_or(self.at);
+        self.faults.push(Fault { at, key: self.name_of(key), problem });
+    }
+
+    /// Says that the value of `key` is none of what is allowed.
+    pub(super) fn refuse(&mut self, key: &str, allowed: Allowed) {
+        let found = self.item(key).and_then(Item::span).map_or_else(String::new, |span| snippet(self.text, span));
+        self.fault(key, Problem::Value { found, allowed });
+    }
+
+    pub(super) fn missing(&mut self, key: &str, allowed: Allowed) {
+        self.fault(key, Problem::Missing { allowed });
+    }
+
+    fn item(&self, key: &str) -> Option<&'a Item> {
+        self.table?.get(key)
+    }
+
+    fn ask(&mut self, key: &'static str) -> Option<&'a Item> {
+        if !self.asked.contains(&key) {
+            self.asked.push(key);
+        }
+        self.item(key)
+    }
+
+    /// The value that `read` finds at `key`; the default, and a fault, where it finds none.
+    fn read<T>(
+        &mut self,
+        key: &'static str,
+        default: T,
+        allowed: Allowed,
+        read: impl FnOnce(&Value) -> Option<T>,
+    ) -> T {
+        let Some(item) = self.ask(key) else { return default };
+        item.as_value().and_then(read).unwrap_or_else(|| {
+            self.refuse(key, allowed);
+            default
+        })
+    }
+
+    pub(super) fn number(&mut self, key: &'static str, default: f64) -> f64 {
+        self.read(key, default, Allowed::Number, number)
+    }
+
+    pub(super) fn number_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
+        self.read(key, default, Allowed::NumberIn(least, most), |value| {
+            number(value).filter(|x| (least..=most).contains(x))
+        })
+    }
+
+    pub(super) fn positive(&mut self, key: &'static str, default: f64) -> f64 {
+        self.read(key, default, Allowed::PositiveNumber, |value| number(value).filter(|x| *x > 0.0))
+    }
+
+    /// An integer from `least` to `most`, which fit the type.
+    pub(super) fn integer<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64, most: i64, default: T) -> T {
+        self.read(key, default, Allowed::IntegerIn(least, most), |value| {
+            value.as_integer().filter(|i| (least..=most).contains(i)).and_then(|i| T::try_from(i).ok())
+        })
+    }
+
+    pub(super) fn integer_of(&mut self, key: &'static str, choice: &'static [i64], default: u8) -> u8 {
+        self.read(key, default, Allowed::Integers(choice), |value| {
+            value.as_integer().filter(|i| choice.contains(i)).and_then(|i| u8::try_from(i).ok())
+        })
+    }
+
+    pub(super) fn vector(&mut self, key: &'static str, default: DVec3) -> DVec3 {
+        self.read(key, default, Allowed::Vector, vector)
+    }
+
+    pub(super) fn points(&mut self, key: &'static str, allowed: Allowed) -> Option<Vec<DVec3>> {
+        let pairs = allowed == Allowed::PointPairs;
+        if self.ask(key).is_none() {
+            self.missing(key, allowed);
+            return None;
+        }
+        self.read(key, None, allowed, |value| {
+            let points: Option<Vec<_>> = value.as_array()?.iter().map(vector).collect();
+            points.filter(|points| !pairs || points.len() % 2 == 0).map(Some)
+        })
+    }
+
+    pub(super) fn color(&mut self, key: &'static str) -> Option<Rgba> {
+        self.read(key, None, Allowed::Color, |value| value.as_str()?.parse().ok().map(Some))
+    }
+
+    /// A text that is not empty.
+    pub(super) fn text(&mut self, key: &'static str) -> Option<String> {
+        self.read(key, None, Allowed::Text, |value| {
+            value.as_str().filter(|text| !text.is_empty()).map(|text| Some(text.to_owned()))
+        })
+    }
+
+    pub(super) fn word<T: Clone>(&mut self, key: &'static str, words: Words<T>, default: T) -> T {
+        self.choice(key, words).unwrap_or(default)
+    }
+
+    /// The value of one of `words`; `None` where the key is missing or holds no such word.
+    pub(super) fn choice<T: Clone>(&mut self, key: &'static str, words: Words<T>) -> Option<T> {
+        let written = self.ask(key)?.as_str();
+        let value = written.and_then(|text| words::value(words, text));
+        if value.is_none() {
+            let words = words::names(words);
+            let near = written.and_then(|text| near::word(text, &words));
+            self.refuse(key, Allowed::Word { words, near });
+        }
+        value
+    }
+
+    /// A section in this one.
+    pub(super) fn section(&mut self, key: &'static str, label: &str) -> Self {
+        let item = self.ask(key);
+        let table = item.and_then(Item::as_table_like);
+        if item.is_some() && table.is_none() {
+            self.refuse(key, Allowed::Section);
+        }
+        Self::new(self.text, table, label, self.place(key).unwrap_or(self.at))
+    }
+
+    /// Sections in this one: `[[label]]`, or a list of inline tables.
+    pub(super) fn sections(&mut self, key: &'static str, label: &str) -> Vec<Self> {
+        let Some(item) = self.ask(key) else { return Vec::new() };
+        let tables: Option<Vec<(&dyn TableLike, Option<usize>)>> = match item {
+            Item::ArrayOfTables(tables) => {
+                Some(tables.iter().map(|t| (t as &dyn TableLike, t.span().map(|s| s.start))).collect())
+            }
+            Item::Value(Value::Array(list)) => list
+                .iter()
+                .map(|v| {
+                    let table = v.as_inline_table()?;
+                    Some((table as &dyn TableLike, table.span().map(|s| s.start)))
+                })
+                .collect(),
+            _ => None,
+        };
+        let Some(tables) = tables else {
+            self.refuse(key, Allowed::Sections);
+            return Vec::new();
+        };
+        let here = self.place(key).unwrap_or(self.at);
+        tables.into_iter().map(|(t, at)| Self::new(self.text, Some(t), label, at.unwrap_or(here))).collect()
+    }
+
+    /// The faults of the section, those of keys that nobody asked for included.
+    pub(super) fn finish(mut self) -> Vec<Fault> {
+        let unknown: Vec<String> = self
+            .table
+            .iter()
+            .flat_map(|table| table.iter())
+            .map(|(key, _)| key.to_owned())
+            .filter(|key| !self.asked.contains(&key.as_str()))
+            .collect();
+        for key in unknown {
+            let known = self.asked.clone();
+            let problem = Problem::UnknownKey { near: near::key(&key, &known), known };
+            let at = self.place(&key).unwrap_or(self.at);
+            self.faults.push(Fault { at, key: self.name_of(&snippet(&key, 0..key.len())), problem });
+        }
+        self.faults
+    }
+}
+
+/// A finite number; integers are numbers too.
+fn number(value: &Value) -> Option<f64> {
+    match value {
+        #[expect(clippy::cast_precision_loss, reason = "the nearest f64 is what a number in a figure means")]
+        Value::Integer(i) => Some(*i.value() as f64),
+        Value::Float(x) => Some(*x.value()).filter(|x| x.is_finite()),
+        _ => None,
+    }
+}
+
+fn vector(value: &Value) -> Option<DVec3> {
+    let list = value.as_array().filter(|list| list.len() == 3)?;
+    let mut numbers = list.iter().map(number);
+    Some(DVec3::new(numbers.next()??, numbers.next()??, numbers.next()??))
+}

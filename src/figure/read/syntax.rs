@@ -1,0 +1,85 @@
+//! A text that is no TOML: which line, which key, and why.
+
+use toml_edit::TomlError;
+
+use super::{line_of, snippet};
+use crate::figure::error::{FigureError, Problem};
+
+/// The parser's error in our words.
+pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {
+    let duplicate = error.message() == "duplicate key";
+    let (start, end) = match error.span() {
+        Some(span) => (span.start.min(text.len()), span.end.min(text.len())),
+        None => (0, 0),
+    };
+    // What is missing is reported where the next thing stands; it is missed at the end of the line before.
+    let at = if start == end { text[..floor(text, start)].trim_end().len() } else { start };
+    if duplicate {
+        let header = line_at(text, at).trim_start().starts_with('[');
+        let key = snippet(text, start..end);
+        let key = match section_before(text, at) {
+            _ if header => snippet(line_at(text, at), 0..line_at(text, at).len()),
+            Some(section) => format!("{section} {key}"),
+            None => key,
+        };
+        return FigureError { line: line_of(text, at), key, problem: Problem::Duplicate };
+    }
+    let key = match (section_before(text, at), key_before(text, at)) {
+        (Some(section), Some(key)) => format!("{section} {key}"),
+        (Some(section), None) => section,
+        (None, Some(key)) => key,
+        (None, None) => String::new(),
+    };
+    let line = line_at(text, at);
+    let found = snippet(line, 0..line.len());
+    let detail = snippet_of_message(error.message());
+    FigureError { line: line_of(text, at), key, problem: Problem::Syntax { found, detail } }
+}
+
+fn snippet_of_message(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The greatest place not after `at` that lies between two characters.
+fn floor(text: &str, at: usize) -> usize {
+    (0..=at.min(text.len())).rev().find(|i| text.is_char_boundary(*i)).unwrap_or(0)
+}
+
+fn line_at(text: &str, at: usize) -> &str {
+    let at = floor(text, at);
+    let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
+    let end = text[at..].find('\n').map_or(text.len(), |i| at + i);
+    text[start..end].trim()
+}
+
+/// The lines up to the one of `at`, the last one first.
+fn lines_back(text: &str, at: usize) -> impl Iterator<Item = &str> {
+    let at = floor(text, at);
+    let end = text[at..].find('\n').map_or(text.len(), |i| at + i);
+    text[..end].lines().rev().map(str::trim)
+}
+
+/// The section header that holds at `at`.
+fn section_before(text: &str, at: usize) -> Option<String> {
+    lines_back(text, at)
+        .find(|line| line.starts_with('['))
+        .and_then(|line| line.find(']').map(|end| &line[..=end]))
+        .map(|header| if header.starts_with("[[") { format!("{header}]") } else { header.to_owned() })
+        .map(|header| snippet(&header, 0..header.len()))
+}
+
+/// The key whose value is being written at `at`.
+fn key_before(text: &str, at: usize) -> Option<String> {
+    let is_bare = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
+    for (i, line) in lines_back(text, at).enumerate() {
+        if line.starts_with('[') {
+            return None;
+        }
+        let key = line.split('=').next().unwrap_or_default().trim();
+        let whole = line.contains('=') || i == 0;
+        if whole && !key.is_empty() && key.len() <= 80 && key.chars().all(is_bare) {
+            return Some(key.to_owned());
+        }
+    }
+    None
+}

@@ -1,0 +1,102 @@
+//! The words of a figure file: each name as it is written there, with its value.
+
+use glam::DVec3;
+
+use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
+use crate::camera::Projection;
+use crate::scene::{LightSpec, Preset, Shape};
+
+/// Names and their values, in the order in which they are offered.
+pub type Words<T> = &'static [(&'static str, T)];
+
+/// `projection`
+pub const PROJECTIONS: Words<Projection> =
+    &[("perspective", Projection::Perspective), ("parallel", Projection::Parallel)];
+
+/// `[scene] preset`
+pub const PRESETS: Words<Preset> = &[
+    ("primitives", Preset::Primitives),
+    ("cube", Preset::Cube),
+    ("house", Preset::House),
+    ("corridor", Preset::Corridor),
+    ("pyramid", Preset::Pyramid),
+    ("ndc-cube", Preset::NdcCube),
+    ("exercise-5.1", Preset::Exercise51),
+    ("exercise-5.2", Preset::Exercise52),
+    ("exercise-5.3", Preset::Exercise53),
+    ("empty", Preset::Empty),
+];
+
+/// `[style] shading`
+pub const SHADINGS: Words<Shading> = &[
+    ("wireframe", Shading::Wireframe),
+    ("flat", Shading::Flat),
+    ("gouraud", Shading::Gouraud),
+    ("phong", Shading::Phong),
+];
+
+/// `[style] visibility`
+pub const VISIBILITIES: Words<Visibility> =
+    &[("depth-buffer", Visibility::DepthBuffer), ("painter", Visibility::Painter), ("bsp", Visibility::Bsp)];
+
+/// `[style] hidden_lines`
+pub const HIDDEN_LINES: Words<HiddenLines> =
+    &[("dashed", HiddenLines::Dashed), ("hidden", HiddenLines::Hidden), ("shown", HiddenLines::Shown)];
+
+/// `[style] theme`
+pub const THEMES: Words<Theme> = &[("light", Theme::Light), ("dark", Theme::Dark), ("print", Theme::Print)];
+
+/// `[[scene.objects]] shape`; those that have data are empty here.
+pub const SHAPES: Words<Shape> = &[
+    ("box", Shape::Box),
+    ("prism", Shape::Prism),
+    ("pyramid", Shape::Pyramid),
+    ("sphere", Shape::Sphere),
+    ("ellipsoid", Shape::Ellipsoid),
+    ("cylinder", Shape::Cylinder),
+    ("cone", Shape::Cone),
+    ("torus", Shape::Torus),
+    ("grid", Shape::Grid),
+    ("points", Shape::Points(Vec::new())),
+    ("segments", Shape::Segments(Vec::new())),
+    ("mesh", Shape::Mesh { path: String::new() }),
+];
+
+/// `[[scene.lights]] kind`; the vectors are what a light has that gives none.
+pub const LIGHTS: Words<LightSpec> = &[
+    ("directional", LightSpec::Directional(DVec3::new(-1.0, -2.0, -1.0))),
+    ("point", LightSpec::Point(DVec3::new(0.0, 5.0, 0.0))),
+];
+
+/// What the kind of `shape` is called.
+#[must_use]
+pub fn shape_name(shape: &Shape) -> &'static str {
+    let same = |other: &Shape| std::mem::discriminant(other) == std::mem::discriminant(shape);
+    SHAPES.iter().find(|(_, other)| same(other)).map_or("", |(word, _)| word)
+}
+
+/// What the kind of `light` is called.
+#[must_use]
+pub fn light_name(light: LightSpec) -> &'static str {
+    match light {
+        LightSpec::Directional(_) => "directional",
+        LightSpec::Point(_) => "point",
+    }
+}
+
+/// The value called `name`.
+#[must_use]
+pub fn value<T: Clone>(words: Words<T>, name: &str) -> Option<T> {
+    words.iter().find(|(word, _)| *word == name).map(|(_, value)| value.clone())
+}
+
+/// What `value` is called; empty where the list lacks it, which a test excludes.
+#[must_use]
+pub fn name<T: Copy + PartialEq>(words: Words<T>, value: T) -> &'static str {
+    words.iter().find(|(_, v)| *v == value).map_or("", |(word, _)| word)
+}
+
+/// All names, in order.
+pub(super) fn names<T>(words: Words<T>) -> Vec<&'static str> {
+    words.iter().map(|(word, _)| *word).collect()
+}
