@@ -170,6 +170,19 @@ pub enum Dash {
     DashDot,
 }
 
+impl Dash {
+    /// Lengths drawn and left out in turn, in multiples of the width, the round ends included; empty: no gaps.
+    #[must_use]
+    pub const fn pattern(self) -> &'static [f32] {
+        match self {
+            Self::Solid => &[],
+            Self::Dashed => &[4.0, 3.0],
+            Self::Dotted => &[1.0, 2.5],
+            Self::DashDot => &[4.0, 2.5, 1.0, 2.5],
+        }
+    }
+}
+
 /// How one stroke looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineStyle {
@@ -183,6 +196,22 @@ pub struct LineStyle {
     pub hidden: HiddenLines,
     /// An arrow head at the last point.
     pub arrow: bool,
+}
+
+impl LineStyle {
+    /// The style of the part that lies behind a face; `None`: it is not drawn.
+    #[must_use]
+    pub fn behind_a_face(self) -> Option<Self> {
+        match self.hidden {
+            HiddenLines::Shown => Some(self),
+            HiddenLines::Hidden => None,
+            HiddenLines::Dashed => {
+                #[expect(clippy::cast_possible_truncation, reason = "less than the alpha it comes from")]
+                let faded = (u16::from(self.color.a) * 7 / 10) as u8;
+                Some(Self { color: self.color.with_alpha(faded), width: 0.7 * self.width, dash: Dash::Dashed, ..self })
+            }
+        }
+    }
 }
 
 /// The shape of a point mark; shapes differ so that colour never carries the meaning alone.

@@ -14,6 +14,7 @@ pub(super) type Pixel = [u8; 4];
 pub(super) struct Samples {
     pub(super) per_pixel: usize,
     pub(super) colors: Vec<Pixel>,
+    pub(super) depths: Vec<f32>,
 }
 
 /// Paints all surfaces on `samples` (which hold the background), with their depth in `depth`.
@@ -46,18 +47,22 @@ fn triangle(drawing: &Drawing, surface: &Surface, index: usize, out: &mut Sample
                 let place = |v: i32, shift: i32| f64::from(v) + 0.5 + f64::from(shift) / f64::from(STEPS);
                 let (x, y) = (place(i, offset[0]), place(j, offset[1]));
                 let (i, j) = (i.unsigned_abs() as usize, j.unsigned_abs() as usize);
+                let index = (j * drawing.width as usize + i) * out.per_pixel + s;
                 if surface.depth_test {
                     let new = z.at(x, y);
-                    let old = depth.sample(i, j, s);
+                    let old = &mut out.depths[index];
                     if new <= *old {
                         continue;
                     }
                     if !surface.translucent {
                         *old = new;
+                        if s == 0 {
+                            depth.set(i, j, new, z.slope());
+                        }
                     }
                 }
                 let source = shader.at(x, y);
-                let target = &mut out.colors[(j * drawing.width as usize + i) * out.per_pixel + s];
+                let target = &mut out.colors[index];
                 *target = if surface.translucent { over(source, *target) } else { source };
             }
         }
@@ -180,13 +185,13 @@ pub(super) fn premultiply(c: Rgba) -> Pixel {
 }
 
 /// v · a / 255, rounded.
-fn scale(v: u8, a: u8) -> u8 {
+pub(super) fn scale(v: u8, a: u8) -> u8 {
     let t = u32::from(v) * u32::from(a) + 128;
     #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
     let r = ((t + (t >> 8)) >> 8) as u8;
     r
 }
 
-fn over(source: Pixel, target: Pixel) -> Pixel {
+pub(super) fn over(source: Pixel, target: Pixel) -> Pixel {
     std::array::from_fn(|k| source[k].saturating_add(scale(target[k], 255 - source[3])))
 }

@@ -9,7 +9,7 @@ use super::depth::DepthBuffer;
 use super::text;
 
 /// What is left of the opacity where a face stands before a label or a mark.
-const FADED: f32 = 0.35;
+const FADED: f32 = 0.45;
 /// Width of the halo's stroke, as a share of the type size; half of it is outside the letter.
 const HALO: f32 = 0.28;
 
@@ -28,7 +28,7 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
     let x = label.position[0] + label.offset[0] - left;
     let y = label.position[1] + label.offset[1] + 0.5 * text::x_height(label.size);
     let place = Transform::from_translate(x, y);
-    let opacity = opacity(label.fade_if_hidden && is_hidden(depth, label.position));
+    let opacity = opacity(label.fade_if_hidden && !depth.shows(label.position));
     let stroke = Stroke { width: HALO * label.size, line_join: LineJoin::Round, ..Stroke::default() };
     pixmap.stroke_path(&path, &paint(label.halo, opacity), &stroke, place, None);
     pixmap.fill_path(&path, &paint(label.color, opacity), FillRule::Winding, place, None);
@@ -42,7 +42,7 @@ pub(super) fn mark(pixmap: &mut Pixmap, depth: &DepthBuffer, mark: &Mark) {
     let [x, y, _] = mark.position;
     let r = mark.radius;
     let Some(path) = mark_path(mark.shape, x, y, r) else { return };
-    let opacity = opacity(mark.fade_if_hidden && is_hidden(depth, mark.position));
+    let opacity = opacity(mark.fade_if_hidden && !depth.shows(mark.position));
     let line = (0.35 * r).max(1.0);
     let (inner, outer) = (paint(mark.color, opacity), paint(mark.outline, opacity));
     let stroke = |width| Stroke { width, line_join: LineJoin::Miter, ..Stroke::default() };
@@ -65,7 +65,7 @@ fn mark_path(shape: MarkShape, x: f32, y: f32, r: f32) -> Option<Path> {
         MarkShape::Disc => b.push_circle(x, y, r),
         MarkShape::Ring => b.push_circle(x, y, 0.8 * r),
         MarkShape::Square => {
-            b.push_rect(tiny_skia::Rect::from_ltrb(x - 0.9 * r, y - 0.9 * r, x + 0.9 * r, y + 0.9 * r)?)
+            b.push_rect(tiny_skia::Rect::from_ltrb(x - 0.9 * r, y - 0.9 * r, x + 0.9 * r, y + 0.9 * r)?);
         }
         MarkShape::Diamond => {
             let r = 1.2 * r;
@@ -100,14 +100,4 @@ fn paint(c: Rgba, opacity: f32) -> Paint<'static> {
     let mut paint = Paint { anti_alias: true, ..Paint::default() };
     paint.set_color(color);
     paint
-}
-
-/// True where a face stands before the point.
-fn is_hidden(depth: &DepthBuffer, p: [f32; 3]) -> bool {
-    if p[0] < 0.0 || p[1] < 0.0 {
-        return false;
-    }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative; `as` saturates")]
-    let front = depth.at(p[0] as u32, p[1] as u32);
-    front.is_some_and(|z| z > p[2] + 1e-3 * p[2].abs() + 1e-5)
 }

@@ -1,5 +1,6 @@
 //! [`Drawing`] → pixels.
 
+mod coverage;
 mod depth;
 mod fill;
 mod label;
@@ -23,6 +24,7 @@ pub const MAX_PIXELS: u64 = 1 << 27;
 pub struct Rasterizer {
     samples: fill::Samples,
     depth: DepthBuffer,
+    strokes: line::Strokes,
 }
 
 impl Rasterizer {
@@ -61,7 +63,9 @@ impl Rasterizer {
         self.samples.per_pixel = per_pixel;
         self.samples.colors.clear();
         self.samples.colors.resize(width * height * per_pixel, fill::premultiply(drawing.background));
-        self.depth.reset(width, height, per_pixel);
+        self.samples.depths.clear();
+        self.samples.depths.resize(width * height * per_pixel, f32::NEG_INFINITY);
+        self.depth.reset(width, height, setup::samples(per_pixel)[0]);
         fill::surfaces(drawing, &mut self.samples, &mut self.depth);
         for (pixel, samples) in pixmap.data_mut().chunks_exact_mut(4).zip(self.samples.colors.chunks_exact(per_pixel)) {
             let n = samples.len();
@@ -72,8 +76,9 @@ impl Rasterizer {
                 *byte = mean;
             }
         }
+        self.strokes.coverage.resize(width, height);
         for set in &drawing.strokes {
-            line::stroke(pixmap, set);
+            self.strokes.draw(pixmap, &self.depth, set);
         }
         for mark in &drawing.marks {
             label::mark(pixmap, &self.depth, mark);

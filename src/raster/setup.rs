@@ -156,8 +156,8 @@ pub(super) struct Plane {
     origin: [f64; 2],
     value: f64,
     /// Change per pixel.
-    pub(super) dx: f64,
-    pub(super) dy: f64,
+    dx: f64,
+    dy: f64,
     low: f32,
     high: f32,
 }
@@ -168,6 +168,12 @@ impl Plane {
         #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
         let v = (self.value + self.dx * (x - self.origin[0]) + self.dy * (y - self.origin[1])) as f32;
         v.clamp(self.low, self.high)
+    }
+
+    /// Change per pixel to the right and down.
+    #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
+    pub(super) fn slope(&self) -> [f32; 2] {
+        [self.dx as f32, self.dy as f32]
     }
 }
 

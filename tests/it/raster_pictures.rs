@@ -1,7 +1,7 @@
 //! The rules of depth and order of a drawing, frozen in small pictures.
 
-use camera_lab::appearance::Rgba;
-use camera_lab::drawing::{Anchor, Drawing, Label, Paint, Surface};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
+use camera_lab::drawing::{Anchor, Drawing, Label, Paint, StrokeSet, Surface};
 use camera_lab::raster::Rasterizer;
 
 use crate::common::picture::assert_picture;
@@ -35,6 +35,15 @@ fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, color: Rgba) -> S
     }
 }
 
+fn stroke(points: Vec<[f32; 3]>, hidden: HiddenLines, arrow: bool) -> StrokeSet {
+    let end = u32::try_from(points.len()).expect("a few points");
+    StrokeSet {
+        points,
+        polylines: vec![0..end],
+        style: LineStyle { color: INK, width: 2.0, dash: Dash::Solid, hidden, arrow },
+    }
+}
+
 fn label(position: [f32; 3], text: &str, fade_if_hidden: bool) -> Label {
     Label {
         position,
@@ -57,6 +66,22 @@ fn crossing_triangles() {
     let red = Rgba::rgba(0xcc, 0x33, 0x11, 0x80);
     d.surfaces.push(surface(vec![[30.0, 85.0, 0.45], [60.0, 2.0, 0.45], [90.0, 85.0, 0.45]], vec![[0, 1, 2]], red));
     assert_picture("crossing_triangles", &Rasterizer::default().paint(&d).expect("a picture"));
+}
+
+/// A line that enters a face, goes on behind it and comes out again, in each of the three styles; and the edge of the face,
+/// which counts as visible.
+#[test]
+fn line_through_a_face() {
+    let mut d = drawing(160, 120);
+    let corners = vec![[40.0, 10.0, 0.5], [120.0, 10.0, 0.5], [120.0, 110.0, 0.5], [40.0, 110.0, 0.5]];
+    d.surfaces.push(surface(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], Rgba::rgb(0xbb, 0xcc, 0xee)));
+    for (y, hidden) in [(30.0, HiddenLines::Dashed), (60.0, HiddenLines::Hidden), (90.0, HiddenLines::Shown)] {
+        d.strokes.push(stroke(vec![[10.0, y, 0.7], [150.0, y + 8.0, 0.3]], hidden, true));
+    }
+    let mut edge = corners;
+    edge.push(edge[0]);
+    d.strokes.push(stroke(edge, HiddenLines::Hidden, false));
+    assert_picture("line_through_a_face", &Rasterizer::default().paint(&d).expect("a picture"));
 }
 
 /// Texts before a face, behind it, and behind it but not to be faded.

@@ -1,0 +1,216 @@
+//! How much of each pixel a set of strokes covers.
+//!
+//! All pieces of a set meet in one mask, each pixel keeping the greatest share, and the mask is laid on the picture at once:
+//! pieces may overlap (joints, crossings, arrow heads) without a translucent colour growing darker there.
+
+use tiny_skia::Pixmap;
+
+use crate::appearance::Rgba;
+
+use super::fill;
+
+/// A mask of a picture's size, cleared where it was used.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Coverage {
+    width: usize,
+    height: usize,
+    shares: Vec<u8>,
+    /// For each row the columns that were touched: first and end.
+    rows: Vec<(u32, u32)>,
+}
+
+const UNTOUCHED: (u32, u32) = (u32::MAX, 0);
+
+impl Coverage {
+    /// Makes the mask fit a picture.
+    pub(super) fn resize(&mut self, width: usize, height: usize) {
+        if (self.width, self.height) != (width, height) {
+            (self.width, self.height) = (width, height);
+            self.shares.clear();
+            self.shares.resize(width * height, 0);
+            self.rows.clear();
+            self.rows.resize(height, UNTOUCHED);
+        }
+    }
+
+    /// Covers what lies within `radius` of the segment a–b: a stroke with round ends. A stroke thinner than a pixel covers it
+    /// in part.
+    pub(super) fn capsule(&mut self, a: [f32; 2], b: [f32; 2], radius: f32) {
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = dx.hypot(dy);
+        let reach = radius + 0.5;
+        if !(length.is_finite() && reach > 0.5) {
+            return;
+        }
+        let (ux, uy) = if length > 1e-6 { (dx / length, dy / length) } else { (1.0, 0.0) };
+        let (left, right) = (a[0].min(b[0]) - reach, a[0].max(b[0]) + reach);
+        for j in pixels(a[1].min(b[1]) - reach, a[1].max(b[1]) + reach, self.height) {
+            let y = center(j) - a[1];
+            // Along the row the distance to the line grows by |uy| a pixel.
+            let (mut from, mut to) = (left, right);
+            if uy.abs() > 1e-3 {
+                let (middle, half) = (a[0] + y * ux / uy, reach / uy.abs());
+                (from, to) = (from.max(middle - half), to.min(middle + half));
+            }
+            self.row(j, from, to, |x| {
+                let x = x - a[0];
+                let along = x * ux + y * uy;
+                let beside = x * uy - y * ux;
+                let beyond = (-along).max(along - length).max(0.0);
+                overlap((beside * beside + beyond * beyond).sqrt(), radius)
+            });
+        }
+    }
+
+    /// Covers a triangle.
+    pub(super) fn triangle(&mut self, corners: [[f32; 2]; 3]) {
+        let [a, b, c] = corners;
+        let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        if !area.is_finite() || area.abs() < 1e-3 {
+            return;
+        }
+        let edges = [(a, b), (b, c), (c, a)].map(|(p, q)| {
+            let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
+            let scale = area.signum() / dx.hypot(dy);
+            (p, dx * scale, dy * scale)
+        });
+        let low = |k: usize| a[k].min(b[k]).min(c[k]) - 0.5;
+        let high = |k: usize| a[k].max(b[k]).max(c[k]) + 0.5;
+        for j in pixels(low(1), high(1), self.height) {
+            let y = center(j);
+            self.row(j, low(0), high(0), |x| {
+                let inside = |(p, dx, dy): ([f32; 2], f32, f32)| dx * (y - p[1]) - dy * (x - p[0]);
+                let depth = inside(edges[0]).min(inside(edges[1])).min(inside(edges[2]));
+                (depth + 0.5).clamp(0.0, 1.0)
+            });
+        }
+    }
+
+    /// Raises the shares of a row between two abscissae to what `share` says for each pixel centre.
+    fn row(&mut self, j: usize, from: f32, to: f32, share: impl Fn(f32) -> f32) {
+        let columns = pixels(from, to, self.width);
+        if columns.is_empty() {
+            return;
+        }
+        let touched = &mut self.rows[j];
+        #[expect(clippy::cast_possible_truncation, reason = "sides are at most 16384")]
+        let (first, end) = (columns.start as u32, columns.end as u32);
+        *touched = (touched.0.min(first), touched.1.max(end));
+        for i in columns {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share is 0 … 1")]
+            let share = (share(center(i)) * 255.0 + 0.5) as u8;
+            let pixel = &mut self.shares[j * self.width + i];
+            *pixel = share.max(*pixel);
+        }
+    }
+
+    /// Lays the colour on `pixmap` wherever the mask covers it, and clears the mask.
+    pub(super) fn lay(&mut self, pixmap: &mut Pixmap, color: Rgba) {
+        let source = fill::premultiply(color);
+        let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
+        for (j, touched) in self.rows.iter_mut().enumerate() {
+            let (first, end) = std::mem::replace(touched, UNTOUCHED);
+            if first >= end {
+                continue;
+            }
+            let range = j * self.width + first as usize..j * self.width + end as usize;
+            for (share, pixel) in self.shares[range.clone()].iter_mut().zip(&mut pixels[range]) {
+                match std::mem::take(share) {
+                    0 => {}
+                    255 => *pixel = fill::over(source, *pixel),
+                    s => *pixel = fill::over(source.map(|c| fill::scale(c, s)), *pixel),
+                }
+            }
+        }
+    }
+}
+
+/// The share of a pixel that a stroke of this half width covers, `distance` from its middle line.
+fn overlap(distance: f32, radius: f32) -> f32 {
+    (radius.min(distance + 0.5) - (-radius).max(distance - 0.5)).clamp(0.0, 1.0)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "sides are at most 16384")]
+fn center(i: usize) -> f32 {
+    i as f32 + 0.5
+}
+
+/// The pixels of 0 … size whose centres lie between two abscissae.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates; NaN gives nothing")]
+fn pixels(from: f32, to: f32, size: usize) -> std::ops::Range<usize> {
+    let first = (from - 0.5).ceil().max(0.0) as usize;
+    let end = ((to + 0.5).floor().max(0.0) as usize).min(size);
+    first.min(end)..end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_level_stroke_covers_exactly_its_width() {
+        for (y, width, expected) in [
+            (3.5, 1.0, [0, 255, 0]),
+            (3.0, 1.0, [128, 128, 0]),
+            (3.5, 2.0, [128, 255, 128]),
+            (3.5, 0.5, [0, 128, 0]),
+            (3.75, 1.0, [0, 191, 64]),
+        ] {
+            let mut mask = Coverage::default();
+            mask.resize(20, 8);
+            mask.capsule([3.0, y], [17.0, y], width / 2.0);
+            let column: [u8; 3] = std::array::from_fn(|j| mask.shares[(j + 2) * 20 + 10]);
+            assert_eq!(column, expected, "y = {y}, width = {width}");
+        }
+    }
+
+    #[test]
+    fn a_stroke_covers_its_area_at_any_angle() {
+        for degrees in [0.0_f32, 10.0, 30.0, 45.0, 77.0, 90.0] {
+            let mut mask = Coverage::default();
+            mask.resize(100, 100);
+            let (s, c) = degrees.to_radians().sin_cos();
+            mask.capsule([50.3 - 40.0 * c, 50.1 - 40.0 * s], [50.3 + 40.0 * c, 50.1 + 40.0 * s], 1.25);
+            let area = mask.shares.iter().map(|&s| f64::from(s) / 255.0).sum::<f64>();
+            let exact = 80.0 * 2.5 + std::f64::consts::PI * 1.25 * 1.25;
+            assert!((area - exact).abs() < 0.02 * exact, "{degrees}°: {area} instead of {exact}");
+        }
+    }
+
+    #[test]
+    fn a_triangle_covers_its_area() {
+        for corners in [[[5.0, 5.0], [60.0, 12.0], [20.0, 50.0]], [[5.0, 5.0], [20.0, 50.0], [60.0, 12.0]]] {
+            let mut mask = Coverage::default();
+            mask.resize(70, 60);
+            mask.triangle(corners);
+            let area = mask.shares.iter().map(|&s| f64::from(s) / 255.0).sum::<f64>();
+            assert!((area - 1185.0).abs() < 12.0, "{area}");
+        }
+    }
+
+    #[test]
+    fn what_is_outside_or_no_number_leaves_no_trace() {
+        let mut mask = Coverage::default();
+        mask.resize(10, 10);
+        mask.capsule([-50.0, -50.0], [-20.0, 70.0], 2.0);
+        mask.capsule([f32::NAN, 1.0], [5.0, 5.0], 2.0);
+        mask.capsule([1.0, 1.0], [5.0, f32::INFINITY], 2.0);
+        mask.capsule([1.0, 1.0], [5.0, 5.0], f32::NAN);
+        mask.capsule([1.0, 1.0], [5.0, 5.0], -1.0);
+        mask.triangle([[f32::NAN, 0.0], [5.0, 5.0], [0.0, 5.0]]);
+        assert!(mask.shares.iter().all(|&s| s == 0));
+    }
+
+    #[test]
+    fn overlapping_pieces_darken_nothing() {
+        let mut pixmap = Pixmap::new(20, 5).expect("a size");
+        let mut mask = Coverage::default();
+        mask.resize(20, 5);
+        mask.capsule([2.0, 2.5], [12.0, 2.5], 1.0);
+        mask.capsule([8.0, 2.5], [18.0, 2.5], 1.0);
+        mask.lay(&mut pixmap, Rgba::rgba(255, 255, 255, 128));
+        let alpha = |i| pixmap.pixel(i, 2).map(|p| p.alpha());
+        assert_eq!((alpha(5), alpha(10), alpha(15)), (Some(128), Some(128), Some(128)));
+        assert!(mask.shares.iter().all(|&s| s == 0));
+    }
+}
