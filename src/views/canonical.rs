@@ -1,26 +1,149 @@
 //! The canonical volume: the scene after clipping and projection, in the cube \[−1, 1\]³.
+//!
+//! NDC is left-handed; the picture shows (x_n, y_n, −z_n), which is right-handed, so that with x_n to the right and y_n up
+//! z_n goes into the screen, as in `[0]` Fig. 5.4. The mirror is in the display space, not in the numbers.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
+use crate::appearance::{Dash, HiddenLines};
+use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::figure::Observer;
 use crate::geometry::Aabb;
 use crate::pipeline;
+use crate::scene::Scene;
 
-use super::observer::Preset;
-use super::{Palette, Setup};
+use super::gizmos::{SMALL_TYPE, Sheet};
+use super::image::PixelRect;
+use super::observer::{Direction, Preset};
+use super::screen::Screen;
+use super::{Palette, Setup, placing, probe};
+
+const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
+/// How far the axes reach from the middle of the cube.
+const AXIS: f64 = 1.42;
+const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, parallel: false };
+
+/// A point in NDC as this picture shows it.
+pub(super) fn display_from_ndc(p: DVec3) -> DVec3 {
+    DVec3::new(p.x, p.y, -p.z)
+}
+
+/// A world point in NDC, `[0]` Eq. (5.6); `None` for what is not before C.
+pub(super) fn ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
+    let c = camera.clip_point(p_world);
+    let p = c.truncate() / c.w;
+    (c.w > 0.0 && p.is_finite()).then_some(p)
+}
 
 /// The observer that a button gives: it looks from the preset's side and has the cube in the picture.
 #[must_use]
 pub fn observer(setup: &Setup, preset: Preset) -> Observer {
-    Observer::fit(Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE }, preset, setup.size.aspect())
+    frame(setup, preset.direction(ISO))
 }
 
-/// Draws the canonical volume as `observer` sees it.
+/// The observer that looks in the same direction and has the cube in the picture.
+#[must_use]
+pub fn fit(setup: &Setup, observer: &Observer) -> Observer {
+    frame(setup, Direction::from(*observer))
+}
+
+fn frame(setup: &Setup, direction: Direction) -> Observer {
+    let tips = [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| axis * (AXIS + 0.05));
+    let points: Vec<_> = CUBE.corners().into_iter().chain(tips).collect();
+    Observer::framing(&points, direction, setup.size.aspect())
+}
+
+/// The observer's camera and its pixels; `None` for an observer that is no camera.
+pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
+    let bounds = Aabb { min: CUBE.min * 2.0, max: CUBE.max * 2.0 };
+    let camera = observer.camera(Some(bounds), setup.size.aspect()).ok()?;
+    Some(Screen::new(camera, PixelRect::whole(setup.size)))
+}
+
+/// The clipped and projected scene, in display space.
+pub(super) fn contents(_setup: &Setup) -> Scene {
+    Scene::default()
+}
+
+/// Draws the canonical volume as `observer` sees it; an observer that is no camera sees nothing.
 #[must_use]
 pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
-    let palette = Palette::of(setup.figure.style.theme);
-    let camera = observer.camera(None, setup.size.aspect());
-    let camera = camera.as_ref().unwrap_or(setup.camera);
-    pipeline::draw(setup.scene, camera, setup.size.target(palette.paper), &setup.figure.style)
+    let style = &setup.figure.style;
+    let palette = Palette::of(style.theme);
+    let target = setup.size.target(palette.paper);
+    let Some(screen) = screen(setup, observer) else {
+        return pipeline::draw(&Scene::default(), setup.camera, target, style);
+    };
+    let mut sheet = Sheet { scene: contents(setup), screen: &screen, hidden: style.hidden_lines };
+    axes(&mut sheet, palette);
+    probe::in_canonical(&mut sheet, setup, palette);
+    cube(&mut sheet, setup, palette);
+    let mut drawing = pipeline::draw(&sheet.scene, screen.camera(), target, style);
+    placing::settle(&mut drawing, &[]);
+    drawing
+}
+
+fn axes(sheet: &mut Sheet, palette: Palette) {
+    let all = [(DVec3::X, "x_n"), (DVec3::Y, "y_n"), (DVec3::NEG_Z, "z_n")];
+    for ((axis, name), color) in all.into_iter().zip(palette.axes) {
+        sheet.vector(DVec3::ZERO, axis * AXIS, color, 1.8, name);
+    }
+}
+
+/// The cube: its near face (z_n = −1) stands out as the window does in the world, its far face has dashed edges as there.
+fn cube(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
+    let square = |z: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, z));
+    let (near, far) = (square(1.0), square(-1.0));
+    let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
+    sheet.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
+    sheet.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
+    for i in 0..4 {
+        sheet.line(vec![near[i], far[i]], palette.volume_edge, 1.3, Dash::Solid);
+    }
+    sheet.closed(&far, palette.volume_edge, 1.5, Dash::Dashed);
+    sheet.closed(&near, palette.ink, 2.0, Dash::Solid);
+    hatch(sheet, palette);
+
+    let away = |p: DVec3| {
+        let middle = sheet.screen.place(DVec3::ZERO).unwrap_or(DVec2::ZERO);
+        sheet.screen.place(p).map_or(DVec2::X, |px| px - middle)
+    };
+    let labels = setup.labels;
+    let names = [(near[3], format!("{} (z_n = −1)", labels.near)), (far[2], format!("{} (z_n = 1)", labels.far))];
+    let names = names.map(|(p, text)| (p, text, away(p)));
+    let corners = CUBE.corners().map(|p| (p, corner_name(p), away(p)));
+    for (p, text, toward) in names {
+        sheet.text(p, &text, toward, SMALL_TYPE, palette.ink);
+    }
+    for (p, text, toward) in corners {
+        sheet.text(p, &text, toward, SMALL_TYPE - 1.0, palette.soft);
+    }
+}
+
+/// A corner's coordinates in NDC.
+fn corner_name(p: DVec3) -> String {
+    let sign = |v: f64| if v < 0.0 { "−1" } else { "1" };
+    format!("({}, {}, {})", sign(p.x), sign(p.y), sign(-p.z))
+}
+
+/// Short strokes along the inner side of the near face's border, as draughtsmen mark a plane.
+fn hatch(sheet: &mut Sheet, palette: Palette) {
+    const STROKES: i32 = 12;
+    const LENGTH: f64 = 0.07;
+    let hidden = std::mem::replace(&mut sheet.hidden, HiddenLines::Hidden);
+    for i in 0..STROKES {
+        let a = -1.0 + 2.0 * (f64::from(i) + 0.5) / f64::from(STROKES);
+        let ends = [
+            [(a, 1.0), (a - LENGTH, 1.0 - LENGTH)],
+            [(a, -1.0), (a + LENGTH, -1.0 + LENGTH)],
+            [(1.0, a), (1.0 - LENGTH, a - LENGTH)],
+            [(-1.0, a), (-1.0 + LENGTH, a + LENGTH)],
+        ];
+        for stroke in ends {
+            let points = stroke.map(|(x, y)| DVec3::new(x, y, 1.0)).to_vec();
+            sheet.line(points, palette.soft, 0.8, Dash::Solid);
+        }
+    }
+    sheet.hidden = hidden;
 }

@@ -1,10 +1,13 @@
 //! The image: the scene as the figure's camera sees it, with the aspect of the view window.
 
+use crate::appearance::{Dash, HiddenLines, Rgba};
 use crate::camera::ViewWindow;
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
 use crate::pipeline;
 
-use super::{Palette, Setup, Size};
+use super::gizmos::{Sheet, stroke};
+use super::screen::Screen;
+use super::{Palette, Setup, Size, probe};
 
 /// A rectangle of a picture, in pixels; (0, 0) is the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,15 +22,112 @@ pub struct PixelRect {
     pub height: u32,
 }
 
-/// Where the image lies in a picture of this size: the largest rectangle with the window's aspect, in the middle.
+impl PixelRect {
+    /// All of a picture.
+    pub(super) fn whole(size: Size) -> Self {
+        Self { x: 0, y: 0, width: size.width, height: size.height }
+    }
+}
+
+/// Where the image lies in a picture of this size: the largest rectangle with the window's aspect (to the nearest pixel), in
+/// the middle.
 #[must_use]
-pub fn frame(size: Size, _window: ViewWindow) -> PixelRect {
-    PixelRect { x: 0, y: 0, width: size.width, height: size.height }
+pub fn frame(size: Size, window: ViewWindow) -> PixelRect {
+    let aspect = window.aspect();
+    let width = rounded(f64::from(size.height) * aspect, size.width);
+    let height = rounded(f64::from(size.width) / aspect, size.height);
+    PixelRect { x: (size.width - width) / 2, y: (size.height - height) / 2, width, height }
+}
+
+/// The nearest whole number of pixels, 1 … `most`.
+fn rounded(pixels: f64, most: u32) -> u32 {
+    let bounded = pixels.round().clamp(1.0_f64.min(f64::from(most)), f64::from(most));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number in 0 … most")]
+    let whole = bounded as u32;
+    whole
+}
+
+/// The camera and the pixels that its window fills.
+pub(super) fn screen(setup: &Setup) -> Screen {
+    Screen::new(setup.camera.clone(), frame(setup.size, setup.camera.window()))
 }
 
 /// Draws the image.
 #[must_use]
 pub fn draw(setup: &Setup) -> Drawing {
-    let palette = Palette::of(setup.figure.style.theme);
-    pipeline::draw(setup.scene, setup.camera, setup.size.target(palette.paper), &setup.figure.style)
+    let style = &setup.figure.style;
+    let palette = Palette::of(style.theme);
+    let (whole, screen) = (setup.size.target(palette.paper), screen(setup));
+    let mut sheet = Sheet { scene: setup.scene.clone(), screen: &screen, hidden: style.hidden_lines };
+    probe::in_image(&mut sheet, setup, palette);
+    let rect = frame(setup.size, setup.camera.window());
+    let target = pipeline::Target { width: rect.width, height: rect.height, ..whole };
+    let drawing = pipeline::draw(&sheet.scene, &setup.camera.clone(), target, style);
+    if rect == PixelRect::whole(setup.size) { drawing } else { mounted(drawing, rect, setup.size, palette) }
+}
+
+/// The image in the middle of a larger picture, with a thin border.
+fn mounted(mut image: Drawing, rect: PixelRect, size: Size, palette: Palette) -> Drawing {
+    #[expect(clippy::cast_precision_loss, reason = "pixels")]
+    let [x, y, w, h] = [rect.x, rect.y, rect.width, rect.height].map(|v| v as f32);
+    let shift = |p: &mut [f32; 3]| {
+        p[0] += x;
+        p[1] += y;
+    };
+    image.surfaces.iter_mut().flat_map(|s| &mut s.positions).for_each(shift);
+    image.strokes.iter_mut().flat_map(|s| &mut s.points).for_each(shift);
+    image.marks.iter_mut().for_each(|m| shift(&mut m.position));
+    image.labels.iter_mut().for_each(|l| shift(&mut l.position));
+    image.surfaces.insert(0, sheet_of_paper([x, y, w, h], image.background));
+    let half = 0.5 * size.scale;
+    let corner = |dx: f32, dy: f32| [x + dx * w + half * (2.0 * dx - 1.0), y + dy * h + half * (2.0 * dy - 1.0), 1.0];
+    image.strokes.push(StrokeSet {
+        points: vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0), corner(0.0, 0.0)],
+        polylines: std::iter::once(0..5).collect(),
+        style: stroke(palette.soft, size.scale, Dash::Solid, HiddenLines::Shown),
+    });
+    Drawing { width: size.width, height: size.height, background: palette.surround, ..image }
+}
+
+/// A rectangle behind everything.
+fn sheet_of_paper([x, y, w, h]: [f32; 4], color: Rgba) -> Surface {
+    Surface {
+        positions: vec![[x, y, 0.0], [x + w, y, 0.0], [x + w, y + h, 0.0], [x, y + h, 0.0]],
+        inverse_w: Vec::new(),
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        paint: Paint::Solid(color),
+        translucent: false,
+        depth_test: false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn size(width: u32, height: u32) -> Size {
+        Size { width, height, scale: 1.0 }
+    }
+
+    fn window(aspect: f64) -> ViewWindow {
+        ViewWindow { left: -aspect, right: aspect, bottom: -1.0, top: 1.0 }
+    }
+
+    #[test]
+    fn the_frame_has_the_windows_aspect_and_lies_in_the_middle() {
+        let rect = |x, y, width, height| PixelRect { x, y, width, height };
+        assert_eq!(frame(size(400, 300), window(4.0 / 3.0)), rect(0, 0, 400, 300));
+        assert_eq!(frame(size(400, 300), window(1.0)), rect(50, 0, 300, 300));
+        assert_eq!(frame(size(400, 300), window(2.0)), rect(0, 50, 400, 200));
+        assert_eq!(frame(size(401, 300), window(0.5)), rect(125, 0, 150, 300));
+    }
+
+    #[test]
+    fn an_extreme_window_still_has_a_frame() {
+        for aspect in [1e-12, 1e12] {
+            let f = frame(size(400, 300), window(aspect));
+            assert!(f.width >= 1 && f.height >= 1 && f.x + f.width <= 400 && f.y + f.height <= 300, "{f:?}");
+        }
+        assert_eq!(frame(size(0, 0), window(1.0)), PixelRect { x: 0, y: 0, width: 0, height: 0 });
+    }
 }

@@ -8,14 +8,19 @@
 //! | --- | --- | --- |
 //! | [`image`] | world | the figure's camera |
 //! | [`world`] | world | [`Observer`](crate::figure::Observer) |
-//! | [`canonical`] | ndc, shown as `(x_n, y_n, −z_n)`, which is right-handed | [`Observer`](crate::figure::Observer) |
+//! | [`canonical`] | ndc, shown as (x_n, y_n, −z_n), which is right-handed | [`Observer`](crate::figure::Observer) |
 
 pub mod canonical;
+mod content;
+mod gizmos;
 pub mod handles;
 pub mod image;
 pub mod observer;
 pub mod palette;
 pub mod pick;
+mod placing;
+mod probe;
+mod screen;
 pub mod world;
 
 use std::sync::Arc;
@@ -65,8 +70,14 @@ impl Size {
         if self.width == 0 || self.height == 0 { 1.0 } else { f64::from(self.width) / f64::from(self.height) }
     }
 
+    /// Letters and strokes grow a little with the picture, so that a large one is not full of threads and a small one not
+    /// full of letters.
     fn target(self, background: Rgba) -> Target {
-        Target { width: self.width, height: self.height, scale: self.scale, background }
+        #[expect(clippy::cast_precision_loss, reason = "pixels")]
+        let (width, height) = (self.width as f32, self.height as f32);
+        let side = height.min(0.8 * width) / self.scale.max(0.1);
+        let growth = (side / 480.0).powf(0.4).clamp(0.8, 1.6);
+        Target { width: self.width, height: self.height, scale: self.scale * growth, background }
     }
 }
 
@@ -101,7 +112,7 @@ pub struct Extras {
 pub enum Probe {
     /// A point of the world, such as a vertex.
     Point(DVec3),
-    /// A point `(x_p, y_p)` of the view window, such as the centre of a pixel: its ray is shown.
+    /// A point (x_p, y_p) of the view window, such as the centre of a pixel: its ray is shown.
     Window(DVec2),
 }
 

@@ -6,8 +6,15 @@ use crate::camera::{Camera, CameraError, Parameters, Projection};
 use crate::figure::Observer;
 use crate::geometry::{Aabb, Angle};
 
-/// The observer's vertical view angle.
-pub const VIEW_ANGLE: Angle = Angle::from_degrees(30.0);
+/// The observer's vertical view angle: narrow, so that the picture's own perspective does not compete with the one it shows.
+pub const VIEW_ANGLE: Angle = Angle::from_degrees(28.0);
+
+/// The share of the picture's width and height that [`Observer::framing`] fills.
+const FILL: f64 = 0.86;
+
+/// How many times the observer's distance a depth range may be in parallel projection, where depth is linear and kept in
+/// `f32`: beyond it, faces that touch would flicker.
+const PARALLEL_DEPTH: f64 = 100.0;
 
 /// A side to look from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -23,22 +30,69 @@ pub enum Preset {
     Iso,
 }
 
+/// From where to look, without where to stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Direction {
+    /// Degrees, as in [`Observer`].
+    pub(super) azimuth: f64,
+    /// Degrees, as in [`Observer`].
+    pub(super) elevation: f64,
+    /// Parallel or perspective projection.
+    pub(super) parallel: bool,
+}
+
+impl Preset {
+    /// The direction of the preset; `iso` says where the corner is.
+    pub(super) fn direction(self, iso: Direction) -> Direction {
+        let along = |azimuth, elevation| Direction { azimuth, elevation, parallel: true };
+        match self {
+            Self::Front => along(0.0, 0.0),
+            Self::Top => along(0.0, 90.0),
+            Self::Side => along(90.0, 0.0),
+            Self::Iso => iso,
+        }
+    }
+}
+
+impl From<Observer> for Direction {
+    fn from(o: Observer) -> Self {
+        Self { azimuth: o.azimuth, elevation: o.elevation, parallel: o.parallel }
+    }
+}
+
 impl Observer {
-    /// Looks at a box from a preset's side so that it fills the picture.
-    #[must_use]
-    pub fn fit(bounds: Aabb, preset: Preset, aspect: f64) -> Self {
-        let (azimuth, elevation, parallel) = match preset {
-            Preset::Front => (0.0, 0.0, true),
-            Preset::Top => (0.0, 90.0, true),
-            Preset::Side => (90.0, 0.0, true),
-            Preset::Iso => (35.0, 25.0, false),
+    /// The nearest observer in a direction that has all `points` in a picture of this aspect, with a margin. Points that are
+    /// not finite are left out; without any, the observer looks at the cube \[−1, 1\]³.
+    pub(super) fn framing(points: &[DVec3], direction: Direction, aspect: f64) -> Self {
+        let Direction { azimuth, elevation, parallel } = direction;
+        let Some(bounds) = Aabb::around(points.iter().copied()) else {
+            return Self::framing(&[DVec3::NEG_ONE, DVec3::ONE], direction, aspect);
         };
-        let radius = bounds.radius().max(f64::MIN_POSITIVE);
-        let distance = radius * 1.2 / (VIEW_ANGLE.radians() / 2.0).sin() / aspect.min(1.0);
-        Self { target: bounds.center(), distance, azimuth, elevation, parallel }
+        let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-9).max(1e-9);
+        let target = bounds.center();
+        let [right, up, back] = Self { target, distance: 1.0, azimuth, elevation, parallel }.axes();
+        let tan = (VIEW_ANGLE.radians() / 2.0).tan() * FILL;
+        // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t · depth),
+        // after `[0]` Eq. (5.9); opposite sides then meet in the eye.
+        let support = |axis: DVec3, t: f64| {
+            let slope = if parallel { 0.0 } else { t };
+            points
+                .iter()
+                .filter(|p| p.is_finite())
+                .map(|&p| p - target)
+                .map(|d| axis.dot(d) + slope * back.dot(d))
+                .fold(f64::NEG_INFINITY, f64::max)
+        };
+        let (tan_x, tan_y) = (tan * aspect, tan);
+        let (r, l) = (support(right, tan_x), support(-right, tan_x));
+        let (t, b) = (support(up, tan_y), support(-up, tan_y));
+        let distance = ((r + l) / (2.0 * tan_x)).max((t + b) / (2.0 * tan_y)).max(least);
+        let target = target + right * ((r - l) / 2.0) + up * ((t - b) / 2.0);
+        Self { target, distance, azimuth, elevation, parallel }
     }
 
-    /// Turns about the target: `dx_deg` to the right (the eye goes to the left of what it sees), `dy_deg` up.
+    /// Turns about the target. The scene follows the pointer: `dx_deg` > 0 turns what is in front to the right, `dy_deg` > 0
+    /// turns it down, so that the eye rises.
     #[must_use]
     pub fn orbit(self, dx_deg: f64, dy_deg: f64) -> Self {
         Self {
@@ -48,21 +102,24 @@ impl Observer {
         }
     }
 
-    /// Moves the target so that what it sees follows the pointer by (`dx_px`, `dy_px`), y down, in a picture `height_px` high.
+    /// Moves the target so that what lies at its depth follows the pointer by (`dx_px`, `dy_px`), y down, in a picture
+    /// `height_px` high.
     #[must_use]
     pub fn pan(self, dx_px: f64, dy_px: f64, height_px: f64) -> Self {
-        let unit = 2.0 * self.distance * (VIEW_ANGLE.radians() / 2.0).tan() / height_px.max(1.0);
+        let unit = self.height_at_target() / height_px.max(1.0);
         let [right, up, _] = self.axes();
         Self { target: self.target - right * (dx_px * unit) + up * (dy_px * unit), ..self }
     }
 
-    /// Goes nearer (`factor` > 1) or away; what is at the target is shown `factor` times as large.
+    /// Goes nearer (`factor` > 1) or away: what is at the target is shown `factor` times as large. A factor that is not
+    /// positive and finite changes nothing.
     #[must_use]
     pub fn zoom(self, factor: f64) -> Self {
-        if factor > 0.0 && factor.is_finite() { Self { distance: self.distance / factor, ..self } } else { self }
+        let distance = self.distance / factor;
+        if distance > 0.0 && distance.is_finite() { Self { distance, ..self } } else { self }
     }
 
-    /// Right, up and towards the eye, unit vectors in the space of the picture.
+    /// Right, up and towards the eye: unit vectors in the space of the picture.
     #[must_use]
     pub fn axes(&self) -> [DVec3; 3] {
         let (sa, ca) = Angle::from_degrees(self.azimuth).sin_cos();
@@ -70,23 +127,124 @@ impl Observer {
         [DVec3::new(ca, 0.0, -sa), DVec3::new(-se * sa, ce, -se * ca), DVec3::new(ce * sa, se, ce * ca)]
     }
 
+    /// What the picture's height spans at the target.
+    fn height_at_target(&self) -> f64 {
+        2.0 * self.distance * (VIEW_ANGLE.radians() / 2.0).tan()
+    }
+
     /// The camera of this observer. Its clipping planes enclose `bounds` as far as a depth buffer in `f32` bears it.
     ///
     /// # Errors
     /// [`CameraError`] for an observer that is no camera, such as one at distance 0.
-    pub fn camera(&self, _bounds: Option<Aabb>, aspect: f64) -> Result<Camera, CameraError> {
+    pub fn camera(&self, bounds: Option<Aabb>, aspect: f64) -> Result<Camera, CameraError> {
         let [_, up, back] = self.axes();
+        let reach = bounds.map_or(0.0, |b| {
+            b.corners().iter().map(|&p| back.dot(p - self.target).abs()).filter(|d| d.is_finite()).fold(0.0, f64::max)
+        });
+        // In parallel projection the place of the eye does not matter: it steps back from all that is to be seen. In
+        // perspective it stays, and depth, which is reversed, keeps its resolution whatever the far plane is.
+        let (eye, near, far) = if self.parallel {
+            let half = (1.01 * reach).clamp(self.distance, PARALLEL_DEPTH * self.distance);
+            (1.01 * half, 0.01 * half, 2.02 * half)
+        } else {
+            (self.distance, 0.02 * self.distance, 2.0 * self.distance + 1.01 * reach)
+        };
         Camera::new(&Parameters {
-            position: self.target + back * self.distance,
+            position: self.target + back * eye,
             focal_point: self.target,
             view_up: up,
             projection: if self.parallel { Projection::Parallel } else { Projection::Perspective },
             view_angle: VIEW_ANGLE.degrees(),
-            height: 2.0 * self.distance * (VIEW_ANGLE.radians() / 2.0).tan(),
+            height: self.height_at_target(),
             aspect,
-            near: self.distance * 0.01,
-            far: self.distance * 100.0,
+            near,
+            far,
             window: None,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+
+    const ISO: Direction = Direction { azimuth: 35.0, elevation: 25.0, parallel: false };
+
+    fn cloud() -> Vec<DVec3> {
+        let b = Aabb { min: DVec3::new(-2.0, 0.0, -1.0), max: DVec3::new(3.0, 1.0, 7.0) };
+        b.corners().to_vec()
+    }
+
+    fn ndc(camera: &Camera, p: DVec3) -> DVec3 {
+        let c = camera.clip_point(p);
+        c.truncate() / c.w
+    }
+
+    #[test]
+    fn framing_has_every_point_in_the_picture_and_touches_two_sides() {
+        for preset in [Preset::Front, Preset::Top, Preset::Side, Preset::Iso] {
+            for aspect in [0.5, 1.0, 2.0] {
+                let o = Observer::framing(&cloud(), preset.direction(ISO), aspect);
+                let camera = o.camera(Aabb::around(cloud()), aspect).unwrap();
+                let points: Vec<_> = cloud().iter().map(|&p| ndc(&camera, p)).collect();
+                let widest = points.iter().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
+                assert!((widest - FILL).abs() < 1e-9, "{preset:?} {aspect}: {widest}");
+                assert!(points.iter().all(|p| p.z.abs() < 1.0), "{preset:?}: inside the clipping planes");
+            }
+        }
+    }
+
+    #[test]
+    fn presets_look_from_their_side() {
+        let eye = |p: Preset| Observer::framing(&cloud(), p.direction(ISO), 1.0).axes()[2];
+        assert!((eye(Preset::Front) - DVec3::Z).length() < 1e-15);
+        assert!((eye(Preset::Top) - DVec3::Y).length() < 1e-15);
+        assert!((eye(Preset::Side) - DVec3::X).length() < 1e-15);
+        let top = Observer::framing(&cloud(), Preset::Top.direction(ISO), 1.0);
+        assert!((top.axes()[0] - DVec3::X).length() < 1e-15, "on a map, x goes to the right");
+        assert!((top.axes()[1] + DVec3::Z).length() < 1e-15, "and z towards the reader");
+    }
+
+    #[test]
+    fn a_pan_moves_the_target_with_the_pointer() {
+        for parallel in [false, true] {
+            let before = Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, parallel };
+            let after = before.pan(30.0, -20.0, 400.0);
+            let seen = ndc(&after.camera(None, 1.5).unwrap(), before.target);
+            assert!((seen.x * 300.0 - 30.0).abs() < 1e-9 && (-seen.y * 200.0 + 20.0).abs() < 1e-9, "{seen}");
+        }
+    }
+
+    #[test]
+    fn zoom_scales_what_is_at_the_target_and_refuses_nonsense() {
+        let before = Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, parallel: false };
+        let p = before.target + before.axes()[0];
+        let size = |o: Observer| ndc(&o.camera(None, 1.0).unwrap(), p).x;
+        assert!((size(before.zoom(3.0)) / size(before) - 3.0).abs() < 1e-12);
+        for nonsense in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(before.zoom(nonsense), before);
+        }
+    }
+
+    #[test]
+    fn an_orbit_turns_the_scene_with_the_pointer_and_stops_at_the_poles() {
+        let before = Observer { target: DVec3::ZERO, distance: 7.0, azimuth: 10.0, elevation: 40.0, parallel: false };
+        let front = before.axes()[2];
+        let seen = ndc(&before.orbit(5.0, 5.0).camera(None, 1.0).unwrap(), front);
+        assert!(seen.x > 0.0 && seen.y < 0.0, "{seen}");
+        let top = before.orbit(0.0, 500.0);
+        assert_eq!(top.elevation, 90.0);
+        assert!(top.camera(None, 1.0).is_ok());
+        assert!((before.orbit(-400.0, 0.0).azimuth - 50.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn depth_is_bounded_in_parallel_projection() {
+        let o = Observer { target: DVec3::ZERO, distance: 7.0, azimuth: 10.0, elevation: 40.0, parallel: true };
+        let camera = o.camera(Aabb::around([DVec3::splat(-1e6), DVec3::splat(1e6)]), 1.0).unwrap();
+        assert!(camera.far() - camera.near() <= 2.02 * PARALLEL_DEPTH * o.distance);
+        assert!(ndc(&camera, o.target).abs().max_element() < 0.1);
+        assert!(Observer { distance: 0.0, ..o }.camera(None, 1.0).is_err());
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::appearance::{Rgba, Theme};
 
-/// The colours of one theme. Hues are those of Okabe and Ito, which red-green blind people tell apart; letters, dashes and
-/// shapes say the same once more.
+/// The colours of one theme. The hues are those of Okabe and Ito (2008), which red-green blind people tell apart, darkened or
+/// lightened until a letter in them has a contrast of 4.5 : 1 on the paper; letters, dashes and shapes say the same once more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// Ground of the three pictures.
@@ -12,28 +12,133 @@ pub struct Palette {
     pub surround: Rgba,
     /// Texts and strong lines.
     pub ink: Rgba,
+    /// Texts and lines of less weight.
+    pub soft: Rgba,
+    /// Lines of the ground grid.
+    pub grid: Rgba,
+    /// x, y, z; also u, v, n and x_n, y_n, z_n.
+    pub axes: [Rgba; 3],
+    /// Faces of the view volume, translucent.
+    pub volume: Rgba,
+    /// Edges of the view volume.
+    pub volume_edge: Rgba,
+    /// Body of the camera.
+    pub body: Rgba,
+    /// Edges of the camera's body.
+    pub body_edge: Rgba,
+    /// VUP.
+    pub view_up: Rgba,
+    /// Direction of projection and focal point.
+    pub aim: Rgba,
+    /// The probe.
+    pub probe: Rgba,
+    /// The camera before an operation.
+    pub ghost: Rgba,
 }
+
+const fn hex(rgb: u32) -> Rgba {
+    let [_, r, g, b] = rgb.to_be_bytes();
+    Rgba::rgb(r, g, b)
+}
+
+const LIGHT: Palette = Palette {
+    paper: hex(0xfa_fb_fc),
+    surround: hex(0xe2_e6_ea),
+    ink: hex(0x1c_21_28),
+    soft: hex(0x5b_64_70),
+    grid: hex(0xd3_d9_e0),
+    axes: [hex(0xb8_43_00), hex(0x00_78_5a), hex(0x00_67_a5)],
+    volume: hex(0xe6_9f_00).with_alpha(26),
+    volume_edge: hex(0x8a_5a_00),
+    body: hex(0x6b_77_86),
+    body_edge: hex(0x1c_21_28),
+    view_up: hex(0xa0_3d_78),
+    aim: hex(0x1c_21_28),
+    probe: hex(0xb0_00_5e),
+    ghost: hex(0x5b_64_70),
+};
+
+const DARK: Palette = Palette {
+    paper: hex(0x16_1a_20),
+    surround: hex(0x0b_0d_10),
+    ink: hex(0xe9_ec_ef),
+    soft: hex(0x9a_a4_b0),
+    grid: hex(0x30_38_42),
+    axes: [hex(0xff_8f_57), hex(0x3f_ca_a2), hex(0x6f_b8_f5)],
+    volume: hex(0xf5_b9_42).with_alpha(24),
+    volume_edge: hex(0xf5_b9_42),
+    body: hex(0x9a_a4_b0),
+    body_edge: hex(0x0b_0d_10),
+    view_up: hex(0xe7_9c_c6),
+    aim: hex(0xe9_ec_ef),
+    probe: hex(0xff_7a_c6),
+    ghost: hex(0x9a_a4_b0),
+};
+
+const PRINT: Palette = Palette {
+    paper: hex(0xff_ff_ff),
+    surround: hex(0xff_ff_ff),
+    ink: hex(0x00_00_00),
+    soft: hex(0x4a_4a_4a),
+    grid: hex(0xcc_cc_cc),
+    axes: [hex(0xa3_3a_00), hex(0x00_69_4f), hex(0x00_5a_91)],
+    volume: hex(0x00_00_00).with_alpha(12),
+    volume_edge: hex(0x33_33_33),
+    body: hex(0xd8_d8_d8),
+    body_edge: hex(0x00_00_00),
+    view_up: hex(0x8c_2f_66),
+    aim: hex(0x00_00_00),
+    probe: hex(0x90_00_50),
+    ghost: hex(0x4a_4a_4a),
+};
 
 impl Palette {
     /// The colours of a theme.
     #[must_use]
-    pub fn of(theme: Theme) -> Self {
+    pub const fn of(theme: Theme) -> Self {
         match theme {
-            Theme::Light => Self {
-                paper: Rgba::rgb(0xfa, 0xfb, 0xfc),
-                surround: Rgba::rgb(0xe4, 0xe7, 0xeb),
-                ink: Rgba::rgb(0x1c, 0x21, 0x28),
-            },
-            Theme::Dark => Self {
-                paper: Rgba::rgb(0x16, 0x1a, 0x20),
-                surround: Rgba::rgb(0x0b, 0x0d, 0x10),
-                ink: Rgba::rgb(0xe9, 0xec, 0xef),
-            },
-            Theme::Print => Self {
-                paper: Rgba::rgb(0xff, 0xff, 0xff),
-                surround: Rgba::rgb(0xff, 0xff, 0xff),
-                ink: Rgba::rgb(0x00, 0x00, 0x00),
-            },
+            Theme::Light => LIGHT,
+            Theme::Dark => DARK,
+            Theme::Print => PRINT,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Relative luminance of WCAG 2.
+    fn luminance(c: Rgba) -> f64 {
+        let linear = |v: u8| {
+            let v = f64::from(v) / 255.0;
+            if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b)
+    }
+
+    fn contrast(a: Rgba, b: Rgba) -> f64 {
+        let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
+        a.max(b) / a.min(b)
+    }
+
+    #[test]
+    fn every_letter_has_enough_contrast_on_the_paper() {
+        for theme in [Theme::Light, Theme::Dark, Theme::Print] {
+            let p = Palette::of(theme);
+            let [x, y, z] = p.axes;
+            for c in [p.ink, p.soft, x, y, z, p.volume_edge, p.view_up, p.aim, p.probe, p.ghost] {
+                assert!(contrast(c, p.paper) >= 4.5, "{theme:?} {c}: {:.2}", contrast(c, p.paper));
+            }
+        }
+    }
+
+    #[test]
+    fn the_grid_stays_behind() {
+        for theme in [Theme::Light, Theme::Dark, Theme::Print] {
+            let p = Palette::of(theme);
+            let c = contrast(p.grid, p.paper);
+            assert!((1.2..2.0).contains(&c), "{theme:?}: {c:.2}");
         }
     }
 }

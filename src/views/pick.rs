@@ -1,38 +1,145 @@
-//! From a point of a picture to what is there.
+//! From a place in a picture to what is there.
 
 use glam::{DVec2, DVec3};
 
+use crate::camera::Projection;
 use crate::figure::Observer;
 use crate::geometry::Ray;
+use crate::scene::{Object, Scene};
 
-use super::Setup;
+use super::canonical::{self, display_from_ndc, ndc};
+use super::screen::Screen;
+use super::{Setup, image, world};
 
-/// The ray in the world through a point (pixels) of the world picture.
+/// The ray in the world through a place (pixels) of the world picture; `None` for an observer that is no camera.
 #[must_use]
-pub fn ray_in_world(_setup: &Setup, _observer: &Observer, _pointer: DVec2) -> Option<Ray> {
-    None
+pub fn ray_in_world(setup: &Setup, observer: &Observer, pointer: DVec2) -> Option<Ray> {
+    Some(world::screen(setup, observer)?.ray(pointer))
 }
 
-/// The vertex of the scene (world) nearest to a point (pixels) of the world picture, within `reach` pixels; hidden ones lose.
+/// The ray through a place (pixels) of the picture of the canonical volume, in its display space (x_n, y_n, −z_n).
 #[must_use]
-pub fn vertex_in_world(_setup: &Setup, _observer: &Observer, _pointer: DVec2, _reach: f64) -> Option<DVec3> {
-    None
+pub fn ray_in_canonical(setup: &Setup, observer: &Observer, pointer: DVec2) -> Option<Ray> {
+    Some(canonical::screen(setup, observer)?.ray(pointer))
 }
 
-/// As [`vertex_in_world`], for the picture of the canonical volume. The result is in world space.
+/// The vertex of the scene (world) nearest to a place (pixels) of the world picture, within `reach` pixels. A hidden vertex is
+/// taken only where no other is within reach.
 #[must_use]
-pub fn vertex_in_canonical(_setup: &Setup, _observer: &Observer, _pointer: DVec2, _reach: f64) -> Option<DVec3> {
-    None
+pub fn vertex_in_world(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<DVec3> {
+    let screen = world::screen(setup, observer)?;
+    nearest(vertices(setup.scene).map(|p| (p, p)), setup.scene, &screen, pointer, reach)
+}
+
+/// As [`vertex_in_world`], for the picture of the canonical volume: of the vertices inside it. The result is in world space.
+#[must_use]
+pub fn vertex_in_canonical(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<DVec3> {
+    let screen = canonical::screen(setup, observer)?;
+    let shown = vertices(setup.scene).filter_map(|p| {
+        let p_ndc = ndc(setup.camera, p).filter(|n| n.abs().max_element() <= 1.0)?;
+        Some((display_from_ndc(p_ndc), p))
+    });
+    nearest(shown, &canonical::contents(setup), &screen, pointer, reach)
 }
 
 /// As [`vertex_in_world`], for the image.
 #[must_use]
-pub fn vertex_in_image(_setup: &Setup, _pointer: DVec2, _reach: f64) -> Option<DVec3> {
-    None
+pub fn vertex_in_image(setup: &Setup, pointer: DVec2, reach: f64) -> Option<DVec3> {
+    let screen = image::screen(setup);
+    let inside = |p: &DVec3| ndc(setup.camera, *p).is_some_and(|n| n.abs().max_element() <= 1.0);
+    nearest(vertices(setup.scene).filter(inside).map(|p| (p, p)), setup.scene, &screen, pointer, reach)
 }
 
-/// The point `(x_p, y_p)` of the view window at a point (pixels) of the image picture; `None` outside the frame.
+/// The point (x_p, y_p) of the view window at a place (pixels) of the image picture; `None` outside the frame.
 #[must_use]
-pub fn window_point_in_image(_setup: &Setup, _pointer: DVec2) -> Option<DVec2> {
-    None
+pub fn window_point_in_image(setup: &Setup, pointer: DVec2) -> Option<DVec2> {
+    let screen = image::screen(setup);
+    screen.holds(pointer).then(|| screen.window_point(pointer))
+}
+
+/// The first point of the scene's faces on a segment (world), beginning at `from`.
+#[must_use]
+pub fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
+    let t = first_crossing(scene, from, to)?;
+    Some(from + (to - from) * t)
+}
+
+/// Every vertex of the scene, in the space of the scene.
+fn vertices(scene: &Scene) -> impl Iterator<Item = DVec3> {
+    let meshes =
+        scene.objects.iter().flat_map(|o| o.mesh.positions.iter().map(|&p| o.world_from_object.transform_point3(p)));
+    let lines = scene.lines.iter().flat_map(|l| l.points.iter().copied());
+    meshes.chain(lines).chain(scene.marks.iter().map(|m| m.position))
+}
+
+/// Of points (as drawn, and what they stand for) the one nearest to a place; one that faces hide loses to any that can be seen.
+fn nearest(
+    points: impl Iterator<Item = (DVec3, DVec3)>,
+    faces: &Scene,
+    screen: &Screen,
+    pointer: DVec2,
+    reach: f64,
+) -> Option<DVec3> {
+    /// So many of the nearest are looked at closely; where more are within reach, no one can tell them apart.
+    const MOST: usize = 8;
+    let mut close: Vec<(f64, DVec3, DVec3)> = points
+        .filter_map(|(shown, stands_for)| Some((screen.place_inside(shown)?.distance(pointer), shown, stands_for)))
+        .filter(|(distance, ..)| *distance <= reach)
+        .collect();
+    close.sort_by(|a, b| a.0.total_cmp(&b.0));
+    close.dedup_by(|a, b| a.1 == b.1);
+    close.truncate(MOST);
+    let visible = close.iter().find(|(_, shown, _)| can_be_seen(*shown, faces, screen));
+    visible.or(close.first()).map(|(_, _, stands_for)| *stands_for)
+}
+
+/// True where no face stands between the camera's near plane and the point.
+fn can_be_seen(p: DVec3, faces: &Scene, screen: &Screen) -> bool {
+    let camera = screen.camera();
+    let depth = -camera.view_point(p).z;
+    let to_eye = match camera.projection() {
+        Projection::Perspective => (camera.position() - p) / depth,
+        Projection::Parallel => camera.basis().n,
+    };
+    let eye = p + to_eye * (depth - camera.near());
+    // The faces that meet in the vertex end there and do not hide it.
+    first_crossing(faces, eye, p).is_none_or(|t| t > 1.0 - 1e-6)
+}
+
+/// Where a segment first meets a face: 0 at `from`, 1 at `to`.
+fn first_crossing(scene: &Scene, from: DVec3, to: DVec3) -> Option<f64> {
+    let faced = scene.objects.iter().filter(|o| o.faces);
+    faced.filter_map(|o| crossing(o, from, to)).min_by(f64::total_cmp)
+}
+
+fn crossing(object: &Object, from: DVec3, to: DVec3) -> Option<f64> {
+    let object_from_world = object.world_from_object.inverse();
+    if !object_from_world.is_finite() {
+        return None; // scaled to nothing
+    }
+    let (a, b) = (object_from_world.transform_point3(from), object_from_world.transform_point3(to));
+    let positions = &object.mesh.positions;
+    let corner = |i: u32| positions.get(i as usize).copied();
+    object
+        .mesh
+        .triangles
+        .iter()
+        .filter_map(|t| triangle_crossing(a, b - a, [corner(t[0])?, corner(t[1])?, corner(t[2])?]))
+        .min_by(f64::total_cmp)
+}
+
+/// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997).
+fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f64> {
+    let (ab, ac) = (b - a, c - a);
+    let p = d.cross(ac);
+    let det = ab.dot(p);
+    if det == 0.0 {
+        return None;
+    }
+    let s = origin - a;
+    let u = s.dot(p) / det;
+    let q = s.cross(ab);
+    let v = d.dot(q) / det;
+    let t = ac.dot(q) / det;
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&t)).then_some(t)
 }

@@ -1,25 +1,288 @@
 //! The world: the scene, the camera in it, and the camera's view volume.
 
+use std::sync::Arc;
+
+use glam::{DMat4, DVec2, DVec3};
+
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
+use crate::camera::{Camera, Projection};
 use crate::drawing::Drawing;
 use crate::figure::Observer;
 use crate::geometry::Aabb;
 use crate::pipeline;
+use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
-use super::observer::Preset;
-use super::{Palette, Setup};
+use super::content::{Content, iso_direction};
+use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
+use super::image::PixelRect;
+use super::observer::{Direction, Preset};
+use super::screen::Screen;
+use super::{Handle, Palette, Setup, handles, placing, probe};
 
 /// The observer that a button gives: it looks from the preset's side and has everything of interest in the picture.
 #[must_use]
 pub fn observer(setup: &Setup, preset: Preset) -> Observer {
-    Observer::fit(Aabb { min: setup.camera.position(), max: setup.camera.focal_point() }, preset, setup.size.aspect())
+    frame(setup, preset.direction(iso_direction(setup.camera)))
 }
 
-/// Draws the world as `observer` sees it.
+/// The observer that looks in the same direction and has everything of interest in the picture.
+#[must_use]
+pub fn fit(setup: &Setup, observer: &Observer) -> Observer {
+    frame(setup, Direction::from(*observer))
+}
+
+/// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a first framing only.
+fn frame(setup: &Setup, direction: Direction) -> Observer {
+    let aspect = setup.size.aspect();
+    let mut points = Content::of(setup).of_interest;
+    let first = Observer::framing(&points, direction, aspect);
+    if let Some(screen) = screen(setup, &first) {
+        points.extend(Gear::new(&screen, setup.camera).room(setup.camera));
+    }
+    Observer::framing(&points, direction, aspect)
+}
+
+/// The observer's camera and its pixels; `None` for an observer that is no camera.
+pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
+    let camera = observer.camera(Some(bounds(setup)), setup.size.aspect()).ok()?;
+    Some(Screen::new(camera, PixelRect::whole(setup.size)))
+}
+
+/// Draws the world as `observer` sees it; an observer that is no camera sees nothing.
 #[must_use]
 pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
-    let palette = Palette::of(setup.figure.style.theme);
-    let bounds = setup.scene.objects.iter().filter_map(|o| o.mesh.bounds()).reduce(Aabb::union);
-    let camera = observer.camera(bounds, setup.size.aspect());
-    let camera = camera.as_ref().unwrap_or(setup.camera);
-    pipeline::draw(setup.scene, camera, setup.size.target(palette.paper), &setup.figure.style)
+    let style = &setup.figure.style;
+    let palette = Palette::of(style.theme);
+    let target = setup.size.target(palette.paper);
+    let Some(screen) = screen(setup, observer) else {
+        return pipeline::draw(&Scene::default(), setup.camera, target, style);
+    };
+    let sheet = Sheet { scene: setup.scene.clone(), screen: &screen, hidden: style.hidden_lines };
+    let content = Content::of(setup);
+    let mut world = World { setup, palette, content, gear: Gear::new(&screen, setup.camera), sheet };
+    world.ground();
+    world.volume();
+    world.window();
+    world.camera();
+    world.aim();
+    world.axes();
+    world.drop_lines();
+    world.hot_handle();
+    probe::in_world(&mut world.sheet, setup, palette);
+    let mut drawing = pipeline::draw(&world.sheet.scene, screen.camera(), target, style);
+    placing::settle(&mut drawing, &[palette.grid]);
+    drawing
+}
+
+/// The sizes of the camera's gear in scene units: fixed on the screen, so that the camera is found in any scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gear {
+    /// One unit of [`gizmos::camera_body`].
+    body: f64,
+    /// Length of **u**, **v**, **n**.
+    pub(super) axis: f64,
+}
+
+impl Gear {
+    pub(super) fn new(screen: &Screen, camera: &Camera) -> Self {
+        let pixel = screen.units_per_pixel(camera.position());
+        let side = screen.extent().min_element();
+        Self { body: pixel * (0.026 * side).clamp(8.0, 40.0), axis: pixel * (0.12 * side).clamp(30.0, 180.0) }
+    }
+
+    /// Where VUP's arrow ends.
+    pub(super) fn view_up_tip(&self, camera: &Camera) -> DVec3 {
+        let up = crate::geometry::try_unit(camera.view_up()).unwrap_or(DVec3::Y);
+        camera.position() + up * (1.35 * self.axis)
+    }
+
+    /// Points around the camera that a picture of it must hold.
+    fn room(&self, camera: &Camera) -> [DVec3; 5] {
+        let (c, basis) = (camera.position(), camera.basis());
+        let out = 1.35 * self.axis;
+        [self.view_up_tip(camera), c + basis.u * out, c + basis.v * out, c + basis.n * out, c - basis.v * (0.3 * out)]
+    }
+}
+
+/// The picture while it is being made.
+struct World<'a> {
+    setup: &'a Setup<'a>,
+    palette: Palette,
+    content: Content,
+    gear: Gear,
+    sheet: Sheet<'a>,
+}
+
+impl World<'_> {
+    /// The grid on y = 0.
+    fn ground(&mut self) {
+        let Some(ground) = self.content.ground() else { return };
+        let style = LineStyle {
+            color: self.palette.grid,
+            width: 1.0,
+            dash: Dash::Solid,
+            hidden: HiddenLines::Hidden,
+            arrow: false,
+        };
+        self.sheet.scene.lines.extend(ground.lines().iter().map(|ends| Line { points: ends.to_vec(), style }));
+    }
+
+    /// The view volume, from the corners that the matrices in use give.
+    fn volume(&mut self) {
+        let c = self.setup.camera.volume_corners();
+        let side = |i: usize| [c[i], c[(i + 1) % 4], c[4 + (i + 1) % 4], c[4 + i]];
+        let far = [c[4], c[5], c[6], c[7]];
+        let faces = [side(0), side(1), side(2), side(3), far];
+        self.sheet.sheer("volume", &faces, self.palette.volume);
+        let color = self.palette.volume_edge;
+        for i in 0..4 {
+            self.sheet.line(vec![c[i], c[4 + i]], color, 1.3, Dash::Solid);
+        }
+        self.sheet.closed(&far, color, 1.5, Dash::Dashed);
+        let text = format!("{} (B)", self.setup.labels.far);
+        self.name_face(&far, &text);
+    }
+
+    /// The window at distance F, with the image on it, and the rays through its corners.
+    fn window(&mut self) {
+        let camera = self.setup.camera;
+        let corners = camera.volume_corners();
+        let near = [corners[0], corners[1], corners[2], corners[3]];
+        if camera.projection() == Projection::Perspective {
+            for corner in near {
+                self.sheet.line(vec![camera.position(), corner], self.palette.volume_edge, 1.0, Dash::Solid);
+            }
+        }
+        match &self.setup.extras.painted_image {
+            Some(image) => self.sheet.scene.objects.push(painted(near, image)),
+            None => self.sheet.sheer("window", &[near], self.palette.volume),
+        }
+        self.sheet.closed(&near, self.palette.ink, 2.0, Dash::Solid);
+        let text = format!("{} (F)", self.setup.labels.window);
+        self.name_face(&near, &text);
+    }
+
+    /// Writes a face's name at its uppermost corner in the picture, unless the face is too small to be told from a point.
+    fn name_face(&mut self, face: &[DVec3; 4], text: &str) {
+        let places = face.map(|p| self.sheet.screen.place_inside(p));
+        let seen = || face.iter().zip(places).filter_map(|(p, place)| Some((*p, place?)));
+        let Some(middle) = self.sheet.screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
+        let reach = seen().map(|(_, px)| px.distance(middle)).fold(0.0, f64::max);
+        if reach < 10.0 {
+            return;
+        }
+        if let Some((corner, px)) = seen().min_by(|a, b| a.1.y.total_cmp(&b.1.y)) {
+            self.sheet.text(corner, text, px - middle, SMALL_TYPE, self.palette.ink);
+        }
+    }
+
+    /// The camera's body at C, and its VRC.
+    fn camera(&mut self) {
+        let camera = self.setup.camera;
+        let (c, basis, gear) = (camera.position(), camera.basis(), self.gear);
+        let edge = gizmos::stroke(self.palette.body_edge, 1.0, Dash::Solid, HiddenLines::Hidden);
+        self.sheet.scene.objects.push(Object {
+            name: "camera".to_owned(),
+            mesh: Arc::new(gizmos::camera_body()),
+            world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
+            paint: ObjectPaint::Solid(self.palette.body),
+            lit: true,
+            two_sided: false,
+            faces: true,
+            edges: Some(edge),
+        });
+        self.sheet.mark(c, MarkShape::Disc, 2.6, self.palette.ink);
+        let screen = self.sheet.screen;
+        let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);
+        self.sheet.text(c, "C", -crowd, TYPE, self.palette.ink);
+        let [x, y, z] = self.palette.axes;
+        self.sheet.vector(c, basis.u * gear.axis, x, 2.0, "u");
+        self.sheet.vector(c, basis.v * gear.axis, y, 2.0, "v");
+        self.sheet.vector(c, basis.n * gear.axis, z, 2.0, "n");
+        let tip = gear.view_up_tip(camera);
+        self.sheet.arrow(vec![c, tip], self.palette.view_up, 1.8, Dash::Dashed);
+        self.sheet.text(tip, "VUP", screen.heading(c, tip - c), TYPE, self.palette.view_up);
+    }
+
+    /// PF, and DOP from C towards it.
+    fn aim(&mut self) {
+        let camera = self.setup.camera;
+        let (c, pf, dop) = (camera.position(), camera.focal_point(), camera.direction_of_projection());
+        self.sheet.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
+        self.sheet.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
+        self.sheet.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
+        let tip = c + dop * (1.2 * self.gear.axis).min(0.8 * camera.distance());
+        self.sheet.arrow(vec![c, tip], self.palette.aim, 1.8, Dash::Solid);
+        let beside = self.sheet.screen.heading(c, dop).perp();
+        self.sheet.text(tip, "DOP", if beside.y < 0.0 { beside } else { -beside }, SMALL_TYPE, self.palette.aim);
+        for (handle, place) in handles::on_axis(self.setup, self.sheet.screen, 0.0) {
+            if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.axis {
+                self.sheet.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
+            }
+        }
+    }
+
+    /// The axes of the world.
+    fn axes(&mut self) {
+        let Some(length) = self.content.axis_length() else { return };
+        for (axis, color, name) in [
+            (DVec3::X, self.palette.axes[0], "x"),
+            (DVec3::Y, self.palette.axes[1], "y"),
+            (DVec3::Z, self.palette.axes[2], "z"),
+        ] {
+            self.sheet.vector(DVec3::ZERO, axis * length, color, 1.5, name);
+        }
+    }
+
+    /// From C and PF down (or up) to the ground: people judge distance by where a thing stands.
+    fn drop_lines(&mut self) {
+        let reach = 4.0 * self.content.radius();
+        for p in [self.setup.camera.position(), self.setup.camera.focal_point()] {
+            if p.y.abs() > reach || p.y.abs() < 1e-6 * reach {
+                continue;
+            }
+            let foot = DVec3::new(p.x, 0.0, p.z);
+            self.sheet.line(vec![p, foot], self.palette.soft, 1.2, Dash::Dotted);
+            self.sheet.mark(foot, MarkShape::Ring, 3.0, self.palette.soft);
+        }
+    }
+
+    /// A ring around the handle under the pointer.
+    fn hot_handle(&mut self) {
+        let Some(hot) = self.setup.extras.hot else { return };
+        if let Some((_, p)) = handles::on_screen(self.setup, self.sheet.screen).into_iter().find(|(h, _)| *h == hot) {
+            let ring = crate::scene::PointMark {
+                position: p,
+                shape: MarkShape::Ring,
+                radius: 9.0,
+                color: self.palette.probe,
+                fade_if_hidden: false,
+            };
+            self.sheet.scene.marks.push(ring);
+        }
+    }
+}
+
+/// The window with the image on it: (0, 0) of the image is the window's upper left corner.
+fn painted(near: [DVec3; 4], image: &Arc<Texture>) -> Object {
+    let mut mesh = Mesh::default();
+    gizmos::add_polygon(&mut mesh, &near);
+    mesh.edges.clear();
+    let uv = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
+    Object {
+        name: "window".to_owned(),
+        mesh: Arc::new(mesh),
+        world_from_object: DMat4::IDENTITY,
+        paint: ObjectPaint::Texture { image: Arc::clone(image), uv: Arc::new(uv), opacity: 255 },
+        lit: false,
+        two_sided: true,
+        faces: true,
+        edges: None,
+    }
+}
+
+/// The box around all that the world may show.
+#[must_use]
+pub fn bounds(setup: &Setup) -> Aabb {
+    Content::of(setup).bounds(setup.camera)
 }

@@ -1,0 +1,143 @@
+//! What there is to see in the world: how large it is, and what of it a picture should hold.
+
+use glam::{DVec2, DVec3};
+
+use crate::camera::{Camera, Projection};
+use crate::geometry::Aabb;
+use crate::scene::Scene;
+
+use super::Setup;
+use super::observer::Direction;
+
+/// The boxes of what the world shows.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Content {
+    scene: Option<Aabb>,
+    /// Points that a picture should hold.
+    pub(super) of_interest: Vec<DVec3>,
+    /// The box around them.
+    pub(super) core: Aabb,
+}
+
+impl Content {
+    pub(super) fn of(setup: &Setup) -> Self {
+        let camera = setup.camera;
+        let scene = scene_box(setup.scene);
+        let mut points = vec![camera.position()];
+        points.extend(scene.iter().flat_map(Aabb::corners));
+        let boxed = |points: &[DVec3]| {
+            Aabb::around(points.iter().copied()).unwrap_or(Aabb { min: camera.position(), max: camera.position() })
+        };
+        // PF far beyond the scene would make all else a speck: its direction is shown by DOP.
+        let small = boxed(&points);
+        let to_focus = small.center().distance(camera.focal_point());
+        if scene.is_none() || to_focus < 4.0 * small.radius() {
+            points.push(camera.focal_point());
+        }
+        let core = boxed(&points);
+        points.extend(volume_of_interest(camera, &core));
+        Self { scene, core: boxed(&points), of_interest: points }
+    }
+
+    /// How far the content extends.
+    pub(super) fn radius(&self) -> f64 {
+        self.core.radius()
+    }
+
+    /// The box around all that is drawn, the whole volume included.
+    pub(super) fn bounds(&self, camera: &Camera) -> Aabb {
+        Aabb::around(camera.volume_corners()).map_or(self.core, |volume| volume.union(self.core))
+    }
+
+    /// The length of the world's axes: a little longer than the scene is large; `None` where the origin is out of sight.
+    pub(super) fn axis_length(&self) -> Option<f64> {
+        let around = self.scene.unwrap_or(self.core);
+        let largest = around.min.abs().max(around.max.abs()).max_element();
+        let near_origin = self.core.center().length() < 8.0 * self.radius();
+        near_origin.then(|| (1.2 * largest).clamp(0.15 * self.radius(), 0.75 * self.radius()))
+    }
+
+    /// The grid under the content; `None` where the ground is out of sight.
+    pub(super) fn ground(&self) -> Option<Ground> {
+        let (min, max) = (self.core.min, self.core.max);
+        let radius = self.radius();
+        if min.y.abs().min(max.y.abs()) > 3.0 * radius && min.y * max.y > 0.0 {
+            return None;
+        }
+        let (low, high) = (DVec2::new(min.x, min.z), DVec2::new(max.x, max.z));
+        let step = nice_step((high - low).max_element().max(0.5 * radius) / 12.0)?;
+        let low = ((low - 0.5 * step) / step).floor() * step;
+        let high = ((high + 0.5 * step) / step).ceil() * step;
+        (low.is_finite() && high.is_finite()).then_some(Ground { low, high, step })
+    }
+}
+
+/// A grid on y = 0: the extent in x and z, and the size of its squares.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ground {
+    low: DVec2,
+    high: DVec2,
+    step: f64,
+}
+
+impl Ground {
+    /// The lines of the grid.
+    pub(super) fn lines(&self) -> Vec<[DVec3; 2]> {
+        let Self { low, high, step } = *self;
+        let at = |x: f64, z: f64| DVec3::new(x, 0.0, z);
+        let stops =
+            |a: f64, b: f64| (0..64).map(move |i| a + f64::from(i) * step).take_while(move |v| *v < b + 0.5 * step);
+        let across = stops(low.x, high.x).map(|x| [at(x, low.y), at(x, high.y)]);
+        let along = stops(low.y, high.y).map(|z| [at(low.x, z), at(high.x, z)]);
+        across.chain(along).collect()
+    }
+}
+
+/// 1, 2 or 5 times a power of ten, at least `least`.
+fn nice_step(least: f64) -> Option<f64> {
+    let power = 10_f64.powf(least.log10().floor());
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= least && s.is_finite())
+}
+
+/// The box around a scene's objects and lines.
+fn scene_box(scene: &Scene) -> Option<Aabb> {
+    let objects = scene.objects.iter().filter_map(|object| {
+        let corners = object.mesh.bounds()?.corners();
+        Aabb::around(corners.map(|p| object.world_from_object.transform_point3(p)))
+    });
+    let lines = scene.lines.iter().filter_map(|line| Aabb::around(line.points.iter().copied()));
+    let marks = Aabb::around(scene.marks.iter().map(|m| m.position));
+    objects.chain(lines).chain(marks).reduce(Aabb::union)
+}
+
+/// The part of the volume that shows its shape without making the rest small: its cut at the depth where the content ends,
+/// or its end, if that comes before.
+fn volume_of_interest(camera: &Camera, core: &Aabb) -> Vec<DVec3> {
+    let deepest = core.corners().iter().map(|&p| -camera.view_point(p).z).fold(camera.distance(), f64::max);
+    let depth = (0.75 * deepest).clamp(camera.near(), camera.far());
+    if depth > 4.0 * deepest {
+        return Vec::new();
+    }
+    let w = camera.window();
+    let scale = match camera.projection() {
+        Projection::Perspective => depth / camera.near(),
+        Projection::Parallel => 1.0,
+    };
+    let limit = 1.5 * core.radius();
+    let at = |x: f64, y: f64| {
+        let across = (DVec2::new(x, y) * scale).clamp_length_max(limit);
+        camera.world_from_view().transform_point3(across.extend(-depth))
+    };
+    vec![at(w.left, w.bottom), at(w.right, w.bottom), at(w.right, w.top), at(w.left, w.top)]
+}
+
+/// Where the corner of the preset "iso" is: to the side of the camera and a little behind it, so that its axis runs across
+/// the picture from left to right and the image on its window is not seen from the back.
+pub(super) fn iso_direction(camera: &Camera) -> Direction {
+    const ASIDE: f64 = 58.0;
+    let n = camera.basis().n;
+    // A camera that looks straight down stands, as a map does, with **v** to the back.
+    let flat = if n.x.hypot(n.z) > 0.1 { n } else { camera.basis().v * -n.y.signum() };
+    let azimuth = flat.x.atan2(flat.z).to_degrees();
+    Direction { azimuth: (azimuth + ASIDE).round().rem_euclid(360.0), elevation: 20.0, parallel: false }
+}

@@ -1,0 +1,108 @@
+//! What the probe adds to each picture: the same point, or the same ray, three times.
+
+use glam::{DVec2, DVec3};
+
+use crate::appearance::{Dash, MarkShape};
+use crate::camera::Projection;
+
+use super::canonical::{display_from_ndc, ndc};
+use super::gizmos::{SMALL_TYPE, Sheet, TYPE};
+use super::{Palette, Probe, Setup, pick};
+
+/// The ray of the probe from its origin O_R through its window point to the end of the volume, `[0]` Eqs. (5.17) to (5.21).
+struct Pixel {
+    origin: DVec3,
+    window: DVec3,
+    end: DVec3,
+    /// The first point of the scene on it.
+    hit: Option<DVec3>,
+}
+
+impl Pixel {
+    fn new(setup: &Setup, point: DVec2) -> Self {
+        let camera = setup.camera;
+        let ray = camera.ray_through_window(point);
+        // Depths along −n are what F and B measure.
+        let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
+        let (window, end) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
+        Self { origin: ray.origin, window, end, hit: pick::first_hit(setup.scene, window, end) }
+    }
+}
+
+/// The ray from O_R through the window, or the point with its projector.
+pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
+    let color = palette.probe;
+    match setup.extras.probe {
+        None => {}
+        Some(Probe::Point(p)) => {
+            let camera = setup.camera;
+            let c = camera.view_point(p);
+            if c.z < 0.0 {
+                let w = window_of(setup, c);
+                let pixel = Pixel::new(setup, w);
+                sheet.line(vec![pixel.origin, p], color, 1.4, Dash::Solid);
+                sheet.mark(pixel.window, MarkShape::Square, 3.0, color);
+            }
+            sheet.mark(p, MarkShape::Ring, 6.0, color);
+            sheet.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
+        }
+        Some(Probe::Window(point)) => {
+            let pixel = Pixel::new(setup, point);
+            sheet.line(vec![pixel.origin, pixel.hit.unwrap_or(pixel.end)], color, 1.6, Dash::Solid);
+            if let Some(hit) = pixel.hit {
+                sheet.line(vec![hit, pixel.end], color, 1.2, Dash::Dotted);
+                sheet.mark(hit, MarkShape::Ring, 6.0, color);
+                sheet.text(hit, "P", DVec2::new(0.8, -0.8), TYPE, color);
+            }
+            sheet.mark(pixel.window, MarkShape::Square, 3.0, color);
+            if setup.camera.projection() == Projection::Parallel {
+                sheet.mark(pixel.origin, MarkShape::Disc, 3.0, color);
+                sheet.text(pixel.origin, "O_R", DVec2::new(-0.7, 0.7), SMALL_TYPE, color);
+            }
+        }
+    }
+}
+
+/// Projectors are parallel to z_n in the canonical volume, whatever the projection.
+pub(super) fn in_canonical(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
+    let Some(probe) = setup.extras.probe else { return };
+    let color = palette.probe;
+    let shown = |p: DVec3| ndc(setup.camera, p).map(display_from_ndc);
+    let (through, marked) = match probe {
+        Probe::Point(p) => (shown(p), shown(p)),
+        Probe::Window(point) => {
+            let pixel = Pixel::new(setup, point);
+            (shown(pixel.window), pixel.hit.and_then(shown))
+        }
+    };
+    let Some(through) = through else { return };
+    let (front, back) = (through.with_z(1.0), through.with_z(-1.0));
+    if through.x.abs() <= 1.0 && through.y.abs() <= 1.0 {
+        let stop = marked.map_or(back, |p| p.with_z(p.z.clamp(-1.0, 1.0)));
+        sheet.line(vec![front, stop], color, 1.6, Dash::Solid);
+        sheet.line(vec![stop, back], color, 1.2, Dash::Dotted);
+        sheet.mark(front, MarkShape::Square, 3.0, color);
+    }
+    if let Some(p) = marked {
+        sheet.mark(p, MarkShape::Ring, 6.0, color);
+        sheet.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
+    }
+}
+
+/// A cross at the pixel, or a ring around the point.
+pub(super) fn in_image(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
+    let (point, shape) = match setup.extras.probe {
+        None => return,
+        Some(Probe::Point(p)) => (p, MarkShape::Ring),
+        Some(Probe::Window(point)) => (Pixel::new(setup, point).window, MarkShape::Cross),
+    };
+    sheet.mark(point, shape, 6.0, palette.probe);
+}
+
+/// (x_p, y_p) of a point in front of C (VRC), `[0]` Eqs. (5.9) and (5.10).
+fn window_of(setup: &Setup, p_view: DVec3) -> DVec2 {
+    match setup.camera.projection() {
+        Projection::Perspective => p_view.truncate() * (setup.camera.near() / -p_view.z),
+        Projection::Parallel => p_view.truncate(),
+    }
+}

@@ -1,0 +1,126 @@
+//! A camera and the pixels that its window fills: from points to pixels and back to rays.
+
+use glam::{DVec2, DVec3};
+
+use crate::camera::{Camera, Projection};
+use crate::geometry::Ray;
+
+use super::image::PixelRect;
+
+/// A camera and the rectangle of the picture that its view window fills.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Screen {
+    camera: Camera,
+    origin: DVec2,
+    extent: DVec2,
+}
+
+impl Screen {
+    pub(super) fn new(camera: Camera, rect: PixelRect) -> Self {
+        let origin = DVec2::new(f64::from(rect.x), f64::from(rect.y));
+        Self { camera, origin, extent: DVec2::new(f64::from(rect.width), f64::from(rect.height)) }
+    }
+
+    pub(super) fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// Width and height in pixels.
+    pub(super) fn extent(&self) -> DVec2 {
+        self.extent
+    }
+
+    /// Where a point is drawn, in pixels; also outside the rectangle. `None` for what is not in front of the near plane.
+    pub(super) fn place(&self, p: DVec3) -> Option<DVec2> {
+        let c = self.camera.clip_point(p);
+        let in_front = c.w > 0.0 && c.z >= -c.w * (1.0 + 1e-12);
+        let ndc = c.truncate() / c.w;
+        (in_front && ndc.is_finite())
+            .then(|| self.origin + self.extent * DVec2::new(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y))
+    }
+
+    /// As [`place`](Self::place), for points within the rectangle only.
+    pub(super) fn place_inside(&self, p: DVec3) -> Option<DVec2> {
+        self.place(p).filter(|&px| self.holds(px))
+    }
+
+    /// True for a place (pixels) within the rectangle.
+    pub(super) fn holds(&self, px: DVec2) -> bool {
+        px.cmpge(self.origin).all() && px.cmple(self.origin + self.extent).all()
+    }
+
+    /// The point (x_p, y_p) of the view window at a place (pixels).
+    pub(super) fn window_point(&self, px: DVec2) -> DVec2 {
+        let w = self.camera.window();
+        let s = (px - self.origin) / self.extent;
+        DVec2::new(w.left + w.width() * s.x, w.top - w.height() * s.y)
+    }
+
+    /// The ray through a place (pixels), `[0]` Eqs. (5.17) to (5.21).
+    pub(super) fn ray(&self, px: DVec2) -> Ray {
+        self.camera.ray_through_window(self.window_point(px))
+    }
+
+    /// The direction in which a point moves on the screen when it moves along `direction`; zero where that cannot be seen.
+    pub(super) fn heading(&self, p: DVec3, direction: DVec3) -> DVec2 {
+        let step = direction * (self.units_per_pixel(p) * 0.01);
+        match (self.place(p), self.place(p + step)) {
+            (Some(a), Some(b)) if (b - a).length() > 1e-5 => (b - a).normalize_or_zero(),
+            _ => DVec2::ZERO,
+        }
+    }
+
+    /// The length that one pixel spans at the depth of a point.
+    pub(super) fn units_per_pixel(&self, p: DVec3) -> f64 {
+        let at_window = self.camera.window().height() / self.extent.y.max(1.0);
+        match self.camera.projection() {
+            Projection::Parallel => at_window,
+            Projection::Perspective => {
+                let depth = -self.camera.view_point(p).z;
+                at_window * depth.max(self.camera.near()) / self.camera.near()
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::camera::Parameters;
+
+    fn screen(projection: Projection) -> Screen {
+        let parameters = Parameters { projection, height: 8.0, ..Parameters::default() };
+        Screen::new(Camera::new(&parameters).unwrap(), PixelRect { x: 10, y: 20, width: 400, height: 300 })
+    }
+
+    #[test]
+    fn the_focal_point_is_in_the_middle_and_its_pixel_leads_back_to_it() {
+        for projection in [Projection::Perspective, Projection::Parallel] {
+            let s = screen(projection);
+            let pf = s.camera().focal_point();
+            assert!((s.place(pf).unwrap() - DVec2::new(210.0, 170.0)).length() < 1e-9);
+            let p = DVec3::new(0.5, -0.25, 1.0);
+            let ray = s.ray(s.place(p).unwrap());
+            let off = (p - ray.origin).cross(ray.direction).length();
+            assert!(off < 1e-12, "{projection:?}: {off}");
+        }
+    }
+
+    #[test]
+    fn what_is_behind_has_no_place() {
+        let s = screen(Projection::Perspective);
+        assert_eq!(s.place(s.camera().position() + s.camera().basis().n), None);
+    }
+
+    #[test]
+    fn a_pixel_spans_what_it_says() {
+        for projection in [Projection::Perspective, Projection::Parallel] {
+            let s = screen(projection);
+            let step = s.camera().basis().v * s.units_per_pixel(DVec3::ZERO);
+            let moved = s.place(step).unwrap() - s.place(DVec3::ZERO).unwrap();
+            assert!((moved - DVec2::new(0.0, -1.0)).length() < 1e-9, "{moved}");
+            assert!((s.heading(DVec3::ZERO, s.camera().basis().u) - DVec2::X).length() < 1e-6);
+        }
+    }
+}
