@@ -226,7 +226,11 @@ mod tests {
     fn a_text_steps_off_a_strong_line_but_not_off_the_grid() {
         let color = Rgba::rgb(10, 20, 30);
         let style = LineStyle { color, width: 1.0, dash: Default::default(), hidden: Default::default(), arrow: false };
-        let line = StrokeSet { points: vec![[0.0, 50.0, 0.5], [200.0, 50.0, 0.5]], polylines: std::iter::once(0..2).collect(), style };
+        let line = StrokeSet {
+            points: vec![[0.0, 50.0, 0.5], [200.0, 50.0, 0.5]],
+            polylines: std::iter::once(0..2).collect(),
+            style,
+        };
         let mut d = drawing(vec![label(50.0, 50.0, "PF")]);
         d.strokes.push(line);
         let mut over_grid = d.clone();
