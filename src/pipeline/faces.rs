@@ -115,7 +115,7 @@ impl Faces {
         self.cuts.clear();
         self.outcodes.clear();
         for i in 0..vertices.len() {
-            let p = projector.clip(DVec3::new(vertices.x[i], vertices.y[i], -vertices.depth[i]));
+            let p = projector.clip(vertices.at(i));
             self.positions.push(on_grid(screen.project(projector, p)));
             if planes != 0 {
                 self.outcodes.push(outcode(projector, p));

@@ -4,6 +4,7 @@ mod clip;
 mod cull;
 mod faces;
 mod lines;
+pub mod project;
 mod shade;
 mod transform;
 

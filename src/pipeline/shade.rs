@@ -160,7 +160,7 @@ impl Shaded<'_> {
     /// Light on each face, where it is still to be drawn.
     fn face_colors(&self, lights: &Lights, color: impl Fn(u32) -> Rgba) -> Vec<Rgba> {
         let lighting = lights.lighting(self.object.two_sided);
-        let outward = if self.view_from_object.mirrored() { -1.0 } else { 1.0 };
+        let outward = self.view_from_object.outward();
         let triangles = &self.object.mesh.triangles;
         let mut last = None;
         self.faces
@@ -252,12 +252,12 @@ pub(super) fn translucent(paint: &ObjectPaint) -> bool {
 }
 
 /// Grey for what has no colour of its own.
-fn color_at(colors: &[Rgba], index: u32) -> Rgba {
+pub(super) fn color_at(colors: &[Rgba], index: u32) -> Rgba {
     colors.get(index as usize).copied().unwrap_or(Rgba::rgb(128, 128, 128))
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a mean of bytes is a byte")]
-fn mean_of_colors(colors: [Rgba; 3], weights: [f64; 3]) -> Rgba {
+pub(super) fn mean_of_colors(colors: [Rgba; 3], weights: [f64; 3]) -> Rgba {
     let mean = |channel: fn(Rgba) -> u8| {
         let sum: f64 = (0..3).map(|i| f64::from(channel(colors[i])) * weights[i]).sum();
         (sum + 0.5) as u8
@@ -266,6 +266,6 @@ fn mean_of_colors(colors: [Rgba; 3], weights: [f64; 3]) -> Rgba {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "texture coordinates are single precision")]
-fn mean_of_uv(uv: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {
+pub(super) fn mean_of_uv(uv: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {
     std::array::from_fn(|axis| (0..3).map(|i| f64::from(uv[i][axis]) * weights[i]).sum::<f64>() as f32)
 }

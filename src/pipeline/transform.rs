@@ -149,6 +149,11 @@ impl ViewFromObject {
         self.determinant < 0.0
     }
 
+    /// −1 where the object is mirrored, else 1: the factor that makes of (b − a) × (c − a) the outer normal of a triangle.
+    pub(super) fn outward(&self) -> f64 {
+        if self.mirrored() { -1.0 } else { 1.0 }
+    }
+
     /// The matrix for normals: cofactors of the linear part (the inverse transpose times the determinant, which a flattened
     /// object has too), with the sign that keeps normals outside.
     pub(super) fn normal_matrix(&self) -> DMat3 {
@@ -184,8 +189,12 @@ impl ViewVertices {
         }
     }
 
+    /// The vertex with an index of the mesh.
     pub(super) fn point(&self, index: u32) -> DVec3 {
-        let i = index as usize;
+        self.at(index as usize)
+    }
+
+    pub(super) fn at(&self, i: usize) -> DVec3 {
         DVec3::new(self.x[i], self.y[i], -self.depth[i])
     }
 

@@ -9,7 +9,7 @@ use crate::geometry::Aabb;
 pub struct Mesh {
     /// Vertices.
     pub positions: Vec<DVec3>,
-    /// Unit normals, one for each vertex.
+    /// Unit normals, one for each vertex; only an object that no light falls on may go without.
     pub normals: Vec<DVec3>,
     /// Counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,

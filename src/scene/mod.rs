@@ -33,7 +33,8 @@ pub struct Object {
     pub name: String,
     /// The shape, shared between copies.
     pub mesh: Arc<Mesh>,
-    /// Model matrix.
+    /// Model matrix. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen from outside in its own
+    /// space, and the pipeline turns the triangles round.
     pub world_from_object: DMat4,
     /// How its faces are coloured.
     pub paint: ObjectPaint,

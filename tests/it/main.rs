@@ -4,4 +4,5 @@
 mod common;
 
 mod pipeline;
+mod pipeline_project;
 mod raster_pictures;

@@ -11,13 +11,13 @@ use camera_lab::pipeline::{Target, draw};
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene};
 use glam::{DMat4, DVec3};
 
-const TARGET: Target = Target { width: 200, height: 100, scale: 2.0, background: Rgba::rgb(255, 255, 255) };
-const CLAY: Rgba = Rgba::rgb(200, 100, 40);
-const STROKE: LineStyle =
+pub(crate) const TARGET: Target = Target { width: 200, height: 100, scale: 2.0, background: Rgba::rgb(255, 255, 255) };
+pub(crate) const CLAY: Rgba = Rgba::rgb(200, 100, 40);
+pub(crate) const STROKE: LineStyle =
     LineStyle { color: CLAY, width: 1.5, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: true };
 
 /// At the origin, looking along −z, window 4 × 2 on F = 1, B = 9.
-fn eye(projection: Projection) -> Camera {
+pub(crate) fn eye(projection: Projection) -> Camera {
     let window = ViewWindow { left: -2.0, right: 2.0, bottom: -1.0, top: 1.0 };
     Camera::new(&Parameters {
         position: DVec3::ZERO,
@@ -31,12 +31,12 @@ fn eye(projection: Projection) -> Camera {
     .unwrap()
 }
 
-fn shading(shading: Shading) -> Style {
+pub(crate) fn shading(shading: Shading) -> Style {
     Style { shading, ..Style::default() }
 }
 
 /// The cube [−1, 1]³, each face with vertices of its own, edges once.
-fn cube() -> Mesh {
+pub(crate) fn cube() -> Mesh {
     let mut mesh = Mesh { closed: true, convex: true, ..Mesh::default() };
     for axis in 0..3 {
         for sign in [1.0, -1.0] {
@@ -53,7 +53,7 @@ fn cube() -> Mesh {
     mesh
 }
 
-fn object(mesh: Mesh, world_from_object: DMat4) -> Object {
+pub(crate) fn object(mesh: Mesh, world_from_object: DMat4) -> Object {
     Object {
         name: "thing".into(),
         two_sided: !mesh.closed,
@@ -66,7 +66,7 @@ fn object(mesh: Mesh, world_from_object: DMat4) -> Object {
     }
 }
 
-fn only(object: Object) -> Scene {
+pub(crate) fn only(object: Object) -> Scene {
     Scene { objects: vec![object], ..Scene::default() }
 }
 

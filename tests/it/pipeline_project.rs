@@ -1,0 +1,150 @@
+//! The scene in the canonical volume: clipped and projected.
+
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+use camera_lab::appearance::{Rgba, Shading};
+use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
+use camera_lab::pipeline::project::{clipped_scene, displayed_ndc};
+use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, Scene};
+use glam::{DMat4, DVec3};
+
+use super::pipeline::{CLAY, STROKE, cube, eye, object, only};
+
+fn at(x: f64, y: f64, z: f64) -> DMat4 {
+    DMat4::from_translation(DVec3::new(x, y, z))
+}
+
+/// Six times the signed volume under the triangles.
+fn volume(object: &Object) -> f64 {
+    let p = &object.mesh.positions;
+    object.mesh.triangles.iter().map(|t| p[t[0] as usize].dot(p[t[1] as usize].cross(p[t[2] as usize]))).sum()
+}
+
+fn area(object: &Object) -> f64 {
+    let p = |i: u32| object.mesh.positions[i as usize];
+    object.mesh.triangles.iter().map(|&[a, b, c]| (p(b) - p(a)).cross(p(c) - p(a)).length() / 2.0).sum()
+}
+
+/// Where the matrices of the camera take a point.
+fn by_matrix(camera: &Camera, p_world: DVec3) -> DVec3 {
+    let p = camera.clip_from_world() * p_world.extend(1.0);
+    DVec3::new(p.x / p.w, p.y / p.w, -p.z / p.w)
+}
+
+#[test]
+fn a_cube_inside_goes_where_the_matrix_of_the_notes_takes_it() {
+    for projection in [Projection::Perspective, Projection::Parallel] {
+        let camera = eye(projection);
+        let scene = only(object(cube(), at(0.3, 0.0, -4.0)));
+        let clipped = clipped_scene(&scene, &camera, Shading::Flat);
+        let (found, given) = (&clipped.objects[0], &scene.objects[0]);
+        assert!(found.mesh.closed && found.mesh.convex && !found.two_sided && !found.lit);
+        assert_eq!(found.mesh.triangles.len(), 12);
+        assert_eq!(found.mesh.edges.len(), given.mesh.edges.len());
+        for (t_found, t_given) in found.mesh.triangles.iter().zip(&given.mesh.triangles) {
+            for (&i, &j) in t_found.iter().zip(t_given) {
+                let p_world = given.world_from_object.transform_point3(given.mesh.positions[j as usize]);
+                let expected = by_matrix(&camera, p_world);
+                assert!(found.mesh.positions[i as usize].abs_diff_eq(expected, 1e-14));
+                assert!(displayed_ndc(&camera, p_world).unwrap().abs_diff_eq(expected, 1e-14));
+            }
+        }
+        // A projective map with w > 0 keeps the outside outside.
+        assert!(volume(found) > 0.0);
+    }
+}
+
+#[test]
+fn a_mirrored_object_keeps_its_outside() {
+    let place = at(0.3, -0.2, -4.0) * DMat4::from_scale(DVec3::new(1.0, -1.0, 1.0));
+    let clipped = clipped_scene(&only(object(cube(), place)), &eye(Projection::Perspective), Shading::Flat);
+    assert!(volume(&clipped.objects[0]) > 0.0);
+}
+
+#[test]
+fn what_is_cut_ends_in_the_faces_of_the_volume() {
+    let camera = eye(Projection::Perspective);
+    for place in [at(0.0, 0.0, -1.0), at(5.0, 2.0, -3.0), at(-7.5, 0.0, -9.0), at(0.1, 0.2, -0.9)] {
+        let clipped = clipped_scene(&only(object(cube(), place)), &camera, Shading::Gouraud);
+        let cut = &clipped.objects[0];
+        assert!(!cut.mesh.closed && !cut.mesh.convex && cut.two_sided);
+        let outermost = cut.mesh.positions.iter().fold(DVec3::ZERO, |most, p| most.max(p.abs()));
+        assert!(outermost.max_element() == 1.0, "{outermost}");
+    }
+    assert!(clipped_scene(&only(object(cube(), at(0.0, 0.0, 1.1))), &camera, Shading::Flat).objects.is_empty());
+}
+
+#[test]
+fn cutting_finer_triangles_leaves_the_same_surface() {
+    // The same plate, tilted through the whole volume and out of it, from 2 and from 512 triangles.
+    let plate = |n: u32| {
+        let mut mesh = Mesh::default();
+        let side = f64::from(n);
+        for j in 0..=n {
+            for i in 0..=n {
+                mesh.positions.push(DVec3::new(f64::from(i) / side - 0.5, f64::from(j) / side - 0.5, 0.0) * 30.0);
+                mesh.normals.push(DVec3::Z);
+            }
+        }
+        for j in 0..n {
+            for i in 0..n {
+                let k = j * (n + 1) + i;
+                mesh.triangles.extend([[k, k + 1, k + n + 2], [k, k + n + 2, k + n + 1]]);
+            }
+        }
+        let tilt = DMat4::from_rotation_x(-1.2) * DMat4::from_rotation_y(0.3);
+        object(mesh, at(0.2, -0.6, -5.0) * tilt)
+    };
+    for projection in [Projection::Perspective, Projection::Parallel] {
+        let areas = [1, 16].map(|n| {
+            let clipped = clipped_scene(&only(plate(n)), &eye(projection), Shading::Flat);
+            area(&clipped.objects[0])
+        });
+        assert!(areas[0] > 1.0);
+        assert!((areas[0] / areas[1] - 1.0).abs() < 1e-13, "{areas:?}");
+    }
+}
+
+#[test]
+fn colours_are_those_of_the_world() {
+    let camera = eye(Projection::Parallel);
+    let lit = |shading| {
+        let mut scene = only(object(cube(), at(0.0, 0.0, -4.0)));
+        scene.lights = vec![Light::Directional { direction: DVec3::NEG_Z }];
+        clipped_scene(&scene, &camera, shading).objects[0].paint.clone()
+    };
+    let dark = Rgba::rgb(70, 35, 14);
+    let ObjectPaint::Faces(faces) = lit(Shading::Flat) else { panic!("flat") };
+    // Faces in the order +x −x +y −y +z −z: only +z looks towards the lamp.
+    assert_eq!(*faces, [[dark; 8].as_slice(), &[CLAY; 2], &[dark; 2]].concat());
+    let ObjectPaint::Vertices(vertices) = lit(Shading::Gouraud) else { panic!("gouraud") };
+    assert_eq!(vertices.len(), 24);
+    assert_eq!(lit(Shading::Wireframe), ObjectPaint::Solid(CLAY));
+}
+
+#[test]
+fn lines_end_in_the_faces_too() {
+    let camera = eye(Projection::Perspective);
+    let points = [DVec3::new(0.0, 0.0, 3.0), DVec3::new(0.0, 0.0, -3.0), DVec3::new(0.0, 0.0, -30.0)];
+    let scene = Scene { lines: vec![Line { points: points.to_vec(), style: STROKE }], ..Scene::default() };
+    let clipped = clipped_scene(&scene, &camera, Shading::Flat);
+    assert_eq!(clipped.lines.len(), 1);
+    // −z_n at d = 3 is 2 · 6/24 − 1.
+    let ends = [1.0, -0.5, -1.0].map(|z| DVec3::new(0.0, 0.0, z));
+    assert_eq!(clipped.lines[0].points, ends);
+    assert!(!clipped.lines[0].style.arrow, "the end was cut off");
+    assert_eq!(displayed_ndc(&camera, DVec3::ZERO), None);
+    assert_eq!(displayed_ndc(&camera, DVec3::Z), None);
+}
+
+#[test]
+fn an_oblique_window_agrees_with_its_matrix() {
+    let base = *eye(Projection::Perspective).parameters();
+    let window = ViewWindow { left: -0.5, right: 3.0, bottom: 0.25, top: 1.0 };
+    for projection in [Projection::Perspective, Projection::Parallel] {
+        let camera = Camera::new(&Parameters { window: Some(window), projection, ..base }).unwrap();
+        for p_world in [DVec3::new(1.0, 2.0, -5.0), DVec3::new(-1.0, 0.3, -1.5)] {
+            assert!(displayed_ndc(&camera, p_world).unwrap().abs_diff_eq(by_matrix(&camera, p_world), 1e-14));
+        }
+    }
+}
