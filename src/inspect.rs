@@ -1,1 +1,376 @@
-//! Every number of the contract, with its warnings.
+//! Every number of a figure, as the command line prints it and the window shows it.
+
+use glam::{DMat4, DVec2, DVec3};
+use serde::{Serialize, Serializer};
+
+use crate::camera::{
+    Camera, CameraError, Convention, ImageSize, Operation, Parameters, Projection, Stations, ViewWindow, Viewport,
+    Warning,
+};
+use crate::figure::Figure;
+
+/// What `camera-lab inspect` prints; the order of the fields is the order of the keys.
+///
+/// *Guarantees*: every number is finite, and zero has no sign. Written as JSON, a number reads back as the same `f64`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// The camera's parameters after the operations, under the names of the figure file.
+    pub camera: CameraReport,
+    /// DOP.
+    pub dop: [f64; 3],
+    /// D.
+    pub distance: f64,
+    /// **u**, **v**, **n**.
+    pub basis: BasisReport,
+    /// The view window on the plane z_c = −F.
+    pub window: WindowReport,
+    /// M_v, rows.
+    pub view_matrix: [[f64; 4]; 4],
+    /// M_p, rows.
+    pub projection_matrix: [[f64; 4]; 4],
+    /// M_p M_v, rows.
+    pub view_projection_matrix: [[f64; 4]; 4],
+    /// The inverse of M_v, rows.
+    pub inverse_view_matrix: [[f64; 4]; 4],
+    /// The inverse of M_p, rows.
+    pub inverse_projection_matrix: [[f64; 4]; 4],
+    /// Near (l,b) (r,b) (r,t) (l,t), then far in the same order.
+    pub volume_corners: [[f64; 3]; 8],
+    /// The points that were asked for.
+    pub points: Vec<PointReport>,
+    /// The rays through the pixels that were asked for.
+    pub rays: Vec<RayReport>,
+    /// What is possible, but probably not what was meant.
+    pub warnings: Vec<WarningReport>,
+}
+
+/// The keys of `[camera]`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CameraReport {
+    /// C.
+    pub position: [f64; 3],
+    /// PF.
+    pub focal_point: [f64; 3],
+    /// VUP.
+    pub view_up: [f64; 3],
+    /// `perspective` or `parallel`.
+    pub projection: &'static str,
+    /// θ, degrees.
+    pub view_angle: f64,
+    /// H.
+    pub height: f64,
+    /// A.
+    pub aspect: f64,
+    /// F.
+    pub near: f64,
+    /// B.
+    pub far: f64,
+    /// l, r, b, t, when they are given instead of angle, height and aspect.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub window: Option<SidesReport>,
+}
+
+/// l, r, b, t.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SidesReport {
+    /// l
+    pub left: f64,
+    /// r
+    pub right: f64,
+    /// b
+    pub bottom: f64,
+    /// t
+    pub top: f64,
+}
+
+/// The VRC.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BasisReport {
+    /// **u**
+    pub u: [f64; 3],
+    /// **v**
+    pub v: [f64; 3],
+    /// **n**
+    pub n: [f64; 3],
+}
+
+/// The view window.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct WindowReport {
+    /// l
+    pub left: f64,
+    /// r
+    pub right: f64,
+    /// b
+    pub bottom: f64,
+    /// t
+    pub top: f64,
+    /// W
+    pub width: f64,
+    /// H
+    pub height: f64,
+    /// A
+    pub aspect: f64,
+}
+
+/// One point in every space; what follows the division is `null` where W = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PointReport {
+    /// World.
+    pub world: [f64; 3],
+    /// VRC.
+    pub view: [f64; 3],
+    /// Clip coordinates.
+    pub clip: [f64; 4],
+    /// NDC.
+    pub ndc: Option<[f64; 3]>,
+    /// (x_p, y_p).
+    pub window: Option<[f64; 2]>,
+    /// (i, j).
+    pub pixel: Option<[Whole; 2]>,
+    /// (X, Y, Z).
+    pub viewport: Option<(Whole, Whole, f64)>,
+    /// |X|, |Y|, |Z| ≤ W and W > 0; `None` where W = 0 (such a point is not inside).
+    pub inside: Option<bool>,
+}
+
+/// The ray through the centre of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RayReport {
+    /// (i, j).
+    pub pixel: [i64; 2],
+    /// Where it starts, world.
+    pub origin: [f64; 3],
+    /// Unit vector, world.
+    pub direction: [f64; 3],
+}
+
+/// A warning in English, with its code.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct WarningReport {
+    /// [`Warning::code`].
+    pub code: &'static str,
+    /// One sentence.
+    pub message: String,
+}
+
+/// A whole number that may be too great for an integer type; written without a fraction where JSON readers keep it whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Whole(pub f64);
+
+impl Serialize for Whole {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        const EXACT: f64 = 9_007_199_254_740_992.0;
+        if self.0.abs() <= EXACT {
+            #[expect(clippy::cast_possible_truncation, reason = "whole numbers up to 2^53 are exact in both types")]
+            let whole = self.0 as i64;
+            serializer.serialize_i64(whole)
+        } else {
+            serializer.serialize_f64(self.0)
+        }
+    }
+}
+
+/// Why there is no report.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum InspectError {
+    /// The figure's camera is impossible.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// An operation has no result.
+    #[error("operation {operation}: {error}")]
+    Operation {
+        /// Which.
+        operation: Operation,
+        /// Why.
+        error: CameraError,
+    },
+    /// A point has coordinates that `f64` cannot hold.
+    #[error("point {},{},{}: its coordinates in {space} would exceed the range of numbers (about 1e-308 to 1e308)", point.x, point.y, point.z)]
+    Point {
+        /// The point, world.
+        point: DVec3,
+        /// The first space that cannot hold it.
+        space: &'static str,
+    },
+    /// A pixel has a ray that `f64` cannot hold, or the image has no pixels.
+    #[error("pixel {},{}: its ray would exceed the range of numbers (about 1e-308 to 1e308)", pixel[0], pixel[1])]
+    Pixel {
+        /// (i, j).
+        pixel: [i64; 2],
+    },
+}
+
+/// Applies `operations` in the order given.
+///
+/// # Errors
+/// [`InspectError`] names the camera's fault, or the operation's.
+pub fn camera_after(
+    parameters: &Parameters,
+    operations: &[Operation],
+    convention: Convention,
+) -> Result<Camera, InspectError> {
+    operations.iter().try_fold(Camera::new(parameters)?, |camera, operation| {
+        operation.apply(&camera, convention).map_err(|error| InspectError::Operation { operation: *operation, error })
+    })
+}
+
+impl Report {
+    /// The numbers of `figure` after `operations`, with `points` (world) and rays through `pixels`.
+    ///
+    /// # Errors
+    /// [`InspectError`] names the value that is impossible.
+    pub fn new(
+        figure: &Figure,
+        operations: &[Operation],
+        convention: Convention,
+        points: &[DVec3],
+        pixels: &[[i64; 2]],
+    ) -> Result<Self, InspectError> {
+        let camera = camera_after(&figure.camera, operations, convention)?;
+        Self::of(&camera, figure.image, figure.viewport, points, pixels)
+    }
+
+    /// The numbers of a camera. Without a viewport it is the whole image, depth 0 … 1.
+    ///
+    /// # Errors
+    /// [`InspectError`] names the point or the pixel whose numbers `f64` cannot hold.
+    pub fn of(
+        camera: &Camera,
+        image: ImageSize,
+        viewport: Option<Viewport>,
+        points: &[DVec3],
+        pixels: &[[i64; 2]],
+    ) -> Result<Self, InspectError> {
+        let viewport = viewport.unwrap_or_else(|| Viewport::whole(image));
+        let basis = camera.basis();
+        let ViewWindow { left, right, bottom, top } = camera.window().map(unsigned);
+        Ok(Self {
+            camera: CameraReport::new(camera.parameters()),
+            dop: three(camera.direction_of_projection()),
+            distance: camera.distance(),
+            basis: BasisReport { u: three(basis.u), v: three(basis.v), n: three(basis.n) },
+            window: WindowReport {
+                left,
+                right,
+                bottom,
+                top,
+                width: camera.window_width(),
+                height: camera.window_height(),
+                aspect: camera.window_aspect(),
+            },
+            view_matrix: rows(camera.view_from_world()),
+            projection_matrix: rows(camera.clip_from_view()),
+            view_projection_matrix: rows(camera.clip_from_world()),
+            inverse_view_matrix: rows(camera.world_from_view()),
+            inverse_projection_matrix: rows(camera.view_from_clip()),
+            volume_corners: camera.volume_corners().map(three),
+            points: points
+                .iter()
+                .map(|point| PointReport::new(&camera.stations(*point, image, &viewport)))
+                .collect::<Result<_, _>>()?,
+            rays: pixels.iter().map(|pixel| RayReport::new(camera, image, *pixel)).collect::<Result<_, _>>()?,
+            warnings: camera
+                .warnings()
+                .into_iter()
+                .chain(camera.aspect_warning(image))
+                .map(|warning| WarningReport::new(&warning))
+                .collect(),
+        })
+    }
+
+    /// One JSON object, indented, with a line break at its end.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        // Neither keys nor values of a report can fail to serialise.
+        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+}
+
+impl CameraReport {
+    fn new(p: &Parameters) -> Self {
+        Self {
+            position: three(p.position),
+            focal_point: three(p.focal_point),
+            view_up: three(p.view_up),
+            projection: match p.projection {
+                Projection::Perspective => "perspective",
+                Projection::Parallel => "parallel",
+            },
+            view_angle: p.view_angle,
+            height: p.height,
+            aspect: p.aspect,
+            near: p.near,
+            far: p.far,
+            window: p.window.map(|w| {
+                let ViewWindow { left, right, bottom, top } = w.map(unsigned);
+                SidesReport { left, right, bottom, top }
+            }),
+        }
+    }
+}
+
+impl PointReport {
+    fn new(s: &Stations) -> Result<Self, InspectError> {
+        let check = |finite: bool, space| {
+            if finite { Ok(()) } else { Err(InspectError::Point { point: s.world, space }) }
+        };
+        check(s.world.is_finite(), "the world")?;
+        check(s.view.is_finite(), "view")?;
+        check(s.clip.is_finite(), "clip")?;
+        if let Some(p) = s.projected {
+            check(p.ndc.is_finite(), "ndc")?;
+            check(p.window.is_finite(), "window")?;
+            check(p.pixel.is_finite(), "pixel")?;
+            check(p.viewport.is_finite(), "viewport")?;
+        }
+        Ok(Self {
+            world: three(s.world),
+            view: three(s.view),
+            clip: s.clip.to_array().map(unsigned),
+            ndc: s.projected.map(|p| three(p.ndc)),
+            window: s.projected.map(|p| p.window.to_array().map(unsigned)),
+            pixel: s.projected.map(|p| wholes(p.pixel)),
+            viewport: s.projected.map(|p| {
+                let [x, y] = wholes(p.viewport.truncate());
+                (x, y, unsigned(p.viewport.z))
+            }),
+            inside: s.projected.map(|_| s.inside),
+        })
+    }
+}
+
+impl RayReport {
+    fn new(camera: &Camera, image: ImageSize, pixel: [i64; 2]) -> Result<Self, InspectError> {
+        let ray = camera.ray_through_pixel(image, pixel[0], pixel[1]);
+        if !(ray.origin.is_finite() && ray.direction.is_finite()) {
+            return Err(InspectError::Pixel { pixel });
+        }
+        Ok(Self { pixel, origin: three(ray.origin), direction: three(ray.direction) })
+    }
+}
+
+impl WarningReport {
+    fn new(warning: &Warning) -> Self {
+        Self { code: warning.code(), message: warning.to_string() }
+    }
+}
+
+/// −0 is 0.
+fn unsigned(x: f64) -> f64 {
+    x + 0.0
+}
+
+fn three(v: DVec3) -> [f64; 3] {
+    v.to_array().map(unsigned)
+}
+
+fn wholes(v: DVec2) -> [Whole; 2] {
+    v.to_array().map(|x| Whole(unsigned(x)))
+}
+
+fn rows(m: DMat4) -> [[f64; 4]; 4] {
+    m.transpose().to_cols_array_2d().map(|row| row.map(unsigned))
+}

@@ -2,163 +2,114 @@
 //!
 //! [`Parameters`] may be nonsense; a [`Camera`] is not.
 
-use glam::{DMat4, DVec2, DVec3, DVec4};
+mod basis;
+mod image_map;
+mod operations;
+mod parameters;
+mod projection;
+mod ray;
+mod stations;
+mod volume;
+mod warnings;
+mod window;
 
-use crate::geometry::{Angle, Plane, Ray};
+pub use basis::Basis;
+pub use image_map::{ImageSize, Viewport};
+pub use operations::{Changes, Convention, Operation, OperationError};
+pub use parameters::{CameraError, Derived, Parameters, Projection, Range};
+pub use stations::{Projected, Stations};
+pub use warnings::Warning;
+pub use window::ViewWindow;
 
-/// The kind of projection.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Projection {
-    /// Projectors meet in C.
-    #[default]
-    Perspective,
-    /// Projectors are parallel to DOP (orthographic).
-    Parallel,
-}
+use glam::DVec3;
 
-/// The view window on the plane z_c = −F, in scene units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ViewWindow {
-    /// l
-    pub left: f64,
-    /// r
-    pub right: f64,
-    /// b
-    pub bottom: f64,
-    /// t
-    pub top: f64,
-}
+use basis::{Collinear, Frame, Pose};
+use projection::{Lens, lens};
+use window::WideWindow;
 
-impl ViewWindow {
-    /// W = r − l.
-    #[must_use]
-    pub fn width(&self) -> f64 {
-        self.right - self.left
-    }
+use crate::geometry::Angle;
 
-    /// H = t − b.
-    #[must_use]
-    pub fn height(&self) -> f64 {
-        self.top - self.bottom
-    }
-
-    /// A = W / H, `[0]` Eq. (5.1).
-    #[must_use]
-    pub fn aspect(&self) -> f64 {
-        self.width() / self.height()
-    }
-}
-
-/// What a figure file or a slider holds; may be nonsense until [`Camera::new`] has seen it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
-    /// C, world.
-    pub position: DVec3,
-    /// PF, world.
-    pub focal_point: DVec3,
-    /// VUP, world.
-    pub view_up: DVec3,
-    /// The kind of projection.
-    pub projection: Projection,
-    /// θ, vertical, in degrees, 0 < θ < 180 (perspective).
-    pub view_angle: f64,
-    /// H in scene units (parallel).
-    pub height: f64,
-    /// A = W / H.
-    pub aspect: f64,
-    /// F, distance of the front clipping plane and of the view plane.
-    pub near: f64,
-    /// B, distance of the back clipping plane.
-    pub far: f64,
-    /// l, r, b, t; replaces angle, height and aspect.
-    pub window: Option<ViewWindow>,
-}
-
-impl Default for Parameters {
-    fn default() -> Self {
-        Self {
-            position: DVec3::new(3.0, 4.0, 5.0),
-            focal_point: DVec3::ZERO,
-            view_up: DVec3::Y,
-            projection: Projection::Perspective,
-            view_angle: 45.0,
-            height: 2.0,
-            aspect: 4.0 / 3.0,
-            near: 0.1,
-            far: 100.0,
-            window: None,
-        }
-    }
-}
-
-/// Why parameters are no camera.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum CameraError {
-    /// C = PF.
-    #[error("focal_point must differ from position")]
-    FocalPointAtPosition,
-    /// VUP has no length.
-    #[error("view_up must not be zero")]
-    ViewUpZero,
-    /// VUP is collinear with DOP.
-    #[error("view_up must not be collinear with focal_point − position")]
-    ViewUpCollinear,
-    /// A value is out of its range.
-    #[error("{key} is {value}; allowed: {allowed}")]
-    OutOfRange {
-        /// The figure file's key.
-        key: &'static str,
-        /// What was found.
-        value: f64,
-        /// What is allowed, in words of the field.
-        allowed: &'static str,
-    },
-}
-
-/// The VRC: an orthonormal right-handed basis, `[0]` Eq. (5.3).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Basis {
-    /// To the right.
-    pub u: DVec3,
-    /// Up.
-    pub v: DVec3,
-    /// Towards the viewer (VPN).
-    pub n: DVec3,
-}
-
-/// A camera whose parameters have been checked; everything derived is there.
+/// A camera whose parameters have been checked; everything derived is there, and every number of it is finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     parameters: Parameters,
-    distance: f64,
+    pose: Pose,
+    frame: Frame,
+    wide_window: WideWindow,
+    lens: Lens,
     basis: Basis,
-    window: ViewWindow,
 }
 
 impl Camera {
     /// Checks the parameters and derives basis and window.
     ///
+    /// *Guarantees*: D, basis, window, matrices and corners are finite, and rounded from a computation in twice the
+    /// precision of `f64`. VUP and DOP are collinear when they are so exactly, or when what is left of their cross
+    /// product could come from rounding their components; an angle of 1e-10 rad between them is none of both.
+    ///
     /// # Errors
-    /// [`CameraError`] names what is impossible.
+    /// [`CameraError`] names what is impossible, with the values and what is allowed.
     pub fn new(parameters: &Parameters) -> Result<Self, CameraError> {
         let p = *parameters;
-        let to_viewer = p.position - p.focal_point;
-        let n = crate::geometry::try_unit(to_viewer).ok_or(CameraError::FocalPointAtPosition)?;
-        let up = crate::geometry::try_unit(p.view_up).ok_or(CameraError::ViewUpZero)?;
-        let u = crate::geometry::try_unit(up.cross(n)).ok_or(CameraError::ViewUpCollinear)?;
-        let v = n.cross(u);
-        let window = p.window.unwrap_or_else(|| {
-            let h = match p.projection {
-                Projection::Perspective => 2.0 * p.near * (p.view_angle.to_radians() / 2.0).tan(),
-                Projection::Parallel => p.height,
-            };
-            let w = h * p.aspect;
-            ViewWindow { left: -w / 2.0, right: w / 2.0, bottom: -h / 2.0, top: h / 2.0 }
-        });
-        Ok(Self { parameters: p, distance: to_viewer.length(), basis: Basis { u, v, n }, window })
+        p.check()?;
+        let pose = Pose::new(p.position, p.focal_point, p.view_up);
+        Self::derive(p, pose, WideWindow::new(&p), Collinear::UpToRounding)
     }
 
-    /// What the camera was made from.
+    fn derive(
+        parameters: Parameters,
+        pose: Pose,
+        wide_window: WideWindow,
+        collinear: Collinear,
+    ) -> Result<Self, CameraError> {
+        let frame = Frame::new(&pose, collinear)?;
+        let lens = lens(parameters.projection, &wide_window, parameters.near, parameters.far);
+        let basis = frame.basis();
+        let camera = Self { parameters, pose, frame, wide_window, lens, basis };
+        camera.check_finite()?;
+        Ok(camera)
+    }
+
+    /// Everything that can be derived must be a finite number, and the window must have a size.
+    fn check_finite(&self) -> Result<(), CameraError> {
+        const VIEW: &[&str] = &["position"];
+        const CORNERS: &[&str] = &["far", "position"];
+        let perspective = self.projection() == Projection::Perspective;
+        let (shape, lens, all): (&'static [_], &'static [_], &'static [_]) =
+            match (self.parameters.window.is_some(), perspective) {
+                (true, _) => (&["window"], &["window", "near", "far"], &["window", "position", "near", "far"]),
+                (false, true) => (
+                    &["view_angle", "aspect", "near"],
+                    &["near", "far", "view_angle", "aspect"],
+                    &["position", "near", "far", "view_angle", "aspect"],
+                ),
+                (false, false) => (
+                    &["height", "aspect"],
+                    &["height", "aspect", "near", "far"],
+                    &["position", "height", "aspect", "near", "far"],
+                ),
+            };
+        let w = self.window();
+        let sizes = [self.window_width(), self.window_height(), self.window_aspect()];
+        let window = [w.left, w.right, w.bottom, w.top].iter().all(|x| x.is_finite())
+            && sizes.iter().all(|x| x.is_finite() && *x > 0.0);
+        let corners = || self.volume_corners().iter().all(|p| p.is_finite());
+        for (good, quantity, keys) in [
+            (window, Derived::Window, shape),
+            (self.view_from_world().is_finite(), Derived::ViewMatrix, VIEW),
+            (self.clip_from_view().is_finite(), Derived::ProjectionMatrix, lens),
+            (self.view_from_clip().is_finite(), Derived::ProjectionMatrix, lens),
+            (self.clip_from_world().is_finite(), Derived::ViewProjectionMatrix, all),
+            (corners(), Derived::VolumeCorners, CORNERS),
+        ] {
+            if !good {
+                return Err(CameraError::Overflow { quantity, keys });
+            }
+        }
+        Ok(())
+    }
+
+    /// What the camera was made from. (After an operation: the `f64`s nearest to its result.)
     #[must_use]
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
@@ -209,7 +160,7 @@ impl Camera {
     /// D, the distance from C to PF.
     #[must_use]
     pub fn distance(&self) -> f64 {
-        self.distance
+        self.frame.distance.value()
     }
 
     /// u, v, n.
@@ -221,154 +172,30 @@ impl Camera {
     /// l, r, b, t on the plane z_c = −F.
     #[must_use]
     pub fn window(&self) -> ViewWindow {
-        self.window
+        self.wide_window.value()
+    }
+
+    /// W, rounded once: [`ViewWindow::width`] of the rounded sides may differ in the last digit.
+    #[must_use]
+    pub fn window_width(&self) -> f64 {
+        self.wide_window.width().value()
+    }
+
+    /// H, rounded once.
+    #[must_use]
+    pub fn window_height(&self) -> f64 {
+        self.wide_window.height().value()
+    }
+
+    /// A = W / H, `[0]` Eq. (5.1), rounded once.
+    #[must_use]
+    pub fn window_aspect(&self) -> f64 {
+        (self.wide_window.width() / self.wide_window.height()).value()
     }
 
     /// The vertical angle that the window spans seen from C.
     #[must_use]
     pub fn view_angle(&self) -> Angle {
-        Angle::from_radians((self.window.top / self.near()).atan() - (self.window.bottom / self.near()).atan())
+        Angle::from_degrees(self.wide_window.vertical_angle(self.near()))
     }
-
-    /// M_v, `[0]` Eq. (5.7).
-    #[must_use]
-    pub fn view_from_world(&self) -> DMat4 {
-        let Basis { u, v, n } = self.basis;
-        let c = self.position();
-        DMat4::from_cols(
-            DVec4::new(u.x, v.x, n.x, 0.0),
-            DVec4::new(u.y, v.y, n.y, 0.0),
-            DVec4::new(u.z, v.z, n.z, 0.0),
-            DVec4::new(-u.dot(c), -v.dot(c), -n.dot(c), 1.0),
-        )
-    }
-
-    /// The inverse of M_v.
-    #[must_use]
-    pub fn world_from_view(&self) -> DMat4 {
-        let Basis { u, v, n } = self.basis;
-        DMat4::from_cols(u.extend(0.0), v.extend(0.0), n.extend(0.0), self.position().extend(1.0))
-    }
-
-    /// M_p, `[0]` Eqs. (5.13) and (5.15).
-    #[must_use]
-    pub fn clip_from_view(&self) -> DMat4 {
-        let w = self.window;
-        let (f, b) = (self.near(), self.far());
-        let (dx, dy, dz) = (w.width(), w.height(), b - f);
-        let (sx, sy) = (w.right + w.left, w.top + w.bottom);
-        match self.projection() {
-            Projection::Perspective => DMat4::from_cols(
-                DVec4::new(2.0 * f / dx, 0.0, 0.0, 0.0),
-                DVec4::new(0.0, 2.0 * f / dy, 0.0, 0.0),
-                DVec4::new(sx / dx, sy / dy, -(b + f) / dz, -1.0),
-                DVec4::new(0.0, 0.0, -2.0 * b * f / dz, 0.0),
-            ),
-            Projection::Parallel => DMat4::from_cols(
-                DVec4::new(2.0 / dx, 0.0, 0.0, 0.0),
-                DVec4::new(0.0, 2.0 / dy, 0.0, 0.0),
-                DVec4::new(0.0, 0.0, -2.0 / dz, 0.0),
-                DVec4::new(-sx / dx, -sy / dy, -(b + f) / dz, 1.0),
-            ),
-        }
-    }
-
-    /// The inverse of M_p.
-    #[must_use]
-    pub fn view_from_clip(&self) -> DMat4 {
-        self.clip_from_view().inverse()
-    }
-
-    /// M_p M_v.
-    #[must_use]
-    pub fn clip_from_world(&self) -> DMat4 {
-        self.clip_from_view() * self.view_from_world()
-    }
-
-    /// A world point in the VRC; C is subtracted before anything is rotated.
-    #[must_use]
-    pub fn view_point(&self, p_world: DVec3) -> DVec3 {
-        let d = p_world - self.position();
-        let Basis { u, v, n } = self.basis;
-        DVec3::new(u.dot(d), v.dot(d), n.dot(d))
-    }
-
-    /// A world point in clip coordinates.
-    #[must_use]
-    pub fn clip_point(&self, p_world: DVec3) -> DVec4 {
-        self.clip_from_view() * self.view_point(p_world).extend(1.0)
-    }
-
-    /// Eight world points: near (l,b) (r,b) (r,t) (l,t), then far in the same order.
-    #[must_use]
-    pub fn volume_corners(&self) -> [DVec3; 8] {
-        let m = self.world_from_view();
-        let w = self.window;
-        let corners = [(w.left, w.bottom), (w.right, w.bottom), (w.right, w.top), (w.left, w.top)];
-        std::array::from_fn(|i| {
-            let (x, y) = corners[i % 4];
-            let depth = if i < 4 { self.near() } else { self.far() };
-            let s = match self.projection() {
-                Projection::Perspective => depth / self.near(),
-                Projection::Parallel => 1.0,
-            };
-            m.transform_point3(DVec3::new(x * s, y * s, -depth))
-        })
-    }
-
-    /// Six world planes, inside positive: left, right, bottom, top, near, far.
-    #[must_use]
-    pub fn volume_planes(&self) -> [Plane; 6] {
-        let m = self.clip_from_world().transpose();
-        let rows = [m.x_axis, m.y_axis, m.z_axis, m.w_axis];
-        std::array::from_fn(|i| {
-            let p = if i % 2 == 0 { rows[3] + rows[i / 2] } else { rows[3] - rows[i / 2] };
-            let length = p.truncate().length();
-            Plane { normal: p.truncate() / length, offset: p.w / length }
-        })
-    }
-
-    /// The ray through a point of the view window, `[0]` Eqs. (5.17) to (5.21).
-    #[must_use]
-    pub fn ray_through_window(&self, point: DVec2) -> Ray {
-        let Basis { u, v, n } = self.basis;
-        match self.projection() {
-            Projection::Perspective => {
-                Ray { origin: self.position(), direction: (u * point.x + v * point.y - n * self.near()).normalize() }
-            }
-            Projection::Parallel => Ray { origin: self.position() + u * point.x + v * point.y, direction: -n },
-        }
-    }
-}
-
-/// The size of an image in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct ImageSize {
-    /// m
-    pub width: u32,
-    /// n
-    pub height: u32,
-}
-
-impl Default for ImageSize {
-    fn default() -> Self {
-        Self { width: 1024, height: 768 }
-    }
-}
-
-/// glViewport and glDepthRange.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Viewport {
-    /// Left, pixels.
-    pub x: i32,
-    /// Bottom, pixels.
-    pub y: i32,
-    /// Width, pixels.
-    pub width: u32,
-    /// Height, pixels.
-    pub height: u32,
-    /// Depth of z_n = −1.
-    pub depth_near: f64,
-    /// Depth of z_n = 1.
-    pub depth_far: f64,
 }

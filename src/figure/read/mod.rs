@@ -13,7 +13,7 @@ use super::error::{Allowed, FigureError, Problem};
 use super::words::{HIDDEN_LINES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Figure, Observer, Observers};
 use crate::appearance::Style;
-use crate::camera::{Camera, CameraError, ImageSize, Parameters, Projection, ViewWindow, Viewport};
+use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 pub(super) use scene::DEFAULT_SEGMENTS;
 use section::{Fault, Section};
 
@@ -90,22 +90,12 @@ fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
     if section.faults.is_empty()
         && let Err(error) = Camera::new(&parameters)
     {
-        let concerned = keys_of(&error);
+        let concerned = error.keys();
         let key = concerned.iter().find(|key| section.is_present(key)).or(concerned.first());
         section.fault(key.copied().unwrap_or_default(), Problem::Camera(error));
     }
     faults.extend(section.finish());
     parameters
-}
-
-/// The keys of `[camera]` that an error is about, the most likely culprit first.
-fn keys_of(error: &CameraError) -> Vec<&'static str> {
-    match error {
-        CameraError::FocalPointAtPosition => vec!["focal_point", "position"],
-        CameraError::ViewUpZero => vec!["view_up"],
-        CameraError::ViewUpCollinear => vec!["view_up", "focal_point", "position"],
-        CameraError::OutOfRange { key, .. } => vec![*key],
-    }
 }
 
 fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindow> {

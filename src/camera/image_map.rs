@@ -1,0 +1,110 @@
+//! Window ↔ image, `[0]` Eqs. (5.22) and (5.23), and the viewport with its depth range, Eqs. (5.24) and (5.25).
+//!
+//! The notes write the maps for a symmetric window; with l, r, b, t they read i/m = (x_p − l)/W and j/n = (t − y_p)/H.
+//! The pixel (i, j) owns its left and its upper border. So the right and the lower border of the window belong to the
+//! pixels i = m and j = n, which lie outside the image: [`ImageSize::contains`] says so.
+
+use glam::DVec2;
+
+use super::{Camera, ViewWindow};
+use crate::geometry::double_double::Dd;
+
+/// The size of an image in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ImageSize {
+    /// m
+    pub width: u32,
+    /// n
+    pub height: u32,
+}
+
+impl Default for ImageSize {
+    fn default() -> Self {
+        Self { width: 1024, height: 768 }
+    }
+}
+
+impl ImageSize {
+    /// m / n.
+    #[must_use]
+    pub fn aspect(self) -> f64 {
+        f64::from(self.width) / f64::from(self.height)
+    }
+
+    /// Is (i, j), as (5.22) gives it, a pixel of the image? Not on the right and on the lower border, where i = m, j = n.
+    #[must_use]
+    pub fn contains(self, pixel: DVec2) -> bool {
+        pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < f64::from(self.width) && pixel.y < f64::from(self.height)
+    }
+
+    /// The image coordinates (x to the right, y down, (0, 0) the corner at the top left) of a window point, before (5.22)
+    /// takes the floor.
+    #[must_use]
+    pub fn image_from_window(self, window: &ViewWindow, point: DVec2) -> DVec2 {
+        DVec2::new(
+            f64::from(self.width) * ((point.x - window.left) / window.width()),
+            f64::from(self.height) * ((window.top - point.y) / window.height()),
+        )
+    }
+
+    /// The window point at image coordinates, `[0]` Eq. (5.23): whole numbers are the upper left corners of pixels,
+    /// (i + 1/2, j + 1/2) is the centre of one.
+    #[must_use]
+    pub fn window_from_image(self, window: &ViewWindow, image: DVec2) -> DVec2 {
+        DVec2::new(
+            window.left + window.width() * (image.x / f64::from(self.width)),
+            window.top - window.height() * (image.y / f64::from(self.height)),
+        )
+    }
+}
+
+/// glViewport and glDepthRange.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewport {
+    /// Left, pixels.
+    pub x: i32,
+    /// Bottom, pixels.
+    pub y: i32,
+    /// Width, pixels.
+    pub width: u32,
+    /// Height, pixels.
+    pub height: u32,
+    /// Depth of z_n = −1.
+    pub depth_near: f64,
+    /// Depth of z_n = 1.
+    pub depth_far: f64,
+}
+
+impl Viewport {
+    /// The whole image, depth 0 … 1.
+    #[must_use]
+    pub fn whole(image: ImageSize) -> Self {
+        Self { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 }
+    }
+
+    /// (X, Y, Z) of a point in NDC: (5.24) with X and Y floored, and (5.25).
+    pub(super) fn of_ndc(&self, [x, y, z]: [Dd; 3]) -> [f64; 3] {
+        let along = |size: u32, start: i32, t: Dd| {
+            (Dd::new(f64::from(size)) * (t + Dd::ONE).scaled(-1) + Dd::new(f64::from(start))).floor()
+        };
+        let (near, far) = (Dd::new(self.depth_near), Dd::new(self.depth_far));
+        let depth = (far - near).scaled(-1) * z + (far + near).scaled(-1);
+        [along(self.width, self.x, x), along(self.height, self.y, y), depth.value()]
+    }
+}
+
+impl Camera {
+    /// (5.22): the pixel of a window point.
+    pub(super) fn pixel_of_window(&self, image: ImageSize, [x, y]: [Dd; 2]) -> [f64; 2] {
+        let w = &self.wide_window;
+        let (m, n) = (Dd::new(f64::from(image.width)), Dd::new(f64::from(image.height)));
+        [(m * ((x - w.left) / w.width())).floor(), (n * ((w.top - y) / w.height())).floor()]
+    }
+
+    /// (5.23): the window point at image coordinates.
+    pub(super) fn window_of_image(&self, image: ImageSize, [i, j]: [Dd; 2]) -> [Dd; 2] {
+        let w = &self.wide_window;
+        let (m, n) = (Dd::new(f64::from(image.width)), Dd::new(f64::from(image.height)));
+        [w.left + w.width() * (i / m), w.top - w.height() * (j / n)]
+    }
+}

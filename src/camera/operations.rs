@@ -1,0 +1,390 @@
+//! The operations of `[0]` §5.6, with dolly and pan: a camera in, a camera out.
+//!
+//! One rule covers the five rotations: a positive angle turns counter-clockwise seen from the tip of the axis (the
+//! right-hand rule), and the whole VRC turns rigidly, VUP with it, so that nothing flips at a pole. The notes turn
+//! guinada (yaw) about x_c and arfagem (pitch) about y_c; the field, and the author's own library, turn yaw about **v**
+//! and pitch about **u**, as is done here.
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::basis::{Collinear, Pose};
+use super::parameters::check_range;
+use super::window::WideWindow;
+use super::{Camera, CameraError, Parameters, Projection, Range};
+use crate::geometry::double_double::{Dd, Dd3, sin_cos_degrees};
+use crate::geometry::{Angle, Ray};
+
+/// Whose signs the rotations follow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Convention {
+    /// Counter-clockwise seen from the tip of the axis, for all five.
+    #[default]
+    RightHand,
+    /// VTK's: elevation and roll turn the other way.
+    Vtk,
+}
+
+/// Something that is done to a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Operation {
+    /// C and VUP turn about **u** through PF.
+    Elevation(Angle),
+    /// C and VUP turn about **v** through PF.
+    Azimuth(Angle),
+    /// VUP turns about **n**.
+    Roll(Angle),
+    /// PF and VUP turn about **v** through C.
+    Yaw(Angle),
+    /// PF and VUP turn about **u** through C.
+    Pitch(Angle),
+    /// l, r, b, t are divided by the factor, which is > 0.
+    Zoom(f64),
+    /// D is divided by the factor, which is > 0; PF stays.
+    Dolly(f64),
+    /// C and PF move along **u** and **v**, in scene units.
+    Pan {
+        /// Along **u**.
+        dx: f64,
+        /// Along **v**.
+        dy: f64,
+    },
+}
+
+/// Which parameters an operation changes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Changes {
+    /// C.
+    pub position: bool,
+    /// PF.
+    pub focal_point: bool,
+    /// VUP.
+    pub view_up: bool,
+    /// θ, H or l, r, b, t.
+    pub window: bool,
+}
+
+impl Operation {
+    /// The names, as they are written on the command line.
+    pub const NAMES: [&'static str; 8] = ["elevation", "azimuth", "roll", "yaw", "pitch", "zoom", "dolly", "pan"];
+
+    /// Its name, as it is written on the command line.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Elevation(_) => "elevation",
+            Self::Azimuth(_) => "azimuth",
+            Self::Roll(_) => "roll",
+            Self::Yaw(_) => "yaw",
+            Self::Pitch(_) => "pitch",
+            Self::Zoom(_) => "zoom",
+            Self::Dolly(_) => "dolly",
+            Self::Pan { .. } => "pan",
+        }
+    }
+
+    /// Which parameters change.
+    #[must_use]
+    pub const fn changes(&self) -> Changes {
+        let (position, focal_point, view_up, window) = match self {
+            Self::Elevation(_) | Self::Azimuth(_) => (true, false, true, false),
+            Self::Roll(_) => (false, false, true, false),
+            Self::Yaw(_) | Self::Pitch(_) => (false, true, true, false),
+            Self::Zoom(_) => (false, false, false, true),
+            Self::Dolly(_) => (true, false, false, false),
+            Self::Pan { .. } => (true, true, false, false),
+        };
+        Changes { position, focal_point, view_up, window }
+    }
+
+    /// The angle of a rotation, as it is given.
+    #[must_use]
+    pub const fn angle(&self) -> Option<Angle> {
+        match *self {
+            Self::Elevation(angle)
+            | Self::Azimuth(angle)
+            | Self::Roll(angle)
+            | Self::Yaw(angle)
+            | Self::Pitch(angle) => Some(angle),
+            Self::Zoom(_) | Self::Dolly(_) | Self::Pan { .. } => None,
+        }
+    }
+
+    /// The angle by which a rotation turns about [`Operation::axis`], counter-clockwise seen from its tip.
+    #[must_use]
+    pub fn right_hand_angle(&self, convention: Convention) -> Option<Angle> {
+        let turned = convention == Convention::Vtk && matches!(self, Self::Elevation(_) | Self::Roll(_));
+        self.angle().map(|angle| if turned { -angle } else { angle })
+    }
+
+    /// The axis of a rotation: its origin is the pivot, through which it goes.
+    #[must_use]
+    pub fn axis(&self, camera: &Camera) -> Option<Ray> {
+        let basis = camera.basis();
+        let (origin, direction) = match self {
+            Self::Elevation(_) => (camera.focal_point(), basis.u),
+            Self::Azimuth(_) => (camera.focal_point(), basis.v),
+            Self::Roll(_) => (camera.position(), basis.n),
+            Self::Yaw(_) => (camera.position(), basis.v),
+            Self::Pitch(_) => (camera.position(), basis.u),
+            Self::Zoom(_) | Self::Dolly(_) | Self::Pan { .. } => return None,
+        };
+        Some(Ray { origin, direction })
+    }
+
+    /// The camera after the operation.
+    ///
+    /// *Guarantees*: the result keeps what does not fit the `f64`s of its parameters, so a chain of operations rounds
+    /// once, at its end: twelve steps of 30° lead back to the same parameters, bit for bit.
+    ///
+    /// # Errors
+    /// [`CameraError`] for a value out of its range, and where the result is no camera: numbers that overflow, or C so
+    /// near PF that they are the same `f64`s.
+    pub fn apply(&self, camera: &Camera, convention: Convention) -> Result<Camera, CameraError> {
+        self.check()?;
+        let mut pose = camera.pose.clone();
+        let mut window = camera.wide_window;
+        let mut parameters = *camera.parameters();
+        let to_viewer = pose.position - pose.focal_point;
+        let frame = &camera.frame;
+        let turn = |axis: Dd3| {
+            let degrees = self.right_hand_angle(convention).unwrap_or_default().degrees();
+            Turn::new(axis, degrees)
+        };
+        match *self {
+            Self::Elevation(_) | Self::Azimuth(_) => {
+                let turn = turn(if matches!(self, Self::Elevation(_)) { frame.u } else { frame.v });
+                pose.position = pose.focal_point + turn.apply(to_viewer);
+                pose.up = turn.apply(pose.up);
+            }
+            Self::Roll(_) => pose.up = turn(frame.n).apply(pose.up),
+            Self::Yaw(_) | Self::Pitch(_) => {
+                let turn = turn(if matches!(self, Self::Pitch(_)) { frame.u } else { frame.v });
+                pose.focal_point = pose.position - turn.apply(to_viewer);
+                pose.up = turn.apply(pose.up);
+            }
+            Self::Zoom(factor) => {
+                window = window.divided(Dd::new(factor));
+                window.write(&mut parameters);
+            }
+            Self::Dolly(factor) => {
+                let factor = Dd::new(factor);
+                pose.position = pose.focal_point + to_viewer.map(|x| x / factor);
+            }
+            Self::Pan { dx, dy } => {
+                let step = frame.u * Dd::new(dx) + frame.v * Dd::new(dy);
+                pose.position = pose.position + step;
+                pose.focal_point = pose.focal_point + step;
+            }
+        }
+        pose.write(&mut parameters);
+        parameters.check()?;
+        if parameters.position == parameters.focal_point {
+            return Err(CameraError::FocalPointAtPosition);
+        }
+        Camera::derive(parameters, pose, window, Collinear::Exactly)
+    }
+
+    fn check(&self) -> Result<(), CameraError> {
+        let name = self.name();
+        match *self {
+            Self::Zoom(factor) | Self::Dolly(factor) => check_range(name, factor, Range::Positive),
+            Self::Pan { dx, dy } => {
+                check_range(name, dx, Range::Finite)?;
+                check_range(name, dy, Range::Finite)
+            }
+            Self::Elevation(angle)
+            | Self::Azimuth(angle)
+            | Self::Roll(angle)
+            | Self::Yaw(angle)
+            | Self::Pitch(angle) => check_range(name, angle.degrees(), Range::Finite),
+        }
+    }
+}
+
+impl Pose {
+    fn write(&self, parameters: &mut Parameters) {
+        parameters.position = self.position.value();
+        parameters.focal_point = self.focal_point.value();
+        parameters.view_up = self.view_up();
+    }
+}
+
+/// A rotation about an axis through the origin.
+struct Turn {
+    axis: Dd3,
+    sine: Dd,
+    cosine: Dd,
+    /// 1 − cos α, from the half angle.
+    versine: Dd,
+}
+
+impl Turn {
+    fn new(axis: Dd3, degrees: f64) -> Self {
+        let (sine, cosine) = sin_cos_degrees(degrees);
+        let (half_sine, _) = sin_cos_degrees(degrees % 360.0 / 2.0);
+        Self { axis, sine, cosine, versine: (half_sine * half_sine).scaled(1) }
+    }
+
+    /// Rodrigues: x cos α + (k × x) sin α + k (k · x)(1 − cos α), for an x of any size.
+    fn apply(&self, x: Dd3) -> Dd3 {
+        if self.sine == Dd::ZERO && self.cosine == Dd::ONE {
+            return x;
+        }
+        let k = x.exponent();
+        let x = x.scaled(-k);
+        let along = self.axis * (self.axis.dot(x) * self.versine);
+        (x * self.cosine + self.axis.cross(x) * self.sine + along).without_noise().scaled(k)
+    }
+}
+
+impl Camera {
+    /// The same camera with the other kind of projection; what is seen at the focal point keeps its size: the window
+    /// is as high in parallel projection as the frustum is at distance D.
+    ///
+    /// *Guarantees*: without drift. There and back again gives the same parameters: the angle (or the height) that the
+    /// parameters still hold is taken where it says the same, and a given window returns within one rounding, and from
+    /// then on exactly.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the new window overflows, or its angle is so near to 180° that no `f64` is nearer.
+    pub fn with_projection(&self, projection: Projection) -> Result<Self, CameraError> {
+        if projection == self.projection() {
+            return Ok(self.clone());
+        }
+        let near = Dd::new(self.near());
+        let ratio = match projection {
+            Projection::Parallel => self.frame.distance / near,
+            Projection::Perspective => near / self.frame.distance,
+        };
+        let mut parameters = Parameters { projection, ..*self.parameters() };
+        let mut window = self.wide_window.scaled(ratio);
+        if parameters.window.is_some() {
+            parameters.window = Some(window.value());
+        } else {
+            let kept = WideWindow::new(&parameters);
+            let back = kept.divided(ratio);
+            if back.size_parameter(self.parameters()) == self.wide_window.size_parameter(self.parameters()) {
+                window = kept;
+            } else {
+                window.write(&mut parameters);
+            }
+        }
+        parameters.check()?;
+        Self::derive(parameters, self.pose.clone(), window, Collinear::Exactly)
+    }
+}
+
+impl WideWindow {
+    /// Writes the window where the parameters keep it: θ, H or l, r, b, t.
+    fn write(&self, parameters: &mut Parameters) {
+        if parameters.window.is_some() {
+            parameters.window = Some(self.value());
+        } else if parameters.projection == Projection::Perspective {
+            parameters.view_angle = self.size_parameter(parameters);
+        } else {
+            parameters.height = self.size_parameter(parameters);
+        }
+    }
+
+    /// θ in degrees in perspective, H in parallel projection.
+    fn size_parameter(&self, parameters: &Parameters) -> f64 {
+        match parameters.projection {
+            Projection::Perspective => self.view_angle(Dd::new(parameters.near)),
+            Projection::Parallel => self.height().value(),
+        }
+    }
+}
+
+/// Why a text is no operation.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum OperationError {
+    /// No `=`.
+    #[error("{text:?} is no operation; write NAME=VALUE, where NAME is one of {}", Operation::NAMES.join(", "))]
+    NoValue {
+        /// What was found.
+        text: String,
+    },
+    /// A name that is none of [`Operation::NAMES`].
+    #[error("there is no operation {name:?}; allowed: {}", Operation::NAMES.join(", "))]
+    UnknownName {
+        /// What was found.
+        name: String,
+    },
+    /// Not one finite number of degrees.
+    #[error("{name}={value}: the value must be a finite number of degrees, such as {name}=30")]
+    NotAnAngle {
+        /// The operation.
+        name: &'static str,
+        /// What was found.
+        value: String,
+    },
+    /// Not one finite number greater than 0.
+    #[error("{name}={value}: the value must be a finite number greater than 0, such as {name}=1.5")]
+    NotAFactor {
+        /// The operation.
+        name: &'static str,
+        /// What was found.
+        value: String,
+    },
+    /// Not two finite numbers.
+    #[error("pan={value}: the value must be two finite numbers DX,DY in scene units, such as pan=1,-0.5")]
+    NotAStep {
+        /// What was found.
+        value: String,
+    },
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|x: &f64| x.is_finite())
+}
+
+impl FromStr for Operation {
+    type Err = OperationError;
+
+    /// Reads `NAME=VALUE`, where the value of `pan` is `DX,DY`.
+    fn from_str(text: &str) -> Result<Self, OperationError> {
+        let (name, value) = text.split_once('=').ok_or_else(|| OperationError::NoValue { text: text.to_owned() })?;
+        let angle = |name, make: fn(Angle) -> Self| {
+            number(value)
+                .map(|degrees| make(Angle::from_degrees(degrees)))
+                .ok_or_else(|| OperationError::NotAnAngle { name, value: value.to_owned() })
+        };
+        let factor = |name, make: fn(f64) -> Self| {
+            number(value)
+                .filter(|factor| *factor > 0.0)
+                .map(make)
+                .ok_or_else(|| OperationError::NotAFactor { name, value: value.to_owned() })
+        };
+        match name.trim() {
+            "elevation" => angle("elevation", Self::Elevation),
+            "azimuth" => angle("azimuth", Self::Azimuth),
+            "roll" => angle("roll", Self::Roll),
+            "yaw" => angle("yaw", Self::Yaw),
+            "pitch" => angle("pitch", Self::Pitch),
+            "zoom" => factor("zoom", Self::Zoom),
+            "dolly" => factor("dolly", Self::Dolly),
+            "pan" => value
+                .split_once(',')
+                .and_then(|(dx, dy)| Some(Self::Pan { dx: number(dx)?, dy: number(dy)? }))
+                .ok_or_else(|| OperationError::NotAStep { value: value.to_owned() }),
+            name => Err(OperationError::UnknownName { name: name.to_owned() }),
+        }
+    }
+}
+
+impl fmt::Display for Operation {
+    /// Writes `NAME=VALUE`, which [`Operation::from_str`] reads back.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = self.name();
+        match *self {
+            Self::Zoom(factor) | Self::Dolly(factor) => write!(f, "{name}={factor}"),
+            Self::Pan { dx, dy } => write!(f, "{name}={dx},{dy}"),
+            Self::Elevation(angle)
+            | Self::Azimuth(angle)
+            | Self::Roll(angle)
+            | Self::Yaw(angle)
+            | Self::Pitch(angle) => write!(f, "{name}={}", angle.degrees()),
+        }
+    }
+}

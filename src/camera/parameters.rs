@@ -1,0 +1,235 @@
+//! What a figure file or a slider holds, and why it may be no camera.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use super::ViewWindow;
+
+/// The kind of projection.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Projection {
+    /// Projectors meet in C.
+    #[default]
+    Perspective,
+    /// Projectors are parallel to DOP (orthographic).
+    Parallel,
+}
+
+/// What a figure file or a slider holds; may be nonsense until [`Camera::new`](super::Camera::new) has seen it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// C, world.
+    pub position: DVec3,
+    /// PF, world.
+    pub focal_point: DVec3,
+    /// VUP, world.
+    pub view_up: DVec3,
+    /// The kind of projection.
+    pub projection: Projection,
+    /// θ, vertical, in degrees, 0 < θ < 180 (perspective).
+    pub view_angle: f64,
+    /// H in scene units (parallel).
+    pub height: f64,
+    /// A = W / H.
+    pub aspect: f64,
+    /// F, distance of the front clipping plane and of the view plane.
+    pub near: f64,
+    /// B, distance of the back clipping plane.
+    pub far: f64,
+    /// l, r, b, t; replaces angle, height and aspect.
+    pub window: Option<ViewWindow>,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        Self {
+            position: DVec3::new(3.0, 4.0, 5.0),
+            focal_point: DVec3::ZERO,
+            view_up: DVec3::Y,
+            projection: Projection::Perspective,
+            view_angle: 45.0,
+            height: 2.0,
+            aspect: 4.0 / 3.0,
+            near: 0.1,
+            far: 100.0,
+            window: None,
+        }
+    }
+}
+
+impl Parameters {
+    /// Checks every value for itself, and near against far, and the sides of the window.
+    pub(super) fn check(&self) -> Result<(), CameraError> {
+        for (key, vector) in [("position", self.position), ("focal_point", self.focal_point), ("view_up", self.view_up)]
+        {
+            for value in vector.to_array() {
+                check_range(key, value, Range::Finite)?;
+            }
+        }
+        check_range("view_angle", self.view_angle, Range::HalfTurn)?;
+        for (key, value) in [("height", self.height), ("aspect", self.aspect), ("near", self.near), ("far", self.far)] {
+            check_range(key, value, Range::Positive)?;
+        }
+        if self.near >= self.far {
+            return Err(CameraError::FarNotBeyondNear { near: self.near, far: self.far });
+        }
+        if let Some(ViewWindow { left, right, bottom, top }) = self.window {
+            for value in [left, right, bottom, top] {
+                check_range("window", value, Range::Finite)?;
+            }
+            if left >= right {
+                return Err(CameraError::WindowWidth { left, right });
+            }
+            if bottom >= top {
+                return Err(CameraError::WindowHeight { bottom, top });
+            }
+        }
+        if self.view_up == DVec3::ZERO {
+            return Err(CameraError::ViewUpZero);
+        }
+        Ok(())
+    }
+}
+
+/// An error unless `value` lies in `allowed`.
+pub(super) fn check_range(key: &'static str, value: f64, allowed: Range) -> Result<(), CameraError> {
+    if allowed.contains(value) { Ok(()) } else { Err(CameraError::OutOfRange { key, value, allowed }) }
+}
+
+/// Which numbers a value may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Range {
+    /// Every finite number.
+    Finite,
+    /// Finite and greater than 0.
+    Positive,
+    /// Degrees between 0 and 180, both excluded.
+    HalfTurn,
+}
+
+impl Range {
+    /// Is `value` allowed? Never for NaN and infinities.
+    #[must_use]
+    pub fn contains(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Self::Finite => true,
+                Self::Positive => value > 0.0,
+                Self::HalfTurn => value > 0.0 && value < 180.0,
+            }
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Finite => "a finite number",
+            Self::Positive => "a finite number greater than 0",
+            Self::HalfTurn => "greater than 0 and less than 180 degrees",
+        })
+    }
+}
+
+/// A number that the model computes from the parameters, and that `f64` may not be able to hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Derived {
+    /// D.
+    Distance,
+    /// l, r, b, t, W, H, A.
+    Window,
+    /// M_v or its inverse.
+    ViewMatrix,
+    /// M_p or its inverse.
+    ProjectionMatrix,
+    /// M_p M_v.
+    ViewProjectionMatrix,
+    /// The corners of the view volume.
+    VolumeCorners,
+}
+
+impl fmt::Display for Derived {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Distance => "the distance from position to focal_point",
+            Self::Window => "the view window",
+            Self::ViewMatrix => "the view matrix",
+            Self::ProjectionMatrix => "the projection matrix",
+            Self::ViewProjectionMatrix => "the view-projection matrix",
+            Self::VolumeCorners => "the corners of the view volume",
+        })
+    }
+}
+
+/// Why parameters are no camera.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CameraError {
+    /// C = PF.
+    #[error("focal_point must differ from position")]
+    FocalPointAtPosition,
+    /// VUP has no length.
+    #[error("view_up must not be zero")]
+    ViewUpZero,
+    /// VUP is collinear with DOP.
+    #[error("view_up must not be collinear with focal_point − position")]
+    ViewUpCollinear,
+    /// A value is out of its range.
+    #[error("{key} is {value:?}; allowed: {allowed}")]
+    OutOfRange {
+        /// The figure file's key, or the operation's name.
+        key: &'static str,
+        /// What was found.
+        value: f64,
+        /// What is allowed.
+        allowed: Range,
+    },
+    /// F ≥ B.
+    #[error("near is {near:?} and far is {far:?}; allowed: 0 < near < far")]
+    FarNotBeyondNear {
+        /// F.
+        near: f64,
+        /// B.
+        far: f64,
+    },
+    /// l ≥ r.
+    #[error("window: left is {left:?} and right is {right:?}; allowed: left < right")]
+    WindowWidth {
+        /// l.
+        left: f64,
+        /// r.
+        right: f64,
+    },
+    /// b ≥ t.
+    #[error("window: bottom is {bottom:?} and top is {top:?}; allowed: bottom < top")]
+    WindowHeight {
+        /// b.
+        bottom: f64,
+        /// t.
+        top: f64,
+    },
+    /// The parameters are possible one by one, but what follows from them is no finite `f64`.
+    #[error("{quantity} would exceed the range of numbers (about 1e-308 to 1e308); see {}", keys.join(", "))]
+    Overflow {
+        /// What cannot be computed.
+        quantity: Derived,
+        /// The figure file's keys that it follows from.
+        keys: &'static [&'static str],
+    },
+}
+
+impl CameraError {
+    /// The keys of `[camera]` in a figure file that the error is about, the most likely culprit first. (For an
+    /// operation with an impossible value: its name.)
+    #[must_use]
+    pub fn keys(&self) -> &[&'static str] {
+        match self {
+            Self::FocalPointAtPosition => &["focal_point", "position"],
+            Self::ViewUpZero => &["view_up"],
+            Self::ViewUpCollinear => &["view_up", "focal_point", "position"],
+            Self::OutOfRange { key, .. } => std::slice::from_ref(key),
+            Self::FarNotBeyondNear { .. } => &["far", "near"],
+            Self::WindowWidth { .. } | Self::WindowHeight { .. } => &["window"],
+            Self::Overflow { keys, .. } => keys,
+        }
+    }
+}

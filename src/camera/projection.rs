@@ -1,0 +1,190 @@
+//! The matrices of `[0]` §5.3: view (5.7), projection (5.13) to (5.16), their product and their inverses, in closed form.
+//!
+//! Everything is computed in double-double and rounded once, so that an entry is the `f64` nearest to the exact value
+//! (but for ties too close to call), however large far/near, C or the lack of symmetry.
+
+use glam::{DMat4, DVec3, DVec4};
+
+use super::{Camera, Projection};
+use crate::geometry::double_double::{Dd, Dd3};
+
+/// The entries of M_p that are neither 0 nor ±1. With (X, Y, Z, W) = M_p (x, y, z, 1):
+/// perspective: X = `x` x + `skew_x` z, Y = `y` y + `skew_y` z, Z = `z` z + `depth`, W = −z;
+/// parallel: X = `x` x + `skew_x`, Y = `y` y + `skew_y`, Z = `z` z + `depth`, W = 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lens {
+    pub(super) x: Dd,
+    pub(super) y: Dd,
+    pub(super) skew_x: Dd,
+    pub(super) skew_y: Dd,
+    pub(super) z: Dd,
+    pub(super) depth: Dd,
+}
+
+impl Camera {
+    /// M_v, `[0]` Eq. (5.7).
+    #[must_use]
+    pub fn view_from_world(&self) -> DMat4 {
+        let [u, v, n] = self.view_rows().map(rounded);
+        from_rows([u, v, n, DVec4::W])
+    }
+
+    /// The inverse of M_v: its columns are **u**, **v**, **n** and C.
+    #[must_use]
+    pub fn world_from_view(&self) -> DMat4 {
+        let basis = self.basis();
+        DMat4::from_cols(basis.u.extend(0.0), basis.v.extend(0.0), basis.n.extend(0.0), self.position().extend(1.0))
+    }
+
+    /// M_p, `[0]` Eqs. (5.13) to (5.16). (The notes print 0 0 0 0 as the last row of (5.15) and (5.16); it is 0 0 0 1.)
+    #[must_use]
+    pub fn clip_from_view(&self) -> DMat4 {
+        let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
+        let [x, y, skew_x, skew_y, z, depth] = [x, y, skew_x, skew_y, z, depth].map(Dd::value);
+        from_rows(match self.projection() {
+            Projection::Perspective => [
+                DVec4::new(x, 0.0, skew_x, 0.0),
+                DVec4::new(0.0, y, skew_y, 0.0),
+                DVec4::new(0.0, 0.0, z, depth),
+                DVec4::new(0.0, 0.0, -1.0, 0.0),
+            ],
+            Projection::Parallel => [
+                DVec4::new(x, 0.0, 0.0, skew_x),
+                DVec4::new(0.0, y, 0.0, skew_y),
+                DVec4::new(0.0, 0.0, z, depth),
+                DVec4::W,
+            ],
+        })
+    }
+
+    /// The inverse of M_p, in closed form.
+    #[must_use]
+    pub fn view_from_clip(&self) -> DMat4 {
+        let w = &self.wide_window;
+        let (near, far) = (Dd::new(self.near()), Dd::new(self.far()));
+        let half = |x: Dd| x.scaled(-1);
+        let (half_width, half_height) = (half(w.width()), half(w.height()));
+        let (middle_x, middle_y) = (half(w.left + w.right), half(w.bottom + w.top));
+        from_rows(match self.projection() {
+            Projection::Perspective => {
+                let over_near = |x: Dd| (x / near).value();
+                // (B − F) / 2BF and (B + F) / 2BF
+                let difference = half(Dd::difference(self.far(), self.near()) / far / near).value();
+                let sum = half((Dd::ONE + near / far) / near).value();
+                [
+                    DVec4::new(over_near(half_width), 0.0, 0.0, over_near(middle_x)),
+                    DVec4::new(0.0, over_near(half_height), 0.0, over_near(middle_y)),
+                    DVec4::new(0.0, 0.0, 0.0, -1.0),
+                    DVec4::new(0.0, 0.0, -difference, sum),
+                ]
+            }
+            Projection::Parallel => {
+                let difference = half(far) - half(near);
+                let sum = half(far) + half(near);
+                [
+                    DVec4::new(half_width.value(), 0.0, 0.0, middle_x.value()),
+                    DVec4::new(0.0, half_height.value(), 0.0, middle_y.value()),
+                    DVec4::new(0.0, 0.0, -difference.value(), -sum.value()),
+                    DVec4::W,
+                ]
+            }
+        })
+    }
+
+    /// M_p M_v, composed in double-double, not from the rounded factors.
+    #[must_use]
+    pub fn clip_from_world(&self) -> DMat4 {
+        let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
+        let [u, v, n] = self.view_rows();
+        let row = |a: Dd, from: [Dd; 4]| from.map(|entry| a * entry);
+        let last = |skew: Dd| [Dd::ZERO, Dd::ZERO, Dd::ZERO, skew];
+        let (skewed_x, skewed_y, w) = match self.projection() {
+            Projection::Perspective => (row(skew_x, n), row(skew_y, n), n.map(|entry| -entry)),
+            Projection::Parallel => (last(skew_x), last(skew_y), last(Dd::ONE)),
+        };
+        from_rows([
+            rounded(sum(row(x, u), skewed_x)),
+            rounded(sum(row(y, v), skewed_y)),
+            rounded(sum(row(z, n), last(depth))),
+            rounded(w),
+        ])
+    }
+
+    /// A world point in the VRC; C is subtracted before anything is rotated.
+    ///
+    /// *Guarantees*: an error of a few ε ‖p − C‖, however far the world lies from the origin. In plain `f64`, for the
+    /// pipeline; [`Camera::stations`] gives every digit.
+    #[must_use]
+    pub fn view_point(&self, p_world: DVec3) -> DVec3 {
+        let d = p_world - self.position() - self.pose.position_rest();
+        let basis = self.basis();
+        DVec3::new(basis.u.dot(d), basis.v.dot(d), basis.n.dot(d))
+    }
+
+    /// A world point in clip coordinates, in plain `f64`; see [`Camera::view_point`].
+    #[must_use]
+    pub fn clip_point(&self, p_world: DVec3) -> DVec4 {
+        self.clip_from_view() * self.view_point(p_world).extend(1.0)
+    }
+
+    /// The first three rows of M_v in double-double.
+    fn view_rows(&self) -> [[Dd; 4]; 3] {
+        let c = self.pose.position;
+        [self.frame.u, self.frame.v, self.frame.n].map(|axis| [axis.x, axis.y, axis.z, -axis.dot(c)])
+    }
+
+    /// A point of the VRC in clip coordinates, in double-double.
+    pub(super) fn clip_of_view(&self, p: Dd3) -> [Dd; 4] {
+        let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
+        match self.projection() {
+            Projection::Perspective => [x * p.x + skew_x * p.z, y * p.y + skew_y * p.z, z * p.z + depth, -p.z],
+            Projection::Parallel => [x * p.x + skew_x, y * p.y + skew_y, z * p.z + depth, Dd::ONE],
+        }
+    }
+}
+
+/// The entries of M_p.
+///
+/// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only where they
+/// are no `f64` themselves.
+pub(super) fn lens(projection: Projection, window: &super::window::WideWindow, near: f64, far: f64) -> Lens {
+    let (width, height) = (window.width(), window.height());
+    let (sum_x, sum_y) = (window.right + window.left, window.top + window.bottom);
+    // Half of far and near: their sum and difference cannot overflow, and the quotients stay the same.
+    let half = |x: f64| Dd::new(x).scaled(-1);
+    let (sum, difference) = (half(far) + half(near), half(far) - half(near));
+    let two = |x: Dd| x.scaled(1);
+    match projection {
+        Projection::Perspective => {
+            let near = Dd::new(near);
+            Lens {
+                x: two(near / width),
+                y: two(near / height),
+                skew_x: sum_x / width,
+                skew_y: sum_y / height,
+                z: -(sum / difference),
+                depth: -(near * (Dd::new(far) / difference)),
+            }
+        }
+        Projection::Parallel => Lens {
+            x: two(Dd::ONE / width),
+            y: two(Dd::ONE / height),
+            skew_x: -(sum_x / width),
+            skew_y: -(sum_y / height),
+            z: -(Dd::ONE / difference),
+            depth: -(sum / difference),
+        },
+    }
+}
+
+fn sum(a: [Dd; 4], b: [Dd; 4]) -> [Dd; 4] {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+fn rounded(row: [Dd; 4]) -> DVec4 {
+    DVec4::from_array(row.map(Dd::value))
+}
+
+fn from_rows(rows: [DVec4; 4]) -> DMat4 {
+    DMat4::from_cols_array_2d(&rows.map(|row| row.to_array())).transpose()
+}

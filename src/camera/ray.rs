@@ -1,0 +1,46 @@
+//! The ray through a window point or a pixel: `[0]` §5.4, Eqs. (5.17) to (5.21).
+
+use glam::DVec2;
+
+use super::{Camera, ImageSize, Projection};
+use crate::geometry::Ray;
+use crate::geometry::double_double::{Dd, Dd3};
+
+impl Camera {
+    /// The ray through a point of the view window, `[0]` Eqs. (5.17) to (5.21). In parallel projection it starts on
+    /// the plane through C, as (5.21) has it, not on the window.
+    #[must_use]
+    pub fn ray_through_window(&self, point: DVec2) -> Ray {
+        self.ray(Dd::new(point.x), Dd::new(point.y))
+    }
+
+    /// The ray through the centre of the pixel (i, j): (5.23) at (i + 1/2, j + 1/2), then (5.17) to (5.21).
+    ///
+    /// *Guarantees*: rounded once, at the end.
+    #[must_use]
+    pub fn ray_through_pixel(&self, image: ImageSize, i: i64, j: i64) -> Ray {
+        let half = Dd::new(0.5);
+        let [x, y] = self.window_of_image(image, [whole(i) + half, whole(j) + half]);
+        self.ray(x, y)
+    }
+
+    fn ray(&self, x: Dd, y: Dd) -> Ray {
+        match self.projection() {
+            Projection::Perspective => {
+                let p = Dd3::new(x, y, Dd::new(-self.near())).unit();
+                Ray { origin: self.position(), direction: self.world_direction(p).value() }
+            }
+            Projection::Parallel => Ray {
+                origin: self.world_of_view(Dd3::new(x, y, Dd::ZERO)).value(),
+                direction: self.direction_of_projection(),
+            },
+        }
+    }
+}
+
+/// Exactly `i`: 63 bits fit into two halves of 32.
+fn whole(i: i64) -> Dd {
+    #[expect(clippy::cast_possible_truncation, reason = "the high half fits an i32, the low half a u32")]
+    let (high, low) = ((i >> 32) as i32, (i & 0xffff_ffff) as u32);
+    Dd::sum(f64::from(high) * 4_294_967_296.0, f64::from(low))
+}

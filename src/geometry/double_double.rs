@@ -1,0 +1,377 @@
+//! Numbers of twice the precision of `f64`, for the few places where one rounding too many would show.
+//!
+//! A [`Dd`] is an unevaluated sum `hi + lo` with `hi = fl(hi + lo)`: 106 bits, the range of `f64`. The model computes
+//! in it and rounds once, at the end. Sources: T. J. Dekker, *A floating-point technique for extending the available
+//! precision* (1971); D. M. Priest (1991); J. R. Shewchuk, *Adaptive precision floating-point arithmetic and fast
+//! robust geometric predicates* (1997).
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use glam::DVec3;
+
+/// `a + b` as rounded sum and exact error.
+#[inline]
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let s = a + b;
+    let t = s - a;
+    (s, (a - (s - t)) + (b - t))
+}
+
+/// `a + b` as rounded sum and exact error, where |a| ≥ |b|.
+#[inline]
+fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
+    let s = a + b;
+    (s, b - (s - a))
+}
+
+/// `a b` as rounded product and error; the error is exact unless it underflows.
+#[inline]
+pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let p = a * b;
+    (p, a.mul_add(b, -p))
+}
+
+/// `x · 2^k`: exact unless it overflows or becomes subnormal.
+pub(crate) fn scale(x: f64, k: i32) -> f64 {
+    let mut x = x;
+    let mut k = k;
+    while k > 1000 {
+        x *= 2f64.powi(1000);
+        k -= 1000;
+    }
+    while k < -1000 {
+        x *= 2f64.powi(-1000);
+        k += 1000;
+    }
+    x * 2f64.powi(k)
+}
+
+/// The k with 2^k ≤ |x| < 2^(k+1); 0 for zero and for what is not finite.
+pub(crate) fn exponent(x: f64) -> i32 {
+    const BIAS: i32 = 1023;
+    if x == 0.0 || !x.is_finite() {
+        return 0;
+    }
+    let (x, shift) = if x.abs() < f64::MIN_POSITIVE { (x * 2f64.powi(64), 64) } else { (x, 0) };
+    #[expect(clippy::cast_possible_truncation, reason = "eleven bits fit an i32")]
+    let bits = ((x.to_bits() >> 52) & 0x7ff) as i32;
+    bits - BIAS - shift
+}
+
+/// A number `hi + lo`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Dd {
+    hi: f64,
+    lo: f64,
+}
+
+impl Dd {
+    pub(crate) const ZERO: Self = Self::new(0.0);
+    pub(crate) const ONE: Self = Self::new(1.0);
+    /// π / 180.
+    const RADIANS_PER_DEGREE: Self = Self { hi: 0.017_453_292_519_943_295, lo: 2.948_652_270_870_168_7e-19 };
+    /// 180 / π.
+    const DEGREES_PER_RADIAN: Self = Self { hi: 57.295_779_513_082_32, lo: -1.987_849_567_057_628_3e-15 };
+
+    /// Exactly `x`.
+    pub(crate) const fn new(x: f64) -> Self {
+        Self { hi: x, lo: 0.0 }
+    }
+
+    /// Exactly `a + b`.
+    pub(crate) fn sum(a: f64, b: f64) -> Self {
+        let (hi, lo) = two_sum(a, b);
+        Self { hi, lo }
+    }
+
+    /// Exactly `a − b`.
+    pub(crate) fn difference(a: f64, b: f64) -> Self {
+        Self::sum(a, -b)
+    }
+
+    /// The nearest `f64`.
+    pub(crate) const fn value(self) -> f64 {
+        self.hi
+    }
+
+    /// Both parts, the greater first.
+    pub(crate) const fn parts(self) -> [f64; 2] {
+        [self.hi, self.lo]
+    }
+
+    /// `self · 2^k`.
+    pub(crate) fn scaled(self, k: i32) -> Self {
+        Self { hi: scale(self.hi, k), lo: scale(self.lo, k) }
+    }
+
+    /// The square root of what is not negative.
+    pub(crate) fn sqrt(self) -> Self {
+        if self.hi <= 0.0 {
+            return Self::ZERO;
+        }
+        let x = 1.0 / self.hi.sqrt();
+        let a = self.hi * x;
+        let rest = (self - Self::new(a) * Self::new(a)).hi;
+        Self::sum(a, rest * (x * 0.5))
+    }
+
+    /// The greatest whole number that is not above it, as an `f64`. What lies within 2⁻⁹⁰ (relative) of a whole number
+    /// is that number: so much is the noise of the computation that led here.
+    pub(crate) fn floor(self) -> f64 {
+        let nearest = self.hi.round();
+        let off = (self - Self::new(nearest)).hi;
+        if off.abs() <= 2f64.powi(-90) * self.hi.abs().max(1.0) || off > 0.0 { nearest } else { nearest - 1.0 }
+    }
+}
+
+impl From<f64> for Dd {
+    fn from(x: f64) -> Self {
+        Self::new(x)
+    }
+}
+
+impl Neg for Dd {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { hi: -self.hi, lo: -self.lo }
+    }
+}
+
+impl Add for Dd {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let (s, e) = two_sum(self.hi, other.hi);
+        let (t, f) = two_sum(self.lo, other.lo);
+        let (s, e) = quick_two_sum(s, e + t);
+        let (hi, lo) = quick_two_sum(s, e + f);
+        Self { hi, lo }
+    }
+}
+
+impl Sub for Dd {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Dd {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let (p, e) = two_product(self.hi, other.hi);
+        let (hi, lo) = quick_two_sum(p, e + (self.hi * other.lo + self.lo * other.hi));
+        Self { hi, lo }
+    }
+}
+
+impl Div for Dd {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let q1 = self.hi / other.hi;
+        let rest = self - other * Self::new(q1);
+        let q2 = rest.hi / other.hi;
+        let rest = rest - other * Self::new(q2);
+        let (hi, lo) = quick_two_sum(q1, q2);
+        Self { hi, lo } + Self::new(rest.hi / other.hi)
+    }
+}
+
+/// The sum of `terms`, as if it were computed exactly and then rounded to 106 bits (Shewchuk's growing expansions).
+/// Zero if and only if the exact sum is zero.
+pub(crate) fn exact_sum(terms: impl IntoIterator<Item = f64>) -> Dd {
+    let mut parts: Vec<f64> = Vec::with_capacity(16);
+    for term in terms {
+        let mut x = term;
+        let mut kept = 0;
+        for i in 0..parts.len() {
+            let (s, e) = two_sum(x, parts[i]);
+            if e != 0.0 {
+                parts[kept] = e;
+                kept += 1;
+            }
+            x = s;
+        }
+        parts.truncate(kept);
+        if x != 0.0 {
+            parts.push(x);
+        }
+    }
+    parts.iter().rev().fold(Dd::ZERO, |sum, part| sum + Dd::new(*part))
+}
+
+/// Sine and cosine of an angle in degrees, to about 100 bits, exact at the multiples of 30° where they are rational.
+/// The angle is reduced exactly: 360° more or less change no bit.
+pub(crate) fn sin_cos_degrees(degrees: f64) -> (Dd, Dd) {
+    let turn = degrees % 360.0;
+    let quarters = (turn / 90.0).round();
+    let rest = turn - quarters * 90.0;
+    let half = Dd::new(0.5);
+    let (s, c) = if rest.abs() == 30.0 {
+        (if rest > 0.0 { half } else { -half }, Dd::new(0.75).sqrt())
+    } else if rest.abs() == 45.0 {
+        let root = half.sqrt();
+        (if rest > 0.0 { root } else { -root }, root)
+    } else {
+        sin_cos_radians(Dd::new(rest) * Dd::RADIANS_PER_DEGREE)
+    };
+    match quarters.rem_euclid(4.0) {
+        0.0 => (s, c),
+        1.0 => (c, -s),
+        2.0 => (-s, -c),
+        _ => (-c, s),
+    }
+}
+
+/// By Taylor's series, |x| ≤ π/4.
+fn sin_cos_radians(x: Dd) -> (Dd, Dd) {
+    let minus_square = -(x * x);
+    let (mut sine, mut cosine) = (x, Dd::ONE);
+    let (mut odd, mut even) = (x, Dd::ONE);
+    for k in 1..=15 {
+        let k = f64::from(2 * k);
+        even = even * minus_square / Dd::new(k * (k - 1.0));
+        odd = odd * minus_square / Dd::new(k * (k + 1.0));
+        cosine = cosine + even;
+        sine = sine + odd;
+    }
+    (sine, cosine)
+}
+
+/// tan(θ/2) for 0 ≤ θ < 180 in degrees. Near 180° it comes from the complement 180° − θ, which is exact.
+pub(crate) fn tan_half_degrees(degrees: f64) -> Dd {
+    if degrees > 90.0 {
+        let (s, c) = sin_cos_degrees((180.0 - degrees) / 2.0);
+        c / s
+    } else if degrees == 90.0 {
+        Dd::ONE
+    } else {
+        let (s, c) = sin_cos_degrees(degrees / 2.0);
+        s / c
+    }
+}
+
+/// arctan in degrees: one step of Newton's method, in double-double, from the `f64` value.
+pub(crate) fn atan_degrees(tangent: Dd) -> Dd {
+    if tangent.hi < 0.0 {
+        return -atan_degrees(-tangent);
+    }
+    if tangent.hi > 1.0 {
+        return Dd::new(90.0) - atan_degrees(Dd::ONE / tangent);
+    }
+    let start = tangent.hi.atan();
+    let (s, c) = sin_cos_radians(Dd::new(start));
+    // tan(a − b) = (tan a − tan b) / (1 + tan a tan b); the difference is so small that it is its own arctangent.
+    let step = (tangent * c - s) / (c + tangent * s);
+    (Dd::new(start) + step) * Dd::DEGREES_PER_RADIAN
+}
+
+/// A vector of three [`Dd`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Dd3 {
+    pub(crate) x: Dd,
+    pub(crate) y: Dd,
+    pub(crate) z: Dd,
+}
+
+impl Dd3 {
+    pub(crate) const fn new(x: Dd, y: Dd, z: Dd) -> Self {
+        Self { x, y, z }
+    }
+
+    /// The components.
+    pub(crate) const fn to_array(self) -> [Dd; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// The nearest `f64` vector.
+    pub(crate) fn value(self) -> DVec3 {
+        DVec3::new(self.x.value(), self.y.value(), self.z.value())
+    }
+
+    pub(crate) fn map(self, f: impl Fn(Dd) -> Dd) -> Self {
+        Self { x: f(self.x), y: f(self.y), z: f(self.z) }
+    }
+
+    pub(crate) fn dot(self, other: Self) -> Dd {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    pub(crate) fn cross(self, other: Self) -> Self {
+        Self {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+
+    /// The power of two of the greatest component.
+    pub(crate) fn exponent(self) -> i32 {
+        exponent(self.value().abs().max_element())
+    }
+
+    /// Every component times 2^k.
+    pub(crate) fn scaled(self, k: i32) -> Self {
+        self.map(|x| x.scaled(k))
+    }
+
+    /// Length of a vector whose greatest component is near 1; see [`Self::exponent`] and [`Self::scaled`].
+    pub(crate) fn length(self) -> Dd {
+        self.dot(self).sqrt()
+    }
+
+    /// The unit vector along a vector that is neither zero nor infinite, whatever its size.
+    pub(crate) fn unit(self) -> Self {
+        let near_one = self.scaled(-self.exponent());
+        let length = near_one.length();
+        near_one.map(|x| x / length)
+    }
+
+    /// Without the components that are nothing but the noise of a computation: below 2⁻¹⁰⁰ of the greatest.
+    pub(crate) fn without_noise(self) -> Self {
+        let floor = self.value().abs().max_element() * 2f64.powi(-100);
+        self.map(|x| if x.value().abs() <= floor { Dd::ZERO } else { x })
+    }
+}
+
+impl From<DVec3> for Dd3 {
+    fn from(v: DVec3) -> Self {
+        Self { x: Dd::new(v.x), y: Dd::new(v.y), z: Dd::new(v.z) }
+    }
+}
+
+impl Neg for Dd3 {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        self.map(|x| -x)
+    }
+}
+
+impl Add for Dd3 {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+}
+
+impl Sub for Dd3 {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul<Dd> for Dd3 {
+    type Output = Self;
+
+    fn mul(self, s: Dd) -> Self {
+        self.map(|x| x * s)
+    }
+}
