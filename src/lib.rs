@@ -20,6 +20,7 @@ pub mod cli;
 pub mod drawing;
 pub mod export;
 pub mod figure;
+pub mod files;
 pub mod geometry;
 #[cfg(feature = "gui")]
 pub mod gui;

@@ -1,1 +1,4 @@
 //! Drawing or report → file formats.
+
+pub mod png;
+pub mod sheet;
