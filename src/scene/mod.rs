@@ -1,6 +1,10 @@
 //! What is drawn: meshes in world space, lights, and the lines, marks and texts that stand in the world.
 
+pub mod hierarchy;
 pub mod mesh;
+pub mod palette;
+mod presets;
+pub mod primitives;
 pub mod spec;
 
 use std::sync::Arc;
@@ -8,7 +12,10 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 
 use crate::appearance::{LineStyle, MarkShape, Rgba};
+use crate::geometry::Aabb;
+pub use hierarchy::{DEFAULT_LIGHT, ReadFile, SceneError, build};
 pub use mesh::Mesh;
+pub use presets::objects as preset_objects;
 pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 
 /// A scene, flat: every transform has been multiplied out.
@@ -26,6 +33,39 @@ pub struct Scene {
     pub texts: Vec<Text>,
 }
 
+impl Scene {
+    /// The box around all objects, lines and marks; `None` for an empty scene.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Aabb> {
+        let objects = self.objects.iter().filter_map(Object::bounds);
+        let lines = self.lines.iter().filter_map(|l| Aabb::around(l.points.iter().copied()));
+        let marks = Aabb::around(self.marks.iter().map(|m| m.position));
+        objects.chain(lines).chain(marks).reduce(Aabb::union)
+    }
+
+    /// All vertices of all objects, in the world: what a probe can catch. Where a crease doubles a vertex it comes as often.
+    pub fn vertices(&self) -> impl Iterator<Item = SceneVertex<'_>> {
+        self.objects.iter().flat_map(|object| {
+            object.mesh.positions.iter().enumerate().map(|(index, &p)| SceneVertex {
+                object: &object.name,
+                index,
+                p_world: object.world_from_object.transform_point3(p),
+            })
+        })
+    }
+}
+
+/// A vertex of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneVertex<'a> {
+    /// The object's name.
+    pub object: &'a str,
+    /// Its place in the mesh's `positions`.
+    pub index: usize,
+    /// The vertex in the world.
+    pub p_world: DVec3,
+}
+
 /// A mesh at its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
@@ -33,7 +73,7 @@ pub struct Object {
     pub name: String,
     /// The shape, shared between copies.
     pub mesh: Arc<Mesh>,
-    /// Model matrix. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen from outside in its own
+    /// Model matrix; finite, affine. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen from outside in its own
     /// space, and the pipeline turns the triangles round.
     pub world_from_object: DMat4,
     /// How its faces are coloured.
@@ -46,6 +86,14 @@ pub struct Object {
     pub faces: bool,
     /// How its edges are drawn; `None`: not at all (except in wireframe, which draws them in the object's colour).
     pub edges: Option<LineStyle>,
+}
+
+impl Object {
+    /// The box around the object in the world (around its vertices, not around its turned box); `None` without vertices.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Aabb> {
+        Aabb::around(self.mesh.positions.iter().map(|&p| self.world_from_object.transform_point3(p)))
+    }
 }
 
 /// The colours of an object.

@@ -1,5 +1,8 @@
 //! What the `[scene]` section of a figure says, before meshes are made: a preset, a tree of objects, lights.
 
+use std::fmt;
+use std::str::FromStr;
+
 use glam::DVec3;
 
 use crate::appearance::Rgba;
@@ -30,19 +33,71 @@ pub enum Preset {
     Exercise53,
 }
 
-/// A shape of `[[scene.objects]]`. Each has size about 2 and its centre (box, sphere, torus …) or base centre at the origin;
-/// y is up. Sizes are changed by `scale`.
+impl Preset {
+    /// All presets, in the order of a menu.
+    pub const ALL: [Self; 10] = [
+        Self::Primitives,
+        Self::Cube,
+        Self::House,
+        Self::Corridor,
+        Self::Pyramid,
+        Self::NdcCube,
+        Self::Exercise51,
+        Self::Exercise52,
+        Self::Exercise53,
+        Self::Empty,
+    ];
+
+    /// Its name in a figure file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Empty => "empty",
+            Self::Primitives => "primitives",
+            Self::Cube => "cube",
+            Self::House => "house",
+            Self::Corridor => "corridor",
+            Self::Pyramid => "pyramid",
+            Self::NdcCube => "ndc-cube",
+            Self::Exercise51 => "exercise-5.1",
+            Self::Exercise52 => "exercise-5.2",
+            Self::Exercise53 => "exercise-5.3",
+        }
+    }
+}
+
+impl fmt::Display for Preset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A name that no preset has.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no preset \"{0}\"")]
+pub struct UnknownPreset(pub String);
+
+impl FromStr for Preset {
+    type Err = UnknownPreset;
+
+    fn from_str(text: &str) -> Result<Self, UnknownPreset> {
+        Self::ALL.into_iter().find(|p| p.name() == text).ok_or_else(|| UnknownPreset(text.to_owned()))
+    }
+}
+
+/// A shape of `[[scene.objects]]`. Each has size about 2; y is up. Box, sphere, ellipsoid and torus have their centre at the
+/// origin; prism, pyramid, cylinder and cone stand on it (y from 0 to 2). Sizes are changed by `scale`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// The cube \[−1, 1\]³.
     Box,
-    /// A regular prism about y.
+    /// A regular prism about y with `segments` sides (circumradius 1); without `segments`: 6.
     Prism,
-    /// A pyramid on a square base.
+    /// A pyramid on the square base \[−1, 1\]².
     Pyramid,
     /// The unit sphere.
     Sphere,
-    /// An ellipsoid with half axes 1, ⅔, ½.
+    /// An ellipsoid with half axes 1, ⅔, ½ along x, y, z.
     Ellipsoid,
     /// A cylinder about y.
     Cylinder,
@@ -50,7 +105,7 @@ pub enum Shape {
     Cone,
     /// A torus about y.
     Torus,
-    /// A grid of lines on the plane y = 0.
+    /// A grid of lines on the square \[−1, 1\]² of the plane y = 0, with `segments` cells a side; without `segments`: 10.
     Grid,
     /// Points.
     Points(Vec<DVec3>),
@@ -61,6 +116,44 @@ pub enum Shape {
         /// OBJ, glTF or GLB.
         path: String,
     },
+}
+
+impl Shape {
+    /// Its name in a figure file.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Box => "box",
+            Self::Prism => "prism",
+            Self::Pyramid => "pyramid",
+            Self::Sphere => "sphere",
+            Self::Ellipsoid => "ellipsoid",
+            Self::Cylinder => "cylinder",
+            Self::Cone => "cone",
+            Self::Torus => "torus",
+            Self::Grid => "grid",
+            Self::Points(_) => "points",
+            Self::Segments(_) => "segments",
+            Self::Mesh { .. } => "mesh",
+        }
+    }
+
+    /// What `segments` means where a figure does not say it: 6 sides of a prism, 10 cells of a grid, 32 segments of what is
+    /// curved.
+    #[must_use]
+    pub const fn default_segments(&self) -> u32 {
+        match self {
+            Self::Prism => 6,
+            Self::Grid => 10,
+            _ => 32,
+        }
+    }
+
+    /// False where `segments` has no meaning.
+    #[must_use]
+    pub const fn has_segments(&self) -> bool {
+        !matches!(self, Self::Box | Self::Pyramid | Self::Points(_) | Self::Segments(_) | Self::Mesh { .. })
+    }
 }
 
 /// One entry of `[[scene.objects]]`.
@@ -80,8 +173,68 @@ pub struct ObjectSpec {
     pub scale: DVec3,
     /// Colour; `None`: the theme's.
     pub color: Option<Rgba>,
-    /// Segments of curved shapes, 3 … 512.
+    /// Segments of curved shapes, sides of a prism, cells of a grid; 3 … 512.
     pub segments: u32,
+}
+
+impl ObjectSpec {
+    /// A shape at the origin, without parent or colour.
+    #[must_use]
+    pub fn new(name: impl Into<String>, shape: Shape) -> Self {
+        let segments = shape.default_segments();
+        Self { segments, shape: Some(shape), ..Self::group(name) }
+    }
+
+    /// A group: a transform for others, without a shape.
+    #[must_use]
+    pub fn group(name: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            shape: None,
+            parent: None,
+            translate: DVec3::ZERO,
+            rotate: DVec3::ZERO,
+            scale: DVec3::ONE,
+            color: None,
+            segments: 32,
+        }
+    }
+
+    /// The same object with another parent.
+    #[must_use]
+    pub fn under(self, parent: impl Into<String>) -> Self {
+        Self { parent: Some(parent.into()), ..self }
+    }
+
+    /// The same object at another place.
+    #[must_use]
+    pub fn at(self, x: f64, y: f64, z: f64) -> Self {
+        Self { translate: DVec3::new(x, y, z), ..self }
+    }
+
+    /// The same object, turned by degrees about x, then y, then z.
+    #[must_use]
+    pub fn turned(self, x: f64, y: f64, z: f64) -> Self {
+        Self { rotate: DVec3::new(x, y, z), ..self }
+    }
+
+    /// The same object, scaled along its own axes.
+    #[must_use]
+    pub fn scaled(self, x: f64, y: f64, z: f64) -> Self {
+        Self { scale: DVec3::new(x, y, z), ..self }
+    }
+
+    /// The same object in another colour.
+    #[must_use]
+    pub fn colored(self, color: Rgba) -> Self {
+        Self { color: Some(color), ..self }
+    }
+
+    /// The same object with another number of segments.
+    #[must_use]
+    pub fn with_segments(self, segments: u32) -> Self {
+        Self { segments, ..self }
+    }
 }
 
 /// One entry of `[[scene.lights]]`.

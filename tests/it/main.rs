@@ -6,3 +6,4 @@ mod common;
 mod pipeline;
 mod pipeline_project;
 mod raster_pictures;
+mod scene;

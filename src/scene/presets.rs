@@ -1,0 +1,332 @@
+//! The named scenes. Each is a list of objects like those of a figure file, and what such a list cannot say: colours of single
+//! faces, marks, labels.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::hierarchy::{point_mark, point_name};
+use super::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILION, YELLOW};
+use super::{Line, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
+
+/// The objects of a preset, as a figure file would list them.
+#[must_use]
+pub fn objects(preset: Preset, colors: &SceneColors) -> Vec<ObjectSpec> {
+    match preset {
+        Preset::Empty => Vec::new(),
+        Preset::Primitives => one_of_each(colors),
+        Preset::Cube => vec![ObjectSpec::new("cube", Shape::Box)],
+        Preset::House => house(colors),
+        Preset::Corridor => corridor(colors),
+        Preset::Pyramid => pyramid(),
+        Preset::NdcCube => ndc_cube(),
+        Preset::Exercise51 => exercise_51(),
+        Preset::Exercise52 => exercise_52(colors),
+        Preset::Exercise53 => vec![ObjectSpec::new("cube", Shape::Box).colored(BLUE)],
+    }
+}
+
+/// Adds what objects alone cannot say. `scene` holds what came of [`objects`], in their order, and nothing else.
+pub(super) fn finish(preset: Preset, colors: &SceneColors, scene: &mut Scene) {
+    match preset {
+        Preset::Cube => number_the_faces(scene),
+        Preset::Corridor => scene.objects.insert(0, tiled_floor(colors)),
+        Preset::Pyramid => name_corners(scene, colors, |p| p.y == 0.0),
+        Preset::NdcCube => make_wire(scene, colors),
+        Preset::Exercise51 => rays_of_exercise_51(scene, colors),
+        Preset::Exercise52 => axes_of_exercise_52(scene, colors),
+        Preset::Exercise53 => {
+            make_wire(scene, colors);
+            name_corners(scene, colors, |p| p.y < 0.0);
+        }
+        Preset::Empty | Preset::Primitives | Preset::House => {}
+    }
+}
+
+fn one_of_each(colors: &SceneColors) -> Vec<ObjectSpec> {
+    // A tetrahedron of points and segments.
+    let corners = [
+        DVec3::new(0.0, 1.1, 0.0),
+        DVec3::new(0.0, 0.0, -0.6),
+        DVec3::new(-0.52, 0.0, 0.3),
+        DVec3::new(0.52, 0.0, 0.3),
+    ];
+    let sides = [[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]];
+    let step = 1.75;
+    vec![
+        ObjectSpec::new("ground", Shape::Box).at(0.0, -0.05, 0.0).scaled(2.75, 0.05, 2.75).colored(colors.ground),
+        ObjectSpec::new("grid", Shape::Grid).scaled(2.75, 1.0, 2.75),
+        ObjectSpec::new("cylinder", Shape::Cylinder).at(-step, 0.0, -step).scaled(0.55, 0.75, 0.55).colored(BLUE),
+        ObjectSpec::new("cone", Shape::Cone).at(0.0, 0.0, -step).scaled(0.6, 0.75, 0.6).colored(ORANGE),
+        ObjectSpec::new("pyramid", Shape::Pyramid).at(step, 0.0, -step).scaled(0.6, 0.65, 0.6).colored(TEAL),
+        ObjectSpec::new("sphere", Shape::Sphere).at(-step, 0.65, 0.0).scaled(0.65, 0.65, 0.65).colored(VERMILION),
+        ObjectSpec::new("torus", Shape::Torus).at(0.0, 0.24, 0.0).scaled(0.8, 0.8, 0.8).colored(YELLOW),
+        ObjectSpec::new("box", Shape::Box).at(step, 0.5, 0.0).turned(0.0, 20.0, 0.0).scaled(0.5, 0.5, 0.5).colored(SKY),
+        ObjectSpec::new("prism", Shape::Prism).at(-step, 0.0, step).scaled(0.6, 0.5, 0.6).colored(PURPLE),
+        ObjectSpec::new("ellipsoid", Shape::Ellipsoid).at(0.0, 0.5, step).scaled(0.75, 0.75, 0.75).colored(NAVY),
+        ObjectSpec::new("segments", Shape::Segments(sides.map(|[a, b]| [corners[a], corners[b]]).to_vec()))
+            .at(step, 0.0, step)
+            .colored(colors.ink),
+        ObjectSpec::new("points", Shape::Points(corners.to_vec())).under("segments").colored(VERMILION),
+    ]
+}
+
+/// A house 2.6 wide with its door to the left and its window to the right of the front, chimney at the back right, and a tree:
+/// no mirror image of it looks the same.
+fn house(colors: &SceneColors) -> Vec<ObjectSpec> {
+    let ground = ObjectSpec::new("ground", Shape::Box);
+    // The roof is a prism of three sides that lies along x: √3 sx wide, 1.5 sz high, its ridge at the vertex.
+    let (width, height, length, eaves) = (2.4, 1.0, 2.9, 1.5);
+    let roof = ObjectSpec::new("roof", Shape::Prism).with_segments(3).turned(90.0, 90.0, 0.0).scaled(
+        width / 3.0_f64.sqrt(),
+        length / 2.0,
+        height / 1.5,
+    );
+    let part = |name: &str, center: [f64; 3], half: [f64; 3], color| {
+        let [x, y, z] = center;
+        ObjectSpec::new(name, Shape::Box).at(x, y, z).scaled(half[0], half[1], half[2]).colored(color).under("house")
+    };
+    vec![
+        ground.at(0.0, -0.05, 0.0).scaled(2.7, 0.05, 2.2).colored(colors.ground),
+        ObjectSpec::group("house").at(-0.35, 0.0, -0.3),
+        part("walls", [0.0, 0.75, 0.0], [1.3, 0.75, 1.0], colors.stone),
+        roof.at(-length / 2.0, eaves + height / 3.0, 0.0).colored(VERMILION).under("house"),
+        part("chimney", [0.75, 2.15, -0.45], [0.17, 0.55, 0.17], PURPLE),
+        part("door", [-0.65, 0.5, 1.0], [0.26, 0.5, 0.04], NAVY),
+        part("window", [0.5, 0.85, 1.0], [0.36, 0.27, 0.04], SKY),
+        part("step", [-0.65, 0.05, 1.2], [0.4, 0.05, 0.2], colors.ground_other),
+        ObjectSpec::group("tree").at(1.85, 0.0, 0.9),
+        ObjectSpec::new("trunk", Shape::Cylinder).scaled(0.09, 0.25, 0.09).colored(ORANGE).under("tree"),
+        ObjectSpec::new("crown", Shape::Cone).at(0.0, 0.4, 0.0).scaled(0.5, 0.65, 0.5).colored(TEAL).under("tree"),
+    ]
+}
+
+/// Half the width of the corridor's floor.
+const HALF_WIDTH: f64 = 2.0;
+/// Where the corridor begins and ends, on z.
+const CORRIDOR: [f64; 2] = [3.0, -13.0];
+
+/// Two rows of columns under beams; equal balls, as a measure of how distance shrinks.
+fn corridor(colors: &SceneColors) -> Vec<ObjectSpec> {
+    let mut all = Vec::new();
+    let middle = (CORRIDOR[0] + CORRIDOR[1]) / 2.0;
+    let half_length = (CORRIDOR[0] - CORRIDOR[1]) / 2.0;
+    for (side, x) in [("left", -1.65), ("right", 1.65)] {
+        all.push(
+            ObjectSpec::new(format!("beam {side}"), Shape::Box)
+                .at(x, 2.55, middle)
+                .scaled(0.22, 0.15, half_length)
+                .colored(colors.stone),
+        );
+        for k in 0..8 {
+            all.push(
+                ObjectSpec::new(format!("column {side} {}", k + 1), Shape::Cylinder)
+                    .at(x, 0.0, 2.0 - 2.0 * f64::from(k))
+                    .scaled(0.18, 1.2, 0.18)
+                    .with_segments(24)
+                    .colored(BLUE),
+            );
+        }
+    }
+    for (k, color) in [VERMILION, YELLOW, TEAL, PURPLE].into_iter().enumerate() {
+        let z = [1.0, -3.0, -7.0, -11.0][k];
+        all.push(
+            ObjectSpec::new(format!("ball {}", k + 1), Shape::Sphere)
+                .at(if k % 2 == 0 { -0.7 } else { 0.7 }, 0.35, z)
+                .scaled(0.35, 0.35, 0.35)
+                .colored(color),
+        );
+    }
+    all
+}
+
+fn tiled_floor(colors: &SceneColors) -> Object {
+    let (nx, nz) = (4, 16);
+    let mesh = primitives::tiles([-HALF_WIDTH, CORRIDOR[1]], [HALF_WIDTH, CORRIDOR[0]], nx, nz);
+    let tile = |t: u32| if (t % nx + t / nx).is_multiple_of(2) { colors.ground } else { colors.ground_other };
+    Object {
+        name: "floor".to_owned(),
+        mesh: Arc::new(mesh),
+        world_from_object: glam::DMat4::IDENTITY,
+        paint: ObjectPaint::Faces(Arc::new((0..nx * nz).flat_map(|t| [tile(t); 2]).collect())),
+        lit: true,
+        two_sided: true,
+        faces: true,
+        edges: None,
+    }
+}
+
+/// `[1]`, exercises I and II with day 15 and month 8: the pyramid with its base scaled by 8 and its height by 15, moved into the
+/// first octant.
+fn pyramid() -> Vec<ObjectSpec> {
+    vec![
+        ObjectSpec::new("grid", Shape::Grid).at(5.0, 0.0, 5.0).scaled(5.0, 1.0, 5.0),
+        ObjectSpec::new("pyramid", Shape::Pyramid).at(4.0, 0.0, 4.0).scaled(4.0, 7.5, 4.0).colored(ORANGE),
+    ]
+}
+
+/// In the cube: a letter F, which no mirror image equals, a ball before it and a cone behind it.
+fn ndc_cube() -> Vec<ObjectSpec> {
+    let part = |name: &str, center: [f64; 3], half: [f64; 3]| {
+        let [x, y, z] = center;
+        ObjectSpec::new(name, Shape::Box).at(x, y, z).scaled(half[0], half[1], half[2]).under("F")
+    };
+    vec![
+        ObjectSpec::new("cube", Shape::Box),
+        ObjectSpec::group("F").at(-0.1, 0.0, 0.0).colored(BLUE),
+        part("stem", [-0.4, 0.0, 0.0], [0.13, 0.7, 0.13]),
+        part("long arm", [0.13, 0.57, 0.0], [0.4, 0.13, 0.13]),
+        part("short arm", [0.03, 0.03, 0.0], [0.3, 0.12, 0.13]),
+        ObjectSpec::new("ball", Shape::Sphere).at(0.55, -0.55, 0.6).scaled(0.25, 0.25, 0.25).colored(VERMILION),
+        ObjectSpec::new("cone", Shape::Cone).at(0.6, -0.1, -0.6).scaled(0.25, 0.35, 0.25).colored(YELLOW),
+    ]
+}
+
+/// `[0]` exercise 5.1: C = (3, 4, 0), PF = 0. The point with VRC coordinates (1, 1, 0) is C + **u** + **v**, where
+/// **v** = (0, 1, 0) of the text can only be VUP.
+const EXERCISE_51: [DVec3; 3] = [DVec3::new(3.0, 4.0, 0.0), DVec3::new(0.0, 0.0, -1.0), DVec3::new(-0.8, 0.6, 0.0)];
+
+fn exercise_51() -> Vec<ObjectSpec> {
+    let [c, u, v] = EXERCISE_51;
+    vec![
+        ObjectSpec::new("grid", Shape::Grid).scaled(4.0, 1.0, 4.0).with_segments(8),
+        ObjectSpec::new("box", Shape::Box).scaled(0.6, 0.6, 0.6).colored(BLUE),
+        ObjectSpec::new("cone", Shape::Cone).at(0.0, 0.6, 0.0).scaled(0.35, 0.4, 0.35).colored(ORANGE),
+        ObjectSpec::new("ball", Shape::Sphere).at(0.0, 0.0, 1.5).scaled(0.4, 0.4, 0.4).colored(TEAL),
+        ObjectSpec::new("P", Shape::Points(vec![c + u + v])).colored(VERMILION),
+    ]
+}
+
+/// The way to P along **u** and **v**, and both rays: in parallel projection from P along DOP, in perspective from C through P.
+fn rays_of_exercise_51(scene: &mut Scene, colors: &SceneColors) {
+    let [c, u, v] = EXERCISE_51;
+    let p = c + u + v;
+    let style = |color, dash, arrow| LineStyle { color, width: 2.0, dash, hidden: HiddenLines::Dashed, arrow };
+    let way = LineStyle { width: 1.25, ..style(colors.ink, Dash::Dotted, false) };
+    scene.lines.push(Line { points: vec![c, c + u, p, c + v, c], style: way });
+    let parallel = p - c;
+    scene.lines.push(Line { points: vec![p, parallel], style: style(BLUE, Dash::Solid, true) });
+    let perspective = c + 2.2 * (p - c);
+    scene.lines.push(Line { points: vec![c, perspective], style: style(VERMILION, Dash::Dashed, true) });
+    scene.marks.push(point_mark(c, MarkShape::Ring, colors.ink));
+    scene.texts.push(point_name(c, "C", colors.ink));
+}
+
+/// `[0]` exercise 5.2: C = (7, 0, 0), PF = (1, 1, 1), VUP = (1, 0, 0): the camera lies on its side.
+fn exercise_52(colors: &SceneColors) -> Vec<ObjectSpec> {
+    let (c, pf) = (DVec3::new(7.0, 0.0, 0.0), DVec3::ONE);
+    let n = (c - pf).normalize();
+    let u = DVec3::X.cross(n).normalize();
+    let p = c + u + n.cross(u);
+    let step = 1.6;
+    vec![
+        ObjectSpec::new("grid", Shape::Grid).scaled(4.0, 1.0, 4.0).with_segments(8),
+        ObjectSpec::new("box", Shape::Box).at(1.0, 1.0, 1.0).scaled(0.8, 0.8, 0.8).colored(BLUE),
+        ObjectSpec::new("cone", Shape::Cone).at(1.0, 1.8, 1.0).scaled(0.6, 0.7, 0.6).colored(ORANGE),
+        ObjectSpec::new("ball", Shape::Sphere).at(1.0, 1.0, 1.0 + step).scaled(0.5, 0.5, 0.5).colored(TEAL),
+        ObjectSpec::new("PF", Shape::Points(vec![pf])).colored(colors.ink),
+        ObjectSpec::new("P", Shape::Points(vec![p])).colored(VERMILION),
+    ]
+}
+
+/// The axes of the world, so that the lying camera's picture can be read.
+fn axes_of_exercise_52(scene: &mut Scene, colors: &SceneColors) {
+    let style = |color, dash| LineStyle { color, width: 1.5, dash, hidden: HiddenLines::Dashed, arrow: true };
+    for (axis, name, dash) in
+        [(DVec3::X, "x", Dash::Solid), (DVec3::Y, "y", Dash::Dashed), (DVec3::Z, "z", Dash::DashDot)]
+    {
+        let tip = axis * 4.0;
+        scene.lines.push(Line { points: vec![DVec3::ZERO, tip], style: style(colors.ink, dash) });
+        scene.texts.push(Text { offset: [6.0, -6.0], ..point_name(tip, name, colors.ink) });
+    }
+}
+
+/// Leaves only the edges of the first object.
+fn make_wire(scene: &mut Scene, colors: &SceneColors) {
+    if let Some(cube) = scene.objects.first_mut() {
+        cube.faces = false;
+        cube.edges = Some(colors.segment_style(colors.ink));
+    }
+}
+
+/// Writes their coordinates beside the corners of the last object (each corner once); below them where `below` holds.
+fn name_corners(scene: &mut Scene, colors: &SceneColors, below: impl Fn(DVec3) -> bool) {
+    let Some(object) = scene.objects.last() else { return };
+    let mut corners: Vec<DVec3> = Vec::new();
+    for p in &object.mesh.positions {
+        let p = object.world_from_object.transform_point3(*p);
+        if !corners.contains(&p) {
+            corners.push(p);
+        }
+    }
+    for p in corners {
+        let text = format!("({}, {}, {})", p.x, p.y, p.z).replace('-', "−");
+        let offset = [6.0, if below(p) { 12.0 } else { -12.0 }];
+        scene.marks.push(point_mark(p, MarkShape::Disc, colors.ink));
+        scene.texts.push(Text { offset, size: 13.0, ..point_name(p, &text, colors.ink) });
+    }
+}
+
+/// Paints each face of the first object in its own colour and writes a number on it, as on a die: opposite faces add up to 7.
+/// The numbers are strokes on the faces, so they deform with them and show a mirror image at once.
+fn number_the_faces(scene: &mut Scene) {
+    // Face, its digit, the directions right and up of a reader before it; in the order of `primitives::cuboid`.
+    let faces: [(DVec3, usize, DVec3, DVec3, Rgba); 6] = [
+        (DVec3::NEG_X, 5, DVec3::Z, DVec3::Y, TEAL),
+        (DVec3::X, 2, DVec3::NEG_Z, DVec3::Y, ORANGE),
+        (DVec3::NEG_Y, 4, DVec3::X, DVec3::Z, PURPLE),
+        (DVec3::Y, 3, DVec3::X, DVec3::NEG_Z, YELLOW),
+        (DVec3::NEG_Z, 6, DVec3::NEG_X, DVec3::Y, VERMILION),
+        (DVec3::Z, 1, DVec3::X, DVec3::Y, SKY),
+    ];
+    if let Some(cube) = scene.objects.first_mut() {
+        cube.paint = ObjectPaint::Faces(Arc::new(faces.iter().flat_map(|f| [f.4; 2]).collect()));
+    }
+    for (normal, digit, right, up, color) in faces {
+        // A hair's breadth before the face.
+        let center = normal * 1.003;
+        let points = DIGITS[digit - 1].iter().map(|&[x, y]| center + right * (x - 0.5) * 0.7 + up * (y - 0.8) * 0.7);
+        let ink = if is_dark(color) { Rgba::rgb(255, 255, 255) } else { Rgba::rgb(0x10, 0x14, 0x1a) };
+        let style = LineStyle { color: ink, width: 3.0, dash: Dash::Solid, hidden: HiddenLines::Hidden, arrow: false };
+        scene.lines.push(Line { points: points.collect(), style });
+    }
+}
+
+/// True where white letters read better than black ones.
+fn is_dark(c: Rgba) -> bool {
+    u32::from(c.r) * 30 + u32::from(c.g) * 59 + u32::from(c.b) * 11 < 110 * 100
+}
+
+/// One stroke each, in a box 1 wide and 1.6 high.
+const DIGITS: [&[[f64; 2]]; 6] = [
+    &[[0.2, 1.25], [0.55, 1.6], [0.55, 0.0]],
+    &[[0.0, 1.25], [0.25, 1.6], [0.75, 1.6], [1.0, 1.3], [1.0, 1.05], [0.0, 0.0], [1.0, 0.0]],
+    &[
+        [0.0, 1.6],
+        [1.0, 1.6],
+        [0.45, 0.95],
+        [0.75, 0.95],
+        [1.0, 0.7],
+        [1.0, 0.3],
+        [0.75, 0.0],
+        [0.25, 0.0],
+        [0.0, 0.25],
+    ],
+    &[[0.75, 0.0], [0.75, 1.6], [0.0, 0.5], [1.0, 0.5]],
+    &[[0.95, 1.6], [0.1, 1.6], [0.05, 0.9], [0.65, 0.95], [1.0, 0.7], [1.0, 0.3], [0.7, 0.0], [0.25, 0.0], [0.0, 0.2]],
+    &[
+        [0.9, 1.45],
+        [0.65, 1.6],
+        [0.35, 1.6],
+        [0.0, 1.2],
+        [0.0, 0.3],
+        [0.25, 0.0],
+        [0.75, 0.0],
+        [1.0, 0.3],
+        [1.0, 0.6],
+        [0.75, 0.9],
+        [0.25, 0.9],
+        [0.0, 0.6],
+    ],
+];
