@@ -180,7 +180,9 @@ fn dashes(range: Range<f32>, style: LineStyle, mut draw: impl FnMut(f32, f32)) {
     let mut lengths = pattern.iter().cycle();
     while start < range.end {
         let (Some(on), Some(off)) = (lengths.next(), lengths.next()) else { return };
-        let (first, last) = (start + 0.5 * width, start + on * width - 0.5 * width);
+        // A dot is a dash of length 0: rounding must not make it less.
+        let first = start + 0.5 * width;
+        let last = (start + on * width - 0.5 * width).max(first);
         let (from, to) = (first.max(range.start), last.min(range.end));
         if from <= to {
             draw(from, to);

@@ -6,14 +6,13 @@
 use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines};
-use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::figure::Observer;
 use crate::geometry::Aabb;
 use crate::pipeline;
 use crate::scene::Scene;
 
-use super::gizmos::{SMALL_TYPE, Sheet};
+use super::gizmos::{self, SMALL_TYPE, Sheet};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
 use super::screen::Screen;
@@ -23,18 +22,6 @@ const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 /// How far the axes reach from the middle of the cube.
 const AXIS: f64 = 1.42;
 const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, parallel: false };
-
-/// A point in NDC as this picture shows it.
-pub(super) fn display_from_ndc(p: DVec3) -> DVec3 {
-    DVec3::new(p.x, p.y, -p.z)
-}
-
-/// A world point in NDC, `[0]` Eq. (5.6); `None` for what is not before C.
-pub(super) fn ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
-    let c = camera.clip_point(p_world);
-    let p = c.truncate() / c.w;
-    (c.w > 0.0 && p.is_finite()).then_some(p)
-}
 
 /// The observer that a button gives: it looks from the preset's side and has the cube in the picture.
 #[must_use]
@@ -62,8 +49,8 @@ pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
 }
 
 /// The clipped and projected scene, in display space.
-pub(super) fn contents(_setup: &Setup) -> Scene {
-    Scene::default()
+pub(super) fn contents(setup: &Setup) -> Scene {
+    pipeline::project::clipped_scene(setup.scene, setup.camera, setup.figure.style.shading)
 }
 
 /// Draws the canonical volume as `observer` sees it; an observer that is no camera sees nothing.
@@ -75,11 +62,12 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
     let Some(screen) = screen(setup, observer) else {
         return pipeline::draw(&Scene::default(), setup.camera, target, style);
     };
-    let mut sheet = Sheet { scene: contents(setup), screen: &screen, hidden: style.hidden_lines };
+    let (scene, style) = gizmos::wired(contents(setup), style);
+    let mut sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
     axes(&mut sheet, palette);
     probe::in_canonical(&mut sheet, setup, palette);
     cube(&mut sheet, setup, palette);
-    let mut drawing = pipeline::draw(&sheet.scene, screen.camera(), target, style);
+    let mut drawing = pipeline::draw(&sheet.scene, screen.camera(), target, &style);
     placing::settle(&mut drawing, &[]);
     drawing
 }
@@ -109,22 +97,47 @@ fn cube(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
         let middle = sheet.screen.place(DVec3::ZERO).unwrap_or(DVec2::ZERO);
         sheet.screen.place(p).map_or(DVec2::X, |px| px - middle)
     };
-    let labels = setup.labels;
-    let names = [(near[3], format!("{} (z_n = −1)", labels.near)), (far[2], format!("{} (z_n = 1)", labels.far))];
-    let names = names.map(|(p, text)| (p, text, away(p)));
-    let corners = CUBE.corners().map(|p| (p, corner_name(p), away(p)));
-    for (p, text, toward) in names {
-        sheet.text(p, &text, toward, SMALL_TYPE, palette.ink);
+    let names =
+        [(near[3], format!("{} (z_n = −1)", setup.labels.near)), (far[2], format!("{} (z_n = 1)", setup.labels.far))];
+    for (p, text) in names {
+        sheet.text(p, &text, outwards(sheet.screen, p), SMALL_TYPE, palette.ink);
     }
-    for (p, text, toward) in corners {
-        sheet.text(p, &text, toward, SMALL_TYPE - 1.0, palette.soft);
+    for (p, text) in corner_names(sheet.screen) {
+        sheet.text(p, &text, outwards(sheet.screen, p), SMALL_TYPE - 1.0, palette.soft);
     }
 }
 
-/// A corner's coordinates in NDC.
-fn corner_name(p: DVec3) -> String {
-    let sign = |v: f64| if v < 0.0 { "−1" } else { "1" };
-    format!("({}, {}, {})", sign(p.x), sign(p.y), sign(-p.z))
+/// The direction on the screen from the middle of the cube.
+fn outwards(screen: &Screen, p: DVec3) -> DVec2 {
+    match (screen.place(DVec3::ZERO), screen.place(p)) {
+        (Some(middle), Some(px)) => px - middle,
+        _ => DVec2::ZERO,
+    }
+}
+
+/// The coordinates of the corners, in a small picture of two only. Two that coincide in the picture have one name, with ±.
+fn corner_names(screen: &Screen) -> Vec<(DVec3, String)> {
+    const SMALL: f64 = 320.0;
+    let corners = CUBE.corners();
+    let wanted = if screen.extent().min_element() < SMALL { vec![corners[4], corners[3]] } else { corners.to_vec() };
+    let coincide =
+        |a: DVec3, b: DVec3| matches!((screen.place(a), screen.place(b)), (Some(a), Some(b)) if a.distance(b) < 12.0);
+    let mut names: Vec<(DVec3, String)> = Vec::new();
+    for p in wanted {
+        let twin = corners.into_iter().find(|&q| q != p && coincide(p, q));
+        if twin.is_some_and(|t| names.iter().any(|(q, _)| *q == t)) {
+            continue;
+        }
+        let coordinate = |a: f64, b: f64| match (a == b, a < 0.0) {
+            (false, _) => "±1",
+            (true, true) => "−1",
+            (true, false) => "1",
+        };
+        let t = twin.unwrap_or(p);
+        let [x, y, z] = [(p.x, t.x), (p.y, t.y), (-p.z, -t.z)].map(|(a, b)| coordinate(a, b));
+        names.push((p, format!("({x}, {y}, {z})")));
+    }
+    names
 }
 
 /// Short strokes along the inner side of the near face's border, as draughtsmen mark a plane.

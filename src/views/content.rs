@@ -24,6 +24,7 @@ impl Content {
         let camera = setup.camera;
         let scene = scene_box(setup.scene);
         let mut points = vec![camera.position()];
+        points.extend(setup.extras.ghost.iter().map(|g| g.before.position()));
         points.extend(scene.iter().flat_map(Aabb::corners));
         let boxed = |points: &[DVec3]| {
             Aabb::around(points.iter().copied()).unwrap_or(Aabb { min: camera.position(), max: camera.position() })
@@ -114,7 +115,7 @@ fn scene_box(scene: &Scene) -> Option<Aabb> {
 /// or its end, if that comes before.
 fn volume_of_interest(camera: &Camera, core: &Aabb) -> Vec<DVec3> {
     let deepest = core.corners().iter().map(|&p| -camera.view_point(p).z).fold(camera.distance(), f64::max);
-    let depth = (0.75 * deepest).clamp(camera.near(), camera.far());
+    let depth = (0.45 * deepest).clamp(camera.near(), camera.far());
     if depth > 4.0 * deepest {
         return Vec::new();
     }

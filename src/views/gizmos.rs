@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style};
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
 use super::screen::Screen;
@@ -45,6 +45,13 @@ impl Sheet<'_> {
         self.scene.lines.push(Line { points, style });
     }
 
+    /// An arrow along a way, if there is one.
+    pub(super) fn arrows(&mut self, way: Option<Vec<DVec3>>, color: Rgba) {
+        if let Some(points) = way {
+            self.arrow(points, color, 1.8, Dash::Solid);
+        }
+    }
+
     /// An arrow from `from` along `direction`, with a name at its tip.
     pub(super) fn vector(&mut self, from: DVec3, vector: DVec3, color: Rgba, width: f32, name: &str) {
         let tip = from + vector;
@@ -54,6 +61,11 @@ impl Sheet<'_> {
 
     pub(super) fn mark(&mut self, position: DVec3, shape: MarkShape, radius: f32, color: Rgba) {
         self.scene.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: true });
+    }
+
+    /// A mark that nothing hides.
+    pub(super) fn mark_above(&mut self, position: DVec3, shape: MarkShape, radius: f32, color: Rgba) {
+        self.scene.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: false });
     }
 
     /// A text beside a point, if there is room in this direction (pixels, y down); texts that come first have the choice.
@@ -92,6 +104,22 @@ impl Sheet<'_> {
 #[expect(clippy::cast_possible_truncation, reason = "a few pixels")]
 fn short(v: f64) -> f32 {
     v as f32
+}
+
+/// In wireframe, the scene's objects as edges in their own colours, and a style in which the camera's gear keeps its faces.
+pub(super) fn wired(mut scene: Scene, style: &Style) -> (Scene, Style) {
+    if style.shading != Shading::Wireframe {
+        return (scene, *style);
+    }
+    for object in &mut scene.objects {
+        let own = match object.paint {
+            ObjectPaint::Solid(color) => color.with_alpha(255),
+            _ => object.edges.map_or(Rgba::rgb(128, 128, 128), |edges| edges.color),
+        };
+        object.edges = Some(stroke(own, 1.25, Dash::Solid, style.hidden_lines));
+        object.faces = false;
+    }
+    (scene, Style { shading: Shading::Flat, ..*style })
 }
 
 /// Adds a planar convex polygon, counter-clockwise seen from outside, with its edges.

@@ -12,6 +12,7 @@
 
 pub mod canonical;
 mod content;
+mod ghost;
 mod gizmos;
 pub mod handles;
 pub mod image;
@@ -28,7 +29,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use crate::appearance::{Rgba, Texture};
-use crate::camera::Camera;
+use crate::camera::{Camera, Convention, Operation};
 use crate::figure::Figure;
 use crate::pipeline::Target;
 use crate::scene::Scene;
@@ -121,6 +122,10 @@ pub enum Probe {
 pub struct Ghost {
     /// The camera before.
     pub before: Camera,
+    /// What is done to it.
+    pub operation: Operation,
+    /// The sign rule of rotations.
+    pub convention: Convention,
 }
 
 /// The scene of a figure in the colours of its theme.

@@ -5,11 +5,11 @@ use glam::{DVec2, DVec3};
 use crate::camera::Projection;
 use crate::figure::Observer;
 use crate::geometry::Ray;
+use crate::pipeline::project::displayed_ndc;
 use crate::scene::{Object, Scene};
 
-use super::canonical::{self, display_from_ndc, ndc};
 use super::screen::Screen;
-use super::{Setup, image, world};
+use super::{Setup, canonical, image, world};
 
 /// The ray in the world through a place (pixels) of the world picture; `None` for an observer that is no camera.
 #[must_use]
@@ -35,10 +35,8 @@ pub fn vertex_in_world(setup: &Setup, observer: &Observer, pointer: DVec2, reach
 #[must_use]
 pub fn vertex_in_canonical(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<DVec3> {
     let screen = canonical::screen(setup, observer)?;
-    let shown = vertices(setup.scene).filter_map(|p| {
-        let p_ndc = ndc(setup.camera, p).filter(|n| n.abs().max_element() <= 1.0)?;
-        Some((display_from_ndc(p_ndc), p))
-    });
+    let shown = vertices(setup.scene)
+        .filter_map(|p| Some((displayed_ndc(setup.camera, p).filter(|n| n.abs().max_element() <= 1.0)?, p)));
     nearest(shown, &canonical::contents(setup), &screen, pointer, reach)
 }
 
@@ -46,7 +44,7 @@ pub fn vertex_in_canonical(setup: &Setup, observer: &Observer, pointer: DVec2, r
 #[must_use]
 pub fn vertex_in_image(setup: &Setup, pointer: DVec2, reach: f64) -> Option<DVec3> {
     let screen = image::screen(setup);
-    let inside = |p: &DVec3| ndc(setup.camera, *p).is_some_and(|n| n.abs().max_element() <= 1.0);
+    let inside = |p: &DVec3| displayed_ndc(setup.camera, *p).is_some_and(|n| n.abs().max_element() <= 1.0);
     nearest(vertices(setup.scene).filter(inside).map(|p| (p, p)), setup.scene, &screen, pointer, reach)
 }
 

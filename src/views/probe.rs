@@ -4,8 +4,8 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, MarkShape};
 use crate::camera::Projection;
+use crate::pipeline::project::displayed_ndc;
 
-use super::canonical::{display_from_ndc, ndc};
 use super::gizmos::{SMALL_TYPE, Sheet, TYPE};
 use super::{Palette, Probe, Setup, pick};
 
@@ -67,7 +67,7 @@ pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
 pub(super) fn in_canonical(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
     let Some(probe) = setup.extras.probe else { return };
     let color = palette.probe;
-    let shown = |p: DVec3| ndc(setup.camera, p).map(display_from_ndc);
+    let shown = |p: DVec3| displayed_ndc(setup.camera, p);
     let (through, marked) = match probe {
         Probe::Point(p) => (shown(p), shown(p)),
         Probe::Window(point) => {

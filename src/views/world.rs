@@ -17,7 +17,7 @@ use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
 use super::screen::Screen;
-use super::{Handle, Palette, Setup, handles, placing, probe};
+use super::{Handle, Palette, Setup, ghost, handles, placing, probe};
 
 /// The observer that a button gives: it looks from the preset's side and has everything of interest in the picture.
 #[must_use]
@@ -57,7 +57,8 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
     let Some(screen) = screen(setup, observer) else {
         return pipeline::draw(&Scene::default(), setup.camera, target, style);
     };
-    let sheet = Sheet { scene: setup.scene.clone(), screen: &screen, hidden: style.hidden_lines };
+    let (scene, style) = gizmos::wired(setup.scene.clone(), style);
+    let sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
     let content = Content::of(setup);
     let mut world = World { setup, palette, content, gear: Gear::new(&screen, setup.camera), sheet };
     world.ground();
@@ -68,8 +69,9 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
     world.axes();
     world.drop_lines();
     world.hot_handle();
+    ghost::in_world(&mut world.sheet, setup, palette, world.gear);
     probe::in_world(&mut world.sheet, setup, palette);
-    let mut drawing = pipeline::draw(&world.sheet.scene, screen.camera(), target, style);
+    let mut drawing = pipeline::draw(&world.sheet.scene, screen.camera(), target, &style);
     placing::settle(&mut drawing, &[palette.grid]);
     drawing
 }
@@ -78,7 +80,7 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gear {
     /// One unit of [`gizmos::camera_body`].
-    body: f64,
+    pub(super) body: f64,
     /// Length of **u**, **v**, **n**.
     pub(super) axis: f64,
 }
@@ -87,7 +89,7 @@ impl Gear {
     pub(super) fn new(screen: &Screen, camera: &Camera) -> Self {
         let pixel = screen.units_per_pixel(camera.position());
         let side = screen.extent().min_element();
-        Self { body: pixel * (0.026 * side).clamp(8.0, 40.0), axis: pixel * (0.12 * side).clamp(30.0, 180.0) }
+        Self { body: pixel * (0.036 * side).clamp(9.0, 60.0), axis: pixel * (0.12 * side).clamp(30.0, 180.0) }
     }
 
     /// Where VUP's arrow ends.
@@ -180,7 +182,7 @@ impl World<'_> {
     fn camera(&mut self) {
         let camera = self.setup.camera;
         let (c, basis, gear) = (camera.position(), camera.basis(), self.gear);
-        let edge = gizmos::stroke(self.palette.body_edge, 1.0, Dash::Solid, HiddenLines::Hidden);
+        let edge = gizmos::stroke(self.palette.body_edge, 0.8, Dash::Solid, HiddenLines::Hidden);
         self.sheet.scene.objects.push(Object {
             name: "camera".to_owned(),
             mesh: Arc::new(gizmos::camera_body()),
@@ -191,7 +193,7 @@ impl World<'_> {
             faces: true,
             edges: Some(edge),
         });
-        self.sheet.mark(c, MarkShape::Disc, 2.6, self.palette.ink);
+        self.sheet.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
         let screen = self.sheet.screen;
         let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);
         self.sheet.text(c, "C", -crowd, TYPE, self.palette.ink);
@@ -209,6 +211,10 @@ impl World<'_> {
         let camera = self.setup.camera;
         let (c, pf, dop) = (camera.position(), camera.focal_point(), camera.direction_of_projection());
         self.sheet.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
+        let end = c + dop * camera.far();
+        if camera.far() > camera.distance() {
+            self.sheet.line(vec![pf, end], self.palette.soft, 0.8, Dash::DashDot);
+        }
         self.sheet.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
         self.sheet.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
         let tip = c + dop * (1.2 * self.gear.axis).min(0.8 * camera.distance());
@@ -251,14 +257,7 @@ impl World<'_> {
     fn hot_handle(&mut self) {
         let Some(hot) = self.setup.extras.hot else { return };
         if let Some((_, p)) = handles::on_screen(self.setup, self.sheet.screen).into_iter().find(|(h, _)| *h == hot) {
-            let ring = crate::scene::PointMark {
-                position: p,
-                shape: MarkShape::Ring,
-                radius: 9.0,
-                color: self.palette.probe,
-                fade_if_hidden: false,
-            };
-            self.sheet.scene.marks.push(ring);
+            self.sheet.mark_above(p, MarkShape::Ring, 9.0, self.palette.probe);
         }
     }
 }

@@ -1,0 +1,121 @@
+//! An operation while it is being tried: its axis and pivot, the way that the moved points go, and the camera before it.
+
+use std::sync::Arc;
+
+use glam::{DMat4, DQuat, DVec2, DVec3};
+
+use crate::appearance::{Dash, HiddenLines, MarkShape};
+use crate::camera::{Camera, Operation};
+use crate::geometry::Ray;
+use crate::scene::{Object, ObjectPaint};
+
+use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
+use super::world::Gear;
+use super::{Ghost, Palette, Setup};
+
+/// Adds the operation that is being tried, if there is one.
+pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette, gear: Gear) {
+    let Some(ghost) = &setup.extras.ghost else { return };
+    camera_before(sheet, setup, palette, gear, &ghost.before);
+    let after = setup.camera;
+    match ghost.operation.axis(&ghost.before) {
+        Some(axis) => turn(sheet, palette, gear, ghost, axis),
+        None => {
+            let moved = |a: DVec3, b: DVec3| (a != b).then(|| vec![a, b]);
+            let before = &ghost.before;
+            for way in [moved(before.position(), after.position()), moved(before.focal_point(), after.focal_point())] {
+                sheet.arrows(way, palette.probe);
+            }
+        }
+    }
+}
+
+/// The camera before, faintly: body, line to PF, and where the window was.
+fn camera_before(sheet: &mut Sheet, setup: &Setup, palette: Palette, gear: Gear, before: &Camera) {
+    let color = palette.ghost;
+    let c = before.position();
+    sheet.scene.objects.push(Object {
+        name: "camera before".to_owned(),
+        mesh: Arc::new(gizmos::camera_body()),
+        world_from_object: before.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
+        paint: ObjectPaint::Solid(color.with_alpha(70)),
+        lit: false,
+        two_sided: false,
+        faces: true,
+        edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
+    });
+    sheet.line(vec![c, before.focal_point()], color, 0.9, Dash::Dotted);
+    let corners = before.volume_corners();
+    sheet.closed(&corners[..4], color, 1.2, Dash::Dotted);
+    let moved = c.distance(setup.camera.position()) > 0.5 * gear.axis;
+    if moved {
+        sheet.mark(c, MarkShape::Ring, 3.0, color);
+        sheet.text(c, setup.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
+    }
+}
+
+/// The axis through the pivot, and the arc in the sense of the rotation.
+fn turn(sheet: &mut Sheet, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) {
+    let (before, pivot) = (&ghost.before, axis.origin);
+    let [u, v, n] = palette.axes;
+    let (moved, color, name) = match ghost.operation {
+        Operation::Elevation(_) => (before.position(), u, "u"),
+        Operation::Azimuth(_) => (before.position(), v, "v"),
+        Operation::Roll(_) => (gear.view_up_tip(before), n, "n"),
+        Operation::Yaw(_) => (before.focal_point(), v, "v"),
+        Operation::Pitch(_) => (before.focal_point(), u, "u"),
+        Operation::Zoom(_) | Operation::Dolly(_) | Operation::Pan { .. } => return,
+    };
+    let Some(angle) = ghost.operation.right_hand_angle(ghost.convention) else { return };
+    let reach = sheet.screen.units_per_pixel(pivot) * 0.2 * sheet.screen.extent().min_element();
+    let tip = pivot + axis.direction * reach;
+    sheet.arrow(vec![pivot - axis.direction * reach, tip], color, 1.6, Dash::DashDot);
+    sheet.text(tip, name, sheet.screen.heading(pivot, axis.direction), TYPE, color);
+    sheet.mark(pivot, MarkShape::Ring, 5.0, color);
+
+    let arc = arc(axis, moved, angle.radians());
+    let ends = [arc.first().copied(), arc.last().copied()];
+    for end in ends.into_iter().flatten() {
+        sheet.line(vec![pivot, end], palette.probe, 0.9, Dash::Dotted);
+    }
+    sheet.arrows(Some(arc), palette.probe);
+}
+
+/// The way of a point that turns about an axis; more than two full turns are not told apart.
+fn arc(axis: Ray, from: DVec3, radians: f64) -> Vec<DVec3> {
+    const STEPS: u32 = 96;
+    let angle = radians.clamp(-2.0 * std::f64::consts::TAU, 2.0 * std::f64::consts::TAU);
+    let arm = from - axis.origin;
+    let turned = |t: f64| axis.origin + DQuat::from_axis_angle(axis.direction, angle * t) * arm;
+    (0..=STEPS).map(|i| turned(f64::from(i) / f64::from(STEPS))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::camera::{Convention, Parameters};
+    use crate::geometry::Angle;
+
+    #[test]
+    fn the_arc_ends_where_the_operation_leads() {
+        let before = Camera::new(&Parameters::default()).unwrap();
+        let by = Angle::from_degrees(50.0);
+        for convention in [Convention::RightHand, Convention::Vtk] {
+            for operation in
+                [Operation::Elevation(by), Operation::Azimuth(by), Operation::Yaw(by), Operation::Pitch(by)]
+            {
+                let after = operation.apply(&before, convention).unwrap();
+                let axis = operation.axis(&before).unwrap();
+                let angle = operation.right_hand_angle(convention).unwrap().radians();
+                let (from, to) = match operation {
+                    Operation::Yaw(_) | Operation::Pitch(_) => (before.focal_point(), after.focal_point()),
+                    _ => (before.position(), after.position()),
+                };
+                let way = arc(axis, from, angle);
+                assert!((way.first().unwrap() - from).length() < 1e-12);
+                assert!((way.last().unwrap() - to).length() < 1e-12, "{operation:?} {convention:?}");
+            }
+        }
+    }
+}
