@@ -93,10 +93,6 @@ fn cube(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
     sheet.closed(&near, palette.ink, 2.0, Dash::Solid);
     hatch(sheet, palette);
 
-    let away = |p: DVec3| {
-        let middle = sheet.screen.place(DVec3::ZERO).unwrap_or(DVec2::ZERO);
-        sheet.screen.place(p).map_or(DVec2::X, |px| px - middle)
-    };
     let names =
         [(near[3], format!("{} (z_n = −1)", setup.labels.near)), (far[2], format!("{} (z_n = 1)", setup.labels.far))];
     for (p, text) in names {

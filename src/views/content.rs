@@ -4,7 +4,6 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, Projection};
 use crate::geometry::Aabb;
-use crate::scene::Scene;
 
 use super::Setup;
 use super::observer::Direction;
@@ -22,7 +21,7 @@ pub(super) struct Content {
 impl Content {
     pub(super) fn of(setup: &Setup) -> Self {
         let camera = setup.camera;
-        let scene = scene_box(setup.scene);
+        let scene = setup.scene.bounds();
         let mut points = vec![camera.position()];
         points.extend(setup.extras.ghost.iter().map(|g| g.before.position()));
         points.extend(scene.iter().flat_map(Aabb::corners));
@@ -98,17 +97,6 @@ impl Ground {
 fn nice_step(least: f64) -> Option<f64> {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= least && s.is_finite())
-}
-
-/// The box around a scene's objects and lines.
-fn scene_box(scene: &Scene) -> Option<Aabb> {
-    let objects = scene.objects.iter().filter_map(|object| {
-        let corners = object.mesh.bounds()?.corners();
-        Aabb::around(corners.map(|p| object.world_from_object.transform_point3(p)))
-    });
-    let lines = scene.lines.iter().filter_map(|line| Aabb::around(line.points.iter().copied()));
-    let marks = Aabb::around(scene.marks.iter().map(|m| m.position));
-    objects.chain(lines).chain(marks).reduce(Aabb::union)
 }
 
 /// The part of the volume that shows its shape without making the rest small: its cut at the depth where the content ends,

@@ -32,7 +32,7 @@ use crate::appearance::{Rgba, Texture};
 use crate::camera::{Camera, Convention, Operation};
 use crate::figure::Figure;
 use crate::pipeline::Target;
-use crate::scene::Scene;
+use crate::scene::{self, ReadFile, Scene, SceneError};
 pub use handles::Handle;
 pub use palette::Palette;
 
@@ -129,7 +129,9 @@ pub struct Ghost {
 }
 
 /// The scene of a figure in the colours of its theme.
-#[must_use]
-pub fn scene_of(_figure: &Figure) -> Scene {
-    Scene::default()
+///
+/// # Errors
+/// [`SceneError`] names the object and what is wrong with it.
+pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>) -> Result<Scene, SceneError> {
+    scene::build(&figure.scene, figure.style.theme, read_file)
 }

@@ -62,12 +62,11 @@ pub fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
     Some(from + (to - from) * t)
 }
 
-/// Every vertex of the scene, in the space of the scene.
+/// Every point that can be caught: vertices, ends of lines, marks.
 fn vertices(scene: &Scene) -> impl Iterator<Item = DVec3> {
-    let meshes =
-        scene.objects.iter().flat_map(|o| o.mesh.positions.iter().map(|&p| o.world_from_object.transform_point3(p)));
     let lines = scene.lines.iter().flat_map(|l| l.points.iter().copied());
-    meshes.chain(lines).chain(scene.marks.iter().map(|m| m.position))
+    let marks = scene.marks.iter().map(|m| m.position);
+    scene.vertices().map(|v| v.p_world).chain(lines).chain(marks)
 }
 
 /// Of points (as drawn, and what they stand for) the one nearest to a place; one that faces hide loses to any that can be seen.

@@ -8,7 +8,6 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
 use crate::camera::{Camera, Projection};
 use crate::drawing::Drawing;
 use crate::figure::Observer;
-use crate::geometry::Aabb;
 use crate::pipeline;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
@@ -34,9 +33,10 @@ pub fn fit(setup: &Setup, observer: &Observer) -> Observer {
 /// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a first framing only.
 fn frame(setup: &Setup, direction: Direction) -> Observer {
     let aspect = setup.size.aspect();
-    let mut points = Content::of(setup).of_interest;
-    let first = Observer::framing(&points, direction, aspect);
-    if let Some(screen) = screen(setup, &first) {
+    let content = Content::of(setup);
+    let first = Observer::framing(&content.of_interest, direction, aspect);
+    let mut points = content.of_interest.clone();
+    if let Some(screen) = screen_of(setup, &first, &content) {
         points.extend(Gear::new(&screen, setup.camera).room(setup.camera));
     }
     Observer::framing(&points, direction, aspect)
@@ -44,7 +44,11 @@ fn frame(setup: &Setup, direction: Direction) -> Observer {
 
 /// The observer's camera and its pixels; `None` for an observer that is no camera.
 pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
-    let camera = observer.camera(Some(bounds(setup)), setup.size.aspect()).ok()?;
+    screen_of(setup, observer, &Content::of(setup))
+}
+
+fn screen_of(setup: &Setup, observer: &Observer, content: &Content) -> Option<Screen> {
+    let camera = observer.camera(Some(content.bounds(setup.camera)), setup.size.aspect()).ok()?;
     Some(Screen::new(camera, PixelRect::whole(setup.size)))
 }
 
@@ -54,12 +58,12 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
     let style = &setup.figure.style;
     let palette = Palette::of(style.theme);
     let target = setup.size.target(palette.paper);
-    let Some(screen) = screen(setup, observer) else {
+    let content = Content::of(setup);
+    let Some(screen) = screen_of(setup, observer, &content) else {
         return pipeline::draw(&Scene::default(), setup.camera, target, style);
     };
     let (scene, style) = gizmos::wired(setup.scene.clone(), style);
     let sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
-    let content = Content::of(setup);
     let mut world = World { setup, palette, content, gear: Gear::new(&screen, setup.camera), sheet };
     world.ground();
     world.volume();
@@ -217,10 +221,16 @@ impl World<'_> {
         }
         self.sheet.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
         self.sheet.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
-        let tip = c + dop * (1.2 * self.gear.axis).min(0.8 * camera.distance());
-        self.sheet.arrow(vec![c, tip], self.palette.aim, 1.8, Dash::Solid);
+        let length = (1.2 * self.gear.axis).min(0.8 * camera.distance());
+        self.sheet.arrow(vec![c, c + dop * length], self.palette.aim, 1.8, Dash::Solid);
         let beside = self.sheet.screen.heading(c, dop).perp();
-        self.sheet.text(tip, "DOP", if beside.y < 0.0 { beside } else { -beside }, SMALL_TYPE, self.palette.aim);
+        self.sheet.text(
+            c + dop * (0.7 * length),
+            "DOP",
+            if beside.y < 0.0 { beside } else { -beside },
+            SMALL_TYPE,
+            self.palette.aim,
+        );
         for (handle, place) in handles::on_axis(self.setup, self.sheet.screen, 0.0) {
             if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.axis {
                 self.sheet.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
@@ -278,10 +288,4 @@ fn painted(near: [DVec3; 4], image: &Arc<Texture>) -> Object {
         faces: true,
         edges: None,
     }
-}
-
-/// The box around all that the world may show.
-#[must_use]
-pub fn bounds(setup: &Setup) -> Aabb {
-    Content::of(setup).bounds(setup.camera)
 }
