@@ -26,6 +26,7 @@ pub mod geometry;
 pub mod gui;
 pub mod i18n;
 pub mod inspect;
+pub mod picture;
 pub mod pipeline;
 pub mod raster;
 pub mod scene;

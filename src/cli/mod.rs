@@ -1,9 +1,94 @@
-//! The command line.
+//! The command line: one file per subcommand, and what they share.
+//!
+//! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in the
+//! language of `--lang` or of the system; what is written to standard output or into a picture never depends on the system.
+
+mod args;
+mod inspect;
+mod render;
+mod window;
 
 use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
+use clap::Parser;
+
+use crate::camera::{Camera, Convention, Operation};
+use crate::figure::Figure;
+use crate::files::{self, FileError, Opened};
+use crate::i18n::{Lang, command_line as texts, messages};
+use crate::inspect::{InspectError, camera_after};
+use args::{Command, CommandLine, FigureArgs};
+
+/// Why a command ends early.
+#[derive(Debug)]
+enum Failure {
+    /// Arguments or files that cannot be used: status 2.
+    BadInput(String),
+    /// The work could not be completed: status 1.
+    Failed(String),
+    /// Nobody reads what is written: the end, quietly.
+    ClosedPipe,
+}
+
 /// Runs the program with the arguments of a process (the program's name first).
-pub fn run(_args: impl IntoIterator<Item = OsString>) -> ExitCode {
-    ExitCode::SUCCESS
+pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let args: Vec<OsString> = args.into_iter().collect();
+    let lang = args::written_lang(&args).unwrap_or_else(system_lang);
+    let result = match CommandLine::try_parse_from(args) {
+        Ok(line) => match line.command {
+            Some(Command::Inspect(args)) => inspect::run(&args, lang),
+            Some(Command::Render(args)) => render::run(&args, lang),
+            None => window::run(&line.window, lang),
+        },
+        Err(error) if error.use_stderr() => Err(Failure::BadInput(texts::arguments(lang, &error))),
+        Err(help) => print(help.render().to_string().as_bytes(), lang),
+    };
+    let (status, message) = match result {
+        Ok(()) | Err(Failure::ClosedPipe) => return ExitCode::SUCCESS,
+        Err(Failure::Failed(message)) => (1, message),
+        Err(Failure::BadInput(message)) => (2, message),
+    };
+    // Where even standard error is closed, the status has to do.
+    let _ = writeln!(io::stderr(), "camera-lab: {message}");
+    ExitCode::from(status)
+}
+
+/// The language of the system, where it is one of ours.
+fn system_lang() -> Lang {
+    match sys_locale::get_locale() {
+        Some(locale) if locale.to_lowercase().starts_with("pt") => Lang::PtBr,
+        _ => Lang::En,
+    }
+}
+
+/// Writes to standard output.
+fn print(bytes: &[u8], lang: Lang) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
+        _ => Failure::Failed(messages::file(lang, texts::standard_output(lang), &FileError::Write(error))),
+    })
+}
+
+/// Opens the figure of the arguments and applies their operations. The figure has the parameters of the camera that is given
+/// back; the camera knows more digits of them.
+fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), Failure> {
+    let name = path.display().to_string();
+    // What is wrong with the arguments is said first: it does not depend on the file.
+    let operations = args.operations(lang)?;
+    let opened = files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
+    let Opened { mut figure, text } = opened;
+    let camera = operate(&mut figure, &operations, args.convention())
+        .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::inspect(lang, &error))))?;
+    Ok((Opened { figure, text }, camera))
+}
+
+/// Applies operations to the camera of a figure.
+fn operate(figure: &mut Figure, operations: &[Operation], convention: Convention) -> Result<Camera, InspectError> {
+    let camera = camera_after(&figure.camera, operations, convention)?;
+    figure.camera = *camera.parameters();
+    Ok(camera)
 }

@@ -123,6 +123,4 @@ pub enum Allowed {
     Section,
     /// Sections, `[[like.this]]`.
     Sections,
-    /// An inline table or section with these keys.
-    Table(&'static str),
 }

@@ -1,5 +1,7 @@
 //! Every text in both languages, as typed Rust values.
 
+pub mod command_line;
+pub mod messages;
 pub mod pictures;
 
 /// A language of the interface.

@@ -1,0 +1,258 @@
+//! The arguments, and how their values are read.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use glam::DVec3;
+
+use super::Failure;
+use crate::appearance;
+use crate::camera::{Convention, ImageSize, Operation};
+use crate::figure::read::MAX_SIDE;
+use crate::i18n::{Lang, command_line as texts, messages};
+use crate::picture;
+
+/// An interactive laboratory for the virtual camera of computer graphics.
+#[derive(Debug, Parser)]
+#[command(name = "camera-lab", version, propagate_version = true, args_conflicts_with_subcommands = true)]
+pub(super) struct CommandLine {
+    #[command(subcommand)]
+    pub(super) command: Option<Command>,
+    #[command(flatten)]
+    pub(super) window: WindowArgs,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Print every number of a figure's camera as JSON
+    Inspect(InspectArgs),
+    /// Write a picture of a figure
+    Render(RenderArgs),
+}
+
+/// Without a command the window opens.
+#[derive(Debug, Args)]
+pub(super) struct WindowArgs {
+    /// Figure file, or a PNG that camera-lab wrote; without it, the default figure
+    pub(super) figure: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct InspectArgs {
+    /// Figure file, or a PNG that camera-lab wrote
+    pub(super) figure: PathBuf,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// A world point to follow through every space
+    #[arg(long = "point", value_name = "X,Y,Z", allow_hyphen_values = true)]
+    points: Vec<String>,
+    /// A pixel (column, row; 0,0 is the top left) whose ray is wanted
+    #[arg(long = "pixel", value_name = "I,J", allow_hyphen_values = true)]
+    pixels: Vec<String>,
+    /// How the numbers are written
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct RenderArgs {
+    /// Figure file, or a PNG that camera-lab wrote
+    pub(super) figure: PathBuf,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// Which picture; `all` puts the three side by side
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) view: ViewArg,
+    /// Width and height in pixels; without it, the figure's image size (for `all`: of each picture)
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    size: Option<String>,
+    /// Multiplies width, height, strokes and letters, 0.1 to 16
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    scale: Option<String>,
+    /// Colours; without it, the figure's
+    #[arg(long, value_enum)]
+    theme: Option<ThemeArg>,
+    /// The file to write; its ending says the format: .png
+    #[arg(short, long, value_name = "OUT")]
+    pub(super) output: PathBuf,
+}
+
+/// What every command that takes a figure understands.
+#[derive(Debug, Args)]
+pub(super) struct FigureArgs {
+    /// An operation on the camera, in the order given: elevation, azimuth, roll, yaw, pitch (degrees), zoom, dolly (factor),
+    /// pan (DX,DY)
+    #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    operations: Vec<String>,
+    /// Signs of the rotations: by the right-hand rule, or as VTK has them (elevation and roll the other way)
+    #[arg(long, value_enum, default_value_t)]
+    convention: ConventionArg,
+    /// Language of the window, of messages, and of words in pictures
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(super) lang: Option<LangArg>,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Format {
+    #[default]
+    Json,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum ViewArg {
+    World,
+    Canonical,
+    #[default]
+    Image,
+    All,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum ConventionArg {
+    #[default]
+    RightHand,
+    Vtk,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum LangArg {
+    En,
+    #[value(name = "pt-BR", aliases = ["pt", "pt_BR"])]
+    PtBr,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ThemeArg {
+    Light,
+    Dark,
+    Print,
+}
+
+impl LangArg {
+    pub(super) fn lang(self) -> Lang {
+        match self {
+            Self::En => Lang::En,
+            Self::PtBr => Lang::PtBr,
+        }
+    }
+}
+
+/// The language that the arguments ask for, even where they are at fault otherwise.
+pub(super) fn written_lang(args: &[OsString]) -> Option<Lang> {
+    let texts = || args.iter().skip(1).map(|arg| arg.to_str().unwrap_or_default());
+    let after = texts().zip(texts().skip(1)).find(|(name, _)| *name == "--lang").map(|(_, value)| value);
+    let value = after.or_else(|| texts().find_map(|arg| arg.strip_prefix("--lang=")))?;
+    LangArg::from_str(value, true).ok().map(LangArg::lang)
+}
+
+impl FigureArgs {
+    pub(super) fn convention(&self) -> Convention {
+        match self.convention {
+            ConventionArg::RightHand => Convention::RightHand,
+            ConventionArg::Vtk => Convention::Vtk,
+        }
+    }
+
+    pub(super) fn operations(&self, lang: Lang) -> Result<Vec<Operation>, Failure> {
+        let read = |text: &String| {
+            text.parse().map_err(|e| Failure::BadInput(format!("--op {text}: {}", messages::operation(lang, &e))))
+        };
+        self.operations.iter().map(read).collect()
+    }
+}
+
+impl InspectArgs {
+    pub(super) fn points(&self, lang: Lang) -> Result<Vec<DVec3>, Failure> {
+        let read = |text: &String| {
+            let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+            match numbers.as_deref() {
+                Some([x, y, z]) => Ok(DVec3::new(*x, *y, *z)),
+                _ => Err(Failure::BadInput(texts::point(lang, text))),
+            }
+        };
+        self.points.iter().map(read).collect()
+    }
+
+    pub(super) fn pixels(&self, lang: Lang) -> Result<Vec<[i64; 2]>, Failure> {
+        let read = |text: &String| {
+            let numbers: Option<Vec<i64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+            match numbers.as_deref() {
+                Some([i, j]) => Ok([*i, *j]),
+                _ => Err(Failure::BadInput(texts::pixel(lang, text))),
+            }
+        };
+        self.pixels.iter().map(read).collect()
+    }
+
+    /// The only format so far, so that nothing depends on it.
+    pub(super) fn to_text(&self, report: &crate::inspect::Report) -> String {
+        match self.format {
+            Format::Json => report.to_json(),
+        }
+    }
+}
+
+impl RenderArgs {
+    pub(super) fn theme(&self) -> Option<appearance::Theme> {
+        self.theme.map(|theme| match theme {
+            ThemeArg::Light => appearance::Theme::Light,
+            ThemeArg::Dark => appearance::Theme::Dark,
+            ThemeArg::Print => appearance::Theme::Print,
+        })
+    }
+
+    pub(super) fn view(&self) -> Option<picture::View> {
+        match self.view {
+            ViewArg::World => Some(picture::View::World),
+            ViewArg::Canonical => Some(picture::View::Canonical),
+            ViewArg::Image => Some(picture::View::Image),
+            ViewArg::All => None,
+        }
+    }
+
+    /// Width and height before scaling, if they are given.
+    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+        let Some(text) = &self.size else { return Ok(None) };
+        let side = |text: &str| text.trim().parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
+        text.split_once(['x', 'X', '×'])
+            .and_then(|(width, height)| Some(Some(ImageSize { width: side(width)?, height: side(height)? })))
+            .ok_or_else(|| Failure::BadInput(texts::size(lang, text)))
+    }
+
+    pub(super) fn scale(&self, lang: Lang) -> Result<f32, Failure> {
+        let Some(text) = &self.scale else { return Ok(1.0) };
+        text.trim()
+            .parse()
+            .ok()
+            .filter(|scale| (0.1..=16.0).contains(scale))
+            .ok_or_else(|| Failure::BadInput(texts::scale(lang, text)))
+    }
+}
+
+/// A finite number.
+fn number(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|x: &f64| x.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        CommandLine::command().debug_assert();
+    }
+
+    #[test]
+    fn the_language_is_found_in_any_arguments() {
+        let lang = |args: &[&str]| written_lang(&args.iter().map(OsString::from).collect::<Vec<_>>());
+        assert_eq!(lang(&["camera-lab", "render", "--bad", "--lang", "pt-BR"]), Some(Lang::PtBr));
+        assert_eq!(lang(&["camera-lab", "--lang=EN"]), Some(Lang::En));
+        assert_eq!(lang(&["camera-lab", "--lang"]), None);
+        assert_eq!(lang(&["camera-lab", "inspect", "--lang", "fr"]), None);
+    }
+}

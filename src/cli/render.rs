@@ -1,0 +1,70 @@
+//! `camera-lab render`: a picture of a figure.
+
+use super::args::{LangArg, RenderArgs};
+use super::{Failure, open};
+use crate::camera::ImageSize;
+use crate::export::png;
+use crate::figure::write::update;
+use crate::files;
+use crate::i18n::{Lang, command_line as texts, messages, pictures};
+use crate::picture::{Source, gap, paint, paint_all};
+use crate::raster::Rasterizer;
+use crate::views::{Size, scene_of};
+
+pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
+    let name = args.output.display().to_string();
+    if !args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+        return Err(Failure::BadInput(texts::ending(lang, &name)));
+    }
+    let (given, scale) = (args.size(lang)?, args.scale(lang)?);
+    let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
+    let figure = &mut opened.figure;
+    figure.style.theme = args.theme().unwrap_or(figure.style.theme);
+    let [width, height] = pixels(given, figure.image, args.view().is_none(), scale);
+    let too_large = || Failure::BadInput(texts::too_large(lang, width, height));
+    let size = match (u32::try_from(width), u32::try_from(height)) {
+        (Ok(width), Ok(height)) => Size { width, height, scale },
+        _ => return Err(too_large()),
+    };
+    let source = Source {
+        figure,
+        camera: &camera,
+        scene: &scene_of(figure),
+        labels: pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang)),
+    };
+    let mut rasterizer = Rasterizer::default();
+    let pixmap = match args.view() {
+        Some(view) => paint(&mut rasterizer, source, view, size),
+        None => paint_all(&mut rasterizer, source, size),
+    }
+    .ok_or_else(too_large)?;
+    let bytes = png::encode(&pixmap, &update(&opened.text, &opened.figure))
+        .map_err(|error| Failure::Failed(format!("{name}: {}", messages::png(lang, &error))))?;
+    files::save(&args.output, &bytes).map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+}
+
+/// Width and height in pixels.
+fn pixels(given: Option<ImageSize>, image: ImageSize, all: bool, scale: f32) -> [u64; 2] {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and at most 16384 · 16")]
+    let scaled = |side: u32| (f64::from(side) * f64::from(scale)).round().max(1.0) as u64;
+    let size = given.unwrap_or(image);
+    let [width, height] = [size.width, size.height].map(scaled);
+    // Without a size of the whole sheet, each picture on it has the size of the image.
+    let width = if all && given.is_none() { 3 * width + 2 * u64::from(gap(scale)) } else { width };
+    [width, height]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_scaled_and_a_sheet_has_room_for_three() {
+        let size = |width, height| ImageSize { width, height };
+        assert_eq!(pixels(None, size(640, 480), false, 1.0), [640, 480]);
+        assert_eq!(pixels(Some(size(5, 7)), size(640, 480), true, 1.5), [8, 11]);
+        assert_eq!(pixels(None, size(640, 480), true, 2.0), [3 * 1280 + 16, 960]);
+        assert_eq!(pixels(None, size(1, 1), false, 0.1), [1, 1]);
+        assert_eq!(pixels(None, size(16_384, 16_384), false, 16.0), [262_144, 262_144]);
+    }
+}

@@ -1,0 +1,169 @@
+//! What the command line says, in both languages.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+use super::Lang;
+use super::messages::pick;
+
+/// Arguments that are at fault, in one paragraph.
+#[must_use]
+pub fn arguments(lang: Lang, error: &clap::Error) -> String {
+    let what = match lang {
+        Lang::En => english(error),
+        Lang::PtBr => portuguese(error),
+    };
+    format!("{what}{}", pick(lang, "; see --help", "; veja --help"))
+}
+
+/// Clap's own words, without its usage lines, on one line.
+fn english(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    let parts: Vec<String> = text
+        .split("\n\n")
+        .map(|part| part.split_whitespace().collect::<Vec<_>>().join(" "))
+        .filter(|part| !part.is_empty() && !part.starts_with("Usage:") && !part.starts_with("For more information"))
+        .collect();
+    let text = parts.join("; ");
+    text.strip_prefix("error: ").unwrap_or(&text).to_owned()
+}
+
+fn portuguese(error: &clap::Error) -> String {
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => text.clone(),
+        Some(ContextValue::Strings(texts)) => texts.join(", "),
+        Some(ContextValue::Number(number)) => number.to_string(),
+        _ => String::new(),
+    };
+    let arg = context(ContextKind::InvalidArg);
+    let value = context(ContextKind::InvalidValue);
+    let mut text = match error.kind() {
+        ErrorKind::InvalidValue if value.is_empty() => format!("falta um valor para '{arg}'"),
+        ErrorKind::InvalidValue => format!("valor '{value}' inválido para '{arg}'"),
+        ErrorKind::UnknownArgument => format!("argumento '{arg}' desconhecido"),
+        ErrorKind::InvalidSubcommand => format!("comando '{}' desconhecido", context(ContextKind::InvalidSubcommand)),
+        ErrorKind::ValueValidation => format!("valor '{value}' inválido para '{arg}'"),
+        ErrorKind::TooManyValues => format!("valor '{value}' a mais para '{arg}'"),
+        ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues => format!("número errado de valores para '{arg}'"),
+        ErrorKind::NoEquals => format!("falta '=' depois de '{arg}'"),
+        ErrorKind::ArgumentConflict => {
+            let other = context(ContextKind::PriorArg);
+            if other.is_empty() || other == arg {
+                format!("'{arg}' só pode ser usado uma vez")
+            } else {
+                format!("'{arg}' não pode ser usado com '{other}'")
+            }
+        }
+        ErrorKind::MissingRequiredArgument => format!("falta o argumento obrigatório {arg}"),
+        ErrorKind::InvalidUtf8 => "um argumento não é UTF-8".to_owned(),
+        _ => english(error),
+    };
+    for (kind, before) in [
+        (ContextKind::ValidValue, "permitido"),
+        (ContextKind::SuggestedArg, "você quis dizer"),
+        (ContextKind::SuggestedSubcommand, "você quis dizer"),
+    ] {
+        let found = context(kind);
+        if !found.is_empty() {
+            text += &format!("; {before}: {found}");
+        }
+    }
+    text
+}
+
+/// A text that is no point.
+#[must_use]
+pub fn point(lang: Lang, text: &str) -> String {
+    pick(
+        lang,
+        format!("--point is {text:?}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3"),
+        format!("--point é {text:?}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3"),
+    )
+}
+
+/// A text that is no pixel.
+#[must_use]
+pub fn pixel(lang: Lang, text: &str) -> String {
+    pick(
+        lang,
+        format!("--pixel is {text:?}; allowed: two integers I,J (column, row), such as --pixel 0,0"),
+        format!("--pixel é {text:?}; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
+    )
+}
+
+/// A text that is no size.
+#[must_use]
+pub fn size(lang: Lang, text: &str) -> String {
+    pick(
+        lang,
+        format!("--size is {text:?}; allowed: WxH with integers from 1 to 16384, such as --size 800x600"),
+        format!("--size é {text:?}; permitido: LxA com inteiros de 1 a 16384, como --size 800x600"),
+    )
+}
+
+/// A text that is no scale.
+#[must_use]
+pub fn scale(lang: Lang, text: &str) -> String {
+    pick(
+        lang,
+        format!("--scale is {text:?}; allowed: a number from 0.1 to 16, such as --scale 2"),
+        format!("--scale é {text:?}; permitido: um número de 0.1 a 16, como --scale 2"),
+    )
+}
+
+/// A picture that is larger than pictures can be.
+#[must_use]
+pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
+    pick(
+        lang,
+        format!(
+            "the picture would have {width} × {height} pixels (see --size and --scale); allowed: at most 16384 on each side and 134 million in all"
+        ),
+        format!(
+            "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo 16384 de cada lado e 134 milhões ao todo"
+        ),
+    )
+}
+
+/// An ending that is no picture's.
+#[must_use]
+pub fn ending(lang: Lang, name: &str) -> String {
+    pick(
+        lang,
+        format!("--output is {name:?}; allowed: a file name that ends in .png"),
+        format!("--output é {name:?}; permitido: um nome de arquivo que termina em .png"),
+    )
+}
+
+/// The place where numbers are printed.
+#[must_use]
+pub const fn standard_output(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "standard output",
+        Lang::PtBr => "a saída padrão",
+    }
+}
+
+/// No display, or no OpenGL.
+#[must_use]
+pub fn no_window(lang: Lang, why: &str) -> String {
+    let why: Vec<_> = why.split_whitespace().collect();
+    let why = why.join(" ");
+    let why = why.trim_end_matches('.');
+    pick(
+        lang,
+        format!("no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one"),
+        format!(
+            "não é possível abrir uma janela aqui ({why}); `camera-lab render FIGURA -o imagem.png` desenha sem janela"
+        ),
+    )
+}
+
+/// A program without a window.
+#[must_use]
+pub fn not_built_in(lang: Lang) -> String {
+    pick(
+        lang,
+        "this camera-lab was built without its window; `camera-lab render FIGURE -o picture.png` draws without one",
+        "este camera-lab foi compilado sem a janela; `camera-lab render FIGURA -o imagem.png` desenha sem janela",
+    )
+}
