@@ -76,7 +76,7 @@ pub fn paint_all(rasterizer: &mut Rasterizer, source: Source<'_>, size: Size) ->
     let gap = gap(size.scale);
     let room = size.width.checked_sub(2 * gap)?;
     // What does not divide by three goes to the first ones, a pixel each.
-    let widths = [(room + 2) / 3, (room + 1) / 3, room / 3];
+    let widths = [room.div_ceil(3), (room + 1) / 3, room / 3];
     let mut pictures = Vec::new();
     for (view, width) in View::ALL.into_iter().zip(widths) {
         pictures.push(paint(rasterizer, source, view, Size { width, ..size })?);
