@@ -22,6 +22,7 @@ pub struct Document {
     path: Option<PathBuf>,
     source: String,
     saved: Figure,
+    opened: Parameters,
     committed: Snapshot,
     past: Vec<Snapshot>,
     future: Vec<Snapshot>,
@@ -45,6 +46,7 @@ impl Document {
             path,
             source,
             saved: figure.clone(),
+            opened: figure.camera,
             committed: Snapshot { draft: figure.camera, figure: figure.clone() },
             past: Vec::new(),
             future: Vec::new(),
@@ -178,6 +180,31 @@ impl Document {
         self.problem = None;
         self.commit();
         Ok(())
+    }
+
+    /// True where the camera differs from the one the figure was opened with.
+    #[must_use]
+    pub fn can_reset(&self) -> bool {
+        self.draft != self.opened
+    }
+
+    /// The camera as it was when the figure was opened.
+    pub fn reset(&mut self) {
+        self.set_parameters(self.opened);
+    }
+
+    /// Takes a camera over, with what it knows beyond the `f64`s of its parameters.
+    pub fn set_camera(&mut self, camera: Camera) {
+        self.draft = *camera.parameters();
+        self.figure.camera = self.draft;
+        self.camera = camera;
+        self.problem = None;
+    }
+
+    /// The name of the file, without its folder.
+    #[must_use]
+    pub fn name(&self) -> Option<String> {
+        Some(self.path.as_ref()?.file_name()?.to_string_lossy().into_owned())
     }
 
     /// The file, once there is one.

@@ -9,7 +9,14 @@
 
 pub mod app;
 pub mod canvas;
+pub mod command;
 pub mod document;
+pub mod expression;
+pub mod menu;
+pub mod number_field;
+pub mod numbers;
+pub mod panels;
+pub mod repair;
 pub mod state;
 pub mod theme;
 
@@ -57,13 +64,6 @@ pub fn run(start: Start) -> Result<(), GuiError> {
         system_font_fallback: false,
         ..Default::default()
     };
-    eframe::run_native(
-        "camera-lab",
-        options,
-        Box::new(move |context| {
-            theme::install_fonts(&context.egui_ctx);
-            Ok(Box::new(App::new(state)))
-        }),
-    )
-    .map_err(|error| GuiError::NoWindow(error.to_string()))
+    eframe::run_native("camera-lab", options, Box::new(move |context| Ok(Box::new(App::new(&context.egui_ctx, state)))))
+        .map_err(|error| GuiError::NoWindow(error.to_string()))
 }

@@ -1,11 +1,12 @@
 //! What the panels and the pictures share.
 
 use crate::camera::CameraError;
-use crate::i18n::Lang;
+use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Probe};
 
 use super::Start;
 use super::document::Document;
+use super::panels::operations::Operations;
 
 /// One of the three pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -55,17 +56,47 @@ impl Default for Layout {
     }
 }
 
+impl Layout {
+    /// True where the picture is on the screen.
+    #[must_use]
+    pub fn is_shown(&self, picture: Picture) -> bool {
+        match self.maximized {
+            Some(only) => only == picture,
+            None => self.shown[picture as usize],
+        }
+    }
+
+    /// Shows or hides a picture; the last one stays.
+    pub fn toggle(&mut self, picture: Picture) {
+        if let Some(only) = self.maximized.take() {
+            self.shown = [false; 3];
+            self.shown[only as usize] = true;
+        }
+        let shown = &mut self.shown[picture as usize];
+        *shown = !*shown;
+        if self.shown == [false; 3] {
+            self.shown[picture as usize] = true;
+        }
+    }
+}
+
 /// What belongs to the window and not to the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// The language of the interface.
     pub lang: Lang,
+    /// The zoom of the whole interface, without that of the presentation.
+    pub zoom: f32,
     /// Large type and thick strokes, for a projector.
     pub presentation: bool,
     /// The panel with the parameters.
     pub parameters_panel: bool,
     /// The panel with the operations and the numbers.
     pub numbers_panel: bool,
+    /// A is kept at m / n.
+    pub aspect_follows_image: bool,
+    /// The inverse matrices are shown instead of the matrices.
+    pub inverse: bool,
     /// Significant digits of the numbers, 2 … 17.
     pub digits: usize,
 }
@@ -78,6 +109,15 @@ impl Settings {
     }
 }
 
+/// A sentence at the bottom of the window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Message {
+    /// The sentence.
+    pub text: String,
+    /// Something went wrong.
+    pub is_error: bool,
+}
+
 /// Everything the window knows.
 #[derive(Debug)]
 pub struct State {
@@ -87,12 +127,20 @@ pub struct State {
     pub settings: Settings,
     /// The pictures.
     pub layout: Layout,
+    /// The panel of operations.
+    pub operations: Operations,
+    /// What was said last at the bottom of the window.
+    pub message: Option<Message>,
     /// Asks the pictures to look from somewhere; they take it (`take()`) in the next frame. For both three-dimensional pictures.
     pub look: Option<Look>,
+    /// True where no field on the screen says what is wrong with the parameters (its section is closed).
+    pub problem_out_of_sight: bool,
     /// The operation that is being tried or pointed at; written by the panel in each frame, shown in the world.
     pub ghost: Option<Ghost>,
     /// What is pointed at; written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
+    /// What was pointed at last.
+    pub last_probe: Option<Probe>,
 }
 
 impl State {
@@ -101,19 +149,46 @@ impl State {
     /// # Errors
     /// [`CameraError`] where the figure's camera is impossible.
     pub fn new(start: Start) -> Result<Self, CameraError> {
+        let image = start.figure.image;
+        let square = start.figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
         Ok(Self {
             document: Document::new(start.figure, start.file)?,
             settings: Settings {
                 lang: start.lang,
+                zoom: 1.0,
                 presentation: false,
                 parameters_panel: true,
                 numbers_panel: true,
-                digits: 6,
+                aspect_follows_image: square,
+                inverse: false,
+                digits: 5,
             },
             layout: Layout::default(),
+            operations: Operations::default(),
+            message: None,
             look: None,
+            problem_out_of_sight: false,
             ghost: None,
             probe: None,
+            last_probe: None,
         })
+    }
+
+    /// Says something at the bottom of the window.
+    pub fn say(&mut self, text: impl Into<String>) {
+        self.message = Some(Message { text: text.into(), is_error: false });
+    }
+
+    /// Says at the bottom of the window what went wrong.
+    pub fn say_error(&mut self, text: impl Into<String>) {
+        self.message = Some(Message { text: text.into(), is_error: true });
+    }
+
+    /// What is possible, but probably not what was meant, in the language of the window.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let camera = self.document.camera();
+        let warnings = camera.warnings().into_iter().chain(camera.aspect_warning(self.document.figure().image));
+        warnings.map(|warning| faults::warning(self.settings.lang, &warning)).collect()
     }
 }

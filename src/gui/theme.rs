@@ -1,8 +1,11 @@
-//! Fonts and colours of the window.
+//! Fonts, sizes and colours of the window.
 
 use std::sync::Arc;
 
-use eframe::egui::{self, FontData, FontDefinitions, FontFamily};
+use eframe::egui::{
+    self, Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke, Style, TextStyle, Visuals,
+    text::{LayoutJob, TextFormat},
+};
 
 /// `DejaVu` first: it has the Portuguese accents, the Greek letters and the mathematical signs of the notes.
 pub fn install_fonts(ctx: &egui::Context) {
@@ -15,5 +18,169 @@ pub fn install_fonts(ctx: &egui::Context) {
         fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
         fonts.families.entry(family).or_default().insert(0, name.to_owned());
     }
+    fonts.families.entry(FontFamily::Monospace).or_default().push("DejaVu Sans".to_owned());
     ctx.set_fonts(fonts);
+}
+
+/// A symbol in the colour of symbols; what follows a `_` is lowered.
+#[must_use]
+pub fn symbol(ui: &egui::Ui, text: &str) -> LayoutJob {
+    let font = TextStyle::Body.resolve(ui.style());
+    let color = ui.visuals().hyperlink_color;
+    let mut job = LayoutJob::default();
+    let mut format = TextFormat { font_id: font.clone(), color, ..Default::default() };
+    for (index, part) in text.split('_').enumerate() {
+        let mut rest = part;
+        if index > 0 {
+            let end = part.chars().next().map_or(0, char::len_utf8);
+            let low = FontId::new(font.size * 0.75, font.family.clone());
+            job.append(&part[..end], 0.0, TextFormat { font_id: low, valign: egui::Align::BOTTOM, ..format.clone() });
+            rest = &part[end..];
+        }
+        format.valign = egui::Align::Center;
+        job.append(rest, 0.0, format.clone());
+    }
+    job
+}
+
+/// Makes the header of a section a quiet bar, so that it is not taken for a field.
+pub fn tint_header(ui: &mut egui::Ui) {
+    let visuals = ui.visuals_mut();
+    visuals.collapsing_header_frame = true;
+    let bar = if visuals.dark_mode { Color32::from_rgb(0x2b, 0x33, 0x3e) } else { Color32::from_rgb(0xdf, 0xe6, 0xee) };
+    let widgets = &mut visuals.widgets;
+    for state in [&mut widgets.inactive, &mut widgets.open] {
+        state.weak_bg_fill = bar;
+        state.bg_fill = bar;
+        state.bg_stroke = Stroke::NONE;
+    }
+}
+
+/// Gives a slider a rail that can be seen.
+pub fn strengthen_rail(ui: &mut egui::Ui) {
+    let border = ui.visuals().widgets.noninteractive.bg_stroke.color;
+    let widgets = &mut ui.visuals_mut().widgets;
+    for state in [&mut widgets.inactive, &mut widgets.hovered, &mut widgets.active] {
+        state.bg_fill = border;
+    }
+}
+
+/// Sizes and colours of both themes.
+pub fn install_style(ctx: &egui::Context) {
+    ctx.set_visuals_of(egui::Theme::Light, light());
+    ctx.set_visuals_of(egui::Theme::Dark, dark());
+    ctx.all_styles_mut(sizes);
+    // The keys are commands, so that the menu shows them.
+    ctx.options_mut(|options| options.zoom_with_keyboard = false);
+}
+
+fn sizes(style: &mut Style) {
+    style.text_styles = [
+        (TextStyle::Small, FontId::proportional(10.5)),
+        (TextStyle::Body, FontId::proportional(12.5)),
+        (TextStyle::Button, FontId::proportional(12.5)),
+        (TextStyle::Heading, FontId::proportional(15.0)),
+        (TextStyle::Monospace, FontId::monospace(11.5)),
+    ]
+    .into();
+    let spacing = &mut style.spacing;
+    spacing.item_spacing = egui::vec2(6.0, 4.0);
+    spacing.button_padding = egui::vec2(6.0, 2.0);
+    spacing.interact_size = egui::vec2(32.0, 22.0);
+    spacing.icon_width = 15.0;
+    spacing.tooltip_width = 340.0;
+    spacing.scroll = egui::style::ScrollStyle::thin();
+    style.animation_time = 0.0;
+    style.interaction.tooltip_delay = 0.4;
+}
+
+/// What differs between the themes.
+struct Palette {
+    panel: Color32,
+    field: Color32,
+    button: Color32,
+    hovered: Color32,
+    border: Color32,
+    strong_border: Color32,
+    text: Color32,
+    weak: Color32,
+    accent: Color32,
+    selected: Color32,
+    error: Color32,
+    warning: Color32,
+}
+
+fn light() -> Visuals {
+    dress(
+        Visuals::light(),
+        &Palette {
+            panel: Color32::from_rgb(0xf5, 0xf6, 0xf8),
+            field: Color32::WHITE,
+            button: Color32::from_rgb(0xff, 0xff, 0xff),
+            hovered: Color32::from_rgb(0xe6, 0xee, 0xf7),
+            border: Color32::from_rgb(0xc4, 0xca, 0xd3),
+            strong_border: Color32::from_rgb(0x5b, 0x7a, 0x9d),
+            text: Color32::from_rgb(0x1d, 0x22, 0x2b),
+            weak: Color32::from_rgb(0x5a, 0x63, 0x70),
+            accent: Color32::from_rgb(0x0a, 0x5c, 0xa8),
+            selected: Color32::from_rgb(0xcd, 0xe2, 0xf6),
+            error: Color32::from_rgb(0xb0, 0x1e, 0x1e),
+            warning: Color32::from_rgb(0x8a, 0x4b, 0x00),
+        },
+    )
+}
+
+fn dark() -> Visuals {
+    dress(
+        Visuals::dark(),
+        &Palette {
+            panel: Color32::from_rgb(0x1c, 0x1f, 0x24),
+            field: Color32::from_rgb(0x12, 0x14, 0x18),
+            button: Color32::from_rgb(0x2a, 0x2f, 0x37),
+            hovered: Color32::from_rgb(0x37, 0x40, 0x4c),
+            border: Color32::from_rgb(0x43, 0x4a, 0x55),
+            strong_border: Color32::from_rgb(0x7f, 0xa6, 0xcf),
+            text: Color32::from_rgb(0xe8, 0xeb, 0xef),
+            weak: Color32::from_rgb(0xa4, 0xad, 0xb9),
+            accent: Color32::from_rgb(0x7c, 0xbc, 0xf7),
+            selected: Color32::from_rgb(0x1f, 0x4e, 0x79),
+            error: Color32::from_rgb(0xff, 0x8f, 0x85),
+            warning: Color32::from_rgb(0xff, 0xc2, 0x66),
+        },
+    )
+}
+
+fn dress(mut v: Visuals, p: &Palette) -> Visuals {
+    v.panel_fill = p.panel;
+    v.window_fill = p.panel;
+    v.extreme_bg_color = p.field;
+    v.text_edit_bg_color = Some(p.field);
+    v.weak_text_color = Some(p.weak);
+    v.hyperlink_color = p.accent;
+    v.error_fg_color = p.error;
+    v.warn_fg_color = p.warning;
+    v.selection.bg_fill = p.selected;
+    v.selection.stroke = Stroke::new(1.0, p.text);
+    v.window_stroke = Stroke::new(1.0, p.border);
+    v.slider_trailing_fill = false;
+    v.indent_has_left_vline = false;
+    let radius = CornerRadius::same(3);
+    let w = &mut v.widgets;
+    w.noninteractive.bg_stroke = Stroke::new(1.0, p.border);
+    w.noninteractive.fg_stroke = Stroke::new(1.0, p.text);
+    w.noninteractive.bg_fill = p.panel;
+    for (state, fill, border) in [
+        (&mut w.inactive, p.button, p.border),
+        (&mut w.hovered, p.hovered, p.strong_border),
+        (&mut w.active, p.selected, p.accent),
+        (&mut w.open, p.hovered, p.strong_border),
+    ] {
+        state.bg_fill = fill;
+        state.weak_bg_fill = fill;
+        state.bg_stroke = Stroke::new(1.0, border);
+        state.fg_stroke = Stroke::new(1.0, p.text);
+        state.corner_radius = radius;
+        state.expansion = 0.0;
+    }
+    v
 }

@@ -1,8 +1,10 @@
 //! Every text in both languages, as typed Rust values.
 
 pub mod command_line;
+pub mod faults;
 pub mod messages;
 pub mod pictures;
+pub mod window;
 
 /// A language of the interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

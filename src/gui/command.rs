@@ -1,0 +1,229 @@
+//! What can be done from the menus and the keyboard: label, tooltip and shortcut of each command in one place.
+
+use eframe::egui::{Key, KeyboardShortcut, Modifiers};
+
+use super::state::{Look, Picture, State};
+use crate::appearance::Theme;
+use crate::i18n::window::Texts;
+
+/// Something that can be done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Command {
+    /// The default figure.
+    New,
+    /// Asks for a file and opens it.
+    Open,
+    /// Writes the file.
+    Save,
+    /// Asks for a file and writes it.
+    SaveAs,
+    /// Asks for a picture file and writes it.
+    Export,
+    /// Closes the window.
+    Quit,
+    /// One step back.
+    Undo,
+    /// One step forward.
+    Redo,
+    /// The camera as it was when the figure was opened.
+    Reset,
+    /// The numbers as text to the clipboard.
+    CopyNumbers,
+    /// The other language.
+    Language,
+    /// Light or dark.
+    Theme,
+    /// Large type and thick strokes.
+    Presentation,
+    /// A larger interface.
+    ZoomIn,
+    /// A smaller interface.
+    ZoomOut,
+    /// The interface at its normal size.
+    ZoomReset,
+    /// Shows or hides the panel on the left.
+    ParametersPanel,
+    /// Shows or hides the panel on the right.
+    NumbersPanel,
+    /// Shows or hides a picture.
+    Show(Picture),
+    /// Looks at both 3D pictures from somewhere.
+    Look(Look),
+    /// Turning one 3D picture turns the other.
+    LinkOrbits,
+}
+
+/// Shift on top of the platform's command key.
+const COMMAND_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+
+impl Command {
+    /// The menu of files.
+    pub const FILE: [Self; 6] = [Self::New, Self::Open, Self::Save, Self::SaveAs, Self::Export, Self::Quit];
+    /// The menu of changes.
+    pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
+    /// The menu of what is shown.
+    pub const VIEW: [Self; 18] = [
+        Self::Show(Picture::World),
+        Self::Show(Picture::Canonical),
+        Self::Show(Picture::Image),
+        Self::Look(Look::Front),
+        Self::Look(Look::Top),
+        Self::Look(Look::Side),
+        Self::Look(Look::Iso),
+        Self::Look(Look::Fit),
+        Self::LinkOrbits,
+        Self::ParametersPanel,
+        Self::NumbersPanel,
+        Self::Presentation,
+        Self::Theme,
+        Self::ZoomIn,
+        Self::ZoomOut,
+        Self::ZoomReset,
+        Self::Language,
+        Self::Quit,
+    ];
+
+    /// All commands, each once.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Self::FILE.into_iter().chain(Self::EDIT).chain(Self::VIEW.into_iter().filter(|c| *c != Self::Quit))
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn label(self, t: &Texts) -> &'static str {
+        self.words(t).0
+    }
+
+    /// What it does.
+    #[must_use]
+    pub fn hint(self, t: &Texts) -> &'static str {
+        self.words(t).1
+    }
+
+    fn words(self, t: &Texts) -> (&'static str, &'static str) {
+        match self {
+            Self::New => (t.new, t.new_hint),
+            Self::Open => (t.open, t.open_hint),
+            Self::Save => (t.save, t.save_hint),
+            Self::SaveAs => (t.save_as, t.save_as_hint),
+            Self::Export => (t.export, t.export_hint),
+            Self::Quit => (t.quit, t.quit_hint),
+            Self::Undo => (t.undo, t.undo_hint),
+            Self::Redo => (t.redo, t.redo_hint),
+            Self::Reset => (t.reset, t.reset_hint),
+            Self::CopyNumbers => (t.copy_numbers, t.copy_numbers_hint),
+            Self::Language => (t.language, t.language_hint),
+            Self::Theme => (t.theme, t.theme_hint),
+            Self::Presentation => (t.presentation, t.presentation_hint),
+            Self::ZoomIn => (t.zoom_in, t.zoom_in_hint),
+            Self::ZoomOut => (t.zoom_out, t.zoom_out_hint),
+            Self::ZoomReset => (t.zoom_reset, t.zoom_reset_hint),
+            Self::ParametersPanel => (t.parameters_panel, t.parameters_panel_hint),
+            Self::NumbersPanel => (t.numbers_panel, t.numbers_panel_hint),
+            Self::Show(Picture::World) => (t.show_world, t.show_picture_hint),
+            Self::Show(Picture::Canonical) => (t.show_canonical, t.show_picture_hint),
+            Self::Show(Picture::Image) => (t.show_image, t.show_picture_hint),
+            Self::Look(Look::Front) => (t.look_front, t.look_front_hint),
+            Self::Look(Look::Top) => (t.look_top, t.look_top_hint),
+            Self::Look(Look::Side) => (t.look_side, t.look_side_hint),
+            Self::Look(Look::Iso) => (t.look_iso, t.look_iso_hint),
+            Self::Look(Look::Fit) => (t.look_fit, t.look_fit_hint),
+            Self::LinkOrbits => (t.link_orbits, t.link_orbits_hint),
+        }
+    }
+
+    /// The keys that call it.
+    #[must_use]
+    pub fn shortcut(self) -> KeyboardShortcut {
+        let (modifiers, key) = match self {
+            Self::New => (Modifiers::COMMAND, Key::N),
+            Self::Open => (Modifiers::COMMAND, Key::O),
+            Self::Save => (Modifiers::COMMAND, Key::S),
+            Self::SaveAs => (COMMAND_SHIFT, Key::S),
+            Self::Export => (Modifiers::COMMAND, Key::E),
+            Self::Quit => (Modifiers::COMMAND, Key::Q),
+            Self::Undo => (Modifiers::COMMAND, Key::Z),
+            Self::Redo => (COMMAND_SHIFT, Key::Z),
+            Self::Reset => (Modifiers::COMMAND, Key::R),
+            Self::CopyNumbers => (COMMAND_SHIFT, Key::C),
+            Self::Language => (Modifiers::COMMAND, Key::L),
+            Self::Theme => (Modifiers::COMMAND, Key::T),
+            Self::Presentation => (Modifiers::NONE, Key::F11),
+            Self::ZoomIn => (Modifiers::COMMAND, Key::Plus),
+            Self::ZoomOut => (Modifiers::COMMAND, Key::Minus),
+            Self::ZoomReset => (Modifiers::COMMAND, Key::Num0),
+            Self::ParametersPanel => (Modifiers::NONE, Key::F8),
+            Self::NumbersPanel => (Modifiers::NONE, Key::F9),
+            Self::Show(Picture::World) => (Modifiers::COMMAND, Key::Num1),
+            Self::Show(Picture::Canonical) => (Modifiers::COMMAND, Key::Num2),
+            Self::Show(Picture::Image) => (Modifiers::COMMAND, Key::Num3),
+            Self::Look(Look::Front) => (Modifiers::ALT, Key::Num1),
+            Self::Look(Look::Top) => (Modifiers::ALT, Key::Num2),
+            Self::Look(Look::Side) => (Modifiers::ALT, Key::Num3),
+            Self::Look(Look::Iso) => (Modifiers::ALT, Key::Num4),
+            Self::Look(Look::Fit) => (Modifiers::ALT, Key::Num0),
+            Self::LinkOrbits => (Modifiers::ALT, Key::L),
+        };
+        KeyboardShortcut::new(modifiers, key)
+    }
+
+    /// Other keys that call it too.
+    #[must_use]
+    pub fn second_shortcut(self) -> Option<KeyboardShortcut> {
+        match self {
+            Self::Redo => Some(KeyboardShortcut::new(Modifiers::COMMAND, Key::Y)),
+            // On most keyboards + is on the key of =.
+            Self::ZoomIn => Some(KeyboardShortcut::new(Modifiers::COMMAND, Key::Equals)),
+            _ => None,
+        }
+    }
+
+    /// False where it would do nothing.
+    #[must_use]
+    pub fn is_enabled(self, state: &State) -> bool {
+        match self {
+            Self::Undo => state.document.can_undo(),
+            Self::Redo => state.document.can_redo(),
+            Self::Reset => state.document.can_reset(),
+            _ => true,
+        }
+    }
+
+    /// On or off, for what is one of both.
+    #[must_use]
+    pub fn is_on(self, state: &State) -> Option<bool> {
+        match self {
+            Self::Theme => Some(state.document.figure().style.theme == Theme::Dark),
+            Self::Presentation => Some(state.settings.presentation),
+            Self::ParametersPanel => Some(state.settings.parameters_panel),
+            Self::NumbersPanel => Some(state.settings.numbers_panel),
+            Self::Show(picture) => Some(state.layout.is_shown(picture)),
+            Self::LinkOrbits => Some(state.layout.linked),
+            _ => None,
+        }
+    }
+
+    /// True for what a text field does itself while it has the keyboard.
+    #[must_use]
+    pub fn is_for_text_too(self) -> bool {
+        matches!(self, Self::Undo | Self::Redo)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+
+    #[test]
+    fn no_two_commands_share_keys() {
+        let mut seen = HashSet::new();
+        for command in Command::all() {
+            for keys in [Some(command.shortcut()), command.second_shortcut()].into_iter().flatten() {
+                assert!(seen.insert((keys.modifiers, keys.logical_key)), "{command:?}: {keys:?}");
+            }
+        }
+        assert_eq!(Command::all().collect::<HashSet<_>>().len(), Command::all().count());
+    }
+}

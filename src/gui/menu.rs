@@ -1,0 +1,99 @@
+//! The bar at the top: menus, the name of the figure, and the switches that a lecture needs at once.
+
+use eframe::egui::{self, Align, Button, Layout, RichText};
+
+use super::command::Command;
+use super::state::State;
+use crate::i18n::window::{self, Texts};
+
+/// Shows the bar; the chosen command, if any.
+pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
+    let t = window::texts(state.settings.lang);
+    let mut chosen = None;
+    egui::MenuBar::new().ui(ui, |ui| {
+        let view = &Command::VIEW[..Command::VIEW.len() - 1];
+        for (title, commands) in [(t.menu_file, &Command::FILE[..]), (t.menu_edit, &Command::EDIT), (t.menu_view, view)]
+        {
+            ui.menu_button(title, |ui| {
+                ui.set_min_width(220.0);
+                for command in commands {
+                    if is_first_of_group(*command) {
+                        ui.separator();
+                    }
+                    if item(ui, t, state, *command) {
+                        chosen = Some(*command);
+                        ui.close();
+                    }
+                }
+            });
+        }
+        ui.separator();
+        for command in [Command::Undo, Command::Redo] {
+            let sign = if command == Command::Undo { "↶" } else { "↷" };
+            if switch(ui, t, state, command, sign) {
+                chosen = Some(command);
+            }
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            for (command, sign) in [
+                (Command::NumbersPanel, "◨"),
+                (Command::ParametersPanel, "◧"),
+                (Command::Presentation, "▶"),
+                (Command::Theme, "◐"),
+                (Command::Language, t.language),
+            ] {
+                if switch(ui, t, state, command, sign) {
+                    chosen = Some(command);
+                }
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| title(ui, t, state));
+        });
+    });
+    chosen
+}
+
+fn is_first_of_group(command: Command) -> bool {
+    use super::state::Look;
+    matches!(
+        command,
+        Command::Export
+            | Command::Quit
+            | Command::Reset
+            | Command::CopyNumbers
+            | Command::Look(Look::Front)
+            | Command::ParametersPanel
+            | Command::Presentation
+            | Command::ZoomIn
+            | Command::Language
+    )
+}
+
+fn item(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command) -> bool {
+    let keys = ui.ctx().format_shortcut(&command.shortcut());
+    let mark = match command.is_on(state) {
+        Some(true) => "✔ ",
+        Some(false) => "    ",
+        None => "",
+    };
+    let button = Button::new(format!("{mark}{}", command.label(t))).shortcut_text(keys);
+    ui.add_enabled(command.is_enabled(state), button).on_hover_text(command.hint(t)).clicked()
+}
+
+fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {
+    let keys = ui.ctx().format_shortcut(&command.shortcut());
+    let hint = format!("{} ({keys})\n{}", command.label(t), command.hint(t));
+    let button = Button::selectable(command.is_on(state).unwrap_or(false), sign);
+    ui.add_enabled(command.is_enabled(state), button)
+        .on_hover_text(&hint)
+        .on_disabled_hover_text(&hint)
+        .accessible_name(command.label(t))
+        .clicked()
+}
+
+fn title(ui: &mut egui::Ui, t: &Texts, state: &State) {
+    let name = state.document.name().unwrap_or_else(|| t.untitled.to_owned());
+    let text = if state.document.is_changed() { format!("{name} •") } else { name };
+    let label = egui::Label::new(RichText::new(text).weak()).truncate();
+    let hint = if state.document.is_changed() { t.changed_hint } else { t.unchanged_hint };
+    ui.add(label).on_hover_text(hint);
+}

@@ -1,0 +1,346 @@
+//! A field for one number: drag it, type a number or an expression, or step it with the arrow keys.
+//!
+//! egui's own field clamps what is typed without a word, knows no expressions, and rounds the value that it shows before it is
+//! edited. This one shows what it cannot show in full with an `…`, changes the value only when something else was typed, and
+//! keeps a faulty text, with the reason, until it is mended.
+
+use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextEdit, TextWrapMode, WidgetInfo};
+
+use super::expression::{self, ExpressionError, Kind};
+use super::numbers;
+use crate::i18n::window::Texts;
+
+/// What dragging and the arrow keys do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// An arrow key adds or takes this; dragging a tenth of it for each point.
+    Add(f64),
+    /// An arrow key multiplies or divides by this; dragging by its tenth root for each point. For what is never 0 or less.
+    Multiply(f64),
+}
+
+impl Step {
+    fn apply(self, value: f64, steps: f64) -> f64 {
+        match self {
+            Self::Add(step) => round_to(value + step * steps, step / 100.0),
+            Self::Multiply(factor) => {
+                let new = value * factor.powf(steps);
+                let digit = 10f64.powf(new.abs().log10().floor());
+                if digit.is_finite() && digit > 0.0 { round_to(new, digit / 1000.0) } else { new }
+            }
+        }
+    }
+}
+
+/// The multiple of a power of ten, not above `unit`, that is nearest to `value`.
+fn round_to(value: f64, unit: f64) -> f64 {
+    let power = unit.abs().log10().floor();
+    if !(-300.0..300.0).contains(&power) {
+        return value;
+    }
+    // Dividing by a power of ten that is a whole number rounds once; multiplying by 0.001 rounds twice.
+    let rounded = if power < 0.0 {
+        let scale = 10f64.powf(-power);
+        (value * scale).round() / scale
+    } else {
+        let scale = 10f64.powf(power);
+        (value / scale).round() * scale
+    };
+    if rounded.is_finite() { rounded } else { value }
+}
+
+/// One number field; [`NumberField::show`] it.
+#[derive(Clone, Debug)]
+pub struct NumberField<'a> {
+    name: String,
+    hint: &'a str,
+    prefix: &'a str,
+    unit: &'static str,
+    kind: Kind,
+    step: Step,
+    whole: bool,
+    width: f32,
+    marked: bool,
+}
+
+/// What came of a field in this frame.
+#[derive(Debug)]
+pub struct FieldOutput {
+    /// The widget; `changed()` where the value has changed.
+    pub response: egui::Response,
+    /// Why the text in the field is no number; the value has not changed then.
+    pub error: Option<ExpressionError>,
+}
+
+#[derive(Clone, Default)]
+struct Editing {
+    text: String,
+    first: String,
+    value: f64,
+    error: Option<ExpressionError>,
+}
+
+impl<'a> NumberField<'a> {
+    /// A field with the name that screen readers say.
+    #[must_use]
+    pub fn new(name: impl Into<String>, step: Step) -> Self {
+        Self {
+            name: name.into(),
+            hint: "",
+            prefix: "",
+            unit: "",
+            kind: Kind::Number,
+            step,
+            whole: false,
+            width: 64.0,
+            marked: false,
+        }
+    }
+
+    /// A field for an angle in degrees.
+    #[must_use]
+    pub fn angle(name: impl Into<String>, step: f64) -> Self {
+        Self { unit: "°", kind: Kind::Angle, ..Self::new(name, Step::Add(step)) }
+    }
+
+    /// Whole numbers only; what is typed is rounded.
+    #[must_use]
+    pub fn whole(self) -> Self {
+        Self { whole: true, ..self }
+    }
+
+    /// What is said when the pointer rests on it.
+    #[must_use]
+    pub fn hint(self, hint: &'a str) -> Self {
+        Self { hint, ..self }
+    }
+
+    /// Shown, in a weak colour, before the number.
+    #[must_use]
+    pub fn prefix(self, prefix: &'a str) -> Self {
+        Self { prefix, ..self }
+    }
+
+    /// Shown after the number.
+    #[must_use]
+    pub fn unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// Width in points.
+    #[must_use]
+    pub fn width(self, width: f32) -> Self {
+        Self { width, ..self }
+    }
+
+    /// True marks the field: its value is impossible.
+    #[must_use]
+    pub fn marked(self, marked: bool) -> Self {
+        Self { marked, ..self }
+    }
+
+    /// Shows the field and changes `value`.
+    pub fn show(self, ui: &mut egui::Ui, texts: &Texts, value: &mut f64) -> FieldOutput {
+        let id = ui.next_auto_id();
+        let old = *value;
+        let editing = ui.is_enabled()
+            && ui.memory_mut(|memory| {
+                memory.interested_in_focus(id, ui.layer_id());
+                memory.has_focus(id)
+            });
+        self.step_by_keys(ui, id, editing, value);
+        let stale = |e: &Editing| e.value.to_bits() != value.to_bits();
+        let mut state = ui.data_mut(|data| data.remove_temp::<Editing>(id)).filter(|e| !stale(e));
+        if !editing && state.as_ref().is_some_and(|s| s.error.is_none()) {
+            state = self.finish(ui, state, value);
+        }
+        let mut response = if editing {
+            let response = self.text_edit(ui, id, texts, &mut state, *value);
+            if response.lost_focus() {
+                state = self.finish(ui, state, value);
+            }
+            response
+        } else {
+            self.button(ui, id, texts, state.as_ref(), value)
+        };
+        if value.to_bits() != old.to_bits() {
+            response.mark_changed();
+        }
+        let error = state.as_ref().and_then(|s| s.error.clone());
+        if let Some(state) = state {
+            ui.data_mut(|data| data.insert_temp(id, state));
+        }
+        FieldOutput { response: self.announce(ui, response, *value), error }
+    }
+
+    /// Arrow keys while it is edited, and what a screen reader asks for.
+    fn step_by_keys(&self, ui: &egui::Ui, id: egui::Id, editing: bool, value: &mut f64) {
+        use egui::accesskit::{Action, ActionData};
+        let steps = ui.input_mut(|input| {
+            let mut steps = 0.0;
+            if editing {
+                let mut count = |modifiers, key| input.count_and_consume_key(modifiers, key) as f64;
+                steps += count(Modifiers::NONE, Key::ArrowUp) - count(Modifiers::NONE, Key::ArrowDown);
+                steps += 10.0 * (count(Modifiers::NONE, Key::PageUp) - count(Modifiers::NONE, Key::PageDown));
+            }
+            steps += input.num_accesskit_action_requests(id, Action::Increment) as f64;
+            steps - input.num_accesskit_action_requests(id, Action::Decrement) as f64
+        });
+        let asked: Option<f64> = ui.input(|input| {
+            input
+                .accesskit_action_requests(id, Action::SetValue)
+                .filter_map(|request| match request.data {
+                    Some(ActionData::NumericValue(v)) if v.is_finite() => Some(v),
+                    _ => None,
+                })
+                .last()
+        });
+        if let Some(asked) = asked {
+            *value = self.fit(asked);
+        }
+        if steps != 0.0 {
+            *value = self.fit(self.step.apply(*value, steps));
+        }
+    }
+
+    fn fit(&self, value: f64) -> f64 {
+        if self.whole { value.round() } else { value }
+    }
+
+    fn evaluate(&self, text: &str) -> Result<f64, ExpressionError> {
+        expression::evaluate(text, self.kind).map(|v| self.fit(v))
+    }
+
+    /// Takes over what was typed when the field has lost the focus; Escape drops it.
+    fn finish(&self, ui: &egui::Ui, state: Option<Editing>, value: &mut f64) -> Option<Editing> {
+        let mut state = state?;
+        if ui.input(|input| input.key_pressed(Key::Escape)) || state.text == state.first {
+            return None;
+        }
+        match self.evaluate(&state.text) {
+            Ok(new) => {
+                *value = new;
+                None
+            }
+            Err(error) => {
+                state.error = Some(error);
+                Some(state)
+            }
+        }
+    }
+
+    fn text_edit(
+        &self,
+        ui: &mut egui::Ui,
+        id: egui::Id,
+        texts: &Texts,
+        state: &mut Option<Editing>,
+        value: f64,
+    ) -> egui::Response {
+        let fresh = state.is_none();
+        let exact = numbers::significant(value, numbers::EXACT_DIGITS);
+        let state = state.get_or_insert_with(|| Editing { text: exact.clone(), first: exact, value, error: None });
+        state.error = None;
+        if fresh {
+            let mut edit = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+            edit.cursor.set_char_range(Some(egui::text::CCursorRange::select_all_str(&state.text)));
+            edit.store(ui.ctx(), id);
+        }
+        let response = ui.add(
+            TextEdit::singleline(&mut state.text)
+                .id(id)
+                .clip_text(true)
+                .desired_width(0.0)
+                .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
+                .margin(egui::Margin::symmetric(4, 2)),
+        );
+        if state.text != state.first {
+            match self.evaluate(&state.text) {
+                Ok(v) if state.text.trim().parse() != Ok(v) => {
+                    let preview = numbers::significant(v, numbers::EXACT_DIGITS);
+                    response.show_tooltip_text(format!("= {preview}{}", self.unit));
+                }
+                Ok(_)
+                | Err(ExpressionError::Empty | ExpressionError::Unfinished | ExpressionError::MissingParenthesis) => {}
+                Err(error) => response.show_tooltip_text(error.text(texts)),
+            }
+        }
+        response
+    }
+
+    fn button(
+        &self,
+        ui: &mut egui::Ui,
+        id: egui::Id,
+        texts: &Texts,
+        state: Option<&Editing>,
+        value: &mut f64,
+    ) -> egui::Response {
+        let problem = state.is_some() || self.marked;
+        let color = if problem { ui.visuals().error_fg_color } else { ui.visuals().text_color() };
+        let font = egui::TextStyle::Button.resolve(ui.style());
+        let mut job = egui::text::LayoutJob::default();
+        let mut push = |text: &str, color| {
+            job.append(text, 0.0, egui::TextFormat { font_id: font.clone(), color, ..Default::default() });
+        };
+        let mut room = ((self.width - 10.0) / (0.64 * font.size)).floor();
+        if !self.prefix.is_empty() {
+            push(&format!("{} ", self.prefix), ui.visuals().weak_text_color());
+            room -= 1.5;
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen characters")]
+        let room = (room.max(4.0) as usize) - self.unit.chars().count();
+        match state {
+            Some(state) => push(&state.text, color),
+            None => push(&format!("{}{}", numbers::short(*value, room), self.unit), color),
+        }
+        let mut button = Button::new(job).wrap_mode(TextWrapMode::Truncate).sense(Sense::click_and_drag());
+        if problem {
+            button = button.stroke(egui::Stroke::new(1.5, color));
+        }
+        let response = ui.add_sized([self.width, ui.spacing().interact_size.y], button);
+        let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
+        if response.clicked() {
+            ui.memory_mut(|memory| memory.request_focus(id));
+        }
+        self.drag(ui, &response, value);
+        response.on_hover_ui(|ui| {
+            if !self.hint.is_empty() {
+                ui.label(self.hint);
+            }
+            ui.label(format!("= {}{}", numbers::significant(*value, numbers::EXACT_DIGITS), self.unit));
+            ui.weak(texts.number_field_hint);
+        })
+    }
+
+    /// The value follows the pointer from where it was taken, so that a slow frame loses nothing.
+    fn drag(&self, ui: &egui::Ui, response: &egui::Response, value: &mut f64) {
+        let id = response.id.with("drag");
+        if response.drag_started() {
+            ui.data_mut(|data| data.insert_temp(id, *value));
+        }
+        if !response.dragged() {
+            return;
+        }
+        let start = ui.data_mut(|data| data.get_temp::<f64>(id));
+        if let (Some(start), Some(way)) = (start, response.total_drag_delta()) {
+            let slow = if ui.input(|i| i.modifiers.shift) { 0.1 } else { 1.0 };
+            let steps = f64::from(way.x - way.y) * 0.1 * slow;
+            *value = if steps == 0.0 { start } else { self.fit(self.step.apply(start, steps)) };
+        }
+    }
+
+    /// Name and value for screen readers.
+    fn announce(&self, ui: &egui::Ui, response: egui::Response, value: f64) -> egui::Response {
+        use egui::accesskit::Action;
+        response.widget_info(|| WidgetInfo::drag_value(ui.is_enabled(), value));
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_label(self.name.clone());
+            node.add_action(Action::SetValue);
+            node.add_action(Action::Increment);
+            node.add_action(Action::Decrement);
+            node.set_value(format!("{}{}", numbers::significant(value, numbers::EXACT_DIGITS), self.unit));
+        });
+        response
+    }
+}

@@ -1,0 +1,171 @@
+//! The panel on the left: every parameter of the figure.
+
+mod camera;
+mod image;
+mod style;
+
+use eframe::egui;
+use glam::DVec3;
+
+use super::{TEXT_LINE, caption, complaint, row};
+use crate::camera::{Camera, CameraError, Parameters};
+use crate::gui::number_field::{FieldOutput, NumberField, Step};
+use crate::gui::numbers;
+use crate::gui::repair::{Repair, repairs};
+use crate::gui::state::State;
+use crate::i18n::window::{self, Texts};
+use crate::i18n::{Lang, faults};
+
+/// Shows the panel's content.
+pub fn ui(ui: &mut egui::Ui, state: &mut State) {
+    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let mut form = Form::new(state);
+        if form.error.is_some() && state.problem_out_of_sight {
+            form.problem(ui);
+        }
+        camera::placement(ui, &mut form);
+        camera::projection(ui, &mut form, state);
+        camera::window(ui, &mut form);
+        state.problem_out_of_sight = form.error.is_some() && !form.said;
+        match form.replaced {
+            Some(camera) => state.document.set_camera(camera),
+            None => state.document.set_parameters(form.parameters),
+        }
+        image::ui(ui, state);
+        style::ui(ui, state);
+    });
+}
+
+/// The camera's parameters while their fields are shown, and what is wrong with them.
+struct Form {
+    t: &'static Texts,
+    lang: Lang,
+    parameters: Parameters,
+    error: Option<CameraError>,
+    good: Camera,
+    /// A camera that knows more than its parameters.
+    replaced: Option<Camera>,
+    said: bool,
+}
+
+impl Form {
+    fn new(state: &State) -> Self {
+        Self {
+            t: window::texts(state.settings.lang),
+            lang: state.settings.lang,
+            parameters: *state.document.draft(),
+            error: state.document.problem().cloned(),
+            good: state.document.camera().clone(),
+            replaced: None,
+            said: false,
+        }
+    }
+
+    fn is_marked(&self, key: &str) -> bool {
+        self.error.as_ref().is_some_and(|error| error.keys().contains(&key))
+    }
+
+    /// What is wrong with a value, below its field: the fault of the text that was typed, or of the value.
+    fn complain(&mut self, ui: &mut egui::Ui, key: &str, fields: &[FieldOutput]) {
+        for error in fields.iter().filter_map(|field| field.error.as_ref()) {
+            complaint(ui, &error.text(self.t));
+        }
+        if self.error.as_ref().is_some_and(|error| error.keys().first() == Some(&key)) {
+            self.problem(ui);
+        }
+    }
+
+    /// Why the parameters are no camera, and the buttons that mend them.
+    fn problem(&mut self, ui: &mut egui::Ui) {
+        let Some(error) = &self.error else { return };
+        self.said = true;
+        complaint(ui, &faults::camera_error(self.lang, error));
+        let mut mended = None;
+        ui.horizontal_wrapped(|ui| {
+            for (repair, parameters) in repairs(error, &self.parameters, &self.good) {
+                if ui.button(label(self.t, repair)).clicked() {
+                    mended = Some(parameters);
+                }
+            }
+        });
+        if let Some(mended) = mended {
+            self.parameters = mended;
+        }
+    }
+
+    /// A vector: its name, and below it three fields side by side.
+    fn vector(&mut self, ui: &mut egui::Ui, vector: Vector) {
+        let Vector { key, symbol, name, hint, step, value } = vector;
+        ui.scope(|ui| {
+            ui.spacing_mut().interact_size.y = TEXT_LINE;
+            ui.spacing_mut().item_spacing.y = 1.0;
+            caption(ui, symbol, name, hint);
+        });
+        let gap = 4.0;
+        let width = ((ui.available_width() - 2.0 * gap) / 3.0).floor();
+        let marked = self.is_marked(key);
+        let mut components = value(&mut self.parameters).to_array();
+        let outputs = ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            ["x", "y", "z"].map(|axis| {
+                let component = &mut components[usize::from(axis.as_bytes()[0] - b'x')];
+                NumberField::new(format!("{symbol} {axis}"), Step::Add(step))
+                    .prefix(axis)
+                    .hint(hint)
+                    .width(width)
+                    .marked(marked)
+                    .show(ui, self.t, component)
+            })
+        });
+        *value(&mut self.parameters) = DVec3::from_array(components);
+        self.complain(ui, key, &outputs.inner);
+    }
+
+    /// One number: its name on the left, its field on the right.
+    fn number(&mut self, ui: &mut egui::Ui, number: Number) {
+        let Number { key, symbol, name, hint, field, value } = number;
+        let marked = self.is_marked(key);
+        let output = row(ui, symbol, name, hint, |ui| {
+            field.hint(hint).width(92.0).marked(marked).show(ui, self.t, value(&mut self.parameters))
+        });
+        self.complain(ui, key, &[output]);
+    }
+
+    /// A number that follows from others.
+    fn derived(ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str, value: f64, unit: &str) {
+        row(ui, symbol, name, hint, |ui| {
+            let exact = numbers::significant(value, numbers::EXACT_DIGITS);
+            ui.label(format!("{}{unit}", numbers::short(value, 10))).on_hover_text(format!("= {exact}{unit}"));
+        });
+    }
+}
+
+struct Vector {
+    key: &'static str,
+    symbol: &'static str,
+    name: &'static str,
+    hint: &'static str,
+    step: f64,
+    value: fn(&mut Parameters) -> &mut DVec3,
+}
+
+struct Number {
+    key: &'static str,
+    symbol: &'static str,
+    name: &'static str,
+    hint: &'static str,
+    field: NumberField<'static>,
+    value: fn(&mut Parameters) -> &mut f64,
+}
+
+fn label(t: &Texts, repair: Repair) -> String {
+    match repair {
+        Repair::FocalPointAhead => t.repair_focal_point.to_owned(),
+        Repair::ViewUp(axis) => format!("{} ({}, {}, {})", t.repair_view_up, axis.x, axis.y, axis.z),
+        Repair::SwapNearFar => t.repair_swap_near_far.to_owned(),
+        Repair::FarTenTimesNear => t.repair_far.to_owned(),
+        Repair::ViewAngle(angle) => format!("{} {angle}°", t.repair_angle),
+        Repair::SwapSides => t.repair_sides.to_owned(),
+        Repair::Back => t.repair_back.to_owned(),
+    }
+}

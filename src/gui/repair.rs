@@ -1,0 +1,148 @@
+//! One-click repairs of impossible camera parameters.
+
+use glam::DVec3;
+
+use crate::camera::{Camera, CameraError, Parameters};
+
+/// What a repair does, in the words of its button.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Repair {
+    /// PF goes back to where the camera looked last.
+    FocalPointAhead,
+    /// VUP becomes this axis.
+    ViewUp(DVec3),
+    /// F and B change places.
+    SwapNearFar,
+    /// B = 10 F.
+    FarTenTimesNear,
+    /// θ becomes this.
+    ViewAngle(f64),
+    /// l and r, or b and t, change places.
+    SwapSides,
+    /// Everything that the error is about goes back to the last possible value.
+    Back,
+}
+
+/// The repairs of `draft`, the best first; `good` is the last possible camera. Each gives parameters that are possible.
+#[must_use]
+pub fn repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(Repair, Parameters)> {
+    let mut list = Vec::new();
+    match error {
+        CameraError::FocalPointAtPosition => {
+            let ahead = good.focal_point() - good.position();
+            list.push((Repair::FocalPointAhead, Parameters { focal_point: draft.position + ahead, ..*draft }));
+        }
+        CameraError::ViewUpZero | CameraError::ViewUpCollinear => {
+            let forward = (draft.focal_point - draft.position).abs();
+            // The most usual axis first, unless it is the one that the camera looks along.
+            let axis = [DVec3::Y, DVec3::Z, DVec3::X]
+                .into_iter()
+                .find(|axis| forward.dot(*axis) < 0.9 * forward.length())
+                .unwrap_or(DVec3::Y);
+            list.push((Repair::ViewUp(axis), Parameters { view_up: axis, ..*draft }));
+        }
+        CameraError::FarNotBeyondNear { near, far } => {
+            list.push((Repair::FarTenTimesNear, Parameters { far: 10.0 * near, ..*draft }));
+            list.push((Repair::SwapNearFar, Parameters { near: *far, far: *near, ..*draft }));
+        }
+        CameraError::OutOfRange { key: "view_angle", value, .. } => {
+            let angle = if *value >= 180.0 { 179.0 } else { 1.0 };
+            list.push((Repair::ViewAngle(angle), Parameters { view_angle: angle, ..*draft }));
+        }
+        CameraError::WindowWidth { .. } | CameraError::WindowHeight { .. } => {
+            let mut mended = *draft;
+            if let Some(w) = &mut mended.window {
+                if w.left > w.right {
+                    std::mem::swap(&mut w.left, &mut w.right);
+                }
+                if w.bottom > w.top {
+                    std::mem::swap(&mut w.bottom, &mut w.top);
+                }
+            }
+            list.push((Repair::SwapSides, mended));
+        }
+        _ => {}
+    }
+    list.push((Repair::Back, back(error.keys(), draft, good.parameters())));
+    list.retain(|(_, mended)| Camera::new(mended).is_ok());
+    if list.is_empty() {
+        list.push((Repair::Back, *good.parameters()));
+    }
+    list
+}
+
+/// `draft` with the values of `keys` taken from `good`.
+fn back(keys: &[&str], draft: &Parameters, good: &Parameters) -> Parameters {
+    let mut mended = *draft;
+    for key in keys {
+        match *key {
+            "position" => mended.position = good.position,
+            "focal_point" => mended.focal_point = good.focal_point,
+            "view_up" => mended.view_up = good.view_up,
+            "view_angle" => mended.view_angle = good.view_angle,
+            "height" => mended.height = good.height,
+            "aspect" => mended.aspect = good.aspect,
+            "near" => mended.near = good.near,
+            "far" => mended.far = good.far,
+            "window" => mended.window = good.window,
+            _ => mended = *good,
+        }
+    }
+    mended
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::ViewWindow;
+
+    fn mend(change: impl FnOnce(&mut Parameters)) -> Vec<(Repair, Parameters)> {
+        let good = Camera::new(&Parameters::default()).unwrap_or_else(|e| panic!("{e}"));
+        let mut draft = *good.parameters();
+        change(&mut draft);
+        let error = Camera::new(&draft).err().unwrap_or_else(|| panic!("{draft:?} is possible"));
+        let list = repairs(&error, &draft, &good);
+        assert!(!list.is_empty());
+        for (repair, mended) in &list {
+            assert!(Camera::new(mended).is_ok(), "{repair:?} leaves {mended:?}");
+        }
+        list
+    }
+
+    #[test]
+    fn collinear_up_takes_another_axis() {
+        let list = mend(|p| (p.position, p.view_up) = (DVec3::new(0.0, 5.0, 0.0), DVec3::Y));
+        assert_eq!(list[0].0, Repair::ViewUp(DVec3::Z));
+        let list = mend(|p| p.view_up = DVec3::ZERO);
+        assert_eq!(list[0].0, Repair::ViewUp(DVec3::Y));
+    }
+
+    #[test]
+    fn near_behind_far_is_moved_or_swapped() {
+        let list = mend(|p| (p.near, p.far) = (8.0, 2.0));
+        assert_eq!(list[0].1.far, 80.0);
+        assert_eq!((list[1].1.near, list[1].1.far), (2.0, 8.0));
+        let list = mend(|p| (p.near, p.far) = (3.0, 3.0));
+        assert_eq!(list.iter().map(|(r, _)| *r).collect::<Vec<_>>(), [Repair::FarTenTimesNear, Repair::Back]);
+    }
+
+    #[test]
+    fn every_other_fault_has_a_way_back() {
+        assert_eq!(mend(|p| p.view_angle = 200.0)[0].0, Repair::ViewAngle(179.0));
+        assert_eq!(mend(|p| p.view_angle = -3.0)[0].0, Repair::ViewAngle(1.0));
+        assert_eq!(mend(|p| p.focal_point = p.position)[0].0, Repair::FocalPointAhead);
+        let sides = ViewWindow { left: 1.0, right: -1.0, bottom: -1.0, top: 1.0 };
+        let list = mend(|p| p.window = Some(sides));
+        assert_eq!(list[0].1.window.map(|w| (w.left, w.right)), Some((-1.0, 1.0)));
+        for change in [
+            |p: &mut Parameters| p.near = 0.0,
+            |p: &mut Parameters| p.near = f64::NAN,
+            |p: &mut Parameters| p.far = -1.0,
+            |p: &mut Parameters| p.aspect = 0.0,
+            |p: &mut Parameters| p.position.x = f64::INFINITY,
+            |p: &mut Parameters| (p.near, p.view_angle) = (-1.0, 500.0),
+        ] {
+            mend(change);
+        }
+    }
+}

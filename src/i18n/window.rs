@@ -1,0 +1,269 @@
+//! The words of the window.
+
+use crate::i18n::Lang;
+
+macro_rules! texts {
+    ($($name:ident: $en:literal, $pt:literal;)*) => {
+        /// Every text of the window in one language.
+        #[derive(Debug)]
+        pub struct Texts {
+            $(#[doc = concat!("“", $en, "”")] pub $name: &'static str,)*
+        }
+
+        static EN: Texts = Texts { $($name: $en,)* };
+        static PT_BR: Texts = Texts { $($name: $pt,)* };
+
+        impl Texts {
+            /// Name and text of each entry, for tests.
+            #[must_use]
+            pub fn entries(&self) -> Vec<(&'static str, &'static str)> {
+                vec![$((stringify!($name), self.$name),)*]
+            }
+        }
+    };
+}
+
+/// The words of a language.
+#[must_use]
+pub fn texts(lang: Lang) -> &'static Texts {
+    match lang {
+        Lang::En => &EN,
+        Lang::PtBr => &PT_BR,
+    }
+}
+
+texts! {
+    // Menus and commands: label, then what the tooltip adds.
+    menu_file: "File", "Arquivo";
+    menu_edit: "Edit", "Editar";
+    menu_view: "View", "Ver";
+    new: "New", "Novo";
+    new_hint: "The default figure", "A figura padrão";
+    open: "Open…", "Abrir…";
+    open_hint: "A figure file, or a picture that was exported", "Um arquivo de figura, ou uma imagem exportada";
+    save: "Save", "Salvar";
+    save_hint: "Writes the figure file; its comments stay", "Grava o arquivo da figura; os comentários ficam";
+    save_as: "Save as…", "Salvar como…";
+    save_as_hint: "Writes the figure to another file", "Grava a figura em outro arquivo";
+    export: "Export pictures…", "Exportar imagens…";
+    export_hint: "One picture or all three as PNG; the figure goes with it", "Uma imagem ou as três como PNG; a figura vai junto";
+    quit: "Quit", "Sair";
+    quit_hint: "Closes the window", "Fecha a janela";
+    undo: "Undo", "Desfazer";
+    undo_hint: "Takes the last change back", "Volta a última mudança";
+    redo: "Redo", "Refazer";
+    redo_hint: "Makes the change again", "Faz a mudança de novo";
+    reset: "Reset the camera", "Restaurar a câmera";
+    reset_hint: "The camera as it was when the figure was opened", "A câmera como era quando a figura foi aberta";
+    copy_numbers: "Copy the numbers", "Copiar os números";
+    copy_numbers_hint: "Basis, matrices, window and corners as text", "Base, matrizes, janela e cantos como texto";
+    language: "Português", "English";
+    language_hint: "Mudar para português", "Switch to English";
+    theme: "Dark theme", "Tema escuro";
+    theme_hint: "Light or dark ground", "Fundo claro ou escuro";
+    presentation: "Presentation", "Apresentação";
+    presentation_hint: "Large type and thick strokes, full screen, for a projector", "Letras grandes e traços grossos, tela cheia, para um projetor";
+    zoom_in: "Larger interface", "Interface maior";
+    zoom_in_hint: "Enlarges everything in the window", "Aumenta tudo na janela";
+    zoom_out: "Smaller interface", "Interface menor";
+    zoom_out_hint: "Shrinks everything in the window", "Diminui tudo na janela";
+    zoom_reset: "Normal size", "Tamanho normal";
+    zoom_reset_hint: "The interface at its normal size", "A interface no tamanho normal";
+    parameters_panel: "Parameters", "Parâmetros";
+    parameters_panel_hint: "The panel on the left", "O painel da esquerda";
+    numbers_panel: "Operations and numbers", "Operações e números";
+    numbers_panel_hint: "The panel on the right", "O painel da direita";
+    look_front: "Look from the front", "Olhar de frente";
+    look_front_hint: "The world and the canonical volume from +z", "O mundo e o volume canônico vistos de +z";
+    look_top: "Look from the top", "Olhar de cima";
+    look_top_hint: "The world and the canonical volume from +y", "O mundo e o volume canônico vistos de +y";
+    look_side: "Look from the side", "Olhar de lado";
+    look_side_hint: "The world and the canonical volume from +x", "O mundo e o volume canônico vistos de +x";
+    look_iso: "Look from a corner", "Olhar de um canto";
+    look_iso_hint: "The world and the canonical volume in perspective", "O mundo e o volume canônico em perspectiva";
+    look_fit: "Fit all", "Enquadrar tudo";
+    look_fit_hint: "Everything of interest in both pictures", "Tudo o que interessa nas duas imagens";
+    link_orbits: "Link the orbits", "Ligar as órbitas";
+    link_orbits_hint: "Turning one 3D picture turns the other", "Girar uma imagem 3D gira a outra";
+    show_world: "World", "Mundo";
+    show_canonical: "Canonical volume", "Volume canônico";
+    show_image: "Image", "Imagem";
+    show_picture_hint: "Shows or hides this picture", "Mostra ou esconde esta imagem";
+
+    // The bar at the top.
+    untitled: "untitled", "sem título";
+    changed_hint: "There are changes that have not been saved", "Há mudanças que não foram salvas";
+    unchanged_hint: "Everything is saved", "Tudo está salvo";
+
+    welcome: "Drag a number, or click it and type. Every control says what it does when the pointer rests on it.", "Arraste um número, ou clique nele e digite. Cada controle diz o que faz quando o ponteiro repousa nele.";
+
+    // The parameters.
+    camera: "Camera", "Câmera";
+    position: "position", "posição";
+    position_hint: "C: where the camera is. [0] §5.2", "C: onde a câmera está. [0] §5.2";
+    focal_point: "focal point", "ponto focal";
+    focal_point_hint: "PF: where the camera points. DOP = (PF − C)/D, [0] (5.2)", "PF: para onde a câmera aponta. DOP = (PF − C)/D, [0] (5.2)";
+    view_up: "view up", "para cima";
+    view_up_hint: "VUP: its projection on the view plane gives v. [0] (5.3)", "VUP: sua projeção no plano de vista dá v. [0] (5.3)";
+    projection: "Projection", "Projeção";
+    perspective: "Perspective", "Perspectiva";
+    perspective_hint: "Projectors meet in C. The size at PF is kept. [0] (5.13)", "Os projetores se encontram em C. O tamanho em PF se mantém. [0] (5.13)";
+    parallel: "Parallel", "Paralela";
+    parallel_hint: "Projectors are parallel to DOP. The size at PF is kept. [0] (5.15)", "Os projetores são paralelos a DOP. O tamanho em PF se mantém. [0] (5.15)";
+    view_angle: "view angle", "ângulo de vista";
+    view_angle_hint: "θ, vertical: H = 2 F tan(θ/2). [0] (5.5)", "θ, vertical: H = 2 F tan(θ/2). [0] (5.5)";
+    height: "window height", "altura da janela";
+    height_hint: "H of the view window", "H da janela de vista";
+    aspect: "aspect", "aspecto";
+    aspect_hint: "A = W / H. [0] (5.1)", "A = W / H. [0] (5.1)";
+    near: "front plane", "plano da frente";
+    near_hint: "F: distance of the front clipping plane, which is the view plane too. [0] §5.2", "F: distância do plano de recorte da frente, que é também o plano de vista. [0] §5.2";
+    far: "back plane", "plano de fundo";
+    far_hint: "B: distance of the back clipping plane. [0] §5.2", "B: distância do plano de recorte de fundo. [0] §5.2";
+    window: "View window", "Janela de vista";
+    symmetric: "Symmetric", "Simétrica";
+    symmetric_hint: "On: the window follows from the angle (or H) and A. Off: l, r, b and t are free. [0] §5.3.2", "Ligado: a janela vem do ângulo (ou de H) e de A. Desligado: l, r, b e t são livres. [0] §5.3.2";
+    left: "left", "esquerda";
+    right: "right", "direita";
+    bottom: "bottom", "baixo";
+    top: "top", "topo";
+    side_hint: "In scene units on the plane z_c = −F. [0] (5.13)", "Em unidades da cena no plano z_c = −F. [0] (5.13)";
+    image: "Image", "Imagem";
+    image_size: "pixels", "pixels";
+    image_width: "width", "largura";
+    image_height: "height (image)", "altura (imagem)";
+    image_size_hint: "m × n pixels. [0] (5.22)", "m × n pixels. [0] (5.22)";
+    aspect_follows: "A follows the image", "A segue a imagem";
+    aspect_follows_hint: "Keeps A = m / n, so that pixels are square", "Mantém A = m / n, para que os pixels sejam quadrados";
+    viewport: "Viewport", "Viewport";
+    whole_image: "The whole image", "A imagem toda";
+    whole_image_hint: "glViewport covers the image, depth 0 … 1. [0] (5.24), (5.25)", "glViewport cobre a imagem, profundidade 0 … 1. [0] (5.24), (5.25)";
+    viewport_corner: "corner", "canto";
+    viewport_size: "size", "tamanho";
+    viewport_hint: "glViewport: lower left corner, width and height. [0] (5.24)", "glViewport: canto inferior esquerdo, largura e altura. [0] (5.24)";
+    depth_range: "depth range", "profundidade";
+    depth_range_hint: "glDepthRange: Z for z_n = −1 and for z_n = 1. [0] (5.25)", "glDepthRange: Z para z_n = −1 e para z_n = 1. [0] (5.25)";
+    scene: "Scene", "Cena";
+    preset: "scene", "cena";
+    preset_hint: "What the camera looks at", "O que a câmera olha";
+    scene_empty: "empty", "vazia";
+    scene_primitives: "primitives", "primitivas";
+    scene_cube: "cube", "cubo";
+    scene_house: "house", "casa";
+    scene_corridor: "corridor", "corredor";
+    scene_pyramid: "pyramid", "pirâmide";
+    scene_ndc_cube: "NDC cube", "cubo NDC";
+    scene_exercise_51: "exercise 5.1", "exercício 5.1";
+    scene_exercise_52: "exercise 5.2", "exercício 5.2";
+    scene_exercise_53: "exercise 5.3", "exercício 5.3";
+    style: "Style", "Estilo";
+    shading: "faces", "faces";
+    shading_hint: "How faces are coloured", "Como as faces são coloridas";
+    shading_wireframe: "wireframe", "aramado";
+    shading_flat: "flat", "constante";
+    shading_gouraud: "Gouraud", "Gouraud";
+    shading_phong: "Phong", "Phong";
+    hidden_lines: "hidden lines", "linhas ocultas";
+    hidden_lines_hint: "Parts of lines that lie behind faces", "Partes de linhas atrás de faces";
+    hidden_dashed: "dashed", "tracejadas";
+    hidden_hidden: "hidden", "ocultas";
+    hidden_shown: "shown", "visíveis";
+    antialias: "samples", "amostras";
+    antialias_hint: "Samples per pixel: more is smoother and slower", "Amostras por pixel: mais é mais suave e mais lento";
+    theme_name: "theme", "tema";
+    theme_name_hint: "The ground of the pictures and of the window", "O fundo das imagens e da janela";
+    theme_light: "light", "claro";
+    theme_dark: "dark", "escuro";
+    theme_print: "print", "impressão";
+
+    // Operations.
+    operations: "Operations", "Operações";
+    elevation: "Elevation", "Elevação";
+    elevation_effect: "C, VUP about u through PF", "C, VUP em torno de u por PF";
+    azimuth: "Azimuth", "Azimute";
+    azimuth_effect: "C, VUP about v through PF", "C, VUP em torno de v por PF";
+    roll: "Roll", "Rolagem";
+    roll_effect: "VUP about n", "VUP em torno de n";
+    yaw: "Yaw", "Guinada";
+    yaw_effect: "PF, VUP about v through C", "PF, VUP em torno de v por C";
+    pitch: "Pitch", "Arfagem";
+    pitch_effect: "PF, VUP about u through C", "PF, VUP em torno de u por C";
+    zoom: "Zoom", "Zoom";
+    zoom_effect: "window divided by s", "janela dividida por s";
+    dolly: "Dolly", "Aproximação";
+    dolly_effect: "C towards PF: D divided", "C vai a PF: D dividida";
+    pan_u: "Pan along u", "Pan em u";
+    pan_u_effect: "C, PF along u", "C, PF ao longo de u";
+    pan_v: "Pan along v", "Pan em v";
+    pan_v_effect: "C, PF along v", "C, PF ao longo de v";
+    step: "step", "passo";
+    step_hint: "What the buttons − and + do at once", "O que os botões − e + fazem de uma vez";
+    scrub: "slider", "controle";
+    scrub_hint: "Pull it: the camera moves from where it is; let go: it stays there", "Puxe: a câmera se move de onde está; solte: ela fica lá";
+    vtk: "Signs of VTK", "Sinais do VTK";
+    vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";
+
+    // Numbers.
+    numbers: "Numbers", "Números";
+    digits: "digits", "dígitos";
+    digits_hint: "Significant digits, 2 to 17; 17 shows every number exactly", "Dígitos significativos, 2 a 17; 17 mostra cada número exatamente";
+    inverse: "inverses", "inversas";
+    inverse_hint: "The inverse matrices", "As matrizes inversas";
+    copy: "Copy", "Copiar";
+    dop_name: "direction and distance (5.2)", "direção e distância (5.2)";
+    basis_name: "basis of the VRC (5.3)", "base do VRC (5.3)";
+    window_name: "view window (5.1), (5.5)", "janela de vista (5.1), (5.5)";
+    view_name: "view matrix (5.7)", "matriz de vista (5.7)";
+    projection_name: "projection matrix (5.13), (5.15)", "matriz de projeção (5.13), (5.15)";
+    product_name: "world to clip coordinates (5.8)", "do mundo ao recorte (5.8)";
+    inverse_view_name: "inverse of the view matrix", "inversa da matriz de vista";
+    inverse_projection_name: "inverse of the projection matrix", "inversa da matriz de projeção";
+    corners_name: "corners of the view volume, world", "cantos do volume de vista, mundo";
+    warnings: "Warnings", "Avisos";
+
+    // What is pointed at.
+    probe: "Point", "Ponto";
+    probe_empty: "Point at a vertex or at a pixel.", "Aponte um vértice ou um pixel.";
+    space_world: "world", "mundo";
+    space_world_hint: "World coordinates (WC)", "Coordenadas do mundo (WC)";
+    space_view: "view", "vista";
+    space_view_hint: "Coordinates of the VRC (5.7)", "Coordenadas do VRC (5.7)";
+    space_clip: "clip", "recorte";
+    space_clip_hint: "Homogeneous clip coordinates (5.8)", "Coordenadas homogêneas de recorte (5.8)";
+    space_ndc: "NDC", "NDC";
+    space_ndc_hint: "Normalised device coordinates (5.6)", "Coordenadas normalizadas de dispositivo (5.6)";
+    space_window: "window", "janela";
+    space_window_hint: "(x_p, y_p) on the plane z_c = −F (5.9), (5.10)", "(x_p, y_p) no plano z_c = −F (5.9), (5.10)";
+    space_pixel: "pixel", "pixel";
+    space_pixel_hint: "(i, j) of the image (5.22)", "(i, j) da imagem (5.22)";
+    space_viewport: "viewport", "viewport";
+    space_viewport_hint: "(X, Y) and depth Z (5.24), (5.25)", "(X, Y) e profundidade Z (5.24), (5.25)";
+    inside: "inside", "dentro";
+    inside_hint: "In the view volume", "No volume de vista";
+    yes: "yes", "sim";
+    no: "no", "não";
+    ray_origin: "ray from", "raio de";
+    ray_origin_hint: "O_R (5.17), (5.21)", "O_R (5.17), (5.21)";
+    ray_direction: "towards", "direção";
+    ray_direction_hint: "D_R (5.18), (5.20)", "D_R (5.18), (5.20)";
+
+    // Number fields.
+    number_field_hint: "Drag, or click and type: 1/3, sqrt(2)/2, 45°", "Arraste, ou clique e digite: 1/3, sqrt(2)/2, 45°";
+    missing_number: "a number is missing", "falta um número";
+    unfinished: "the expression is not finished", "a expressão não terminou";
+    missing_parenthesis: "a “)” is missing", "falta um “)”";
+    unexpected: "unexpected", "inesperado:";
+    unknown_name: "unknown name", "nome desconhecido:";
+    mixed_units: "an angle and a number do not mix here", "ângulo e número não se misturam aqui";
+    not_finite: "the result is not a finite number", "o resultado não é um número finito";
+    too_long: "the expression is too long", "a expressão é longa demais";
+
+    // Repairs.
+    repair_focal_point: "Put PF ahead again", "Pôr PF de novo à frente";
+    repair_view_up: "VUP =", "VUP =";
+    repair_swap_near_far: "Swap F and B", "Trocar F e B";
+    repair_far: "B = 10 F", "B = 10 F";
+    repair_angle: "θ =", "θ =";
+    repair_sides: "Swap them", "Trocar";
+    repair_back: "Back to the last possible value", "Voltar ao último valor possível";
+}
