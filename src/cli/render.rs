@@ -6,11 +6,13 @@ use super::args::{LangArg, RenderArgs};
 use super::{Failure, open};
 use crate::camera::ImageSize;
 use crate::export::png;
+use crate::figure::read::line_of_object;
 use crate::figure::write::update;
-use crate::files;
+use crate::files::{self, Opened};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Source, gap, paint, paint_all};
 use crate::raster::Rasterizer;
+use crate::scene::Scene;
 use crate::views::{Size, scene_of};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
@@ -20,8 +22,9 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     }
     let (given, scale) = (args.size(lang)?, args.scale(lang)?);
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
-    let figure = &mut opened.figure;
-    figure.style.theme = args.theme().unwrap_or(figure.style.theme);
+    opened.figure.style.theme = args.theme().unwrap_or(opened.figure.style.theme);
+    let scene = scene(&args.figure, &opened, lang)?;
+    let figure = &opened.figure;
     let [width, height] = pixels(given, figure.image, args.view().is_none(), scale);
     let too_large = || Failure::BadInput(texts::too_large(lang, width, height));
     let size = match (u32::try_from(width), u32::try_from(height)) {
@@ -48,6 +51,18 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let bytes = png::encode(&pixmap, &update(&opened.text, &opened.figure))
         .map_err(|error| Failure::Failed(format!("{name}: {}", messages::png(lang, &error))))?;
     files::save(&args.output, &bytes).map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+}
+
+/// The scene of a figure; its meshes are looked for beside the figure file.
+fn scene(path: &Path, opened: &Opened, lang: Lang) -> Result<Scene, Failure> {
+    let mut read_file = |mesh: &str| {
+        let beside = path.with_file_name(mesh);
+        files::read_file(&beside).map_err(|error| messages::file(lang, &beside.display().to_string(), &error))
+    };
+    scene_of(&opened.figure, &mut read_file).map_err(|error| {
+        let line = error.object().and_then(|name| line_of_object(&opened.text, name));
+        Failure::BadInput(texts::in_file(lang, &path.display().to_string(), line, &messages::scene(lang, &error)))
+    })
 }
 
 /// Width and height in pixels.

@@ -104,6 +104,8 @@ pub enum Allowed {
     Vector,
     /// `[x, y, z]`, not all 0.
     NonZeroVector,
+    /// `[x, y, z]`, none of them 0.
+    NonZeroScale,
     /// A list of `[x, y, z]`.
     Points,
     /// A list of an even number of `[x, y, z]`.

@@ -70,6 +70,15 @@ fn portuguese(error: &clap::Error) -> String {
     text
 }
 
+/// What is wrong with a file, with the line where that is known.
+#[must_use]
+pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> String {
+    match line {
+        Some(line) => pick(lang, format!("{name}, line {line}: {what}"), format!("{name}, linha {line}: {what}")),
+        None => format!("{name}: {what}"),
+    }
+}
+
 /// A text that is no point.
 #[must_use]
 pub fn point(lang: Lang, text: &str) -> String {

@@ -12,6 +12,8 @@ use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
 use crate::files::FileError;
 use crate::inspect::InspectError;
+use crate::scene::SceneError;
+use crate::scene::primitives::{MAX_SEGMENTS, MIN_SEGMENTS};
 
 /// One of the two texts.
 pub(super) fn pick(lang: Lang, en: impl Into<String>, pt_br: impl Into<String>) -> String {
@@ -220,6 +222,63 @@ pub fn figure(lang: Lang, error: &FigureError) -> String {
     }
 }
 
+/// Why a specification is no scene; names the key.
+#[must_use]
+pub fn scene(lang: Lang, error: &SceneError) -> String {
+    let object = |name: &str| format!("[[scene.objects]] {name:?}");
+    match error {
+        SceneError::DuplicateName { name } => {
+            format!("[[scene.objects]] name {}", problem(lang, &Problem::DuplicateName { name: name.clone() }))
+        }
+        SceneError::UnknownParent { name, parent } => {
+            let why = problem(lang, &Problem::UnknownParent { name: parent.clone(), near: None });
+            format!("{}: parent {why}", object(name))
+        }
+        SceneError::Cycle { chain } => {
+            let chain = chain.join(" → ");
+            pick(
+                lang,
+                format!("[[scene.objects]] parent goes round in a circle ({chain}); allowed: parents that form a tree"),
+                format!("[[scene.objects]] parent forma um ciclo ({chain}); permitido: pais que formem uma árvore"),
+            )
+        }
+        SceneError::NotFinite { name, key } => {
+            let object = object(name);
+            pick(
+                lang,
+                format!(
+                    "{object}: {key} leads to numbers that are not finite; allowed: transforms whose product stays below about 1e308"
+                ),
+                format!(
+                    "{object}: {key} leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308"
+                ),
+            )
+        }
+        SceneError::ZeroScale { name } => format!(
+            "{}: scale {}",
+            object(name),
+            pick(
+                lang,
+                "is 0 along an axis; allowed: any other numbers",
+                "é 0 em algum eixo; permitido: quaisquer outros números"
+            )
+        ),
+        SceneError::Segments { name, found } => {
+            let allowed = Allowed::IntegerIn(i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS));
+            let why = problem(lang, &Problem::Value { found: found.to_string(), allowed });
+            format!("{}: segments {why}", object(name))
+        }
+        SceneError::Light { index, key } => {
+            let which = index + 1;
+            pick(
+                lang,
+                format!("[[scene.lights]] {which}: {key} must be three finite numbers, not all 0 for a direction"),
+                format!("[[scene.lights]] {which}: {key} deve ter três números finitos, nem todos 0 numa direção"),
+            )
+        }
+    }
+}
+
 /// What comes after line and key.
 fn problem(lang: Lang, problem: &Problem) -> String {
     match problem {
@@ -301,6 +360,11 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::NonZeroVector => {
             pick(lang, "three finite numbers, [x, y, z], not all 0", "três números finitos, [x, y, z], nem todos 0")
         }
+        Allowed::NonZeroScale => pick(
+            lang,
+            "three finite numbers, [x, y, z], none of them 0",
+            "três números finitos, [x, y, z], nenhum deles 0",
+        ),
         Allowed::Points => pick(lang, "a list of points, [[x, y, z], …]", "uma lista de pontos, [[x, y, z], …]"),
         Allowed::PointPairs => pick(
             lang,

@@ -83,6 +83,22 @@ pub enum SceneError {
     },
 }
 
+impl SceneError {
+    /// The name of the object that is at fault, where it is one.
+    #[must_use]
+    pub fn object(&self) -> Option<&str> {
+        match self {
+            Self::DuplicateName { name }
+            | Self::UnknownParent { name, .. }
+            | Self::NotFinite { name, .. }
+            | Self::ZeroScale { name }
+            | Self::Segments { name, .. } => Some(name),
+            Self::Cycle { chain } => chain.first().map(String::as_str),
+            Self::Light { .. } => None,
+        }
+    }
+}
+
 /// What the shells do when a mesh file is asked for: gives the bytes of the file with this path (as the figure names it), or a
 /// sentence why not.
 pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;

@@ -67,7 +67,7 @@ fn scene() -> impl Strategy<Value = SceneSpec> {
                     parent: (child && i > 0).then(|| "peça \"0\"".to_owned()),
                     translate,
                     rotate: translate,
-                    scale,
+                    scale: DVec3::select(scale.cmpeq(DVec3::ZERO), DVec3::ONE, scale),
                     color: color.map(|[r, g, b, a]| Rgba { r, g, b, a }),
                     segments,
                 })

@@ -15,6 +15,7 @@ use super::{Figure, Observer, Observers};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 pub(super) use scene::DEFAULT_SEGMENTS;
+pub use scene::line_of_object;
 use section::{Fault, Section};
 
 /// The longest figure file in bytes.

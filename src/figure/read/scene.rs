@@ -3,12 +3,16 @@
 use std::collections::HashMap;
 
 use glam::DVec3;
+use toml_edit::Document;
 
+use super::line_of;
 use super::section::{Fault, Section};
+use crate::appearance::Theme;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
 use crate::figure::words::{LIGHTS, PRESETS, SHAPES};
-use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
+use crate::scene::palette::SceneColors;
+use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape, preset_objects};
 
 /// The fewest and the most segments of a curved shape.
 const SEGMENTS: (i64, i64) = (3, 512);
@@ -25,7 +29,7 @@ pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneS
     faults.extend(section.finish());
     SceneSpec {
         preset,
-        objects: read_objects(objects, faults),
+        objects: read_objects(objects, preset, faults),
         lights: lights.into_iter().filter_map(|light| read_light(light, faults)).collect(),
     }
 }
@@ -36,26 +40,39 @@ struct Places {
     parent: usize,
 }
 
-fn read_objects(sections: Vec<Section<'_>>, faults: &mut Vec<Fault>) -> Vec<ObjectSpec> {
+fn read_objects(sections: Vec<Section<'_>>, preset: Preset, faults: &mut Vec<Fault>) -> Vec<ObjectSpec> {
     let mut objects = Vec::new();
     let mut places = Vec::new();
     for (i, mut section) in sections.into_iter().enumerate() {
         let place = |key| section.place(key).unwrap_or(section.start());
         places.push(Places { name: place("name"), parent: place("parent") });
         objects.push(ObjectSpec {
-            name: section.text("name").unwrap_or_else(|| format!("object {}", i + 1)),
+            name: section.text("name").unwrap_or_else(|| default_name(i)),
             shape: read_shape(&mut section),
             parent: section.text("parent"),
             translate: section.vector("translate", DVec3::ZERO),
             rotate: section.vector("rotate", DVec3::ZERO),
-            scale: section.vector("scale", DVec3::ONE),
+            scale: read_scale(&mut section),
             color: section.color("color"),
             segments: section.integer("segments", SEGMENTS.0, SEGMENTS.1, DEFAULT_SEGMENTS),
         });
         faults.extend(section.finish());
     }
-    check_tree(&objects, &places, faults);
+    check_tree(&objects, preset, &places, faults);
     objects
+}
+
+/// What an object is called that has no name.
+fn default_name(index: usize) -> String {
+    format!("object {}", index + 1)
+}
+
+fn read_scale(section: &mut Section<'_>) -> DVec3 {
+    let scale = section.vector("scale", DVec3::ONE);
+    if scale.cmpeq(DVec3::ZERO).any() {
+        section.refuse("scale", Allowed::NonZeroScale);
+    }
+    scale
 }
 
 fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
@@ -75,14 +92,16 @@ fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
     })
 }
 
-/// Names are unique, parents exist, nobody is their own ancestor.
-fn check_tree(objects: &[ObjectSpec], places: &[Places], faults: &mut Vec<Fault>) {
+/// Names are unique, parents exist (in the preset or in the list), nobody is their own ancestor.
+fn check_tree(objects: &[ObjectSpec], preset: Preset, places: &[Places], faults: &mut Vec<Fault>) {
+    let of_preset = preset_objects(preset, &SceneColors::of(Theme::Light));
+    let of_preset: Vec<&str> = of_preset.iter().map(|object| object.name.as_str()).collect();
     let mut fault = |at, key: &str, problem| {
         faults.push(Fault { at, key: format!("[[scene.objects]] {key}"), problem });
     };
     let mut index_of: HashMap<&str, usize> = HashMap::new();
     for (i, object) in objects.iter().enumerate() {
-        if index_of.insert(&object.name, i).is_some() {
+        if index_of.insert(&object.name, i).is_some() || of_preset.contains(&object.name.as_str()) {
             fault(places[i].name, "name", Problem::DuplicateName { name: object.name.clone() });
         }
     }
@@ -90,8 +109,9 @@ fn check_tree(objects: &[ObjectSpec], places: &[Places], faults: &mut Vec<Fault>
         objects.iter().map(|object| index_of.get(object.parent.as_deref()?).copied()).collect();
     for (i, object) in objects.iter().enumerate() {
         let Some(name) = &object.parent else { continue };
-        if parents[i].is_none() {
-            let near = near::by_letters(name, objects.iter().map(|o| o.name.as_str()).filter(|n| *n != object.name));
+        if parents[i].is_none() && !of_preset.contains(&name.as_str()) {
+            let others = objects.iter().map(|o| o.name.as_str()).filter(|n| *n != object.name);
+            let near = near::by_letters(name, others.chain(of_preset.iter().copied()));
             fault(places[i].parent, "parent", Problem::UnknownParent { name: name.clone(), near });
         }
     }
@@ -139,4 +159,17 @@ fn read_light(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Light
     }
     faults.extend(section.finish());
     light
+}
+
+/// The line of the object called `name`, counted from 1; `None` where the text lists no such object.
+#[must_use]
+pub fn line_of_object(text: &str, name: &str) -> Option<usize> {
+    let document = Document::parse(text).ok()?;
+    let mut root = Section::new(text, Some(document.as_table()), "", 0);
+    let objects = root.section("scene", "").sections("objects", "");
+    let found = objects.into_iter().enumerate().find_map(|(i, mut object)| {
+        let called = object.text("name").unwrap_or_else(|| default_name(i));
+        (called == name).then_some(object)
+    })?;
+    Some(line_of(text, found.start()))
 }

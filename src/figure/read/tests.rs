@@ -157,6 +157,7 @@ fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
         ("[[scene.objects]]\nshape = \"box\"\nsegments = 2", "[[scene.objects]] segments", 3),
         ("[[scene.objects]]\nshape = \"box\"\nsegments = 513", "[[scene.objects]] segments", 3),
         ("[[scene.objects]]\nname = \"\"", "[[scene.objects]] name", 2),
+        ("[[scene.objects]]\nscale = [1, 0, 1]", "[[scene.objects]] scale", 2),
         ("[[scene.objects]]\ncolor = \"red\"", "[[scene.objects]] color", 2),
         ("[[scene.objects]]\n\nshape = \"mesh\"", "[[scene.objects]] path", 1),
         ("[[scene.objects]]\nshape = \"points\"\npoints = [[1, 2]]", "[[scene.objects]] points", 3),
@@ -228,6 +229,26 @@ fn trees_are_checked() {
     let chain: String = (0..20_000).map(|i| object(&format!("o{i}"), &format!("o{}", i + 1))).collect();
     let whole = chain + "[[scene.objects]]\nname = \"o20000\"\n";
     assert_eq!(parse(&whole).unwrap().scene.objects.len(), 20_001);
+}
+
+#[test]
+fn a_preset_has_names_too() {
+    let name = crate::scene::preset_objects(Preset::House, &crate::scene::palette::SceneColors::of(Default::default()))
+        [0]
+    .name
+    .clone();
+    let child = format!("[scene]\npreset = \"house\"\n[[scene.objects]]\nname = \"a\"\nparent = {name:?}");
+    assert!(parse(&child).is_ok());
+    let twin = format!("[scene]\npreset = \"house\"\n[[scene.objects]]\nname = {name:?}");
+    assert_eq!(error(&twin).2, Problem::DuplicateName { name });
+}
+
+#[test]
+fn objects_are_found_by_their_names() {
+    let text = "[scene]\n\n[[scene.objects]]\nshape = \"box\"\n[[scene.objects]]\nname = \"lamp\"";
+    assert_eq!(line_of_object(text, "object 1"), Some(3));
+    assert_eq!(line_of_object(text, "lamp"), Some(5));
+    assert_eq!(line_of_object(text, "moon"), None);
 }
 
 #[test]
