@@ -4,6 +4,7 @@ mod edit;
 pub mod error;
 mod near;
 pub mod read;
+mod recommended;
 pub mod words;
 pub mod write;
 

@@ -14,9 +14,9 @@ use super::{
 use crate::appearance::{LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Angle, try_unit};
 
-/// Where the default light goes: it comes from above, a little left of the usual viewer at (3, 4, 5), so that the three
-/// sides that he sees of a box differ.
-pub const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.2, -0.85, -0.55);
+/// Where the default light goes: it comes from above, behind the usual viewer at (3, 4, 5) and a little to his left, so that
+/// the three sides that he sees of a box differ and none is black.
+pub const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.33, -0.755, -0.6);
 
 /// Half the width of a point's mark, in pixels at scale 1.
 const MARK_RADIUS: f32 = 4.0;

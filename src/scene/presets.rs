@@ -3,11 +3,11 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
 use super::hierarchy::{point_mark, point_name};
 use super::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILION, YELLOW};
-use super::{Line, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
+use super::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
 
 /// The objects of a preset, as a figure file would list them.
@@ -22,7 +22,7 @@ pub fn objects(preset: Preset, colors: &SceneColors) -> Vec<ObjectSpec> {
         Preset::Pyramid => pyramid(),
         Preset::NdcCube => ndc_cube(),
         Preset::Exercise51 => exercise_51(),
-        Preset::Exercise52 => exercise_52(colors),
+        Preset::Exercise52 => exercise_52(),
         Preset::Exercise53 => vec![ObjectSpec::new("cube", Shape::Box).colored(BLUE)],
     }
 }
@@ -30,17 +30,20 @@ pub fn objects(preset: Preset, colors: &SceneColors) -> Vec<ObjectSpec> {
 /// Adds what objects alone cannot say. `scene` holds what came of [`objects`], in their order, and nothing else.
 pub(super) fn finish(preset: Preset, colors: &SceneColors, scene: &mut Scene) {
     match preset {
-        Preset::Cube => number_the_faces(scene),
+        Preset::Cube => number_the_faces(scene, colors),
         Preset::Corridor => scene.objects.insert(0, tiled_floor(colors)),
-        Preset::Pyramid => name_corners(scene, colors, |p| p.y == 0.0),
+        Preset::Pyramid => {
+            // The camera of exercise II stands on a corner and sees the inner side.
+            scene.objects.iter_mut().for_each(|o| o.two_sided = true);
+            name_corners(scene, colors, |p| p.y == 0.0);
+        }
         Preset::NdcCube => make_wire(scene, colors),
         Preset::Exercise51 => rays_of_exercise_51(scene, colors),
-        Preset::Exercise52 => axes_of_exercise_52(scene, colors),
         Preset::Exercise53 => {
             make_wire(scene, colors);
             name_corners(scene, colors, |p| p.y < 0.0);
         }
-        Preset::Empty | Preset::Primitives | Preset::House => {}
+        Preset::Empty | Preset::Primitives | Preset::House | Preset::Exercise52 => {}
     }
 }
 
@@ -53,10 +56,10 @@ fn one_of_each(colors: &SceneColors) -> Vec<ObjectSpec> {
         DVec3::new(0.52, 0.0, 0.3),
     ];
     let sides = [[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]];
-    let step = 1.75;
+    let step = 1.65;
     vec![
-        ObjectSpec::new("ground", Shape::Box).at(0.0, -0.05, 0.0).scaled(2.75, 0.05, 2.75).colored(colors.ground),
-        ObjectSpec::new("grid", Shape::Grid).scaled(2.75, 1.0, 2.75),
+        ObjectSpec::new("ground", Shape::Box).at(0.0, -0.05, 0.0).scaled(2.5, 0.05, 2.5).colored(colors.ground),
+        ObjectSpec::new("grid", Shape::Grid).scaled(2.5, 1.0, 2.5),
         ObjectSpec::new("cylinder", Shape::Cylinder).at(-step, 0.0, -step).scaled(0.55, 0.75, 0.55).colored(BLUE),
         ObjectSpec::new("cone", Shape::Cone).at(0.0, 0.0, -step).scaled(0.6, 0.75, 0.6).colored(ORANGE),
         ObjectSpec::new("pyramid", Shape::Pyramid).at(step, 0.0, -step).scaled(0.6, 0.65, 0.6).colored(TEAL),
@@ -88,53 +91,53 @@ fn house(colors: &SceneColors) -> Vec<ObjectSpec> {
         ObjectSpec::new(name, Shape::Box).at(x, y, z).scaled(half[0], half[1], half[2]).colored(color).under("house")
     };
     vec![
-        ground.at(0.0, -0.05, 0.0).scaled(2.7, 0.05, 2.2).colored(colors.ground),
-        ObjectSpec::group("house").at(-0.35, 0.0, -0.3),
+        ground.at(0.0, -0.05, 0.0).scaled(2.3, 0.05, 1.9).colored(colors.ground),
+        ObjectSpec::group("house").at(-0.3, 0.0, -0.25).scaled(0.85, 0.85, 0.85),
         part("walls", [0.0, 0.75, 0.0], [1.3, 0.75, 1.0], colors.stone),
         roof.at(-length / 2.0, eaves + height / 3.0, 0.0).colored(VERMILION).under("house"),
         part("chimney", [0.75, 2.15, -0.45], [0.17, 0.55, 0.17], PURPLE),
         part("door", [-0.65, 0.5, 1.0], [0.26, 0.5, 0.04], NAVY),
         part("window", [0.5, 0.85, 1.0], [0.36, 0.27, 0.04], SKY),
         part("step", [-0.65, 0.05, 1.2], [0.4, 0.05, 0.2], colors.ground_other),
-        ObjectSpec::group("tree").at(1.85, 0.0, 0.9),
+        ObjectSpec::group("tree").at(1.55, 0.0, 0.85).scaled(0.85, 0.85, 0.85),
         ObjectSpec::new("trunk", Shape::Cylinder).scaled(0.09, 0.25, 0.09).colored(ORANGE).under("tree"),
         ObjectSpec::new("crown", Shape::Cone).at(0.0, 0.4, 0.0).scaled(0.5, 0.65, 0.5).colored(TEAL).under("tree"),
     ]
 }
 
 /// Half the width of the corridor's floor.
-const HALF_WIDTH: f64 = 2.0;
+const HALF_WIDTH: f64 = 1.75;
 /// Where the corridor begins and ends, on z.
-const CORRIDOR: [f64; 2] = [3.0, -13.0];
+const CORRIDOR: [f64; 2] = [1.75, -12.25];
 
 /// Two rows of columns under beams; equal balls, as a measure of how distance shrinks.
 fn corridor(colors: &SceneColors) -> Vec<ObjectSpec> {
     let mut all = Vec::new();
     let middle = (CORRIDOR[0] + CORRIDOR[1]) / 2.0;
     let half_length = (CORRIDOR[0] - CORRIDOR[1]) / 2.0;
-    for (side, x) in [("left", -1.65), ("right", 1.65)] {
+    for (side, x) in [("left", -1.4), ("right", 1.4)] {
         all.push(
             ObjectSpec::new(format!("beam {side}"), Shape::Box)
-                .at(x, 2.55, middle)
-                .scaled(0.22, 0.15, half_length)
+                .at(x, 2.13, middle)
+                .scaled(0.2, 0.13, half_length)
                 .colored(colors.stone),
         );
-        for k in 0..8 {
+        for k in 0..7 {
             all.push(
                 ObjectSpec::new(format!("column {side} {}", k + 1), Shape::Cylinder)
-                    .at(x, 0.0, 2.0 - 2.0 * f64::from(k))
-                    .scaled(0.18, 1.2, 0.18)
+                    .at(x, 0.0, 0.875 - 2.0 * f64::from(k))
+                    .scaled(0.17, 1.0, 0.17)
                     .with_segments(24)
                     .colored(BLUE),
             );
         }
     }
     for (k, color) in [VERMILION, YELLOW, TEAL, PURPLE].into_iter().enumerate() {
-        let z = [1.0, -3.0, -7.0, -11.0][k];
+        let z = [0.0, -3.5, -7.0, -10.5][k];
         all.push(
             ObjectSpec::new(format!("ball {}", k + 1), Shape::Sphere)
-                .at(if k % 2 == 0 { -0.7 } else { 0.7 }, 0.35, z)
-                .scaled(0.35, 0.35, 0.35)
+                .at(if k % 2 == 0 { -0.6 } else { 0.6 }, 0.3, z)
+                .scaled(0.3, 0.3, 0.3)
                 .colored(color),
         );
     }
@@ -148,7 +151,7 @@ fn tiled_floor(colors: &SceneColors) -> Object {
     Object {
         name: "floor".to_owned(),
         mesh: Arc::new(mesh),
-        world_from_object: glam::DMat4::IDENTITY,
+        world_from_object: DMat4::IDENTITY,
         paint: ObjectPaint::Faces(Arc::new((0..nx * nz).flat_map(|t| [tile(t); 2]).collect())),
         lit: true,
         two_sided: true,
@@ -191,9 +194,9 @@ fn exercise_51() -> Vec<ObjectSpec> {
     let [c, u, v] = EXERCISE_51;
     vec![
         ObjectSpec::new("grid", Shape::Grid).scaled(4.0, 1.0, 4.0).with_segments(8),
-        ObjectSpec::new("box", Shape::Box).scaled(0.6, 0.6, 0.6).colored(BLUE),
-        ObjectSpec::new("cone", Shape::Cone).at(0.0, 0.6, 0.0).scaled(0.35, 0.4, 0.35).colored(ORANGE),
-        ObjectSpec::new("ball", Shape::Sphere).at(0.0, 0.0, 1.5).scaled(0.4, 0.4, 0.4).colored(TEAL),
+        ObjectSpec::new("box", Shape::Box).at(0.0, 0.6, 0.0).scaled(0.6, 0.6, 0.6).colored(SKY),
+        ObjectSpec::new("cone", Shape::Cone).at(0.0, 1.2, 0.0).scaled(0.4, 0.4, 0.4).colored(ORANGE),
+        ObjectSpec::new("ball", Shape::Sphere).at(0.0, 0.45, 1.5).scaled(0.45, 0.45, 0.45).colored(TEAL),
         ObjectSpec::new("P", Shape::Points(vec![c + u + v])).colored(VERMILION),
     ]
 }
@@ -209,37 +212,22 @@ fn rays_of_exercise_51(scene: &mut Scene, colors: &SceneColors) {
     scene.lines.push(Line { points: vec![p, parallel], style: style(BLUE, Dash::Solid, true) });
     let perspective = c + 2.2 * (p - c);
     scene.lines.push(Line { points: vec![c, perspective], style: style(VERMILION, Dash::Dashed, true) });
-    scene.marks.push(point_mark(c, MarkShape::Ring, colors.ink));
-    scene.texts.push(point_name(c, "C", colors.ink));
 }
 
-/// `[0]` exercise 5.2: C = (7, 0, 0), PF = (1, 1, 1), VUP = (1, 0, 0): the camera lies on its side.
-fn exercise_52(colors: &SceneColors) -> Vec<ObjectSpec> {
-    let (c, pf) = (DVec3::new(7.0, 0.0, 0.0), DVec3::ONE);
-    let n = (c - pf).normalize();
+/// `[0]` exercise 5.2: C = (7, 0, 0), PF = (1, 1, 1), VUP = (1, 0, 0): the camera lies on its side. A cube about PF, marked on
+/// its upper side and on the one that looks along z.
+fn exercise_52() -> Vec<ObjectSpec> {
+    let c = DVec3::new(7.0, 0.0, 0.0);
+    let n = (c - DVec3::ONE).normalize();
     let u = DVec3::X.cross(n).normalize();
     let p = c + u + n.cross(u);
-    let step = 1.6;
     vec![
         ObjectSpec::new("grid", Shape::Grid).scaled(4.0, 1.0, 4.0).with_segments(8),
-        ObjectSpec::new("box", Shape::Box).at(1.0, 1.0, 1.0).scaled(0.8, 0.8, 0.8).colored(BLUE),
-        ObjectSpec::new("cone", Shape::Cone).at(1.0, 1.8, 1.0).scaled(0.6, 0.7, 0.6).colored(ORANGE),
-        ObjectSpec::new("ball", Shape::Sphere).at(1.0, 1.0, 1.0 + step).scaled(0.5, 0.5, 0.5).colored(TEAL),
-        ObjectSpec::new("PF", Shape::Points(vec![pf])).colored(colors.ink),
+        ObjectSpec::new("box", Shape::Box).at(1.0, 1.0, 1.0).colored(SKY),
+        ObjectSpec::new("cone", Shape::Cone).at(1.0, 2.0, 1.0).scaled(0.7, 0.75, 0.7).colored(ORANGE),
+        ObjectSpec::new("ball", Shape::Sphere).at(1.0, 0.6, 2.6).scaled(0.6, 0.6, 0.6).colored(TEAL),
         ObjectSpec::new("P", Shape::Points(vec![p])).colored(VERMILION),
     ]
-}
-
-/// The axes of the world, so that the lying camera's picture can be read.
-fn axes_of_exercise_52(scene: &mut Scene, colors: &SceneColors) {
-    let style = |color, dash| LineStyle { color, width: 1.5, dash, hidden: HiddenLines::Dashed, arrow: true };
-    for (axis, name, dash) in
-        [(DVec3::X, "x", Dash::Solid), (DVec3::Y, "y", Dash::Dashed), (DVec3::Z, "z", Dash::DashDot)]
-    {
-        let tip = axis * 4.0;
-        scene.lines.push(Line { points: vec![DVec3::ZERO, tip], style: style(colors.ink, dash) });
-        scene.texts.push(Text { offset: [6.0, -6.0], ..point_name(tip, name, colors.ink) });
-    }
 }
 
 /// Leaves only the edges of the first object.
@@ -270,15 +258,15 @@ fn name_corners(scene: &mut Scene, colors: &SceneColors, below: impl Fn(DVec3) -
 
 /// Paints each face of the first object in its own colour and writes a number on it, as on a die: opposite faces add up to 7.
 /// The numbers are strokes on the faces, so they deform with them and show a mirror image at once.
-fn number_the_faces(scene: &mut Scene) {
+fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
     // Face, its digit, the directions right and up of a reader before it; in the order of `primitives::cuboid`.
     let faces: [(DVec3, usize, DVec3, DVec3, Rgba); 6] = [
         (DVec3::NEG_X, 5, DVec3::Z, DVec3::Y, TEAL),
-        (DVec3::X, 2, DVec3::NEG_Z, DVec3::Y, ORANGE),
+        (DVec3::X, 2, DVec3::NEG_Z, DVec3::Y, YELLOW),
         (DVec3::NEG_Y, 4, DVec3::X, DVec3::Z, PURPLE),
-        (DVec3::Y, 3, DVec3::X, DVec3::NEG_Z, YELLOW),
+        (DVec3::Y, 3, DVec3::X, DVec3::NEG_Z, SKY),
         (DVec3::NEG_Z, 6, DVec3::NEG_X, DVec3::Y, VERMILION),
-        (DVec3::Z, 1, DVec3::X, DVec3::Y, SKY),
+        (DVec3::Z, 1, DVec3::X, DVec3::Y, ORANGE),
     ];
     if let Some(cube) = scene.objects.first_mut() {
         cube.paint = ObjectPaint::Faces(Arc::new(faces.iter().flat_map(|f| [f.4; 2]).collect()));
@@ -286,10 +274,26 @@ fn number_the_faces(scene: &mut Scene) {
     for (normal, digit, right, up, color) in faces {
         // A hair's breadth before the face.
         let center = normal * 1.003;
-        let points = DIGITS[digit - 1].iter().map(|&[x, y]| center + right * (x - 0.5) * 0.7 + up * (y - 0.8) * 0.7);
-        let ink = if is_dark(color) { Rgba::rgb(255, 255, 255) } else { Rgba::rgb(0x10, 0x14, 0x1a) };
-        let style = LineStyle { color: ink, width: 3.0, dash: Dash::Solid, hidden: HiddenLines::Hidden, arrow: false };
-        scene.lines.push(Line { points: points.collect(), style });
+        let points: Vec<DVec3> =
+            DIGITS[digit - 1].iter().map(|&[x, y]| center + right * (x - 0.5) * 0.7 + up * (y - 0.8) * 0.7).collect();
+        let on_face = if is_dark(color) { Rgba::rgb(255, 255, 255) } else { Rgba::rgb(0x10, 0x14, 0x1a) };
+        scene.objects.push(Object {
+            name: digit.to_string(),
+            mesh: Arc::new(Mesh::segments(points.windows(2).map(|pair| [pair[0], pair[1]]))),
+            world_from_object: DMat4::IDENTITY,
+            // The colour in wireframe, where there is no face behind it.
+            paint: ObjectPaint::Solid(colors.ink),
+            lit: false,
+            two_sided: true,
+            faces: false,
+            edges: Some(LineStyle {
+                color: on_face,
+                width: 4.0,
+                dash: Dash::Solid,
+                hidden: HiddenLines::Hidden,
+                arrow: false,
+            }),
+        });
     }
 }
 
