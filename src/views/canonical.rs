@@ -18,7 +18,8 @@ use super::observer::{Direction, Preset};
 use super::screen::Screen;
 use super::{Palette, Setup, placing, probe};
 
-const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
+/// The canonical volume.
+pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 /// How far the axes reach from the middle of the cube.
 const AXIS: f64 = 1.42;
 const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, parallel: false };

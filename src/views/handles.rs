@@ -167,3 +167,162 @@ fn nearest_on_line(origin: DVec3, direction: DVec3, ray: Ray) -> Option<f64> {
     let w = ray.origin - origin;
     (sin2 > 3e-4).then(|| (d.dot(w) - cos * r.dot(w)) / sin2)
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::camera::Camera;
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures};
+    use crate::scene::Scene;
+    use crate::views::{Extras, Size};
+
+    const FRONT: Observer =
+        Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 0.0, elevation: 0.0, parallel: true };
+    const CORNER: Observer =
+        Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 100.0, elevation: 30.0, parallel: false };
+
+    /// Calls `test` with the picture of a camera that has F = 2 and B = 9, and the pixels of an observer.
+    fn with_picture(observer: Observer, test: impl Fn(&Setup, &Screen)) {
+        let parameters =
+            Parameters { near: 2.0, far: 9.0, view_up: DVec3::new(0.0, 2.0, 0.0), ..Parameters::default() };
+        let (figure, camera) = (Figure::default(), Camera::new(&parameters).unwrap());
+        let setup = Setup {
+            figure: &figure,
+            camera: &camera,
+            scene: &Scene::default(),
+            labels: pictures::labels(Lang::En),
+            size: Size { width: 600, height: 400, scale: 1.0 },
+            extras: &Extras::default(),
+        };
+        test(&setup, &world::screen(&setup, &observer).unwrap());
+    }
+
+    #[test]
+    fn every_handle_is_found_where_it_is() {
+        with_picture(CORNER, |setup, _| {
+            let all = handles(setup, &CORNER);
+            assert_eq!(all.len(), 5);
+            for (handle, place) in all {
+                assert_eq!(handle_at(setup, &CORNER, place + DVec2::new(1.0, -2.0), 8.0), Some(handle));
+            }
+            assert_eq!(handle_at(setup, &CORNER, DVec2::new(1.0, 1.0), 8.0), None);
+        });
+    }
+
+    #[test]
+    fn positions_move_on_their_own_height_under_the_pointer() {
+        for observer in [CORNER, Observer { parallel: true, ..CORNER }, Observer { elevation: -20.0, ..CORNER }] {
+            with_picture(observer, |setup, screen| {
+                let c = setup.camera.position();
+                let goal = c + DVec3::new(-1.5, 0.0, 2.5);
+                let (from, to) = (screen.place(c).unwrap(), screen.place(goal).unwrap());
+                let moved = drag(setup, &observer, Handle::Position, from, to, false);
+                assert!((moved.position - goal).length() < 1e-9, "{observer:?}: {}", moved.position);
+                assert_eq!(moved.focal_point, setup.camera.focal_point());
+                let moved = drag(setup, &observer, Handle::FocalPoint, from, to, false);
+                assert_eq!(moved.position, c);
+                assert!(moved.focal_point.y.abs() < 1e-9);
+            });
+        }
+    }
+
+    #[test]
+    fn with_the_modifier_they_move_vertically() {
+        with_picture(CORNER, |setup, screen| {
+            let c = setup.camera.position();
+            let goal = c + DVec3::Y * 1.25;
+            let (from, to) = (screen.place(c).unwrap(), screen.place(goal).unwrap());
+            let moved = drag(setup, &CORNER, Handle::Position, from, to, true);
+            assert!((moved.position - goal).length() < 1e-9);
+        });
+    }
+
+    #[test]
+    fn where_the_ground_is_an_edge_they_move_in_the_picture() {
+        with_picture(FRONT, |setup, screen| {
+            let c = setup.camera.position();
+            let goal = c + DVec3::new(1.0, 2.0, 0.0);
+            let (from, to) = (screen.place(c).unwrap(), screen.place(goal).unwrap());
+            let moved = drag(setup, &FRONT, Handle::Position, from, to, false);
+            assert!((moved.position - goal).length() < 1e-9, "{}", moved.position);
+        });
+    }
+
+    #[test]
+    fn a_point_dragged_into_the_sky_stays_before_the_eye() {
+        with_picture(CORNER, |setup, screen| {
+            let from = screen.place(setup.camera.focal_point()).unwrap();
+            let [_, _, back] = CORNER.axes();
+            let depth = |y: f64| {
+                let moved = drag(setup, &CORNER, Handle::FocalPoint, from, DVec2::new(from.x, y), false);
+                assert!(moved.focal_point.is_finite());
+                -back.dot(moved.focal_point)
+            };
+            let (near, far, sky) = (depth(150.0), depth(50.0), depth(-4000.0));
+            assert!(0.0 < near && near < far && far < sky && sky < 1e4, "{near} {far} {sky}");
+        });
+    }
+
+    #[test]
+    fn clipping_planes_follow_the_pointer_along_the_axis_and_stop_at_each_other() {
+        with_picture(CORNER, |setup, screen| {
+            let on_axis =
+                |d: f64| screen.place(setup.camera.position() + setup.camera.direction_of_projection() * d).unwrap();
+            let dragged = |handle, from, to| drag(setup, &CORNER, handle, on_axis(from), on_axis(to), false);
+            assert!((dragged(Handle::Near, 2.0, 2.7).near - 2.7).abs() < 1e-9);
+            assert!((dragged(Handle::Far, 9.0, 6.5).far - 6.5).abs() < 1e-9);
+            let (near, far) = (dragged(Handle::Near, 2.0, 12.0), dragged(Handle::Far, 9.0, 0.5));
+            assert!(near.near < near.far && near.near > 8.0);
+            assert!(far.near < far.far && far.far < 3.0);
+            let behind = dragged(Handle::Near, 2.0, -3.0);
+            assert!(behind.near > 0.0 && behind.near < 0.1);
+            assert!([near, far, behind].iter().all(|p| Camera::new(p).is_ok()));
+        });
+    }
+
+    #[test]
+    fn the_tip_of_vup_follows_the_pointer_and_vup_keeps_its_length() {
+        with_picture(CORNER, |setup, screen| {
+            let c = setup.camera.position();
+            let tip = Gear::new(screen, setup.camera).view_up_tip(setup.camera);
+            let [right, ..] = CORNER.axes();
+            let goal = tip + right * 0.8;
+            let moved =
+                drag(setup, &CORNER, Handle::ViewUp, screen.place(tip).unwrap(), screen.place(goal).unwrap(), false);
+            assert!((moved.view_up.length() - 2.0).abs() < 1e-12);
+            assert!((moved.view_up.normalize() - (goal - c).normalize()).length() < 1e-9);
+        });
+    }
+
+    #[test]
+    fn an_axis_seen_end_on_has_no_handles_and_cannot_be_dragged() {
+        // The observer looks along DOP of the default camera: (3, 4, 5) to the origin.
+        let azimuth = 3.0_f64.atan2(5.0).to_degrees();
+        let elevation = 4.0_f64.atan2(34.0_f64.sqrt()).to_degrees();
+        let behind = Observer { azimuth, elevation, parallel: true, ..CORNER };
+        with_picture(behind, |setup, _| {
+            assert!(handles(setup, &behind).iter().all(|(h, _)| !matches!(h, Handle::Near | Handle::Far)));
+            let moved = drag(setup, &behind, Handle::Near, DVec2::new(300.0, 200.0), DVec2::new(350.0, 100.0), false);
+            assert_eq!(moved, *setup.camera.parameters());
+        });
+    }
+
+    #[test]
+    fn a_small_f_keeps_its_handle_clear_of_the_camera() {
+        with_picture(CORNER, |setup, screen| {
+            let camera = Camera::new(&Parameters { near: 1e-6, ..*setup.camera.parameters() }).unwrap();
+            let setup = Setup { camera: &camera, ..*setup };
+            let places = handles(&setup, &CORNER);
+            let place = |h| places.iter().find(|(handle, _)| *handle == h).unwrap().1;
+            let apart = place(Handle::Near).distance(place(Handle::Position));
+            assert!((15.0..25.0).contains(&apart), "{apart} px");
+            // It still moves by what the pointer moves along the axis.
+            let step = camera.direction_of_projection() * 0.5;
+            let to = screen.place(camera.position() + step).unwrap();
+            let from = screen.place(camera.position()).unwrap();
+            assert!((drag(&setup, &CORNER, Handle::Near, from, to, false).near - 0.5).abs() < 1e-5);
+        });
+    }
+}

@@ -140,3 +140,117 @@ fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f
     let t = ac.dot(q) / det;
     (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&t)).then_some(t)
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::camera::{Camera, Parameters};
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures};
+    use crate::views::{Extras, Size, observer::Preset};
+
+    /// Calls `test` with a picture of the cube \[−1, 1\]³, which a camera at (3, 4, 5) sees whole.
+    fn with_cube(parameters: Parameters, test: impl Fn(&Setup)) {
+        let mut figure = Figure::default();
+        figure.scene.preset = crate::scene::Preset::Empty;
+        figure.scene.objects.push(crate::scene::ObjectSpec {
+            name: "cube".to_owned(),
+            shape: Some(crate::scene::Shape::Box),
+            parent: None,
+            translate: DVec3::ZERO,
+            rotate: DVec3::ZERO,
+            scale: DVec3::ONE,
+            color: None,
+            segments: 32,
+        });
+        let scene = crate::views::scene_of(&figure, &mut |_| Err(String::new())).unwrap();
+        let camera = Camera::new(&parameters).unwrap();
+        test(&Setup {
+            figure: &figure,
+            camera: &camera,
+            scene: &scene,
+            labels: pictures::labels(Lang::En),
+            size: Size { width: 600, height: 450, scale: 1.0 },
+            extras: &Extras::default(),
+        });
+    }
+
+    #[test]
+    fn of_two_vertices_at_one_place_the_one_in_front_is_caught() {
+        with_cube(Parameters::default(), |setup| {
+            for (preset, front) in [(Preset::Front, DVec3::Z), (Preset::Side, DVec3::X), (Preset::Top, DVec3::Y)] {
+                let observer = world::observer(setup, preset);
+                let screen = world::screen(setup, &observer).unwrap();
+                for other in [DVec3::ONE, DVec3::NEG_ONE, DVec3::new(1.0, -1.0, 1.0)] {
+                    let p = other * (DVec3::ONE - front) + front;
+                    let place = screen.place(p - 2.0 * front).unwrap();
+                    let found = vertex_in_world(setup, &observer, place + DVec2::new(2.0, 1.0), 8.0);
+                    assert_eq!(found, Some(p), "{preset:?}");
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn a_hidden_vertex_is_caught_where_there_is_no_other() {
+        with_cube(Parameters::default(), |setup| {
+            let screen = image::screen(setup);
+            let place = screen.place(DVec3::NEG_ONE).unwrap();
+            assert!(!can_be_seen(DVec3::NEG_ONE, setup.scene, &screen));
+            assert!(can_be_seen(DVec3::ONE, setup.scene, &screen));
+            assert_eq!(vertex_in_image(setup, place, 8.0), Some(DVec3::NEG_ONE));
+            assert_eq!(vertex_in_image(setup, place + 20.0, 8.0), None);
+        });
+    }
+
+    #[test]
+    fn the_canonical_picture_leads_back_to_the_world() {
+        with_cube(Parameters { near: 2.0, far: 12.0, ..Parameters::default() }, |setup| {
+            let observer = canonical::observer(setup, Preset::Iso);
+            let screen = canonical::screen(setup, &observer).unwrap();
+            let mut seen = 0;
+            for p in canonical::CUBE.corners() {
+                let shown = displayed_ndc(setup.camera, p).unwrap();
+                if can_be_seen(shown, &canonical::contents(setup), &screen) {
+                    seen += 1;
+                    let place = screen.place(shown).unwrap();
+                    assert_eq!(vertex_in_canonical(setup, &observer, place, 3.0), Some(p));
+                }
+            }
+            assert!((4..=7).contains(&seen), "{seen} of eight");
+        });
+    }
+
+    #[test]
+    fn what_is_not_in_the_volume_is_not_caught_in_the_image() {
+        // F = 7: the corner (1, 1, 1), nearest to C, has been cut off.
+        with_cube(Parameters { near: 7.0, ..Parameters::default() }, |setup| {
+            let toward = setup.camera.view_point(DVec3::ONE);
+            let place = image::screen(setup).window_place(toward.truncate() * (7.0 / -toward.z));
+            assert_eq!(vertex_in_image(setup, place, 4.0), None);
+        });
+    }
+
+    #[test]
+    fn the_image_maps_to_the_window() {
+        with_cube(Parameters { aspect: 1.0, ..Parameters::default() }, |setup| {
+            let w = setup.camera.window();
+            let at = |x, y| window_point_in_image(setup, DVec2::new(x, y));
+            assert_eq!(at(75.0, 0.0), Some(DVec2::new(w.left, w.top)), "the frame is 450 × 450 in the middle of 600");
+            assert_eq!(at(525.0, 450.0), Some(DVec2::new(w.right, w.bottom)));
+            assert_eq!(at(74.0, 10.0), None);
+        });
+    }
+
+    #[test]
+    fn a_segment_ends_on_the_first_face() {
+        with_cube(Parameters::default(), |setup| {
+            let hit = first_hit(setup.scene, DVec3::new(0.25, 0.5, 9.0), DVec3::new(0.25, 0.5, -9.0)).unwrap();
+            assert!((hit - DVec3::new(0.25, 0.5, 1.0)).length() < 1e-12);
+            let short = first_hit(setup.scene, DVec3::new(0.25, 0.5, 9.0), DVec3::new(0.25, 0.5, 1.5));
+            assert_eq!(short, None);
+            assert_eq!(first_hit(setup.scene, DVec3::new(1.25, 0.5, 9.0), DVec3::new(1.25, 0.5, -9.0)), None);
+        });
+    }
+}

@@ -56,6 +56,13 @@ impl Screen {
         DVec2::new(w.left + w.width() * s.x, w.top - w.height() * s.y)
     }
 
+    /// The place (pixels) of a point (x_p, y_p) of the view window.
+    #[cfg(test)]
+    pub(super) fn window_place(&self, point: DVec2) -> DVec2 {
+        let w = self.camera.window();
+        self.origin + self.extent * DVec2::new((point.x - w.left) / w.width(), (w.top - point.y) / w.height())
+    }
+
     /// The ray through a place (pixels), `[0]` Eqs. (5.17) to (5.21).
     pub(super) fn ray(&self, px: DVec2) -> Ray {
         self.camera.ray_through_window(self.window_point(px))
