@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{CameraError, Derived};
-use crate::geometry::double_double::{Dd, Dd3, exact_sum, exponent, scale, two_product, two_sum};
+use crate::geometry::double_double::{Dd, Dd3, exact_sum, two_product};
 
 /// The VRC: an orthonormal right-handed basis, `[0]` Eq. (5.3).
 ///
@@ -46,24 +46,10 @@ impl Pose {
     pub(super) fn position_rest(&self) -> DVec3 {
         DVec3::from_array(self.position.to_array().map(|x| x.parts()[1]))
     }
-
-    /// True when no operation has left anything between the `f64`s.
-    pub(super) fn is_exact(&self) -> bool {
-        let [c, pf, up] = [self.position, self.focal_point, self.up];
-        [c, pf, up].iter().all(|v| v.to_array().iter().all(|x| x.parts()[1] == 0.0))
-    }
 }
 
-/// How small the cross product of VUP and C − PF may be before the two count as collinear.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Collinear {
-    /// Only when it is exactly zero.
-    Exactly,
-    /// Also when what is left of it could come from rounding the components themselves: VUP = 3 (PF − C), rounded.
-    UpToRounding,
-}
-
-/// **u**, **v**, **n** and D in double-double.
+/// **u**, **v**, **n** and D in double-double. Operations turn it as a rigid body: it is never found again from VUP, so
+/// nothing flips at a pole, and a small angle between VUP and DOP costs no digits.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Frame {
     pub(super) u: Dd3,
@@ -71,45 +57,36 @@ pub(super) struct Frame {
     pub(super) n: Dd3,
     /// D.
     pub(super) distance: Dd,
-    /// C − PF times a power of two, exactly: each component is the sum of four numbers.
-    to_viewer: [[f64; 4]; 3],
-    /// Its length.
-    to_viewer_length: Dd,
+    /// C − PF = D **n**: before any operation, exactly.
+    pub(super) to_viewer: Dd3,
 }
 
 impl Frame {
     /// Derives the VRC.
     ///
-    /// The components of C − PF are exact sums, the cross product VUP × (C − PF) is an exact sum of products: only its
-    /// rounding to 106 bits, the square root and the division are inexact. Nothing overflows or underflows on the way,
-    /// as vectors are scaled by powers of two first.
-    pub(super) fn new(pose: &Pose, collinear: Collinear) -> Result<Self, CameraError> {
-        let (c, pf) = (pose.position.to_array(), pose.focal_point.to_array());
-        let terms: [[f64; 4]; 3] = std::array::from_fn(|i| {
-            let ([c_hi, c_lo], [pf_hi, pf_lo]) = (c[i].parts(), pf[i].parts());
-            let (sum, error) = two_sum(c_hi, -pf_hi);
-            [sum, error, c_lo, -pf_lo]
-        });
+    /// The components of C − PF are exact, and so is the sum of products VUP × (C − PF): only its rounding to 106 bits,
+    /// the square root and the division are not. Nothing overflows or underflows on the way, as vectors are scaled by
+    /// powers of two first.
+    pub(super) fn new(pose: &Pose) -> Result<Self, CameraError> {
         let overflow = CameraError::Overflow { quantity: Derived::Distance, keys: &["focal_point", "position"] };
-        if terms.iter().any(|t| !t[0].is_finite()) {
+        let to_viewer = pose.position - pose.focal_point;
+        if !to_viewer.value().is_finite() {
             return Err(overflow);
         }
-        let size = terms.iter().map(|t| exact_sum(*t).value().abs()).fold(0.0, f64::max);
-        if size == 0.0 {
+        if to_viewer.value() == DVec3::ZERO {
             return Err(CameraError::FocalPointAtPosition);
         }
-        let k = exponent(size);
-        let to_viewer = terms.map(|t| t.map(|x| scale(x, -k)));
-        let w = Dd3::new(exact_sum(to_viewer[0]), exact_sum(to_viewer[1]), exact_sum(to_viewer[2]));
-        let length = w.length();
+        let k = to_viewer.exponent();
+        let near_one = to_viewer.scaled(-k);
+        let length = near_one.length();
         let distance = length.scaled(k);
         if !distance.value().is_finite() {
             return Err(overflow);
         }
-        let n = w.map(|x| x / length);
-        let u = sideways(pose.up, &to_viewer, collinear).ok_or(CameraError::ViewUpCollinear)?.unit();
+        let n = near_one.map(|x| x / length);
+        let u = sideways(pose.up, near_one).ok_or(CameraError::ViewUpCollinear)?.unit();
         let v = n.cross(u);
-        Ok(Self { u, v, n, distance, to_viewer, to_viewer_length: length })
+        Ok(Self { u, v, n, distance, to_viewer })
     }
 
     /// The basis, rounded.
@@ -117,49 +94,35 @@ impl Frame {
         Basis { u: self.u.value(), v: self.v.value(), n: self.n.value() }
     }
 
-    /// **n** · `offset`, where each component of `offset` is the exact sum of three numbers. Exactly zero when it is;
-    /// with `noise`, also when what is left lies below 2⁻⁹⁶ of the summands.
-    pub(super) fn height_above_eye_plane(&self, offset: &[[f64; 3]; 3], noise: bool) -> Dd {
-        let mut terms = Vec::with_capacity(72);
-        for (w, d) in self.to_viewer.iter().zip(offset) {
-            for a in w {
-                for b in d {
-                    let (product, error) = two_product(*a, *b);
-                    terms.extend([product, error]);
-                }
-            }
-        }
+    /// **n** · `offset`, zero if and only if the exact product is. (What lies below 2⁻⁹⁶ of its summands is zero too:
+    /// after operations, that is noise.)
+    pub(super) fn along_normal(&self, offset: Dd3) -> Dd {
+        let near_one = self.to_viewer.scaled(-self.to_viewer.exponent());
+        let pairs = near_one.to_array().into_iter().zip(offset.to_array());
+        let terms: Vec<f64> = pairs.flat_map(|(w, d)| products(w, d)).collect();
         let size: f64 = terms.iter().map(|x| x.abs()).sum();
-        let sum = exact_sum(terms);
-        if noise && sum.value().abs() <= size * 2f64.powi(-96) { Dd::ZERO } else { sum / self.to_viewer_length }
+        exact_sum(terms).without_noise(size) / near_one.length()
     }
 }
 
-/// VUP × (C − PF); `None` when the two are collinear.
-fn sideways(up: Dd3, to_viewer: &[[f64; 4]; 3], collinear: Collinear) -> Option<Dd3> {
-    let up = up.to_array().map(Dd::parts);
+/// VUP × (C − PF); `None` when the two are collinear: exactly, or so nearly that what is left of the product could come
+/// from rounding the components of both, as with VUP = 3 (PF − C), rounded.
+fn sideways(up: Dd3, to_viewer: Dd3) -> Option<Dd3> {
+    let (up, w) = (up.to_array(), to_viewer.to_array());
     let component = |i: usize, j: usize| {
-        let mut terms = Vec::with_capacity(32);
-        for a in up[i] {
-            for b in to_viewer[j] {
-                let (product, error) = two_product(a, b);
-                terms.extend([product, error]);
-            }
-        }
-        for a in up[j] {
-            for b in to_viewer[i] {
-                let (product, error) = two_product(-a, b);
-                terms.extend([product, error]);
-            }
-        }
-        let size = (up[i][0] * to_viewer[j][0]).abs() + (up[j][0] * to_viewer[i][0]).abs();
-        let sum = exact_sum(terms);
-        let zero = match collinear {
-            Collinear::Exactly => sum.value() == 0.0,
-            Collinear::UpToRounding => sum.value().abs() <= 2.0 * f64::EPSILON * size,
-        };
+        let sum = exact_sum(products(up[i], w[j]).into_iter().chain(products(-up[j], w[i])));
+        let size = (up[i].value() * w[j].value()).abs() + (up[j].value() * w[i].value()).abs();
+        let zero = sum.value().abs() <= 2.0 * f64::EPSILON * size;
         (sum, zero)
     };
     let [(x, x_zero), (y, y_zero), (z, z_zero)] = [component(1, 2), component(2, 0), component(0, 1)];
     if x_zero && y_zero && z_zero { None } else { Some(Dd3::new(x, y, z)) }
+}
+
+/// Eight numbers whose exact sum is `a b`.
+fn products(a: Dd, b: Dd) -> [f64; 8] {
+    let ([a, a_rest], [b, b_rest]) = (a.parts(), b.parts());
+    let [(p, pe), (q, qe), (r, re), (s, se)] =
+        [two_product(a, b), two_product(a, b_rest), two_product(a_rest, b), two_product(a_rest, b_rest)];
+    [p, pe, q, qe, r, re, s, se]
 }

@@ -82,23 +82,25 @@ impl Viewport {
         Self { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 }
     }
 
-    /// (X, Y, Z) of a point in NDC: (5.24) with X and Y floored, and (5.25).
-    pub(super) fn of_ndc(&self, [x, y, z]: [Dd; 3]) -> [f64; 3] {
-        let along = |size: u32, start: i32, t: Dd| {
-            (Dd::new(f64::from(size)) * (t + Dd::ONE).scaled(-1) + Dd::new(f64::from(start))).floor()
+    /// (X, Y, Z) of a point in NDC: (5.24) with X and Y floored, and (5.25). `noise`: of x and y, as parts of W and H.
+    pub(super) fn of_ndc(&self, [x, y, z]: [Dd; 3], noise: [f64; 2]) -> [f64; 3] {
+        let along = |size: u32, start: i32, t: Dd, noise: f64| {
+            let size = f64::from(size);
+            (Dd::new(size) * (t + Dd::ONE).scaled(-1) + Dd::new(f64::from(start))).floor(size * noise)
         };
         let (near, far) = (Dd::new(self.depth_near), Dd::new(self.depth_far));
         let depth = (far - near).scaled(-1) * z + (far + near).scaled(-1);
-        [along(self.width, self.x, x), along(self.height, self.y, y), depth.value()]
+        [along(self.width, self.x, x, noise[0]), along(self.height, self.y, y, noise[1]), depth.value()]
     }
 }
 
 impl Camera {
-    /// (5.22): the pixel of a window point.
-    pub(super) fn pixel_of_window(&self, image: ImageSize, [x, y]: [Dd; 2]) -> [f64; 2] {
+    /// (5.22): the pixel of a window point. `noise`: of x and y, as parts of W and H.
+    pub(super) fn pixel_of_window(&self, image: ImageSize, [x, y]: [Dd; 2], noise: [f64; 2]) -> [f64; 2] {
         let w = &self.wide_window;
-        let (m, n) = (Dd::new(f64::from(image.width)), Dd::new(f64::from(image.height)));
-        [(m * ((x - w.left) / w.width())).floor(), (n * ((w.top - y) / w.height())).floor()]
+        let (m, n) = (f64::from(image.width), f64::from(image.height));
+        let (i, j) = ((x - w.left) / w.width(), (w.top - y) / w.height());
+        [(Dd::new(m) * i).floor(m * noise[0]), (Dd::new(n) * j).floor(n * noise[1])]
     }
 
     /// (5.23): the window point at image coordinates.

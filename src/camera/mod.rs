@@ -23,7 +23,7 @@ pub use window::ViewWindow;
 
 use glam::DVec3;
 
-use basis::{Collinear, Frame, Pose};
+use basis::{Frame, Pose};
 use projection::{Lens, lens};
 use window::WideWindow;
 
@@ -53,16 +53,17 @@ impl Camera {
         let p = *parameters;
         p.check()?;
         let pose = Pose::new(p.position, p.focal_point, p.view_up);
-        Self::derive(p, pose, WideWindow::new(&p), Collinear::UpToRounding)
+        let frame = Frame::new(&pose)?;
+        Self::finish(p, pose, frame, WideWindow::new(&p))
     }
 
-    fn derive(
-        parameters: Parameters,
-        pose: Pose,
-        wide_window: WideWindow,
-        collinear: Collinear,
-    ) -> Result<Self, CameraError> {
-        let frame = Frame::new(&pose, collinear)?;
+    /// The result of an operation: what remains after rounding must be a camera too.
+    fn derive(parameters: Parameters, pose: Pose, frame: Frame, wide_window: WideWindow) -> Result<Self, CameraError> {
+        Self::new(&parameters)?;
+        Self::finish(parameters, pose, frame, wide_window)
+    }
+
+    fn finish(parameters: Parameters, pose: Pose, frame: Frame, wide_window: WideWindow) -> Result<Self, CameraError> {
         let lens = lens(parameters.projection, &wide_window, parameters.near, parameters.far);
         let basis = frame.basis();
         let camera = Self { parameters, pose, frame, wide_window, lens, basis };

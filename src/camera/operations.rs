@@ -8,7 +8,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::basis::{Collinear, Pose};
+use super::basis::{Frame, Pose};
 use super::parameters::check_range;
 use super::window::WideWindow;
 use super::{Camera, CameraError, Parameters, Projection, Range};
@@ -142,26 +142,21 @@ impl Operation {
     /// near PF that they are the same `f64`s.
     pub fn apply(&self, camera: &Camera, convention: Convention) -> Result<Camera, CameraError> {
         self.check()?;
-        let mut pose = camera.pose.clone();
-        let mut window = camera.wide_window;
-        let mut parameters = *camera.parameters();
-        let to_viewer = pose.position - pose.focal_point;
-        let frame = &camera.frame;
-        let turn = |axis: Dd3| {
-            let degrees = self.right_hand_angle(convention).unwrap_or_default().degrees();
-            Turn::new(axis, degrees)
-        };
+        let Camera { parameters, pose, frame, wide_window, .. } = camera;
+        let (mut parameters, mut pose, mut frame, mut window) =
+            (*parameters, pose.clone(), frame.clone(), *wide_window);
+        let turn = || Turn::new(self.right_hand_angle(convention).unwrap_or_default());
         match *self {
             Self::Elevation(_) | Self::Azimuth(_) => {
-                let turn = turn(if matches!(self, Self::Elevation(_)) { frame.u } else { frame.v });
-                pose.position = pose.focal_point + turn.apply(to_viewer);
-                pose.up = turn.apply(pose.up);
+                let axis = if matches!(self, Self::Elevation(_)) { Axis::U } else { Axis::V };
+                turn().apply(axis, &mut frame, &mut pose.up);
+                pose.position = pose.focal_point + frame.to_viewer;
             }
-            Self::Roll(_) => pose.up = turn(frame.n).apply(pose.up),
+            Self::Roll(_) => turn().apply(Axis::N, &mut frame, &mut pose.up),
             Self::Yaw(_) | Self::Pitch(_) => {
-                let turn = turn(if matches!(self, Self::Pitch(_)) { frame.u } else { frame.v });
-                pose.focal_point = pose.position - turn.apply(to_viewer);
-                pose.up = turn.apply(pose.up);
+                let axis = if matches!(self, Self::Pitch(_)) { Axis::U } else { Axis::V };
+                turn().apply(axis, &mut frame, &mut pose.up);
+                pose.focal_point = pose.position - frame.to_viewer;
             }
             Self::Zoom(factor) => {
                 window = window.divided(Dd::new(factor));
@@ -169,7 +164,9 @@ impl Operation {
             }
             Self::Dolly(factor) => {
                 let factor = Dd::new(factor);
-                pose.position = pose.focal_point + to_viewer.map(|x| x / factor);
+                frame.to_viewer = frame.to_viewer.map(|x| x / factor);
+                frame.distance = frame.distance / factor;
+                pose.position = pose.focal_point + frame.to_viewer;
             }
             Self::Pan { dx, dy } => {
                 let step = frame.u * Dd::new(dx) + frame.v * Dd::new(dy);
@@ -178,11 +175,7 @@ impl Operation {
             }
         }
         pose.write(&mut parameters);
-        parameters.check()?;
-        if parameters.position == parameters.focal_point {
-            return Err(CameraError::FocalPointAtPosition);
-        }
-        Camera::derive(parameters, pose, window, Collinear::Exactly)
+        Camera::derive(parameters, pose, frame, window)
     }
 
     fn check(&self) -> Result<(), CameraError> {
@@ -210,9 +203,16 @@ impl Pose {
     }
 }
 
-/// A rotation about an axis through the origin.
+/// An axis of the VRC.
+#[derive(Clone, Copy)]
+enum Axis {
+    U,
+    V,
+    N,
+}
+
+/// A rotation by an angle that is not a whole number of turns, or none at all.
 struct Turn {
-    axis: Dd3,
     sine: Dd,
     cosine: Dd,
     /// 1 − cos α, from the half angle.
@@ -220,21 +220,34 @@ struct Turn {
 }
 
 impl Turn {
-    fn new(axis: Dd3, degrees: f64) -> Self {
+    fn new(angle: Angle) -> Self {
+        let degrees = angle.degrees() % 360.0;
         let (sine, cosine) = sin_cos_degrees(degrees);
-        let (half_sine, _) = sin_cos_degrees(degrees % 360.0 / 2.0);
-        Self { axis, sine, cosine, versine: (half_sine * half_sine).scaled(1) }
+        let (half_sine, _) = sin_cos_degrees(degrees / 2.0);
+        Self { sine, cosine, versine: (half_sine * half_sine).scaled(1) }
     }
 
-    /// Rodrigues: x cos α + (k × x) sin α + k (k · x)(1 − cos α), for an x of any size.
-    fn apply(&self, x: Dd3) -> Dd3 {
+    /// Turns the VRC, C − PF and VUP as one rigid body about an axis of the VRC.
+    fn apply(&self, axis: Axis, frame: &mut Frame, up: &mut Dd3) {
         if self.sine == Dd::ZERO && self.cosine == Dd::ONE {
-            return x;
+            return;
         }
-        let k = x.exponent();
-        let x = x.scaled(-k);
-        let along = self.axis * (self.axis.dot(x) * self.versine);
-        (x * self.cosine + self.axis.cross(x) * self.sine + along).without_noise().scaled(k)
+        let Frame { u, v, n, .. } = *frame;
+        // Of two axes a, b with a × b = the third: a turns towards b, b towards −a.
+        let ahead = |a: Dd3, b: Dd3| (a * self.cosine + b * self.sine).without_noise();
+        let (third, [u, v, n]) = match axis {
+            Axis::U => (u, [u, ahead(v, n), ahead(n, -v)]),
+            Axis::V => (v, [ahead(u, -n), v, ahead(n, u)]),
+            Axis::N => (n, [ahead(u, v), ahead(v, -u), n]),
+        };
+        let to_viewer = if matches!(axis, Axis::N) { frame.to_viewer } else { n * frame.distance };
+        *frame = Frame { u, v, n, to_viewer, ..*frame };
+        *up = self.rotated(third, *up);
+    }
+
+    /// Rodrigues: x cos α + (k × x) sin α + k (k · x)(1 − cos α).
+    fn rotated(&self, k: Dd3, x: Dd3) -> Dd3 {
+        (x * self.cosine + k.cross(x) * self.sine + k * (k.dot(x) * self.versine)).without_noise()
     }
 }
 
@@ -270,8 +283,7 @@ impl Camera {
                 window.write(&mut parameters);
             }
         }
-        parameters.check()?;
-        Self::derive(parameters, self.pose.clone(), window, Collinear::Exactly)
+        Self::derive(parameters, self.pose.clone(), self.frame.clone(), window)
     }
 }
 

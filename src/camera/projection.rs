@@ -178,7 +178,12 @@ pub(super) fn lens(projection: Projection, window: &super::window::WideWindow, n
 }
 
 fn sum(a: [Dd; 4], b: [Dd; 4]) -> [Dd; 4] {
-    std::array::from_fn(|i| a[i] + b[i])
+    std::array::from_fn(|i| plus(a[i], b[i]))
+}
+
+/// a + b; zero where nothing but noise is left of it.
+fn plus(a: Dd, b: Dd) -> Dd {
+    (a + b).without_noise(a.value().abs() + b.value().abs())
 }
 
 fn rounded(row: [Dd; 4]) -> DVec4 {

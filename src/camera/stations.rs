@@ -2,8 +2,9 @@
 
 use glam::{DVec2, DVec3, DVec4};
 
+use super::basis::Frame;
 use super::{Camera, ImageSize, Projection, Viewport};
-use crate::geometry::double_double::{Dd, Dd3, two_sum};
+use crate::geometry::double_double::{Dd, Dd3, NOISE};
 
 /// A point on its way from the world to the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,27 +37,31 @@ pub struct Projected {
 impl Camera {
     /// A world point in every space.
     ///
-    /// *Guarantees*: computed in double-double and rounded at the end. W = 0 is recognised exactly, (p − C) · **n** being
-    /// an exact sum of products; after operations, whose results are not exact, what lies below 2⁻⁹⁶ of the summands is 0.
-    /// Floors are those of the exact numbers: what differs from a whole number by less than 2⁻⁹⁰ is that number.
+    /// *Guarantees*: computed in double-double and rounded at the end. W = 0 is recognised, (p − C) · **n** being an exact
+    /// sum of products, of which only what lies below 2⁻⁹⁶ of the summands counts as zero.
+    /// Floors are those of the exact numbers: what differs from a whole number by no more than the noise of 106 bits is
+    /// that number.
     #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
-        let view = self.exact_view_point(p_world);
+        let (view, noise) = self.exact_view_point(p_world);
         let clip @ [x, y, z, w] = self.clip_of_view(view);
         let projected = (w.value() != 0.0).then(|| {
             let ndc = [x / w, y / w, z / w];
-            let window = match self.projection() {
+            let (window, noise) = match self.projection() {
                 Projection::Perspective => {
                     let near = Dd::new(self.near());
-                    [near * (view.x / w), near * (view.y / w)]
+                    let window = [near * (view.x / w), near * (view.y / w)];
+                    let farthest = window[0].value().abs().max(window[1].value().abs());
+                    (window, noise * ((self.near() + farthest) / w.value().abs()))
                 }
-                Projection::Parallel => [view.x, view.y],
+                Projection::Parallel => ([view.x, view.y], noise),
             };
+            let noise = [noise / self.window_width(), noise / self.window_height()];
             Projected {
                 ndc: DVec3::from_array(ndc.map(Dd::value)),
                 window: DVec2::from_array(window.map(Dd::value)),
-                pixel: DVec2::from_array(self.pixel_of_window(image, window)),
-                viewport: DVec3::from_array(viewport.of_ndc(ndc)),
+                pixel: DVec2::from_array(self.pixel_of_window(image, window, noise)),
+                viewport: DVec3::from_array(viewport.of_ndc(ndc, noise)),
             }
         });
         let clip = DVec4::from_array(clip.map(Dd::value));
@@ -64,16 +69,16 @@ impl Camera {
         Stations { world: p_world, view: view.value(), clip, projected, inside }
     }
 
-    fn exact_view_point(&self, p_world: DVec3) -> Dd3 {
-        let (p, c) = (p_world.to_array(), self.pose.position.to_array());
-        let terms: [[f64; 3]; 3] = std::array::from_fn(|i| {
-            let [c_hi, c_lo] = c[i].parts();
-            let (sum, error) = two_sum(p[i], -c_hi);
-            [sum, error, -c_lo]
-        });
-        let [x, y, z] = terms.map(|[sum, error, rest]| Dd::sum(sum, error) + Dd::new(rest));
-        let d = Dd3::new(x, y, z);
-        let depth = self.frame.height_above_eye_plane(&terms, !self.pose.is_exact());
-        Dd3::new(self.frame.u.dot(d), self.frame.v.dot(d), depth)
+    /// A world point in the VRC, and how much of it may be noise: of p − C what rounding C has left, and of the products.
+    fn exact_view_point(&self, p_world: DVec3) -> (Dd3, f64) {
+        let d = Dd3::from(p_world) - self.pose.position;
+        // What p − C is made of, where C is not exact.
+        let rest = self.pose.position_rest().to_array();
+        let made_of = (p_world.abs() + self.position().abs()).to_array();
+        let made_of = DVec3::from_array(std::array::from_fn(|i| if rest[i] == 0.0 { 0.0 } else { made_of[i] }));
+        let Frame { u, v, n, .. } = &self.frame;
+        let clean = |axis: &Dd3, x: Dd| x.without_noise(axis.value().abs().dot(made_of));
+        let view = Dd3::new(clean(u, u.dot(d)), clean(v, v.dot(d)), clean(n, self.frame.along_normal(d)));
+        (view, (d.value().abs() + made_of).element_sum() * NOISE)
     }
 }

@@ -58,6 +58,9 @@ pub(crate) fn exponent(x: f64) -> i32 {
     bits - BIAS - shift
 }
 
+/// 2⁻⁹⁶: what is smaller than this part of its summands is the noise of a computation with 106 bits.
+pub(crate) const NOISE: f64 = 1.262_177_448_353_619e-29;
+
 /// A number `hi + lo`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Dd {
@@ -115,12 +118,18 @@ impl Dd {
         Self::sum(a, rest * (x * 0.5))
     }
 
-    /// The greatest whole number that is not above it, as an `f64`. What lies within 2⁻⁹⁰ (relative) of a whole number
-    /// is that number: so much is the noise of the computation that led here.
-    pub(crate) fn floor(self) -> f64 {
+    /// Zero where nothing is left of a sum but the noise of its summands: below 2⁻⁹⁶ of their `size`.
+    pub(crate) fn without_noise(self, size: f64) -> Self {
+        if self.hi.abs() <= size * NOISE { Self::ZERO } else { self }
+    }
+
+    /// The greatest whole number that is not above it. What lies within `noise` (at most 2⁻²⁰) of a whole number is that
+    /// number.
+    pub(crate) fn floor(self, noise: f64) -> f64 {
         let nearest = self.hi.round();
         let off = (self - Self::new(nearest)).hi;
-        if off.abs() <= 2f64.powi(-90) * self.hi.abs().max(1.0) || off > 0.0 { nearest } else { nearest - 1.0 }
+        let noise = noise.max(self.hi.abs() * NOISE).min(2f64.powi(-20));
+        if off >= -noise { nearest } else { nearest - 1.0 }
     }
 }
 
@@ -297,8 +306,10 @@ impl Dd3 {
         Self { x: f(self.x), y: f(self.y), z: f(self.z) }
     }
 
+    /// The scalar product; zero where nothing but noise is left of it.
     pub(crate) fn dot(self, other: Self) -> Dd {
-        self.x * other.x + self.y * other.y + self.z * other.z
+        let [x, y, z] = [self.x * other.x, self.y * other.y, self.z * other.z];
+        (x + y + z).without_noise(x.hi.abs() + y.hi.abs() + z.hi.abs())
     }
 
     pub(crate) fn cross(self, other: Self) -> Self {
@@ -331,10 +342,10 @@ impl Dd3 {
         near_one.map(|x| x / length)
     }
 
-    /// Without the components that are nothing but the noise of a computation: below 2⁻¹⁰⁰ of the greatest.
+    /// Without the components that are nothing but noise: below 2⁻⁹⁶ of the greatest.
     pub(crate) fn without_noise(self) -> Self {
-        let floor = self.value().abs().max_element() * 2f64.powi(-100);
-        self.map(|x| if x.value().abs() <= floor { Dd::ZERO } else { x })
+        let size = self.value().abs().max_element();
+        self.map(|x| x.without_noise(size))
     }
 }
 
