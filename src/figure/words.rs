@@ -14,18 +14,15 @@ pub const PROJECTIONS: Words<Projection> =
     &[("perspective", Projection::Perspective), ("parallel", Projection::Parallel)];
 
 /// `[scene] preset`
-pub const PRESETS: Words<Preset> = &[
-    ("primitives", Preset::Primitives),
-    ("cube", Preset::Cube),
-    ("house", Preset::House),
-    ("corridor", Preset::Corridor),
-    ("pyramid", Preset::Pyramid),
-    ("ndc-cube", Preset::NdcCube),
-    ("exercise-5.1", Preset::Exercise51),
-    ("exercise-5.2", Preset::Exercise52),
-    ("exercise-5.3", Preset::Exercise53),
-    ("empty", Preset::Empty),
-];
+pub const PRESETS: Words<Preset> = &{
+    let mut presets = [("", Preset::Empty); Preset::ALL.len()];
+    let mut i = 0;
+    while i < presets.len() {
+        presets[i] = (Preset::ALL[i].name(), Preset::ALL[i]);
+        i += 1;
+    }
+    presets
+};
 
 /// `[style] shading`
 pub const SHADINGS: Words<Shading> = &[

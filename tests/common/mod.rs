@@ -1,3 +1,4 @@
 //! What both integration binaries share.
 
 pub(crate) mod picture;
+pub(crate) mod program;

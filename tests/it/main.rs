@@ -3,6 +3,10 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod cli;
+mod contract;
+mod export;
+mod layers;
 mod pipeline;
 mod pipeline_project;
 mod raster_pictures;

@@ -92,7 +92,7 @@ fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
     })
 }
 
-/// Names are unique, parents exist (in the preset or in the list), nobody is their own ancestor.
+/// Names are unique in the list, parents exist in it or in the preset, nobody is their own ancestor.
 fn check_tree(objects: &[ObjectSpec], preset: Preset, places: &[Places], faults: &mut Vec<Fault>) {
     let of_preset = preset_objects(preset, &SceneColors::of(Theme::Light));
     let of_preset: Vec<&str> = of_preset.iter().map(|object| object.name.as_str()).collect();
@@ -101,7 +101,7 @@ fn check_tree(objects: &[ObjectSpec], preset: Preset, places: &[Places], faults:
     };
     let mut index_of: HashMap<&str, usize> = HashMap::new();
     for (i, object) in objects.iter().enumerate() {
-        if index_of.insert(&object.name, i).is_some() || of_preset.contains(&object.name.as_str()) {
+        if index_of.insert(&object.name, i).is_some() {
             fault(places[i].name, "name", Problem::DuplicateName { name: object.name.clone() });
         }
     }

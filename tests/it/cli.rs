@@ -1,0 +1,182 @@
+//! `render`, help, streams, exit status, and the language of messages.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::process::Stdio;
+
+use crate::common::program::{Bench, Run};
+
+const FIGURE: &str = "[image]\nwidth = 64\nheight = 48\n[scene]\npreset = \"cube\"\n[style]\nantialias = 1\n";
+
+/// A bench with a small figure on it.
+fn bench(name: &str) -> Bench {
+    let bench = Bench::new(name);
+    bench.write("figure.toml", FIGURE);
+    bench
+}
+
+fn pixels(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    let mut data = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut data).unwrap();
+    assert_eq!(info.color_type, png::ColorType::Rgb);
+    (info.width, info.height, data)
+}
+
+#[test]
+fn the_same_figure_gives_the_same_bytes() {
+    let bench = bench("same-bytes");
+    for view in ["world", "canonical", "image", "all"] {
+        for name in ["a.png", "b.png"] {
+            let mut command = bench.command(&["render", "figure.toml", "--view", view, "-o", name]);
+            // Neither the language of the system nor the number of threads may show.
+            if name == "b.png" {
+                command.env("LC_ALL", "pt_BR.UTF-8").env("RAYON_NUM_THREADS", "1");
+            }
+            assert!(Run::of(&mut command).done().is_empty());
+        }
+        assert!(bench.read("a.png") == bench.read("b.png"), "{view}");
+        let (_, _, data) = pixels(&bench.read("a.png"));
+        let colors: std::collections::BTreeSet<_> = data.chunks(3).collect();
+        assert!(colors.len() > 8, "{view} is blank");
+    }
+}
+
+#[test]
+fn sizes_are_those_asked_for() {
+    let bench = bench("sizes");
+    for (arguments, size) in [
+        (&[][..], (64, 48)),
+        (&["--scale", "2"], (128, 96)),
+        (&["--size", "100x30"], (100, 30)),
+        (&["--size", "10x30", "--scale", "1.5", "--view", "world"], (15, 45)),
+        (&["--view", "all"], (3 * 64 + 2 * 4, 48)),
+        (&["--view", "all", "--size", "200x50"], (200, 50)),
+    ] {
+        bench.run(&[&["render", "figure.toml", "-o", "a.png"], arguments].concat()).done();
+        let (width, height, _) = pixels(&bench.read("a.png"));
+        assert_eq!((width, height), size, "{arguments:?}");
+    }
+}
+
+#[test]
+fn another_aspect_is_letterboxed_not_stretched() {
+    let bench = bench("letterbox");
+    bench.run(&["render", "figure.toml", "-o", "plain.png"]).done();
+    bench.run(&["render", "figure.toml", "--size", "104x48", "-o", "wide.png"]).done();
+    let (plain, wide) = (pixels(&bench.read("plain.png")).2, pixels(&bench.read("wide.png")).2);
+    // The picture of 64 × 48 stands in the middle of 104 × 48, with bars of 20; its frame lies on the border.
+    for y in 8..40 {
+        let row = |data: &[u8], width: usize, x: usize, n: usize| data[3 * (y * width + x)..][..3 * n].to_vec();
+        assert!(row(&plain, 64, 2, 60) == row(&wide, 104, 22, 60), "row {y}");
+        assert!(row(&wide, 104, 0, 16) == row(&wide, 104, 88, 16), "row {y}");
+    }
+}
+
+#[test]
+fn themes_and_operations_change_the_picture() {
+    let bench = bench("theme");
+    let render = |arguments: &[&str]| {
+        bench.run(&[&["render", "figure.toml", "-o", "a.png"], arguments].concat()).done();
+        pixels(&bench.read("a.png")).2
+    };
+    let plain = render(&[]);
+    assert!(render(&["--theme", "dark"]) != plain);
+    assert!(render(&["--op", "azimuth=-20"]) != plain);
+    assert!(render(&["--op", "azimuth=360"]) == plain);
+    assert!(render(&["--lang", "pt-BR"]) == plain, "the image has no words");
+    let cube = ["--view", "canonical", "--size", "320x240"];
+    assert!(render(&cube) != render(&[&cube[..], &["--lang", "pt-BR"]].concat()), "the volume has words");
+}
+
+#[test]
+fn a_refused_picture_leaves_the_old_file() {
+    let bench = bench("refused");
+    bench.write("bad.toml", "[camera]\nnear = -1");
+    bench.write("old.png", "old");
+    bench.write("old.jpg", "old");
+    for (arguments, part) in [
+        (&["render", "bad.toml", "-o", "old.png"][..], "bad.toml, line 2: [camera] near"),
+        (&["render", "figure.toml", "-o", "old.png", "--op", "zoom=-1"], "zoom"),
+        (&["render", "figure.toml", "-o", "old.png", "--size", "0x3"], "1 to 16384"),
+        (&["render", "figure.toml", "-o", "old.png", "--size", "20000x3"], "--size"),
+        (&["render", "figure.toml", "-o", "old.png", "--size", "9000x9000", "--scale", "2"], "18000 × 18000"),
+        (&["render", "figure.toml", "-o", "old.png", "--scale", "0"], "--scale is \"0\"; allowed"),
+        (&["render", "figure.toml", "-o", "old.png", "--view", "side"], "world, canonical, image, all"),
+        (&["render", "figure.toml", "-o", "old.jpg"], ".png"),
+        (&["render", "figure.toml", "-o", "noending"], ".png"),
+        (&["render", "figure.toml"], "--output"),
+    ] {
+        let run = bench.run(arguments);
+        assert!(run.refused(2).contains(part), "{part}: {}", run.err);
+    }
+    let run = bench.run(&["render", "figure.toml", "-o", "no/such/place.png"]);
+    assert!(run.refused(1).contains("place.png cannot be written"), "{}", run.err);
+    assert_eq!((bench.read("old.png"), bench.read("old.jpg")), (b"old".to_vec(), b"old".to_vec()));
+    assert_eq!(bench.names(), ["bad.toml", "figure.toml", "old.jpg", "old.png"]);
+}
+
+#[test]
+fn messages_speak_the_language_asked_for_or_the_systems() {
+    let bench = bench("languages");
+    let message = |arguments: &[&str], locale: &str| {
+        let run = Run::of(bench.command(arguments).env("LC_ALL", locale));
+        run.refused(2).to_owned()
+    };
+    let missing = ["inspect", "none.toml"];
+    assert!(message(&missing, "pt_BR.UTF-8").contains("não pode ser lido"));
+    assert!(message(&missing, "pt_PT.UTF-8").contains("não pode ser lido"));
+    assert!(message(&missing, "fr_FR.UTF-8").contains("cannot be read"));
+    assert!(message(&["inspect", "none.toml", "--lang", "en"], "pt_BR.UTF-8").contains("cannot be read"));
+    assert!(message(&["inspect", "none.toml", "--lang", "pt-BR"], "C").contains("não pode ser lido"));
+    assert!(message(&["inspect", "figure.toml", "--nope", "--lang", "pt-BR"], "C").contains("desconhecido"));
+    assert!(message(&["render", "figure.toml"], "pt_BR.UTF-8").contains("falta o argumento obrigatório"));
+    assert!(message(&["inspect", "figure.toml", "--lang", "xx"], "pt_BR.UTF-8").contains("permitido: en, pt-BR"));
+}
+
+#[test]
+fn help_and_version_work_on_every_command() {
+    let bench = Bench::new("help");
+    for command in [&[][..], &["inspect"], &["render"]] {
+        let help = bench.run(&[command, &["--help"]].concat());
+        assert!(String::from_utf8_lossy(help.done()).contains("Usage: camera-lab"));
+        let version = bench.run(&[command, &["--version"]].concat());
+        assert!(String::from_utf8_lossy(version.done()).contains(env!("CARGO_PKG_VERSION")));
+    }
+}
+
+#[test]
+fn without_a_display_it_says_so_and_names_render() {
+    let bench = bench("no-display");
+    for arguments in [&[][..], &["figure.toml"]] {
+        let run = bench.run(arguments);
+        assert!(run.refused(1).contains("camera-lab render"), "{}", run.err);
+    }
+    let run = bench.run(&["none.toml"]);
+    assert!(run.refused(2).contains("none.toml"), "{}", run.err);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_closed_pipe_ends_quietly() {
+    let bench = bench("pipe");
+    for arguments in [&["inspect", "figure.toml"][..], &["--help"]] {
+        let mut child = bench.command(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+        assert_eq!(output.status.code(), Some(0));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_a_failure_not_bad_input() {
+    let bench = bench("full");
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let run = Run::of(bench.command(&["inspect", "figure.toml"]).stdout(full));
+    assert_eq!(
+        (run.status, run.err.trim()),
+        (Some(1), "camera-lab: standard output cannot be written: the disk is full")
+    );
+}
