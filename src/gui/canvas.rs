@@ -1,16 +1,348 @@
-//! The three pictures in the middle of the window.
+//! The three pictures in the middle of the window: where they lie, who looks at them, and what the pointer does in them.
+//!
+//! Nothing is stored that can be computed: each frame says anew what each visible picture is made from, and only a picture
+//! for which that has changed is drawn again.
 
-use eframe::egui;
+mod act;
+mod arrange;
+mod icons;
+mod look;
+mod paint;
+mod probe;
+mod screen;
+mod status;
+mod title;
 
-use super::state::State;
+use std::sync::Arc;
+use std::time::Duration;
 
-/// Draws the pictures and keeps their textures.
-#[derive(Default)]
-pub struct Canvas {}
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
+};
+
+use self::act::Drag;
+use self::arrange::{Axis, Shares, arrange};
+use self::look::Auto;
+use self::paint::{Job, Painter};
+use self::screen::{Place, Screen};
+use self::status::Status;
+use self::title::{Title, TitleAction, picture_name};
+use super::handles::point;
+use super::state::{Look, Picture, State};
+use crate::appearance::Rgba;
+use crate::figure::{Figure, Observer};
+use crate::i18n::canvas::{self as words, CanvasTexts};
+use crate::i18n::pictures::labels;
+use crate::views::{self, Extras, Palette, Probe, Setup};
+
+/// How long a frame waits for its pictures. What takes longer is shown when it is done.
+const PATIENCE: Duration = Duration::from_millis(30);
+
+/// Draws the pictures and keeps what belongs to them from one frame to the next.
+pub struct Canvas {
+    /// How long a frame waits for its pictures; tests have more of it than a hand that drags.
+    pub patience: Duration,
+    painter: Option<Painter>,
+    screens: [Screen; 3],
+    shares: Shares,
+    /// What the two three-dimensional pictures are seen from where the figure does not say, and in this frame.
+    autos: [Auto; 2],
+    seen: [Observer; 2],
+    /// What a title's button asked for.
+    asked: Option<(Picture, Look)>,
+    extras: Extras,
+    drag: Option<Drag>,
+    pinned: Option<Probe>,
+    /// For a double-click, whose first click was not meant to pin.
+    pinned_before: Option<Probe>,
+}
+
+impl Default for Canvas {
+    fn default() -> Self {
+        let nobody =
+            Observer { target: glam::DVec3::ZERO, distance: 1.0, azimuth: 0.0, elevation: 0.0, parallel: false };
+        Self {
+            patience: PATIENCE,
+            painter: None,
+            screens: Default::default(),
+            shares: Shares::default(),
+            autos: Default::default(),
+            seen: [nobody; 2],
+            asked: None,
+            extras: Extras::default(),
+            drag: None,
+            pinned: None,
+            pinned_before: None,
+        }
+    }
+}
+
+/// A picture in this frame.
+struct Pane {
+    picture: Picture,
+    place: Place,
+    response: Response,
+}
+
+/// What the views need to know, for a picture of this size.
+fn setup<'a>(state: &'a State, extras: &'a Extras, size: views::Size) -> Setup<'a> {
+    Setup {
+        figure: state.document.figure(),
+        camera: state.document.camera(),
+        scene: state.scenery.scene(),
+        labels: labels(state.settings.lang),
+        size,
+        extras,
+    }
+}
 
 impl Canvas {
-    /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
-    pub fn ui(&mut self, ui: &mut egui::Ui, _state: &mut State) {
-        ui.take_available_space();
+    /// How often each picture has been drawn since the window was opened, in the order of [`Picture::ALL`].
+    #[must_use]
+    pub fn drawn(&self) -> [u64; 3] {
+        self.painter.as_ref().map_or([0; 3], Painter::drawn)
     }
+
+    /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
+    pub fn ui(&mut self, ui: &mut Ui, state: &mut State) {
+        let room = ui.available_rect_before_wrap();
+        ui.take_available_space();
+        let texts = words::canvas(state.settings.lang);
+        let lines = status::height(ui, room.size());
+        let (pictures, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
+
+        if let Err(problem) = state.scenery.update(&state.document, state.settings.lang) {
+            state.say_error(problem);
+        }
+        self.extras.ghost = state.ghost.clone();
+        let panes = self.panes(ui, pictures, state, texts);
+        self.settle_observers(ui, state, &panes);
+        let mut status = self.act(ui, state, &panes, texts);
+        state.probe = self.extras.probe;
+        self.draw(ui, state, &panes);
+        self.decorate(ui, state, &panes, texts);
+
+        self.describe_probe(state, &mut status, texts);
+        status.hidden = if state.layout.maximized.is_none() {
+            Picture::ALL.into_iter().filter(|p| !state.layout.shown[p.index()]).collect()
+        } else {
+            Vec::new()
+        };
+        if let Some(picture) = status.show(ui, lines, room.size(), texts) {
+            state.layout.shown[picture.index()] = true;
+        }
+    }
+
+    /// Lays the pictures out, with their titles and the bars between them.
+    fn panes(&mut self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) -> Vec<Pane> {
+        let visible: Vec<Picture> = match state.layout.maximized {
+            Some(picture) => vec![picture],
+            None => Picture::ALL.into_iter().filter(|p| state.layout.shown[p.index()]).collect(),
+        };
+        let (rects, bars) = arrange(room, &visible, &self.shares);
+        for (i, bar) in bars.iter().enumerate() {
+            let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);
+            let cursor = if bar.axis == Axis::X { CursorIcon::ResizeHorizontal } else { CursorIcon::ResizeVertical };
+            let response = response.on_hover_and_drag_cursor(cursor);
+            if response.double_clicked() {
+                self.shares.reset(bar);
+            } else if response.dragged()
+                && let Some(pointer) = response.interact_pointer_pos()
+            {
+                self.shares.drag(bar, pointer);
+            }
+        }
+        let mut panes = Vec::new();
+        for (picture, rect) in rects {
+            let height = ui.spacing().interact_size.y + 4.0;
+            let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
+            let action = Title {
+                picture,
+                texts,
+                linked: state.layout.linked,
+                maximized: state.layout.maximized == Some(picture),
+                can_hide: state.layout.maximized.is_none() && visible.len() > 1,
+            }
+            .show(ui, title);
+            self.take_action(ui, state, picture, action);
+            let place = Place::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
+            let response = ui.interact(place.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
+            let description = describe(state, picture);
+            response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
+            panes.push(Pane { picture, place, response });
+        }
+        panes
+    }
+
+    fn take_action(&mut self, ui: &Ui, state: &mut State, picture: Picture, action: Option<TitleAction>) {
+        match action {
+            None => return,
+            Some(TitleAction::Look(look)) => self.asked = Some((picture, look)),
+            Some(TitleAction::ToggleLink) => state.layout.linked = !state.layout.linked,
+            Some(TitleAction::ToggleMaximized) => toggle_maximized(state, picture),
+            Some(TitleAction::Hide) => state.layout.shown[picture.index()] = false,
+        }
+        ui.request_repaint();
+    }
+
+    /// Decides from where the three-dimensional pictures are seen in this frame.
+    fn settle_observers(&mut self, ui: &Ui, state: &mut State, panes: &[Pane]) {
+        let wanted = state.look.take();
+        let asked = self.asked.take();
+        let steady = ui.input(|i| i.pointer.any_down());
+        for pane in panes.iter().filter(|pane| pane.picture != Picture::Image) {
+            let (picture, i) = (pane.picture, pane.picture.index());
+            let look = wanted.or(asked.filter(|(p, _)| *p == picture || state.layout.linked).map(|(_, look)| look));
+            if let Some(look) = look {
+                self.autos[i].forget();
+                let setup = setup(state, &self.extras, pane.place.size);
+                let observer = look::looked(picture, &setup, look, &self.seen[i]);
+                *look::slot(state.document.observers_mut(), picture) = observer;
+            }
+            self.seen[i] = match look::told(&state.document.figure().observers, picture) {
+                Some(observer) => observer,
+                None => {
+                    let setup = setup(state, &self.extras, pane.place.size);
+                    self.autos[i].observer(picture, &setup, state.scenery.scene(), steady)
+                }
+            };
+        }
+    }
+
+    /// Looks at a picture from somewhere else.
+    fn turn(&mut self, state: &mut State, picture: Picture, observer: Observer) {
+        self.seen[picture.index()] = observer;
+        *look::slot(state.document.observers_mut(), picture) = Some(observer);
+    }
+
+    /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
+    fn draw(&mut self, ui: &Ui, state: &State, panes: &[Pane]) {
+        let ctx = ui.ctx();
+        let painter = self.painter.get_or_insert_with(|| Painter::new(ctx));
+        let max_side = ui.input(|i| i.max_texture_side);
+        let figure = state.document.figure();
+        for pane in panes {
+            if pane.place.size.width == 0 || pane.place.size.height == 0 {
+                continue;
+            }
+            let only_world = pane.picture == Picture::World;
+            painter.ask(Job {
+                picture: pane.picture,
+                figure: Figure {
+                    image: figure.image,
+                    viewport: figure.viewport,
+                    style: figure.style,
+                    ..Figure::default()
+                },
+                camera: state.document.camera().clone(),
+                scene: Arc::clone(state.scenery.scene()),
+                labels: labels(state.settings.lang),
+                size: pane.place.size,
+                observer: (pane.picture != Picture::Image).then(|| self.seen[pane.picture.index()]),
+                extras: Extras {
+                    painted_image: None,
+                    probe: self.extras.probe,
+                    ghost: self.extras.ghost.clone().filter(|_| only_world),
+                    hot: self.extras.hot.filter(|_| only_world),
+                },
+                max_side,
+            });
+        }
+        for (i, sheet) in painter.collect(self.patience).into_iter().enumerate() {
+            if let Some(sheet) = sheet {
+                self.screens[i].set(ctx, picture_name(words::canvas(state.settings.lang), Picture::ALL[i]), sheet);
+            }
+        }
+        let palette = Palette::of(figure.style.theme);
+        for pane in panes {
+            let ground = if pane.picture == Picture::Image { palette.surround } else { palette.paper };
+            let Rgba { r, g, b, .. } = ground;
+            ui.painter().rect_filled(pane.place.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
+            self.screens[pane.picture.index()].paint(ui, &pane.place);
+        }
+    }
+
+    /// What lies over the pictures: borders, the ring of the keyboard's focus, the cross of lines under the pointer.
+    fn decorate(&self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
+        for pane in panes {
+            let rect = pane.place.rect;
+            let border = ui.visuals().widgets.noninteractive.bg_stroke;
+            ui.painter().rect_stroke(rect, 0.0, border, StrokeKind::Inside);
+            if pane.response.has_focus() {
+                let ring = Stroke { width: 2.0, ..ui.visuals().selection.stroke };
+                ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
+            }
+            if self.screens[pane.picture.index()].failed() {
+                let font = TextStyle::Body.resolve(ui.style());
+                let color = ui.visuals().error_fg_color;
+                ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);
+            }
+            if pane.picture == Picture::Image && pane.response.hovered() && self.drag.is_none() {
+                cross(ui, state, pane);
+            }
+        }
+    }
+
+    fn describe_probe(&self, state: &State, status: &mut Status, texts: &'static CanvasTexts) {
+        let Some(probe) = self.extras.probe else {
+            status.note = texts.probe_hint;
+            return;
+        };
+        let (figure, camera) = (state.document.figure(), state.document.camera());
+        let digits = state.settings.digits;
+        status.cells = probe::cells(probe, figure, camera, digits.min(4), texts);
+        status.exact = probe::cells(probe, figure, camera, digits, texts);
+        if self.pinned.is_some() {
+            status.aside = if status.aside.is_empty() {
+                texts.pinned.to_owned()
+            } else {
+                format!("{} · {}", texts.pinned, status.aside)
+            };
+        }
+    }
+}
+
+/// Gives a picture all the room, or gives it back.
+fn toggle_maximized(state: &mut State, picture: Picture) {
+    state.layout.maximized = if state.layout.maximized == Some(picture) { None } else { Some(picture) };
+}
+
+/// A picture in words.
+fn describe(state: &State, picture: Picture) -> String {
+    let lang = state.settings.lang;
+    match picture {
+        Picture::World => {
+            let camera = state.document.camera();
+            words::describe_world(lang, &point(camera.position(), 4), &point(camera.focal_point(), 4))
+        }
+        Picture::Canonical => words::describe_canonical(lang),
+        Picture::Image => {
+            let image = state.document.figure().image;
+            words::describe_image(lang, image.width, image.height)
+        }
+    }
+}
+
+/// Two lines that cross at the pointer, within the frame of the image.
+#[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
+fn cross(ui: &Ui, state: &State, pane: &Pane) {
+    let Some(pointer) = pane.response.hover_pos() else { return };
+    let f = views::image::frame(pane.place.size, state.document.camera().window());
+    let frame = pane.place.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32);
+    if !frame.contains(pointer) {
+        return;
+    }
+    let stroke = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.7));
+    let gap = 8.0;
+    let painter = ui.painter().with_clip_rect(frame);
+    for (a, b) in [
+        (pos2(frame.left(), pointer.y), pos2(pointer.x - gap, pointer.y)),
+        (pos2(pointer.x + gap, pointer.y), pos2(frame.right(), pointer.y)),
+        (pos2(pointer.x, frame.top()), pos2(pointer.x, pointer.y - gap)),
+        (pos2(pointer.x, pointer.y + gap), pos2(pointer.x, frame.bottom())),
+    ] {
+        painter.line_segment([a, b], stroke);
+    }
+    ui.set_cursor_icon(CursorIcon::Crosshair);
 }

@@ -47,7 +47,10 @@ impl Document {
             source,
             saved: figure.clone(),
             opened: figure.camera,
-            committed: Snapshot { draft: figure.camera, figure: figure.clone() },
+            committed: Snapshot {
+                draft: figure.camera,
+                figure: Figure { observers: Observers::default(), ..figure.clone() },
+            },
             past: Vec::new(),
             future: Vec::new(),
             figure,

@@ -5,6 +5,7 @@
 //! | [`app`] | what happens in a frame, in order |
 //! | [`state`] | what the panels and the pictures share |
 //! | [`document`] | the figure that is being edited, its file, undo and redo |
+//! | [`scenery`] | the scene that the pictures show |
 //! | [`canvas`] | the three pictures in the middle |
 
 pub mod app;
@@ -12,11 +13,13 @@ pub mod canvas;
 pub mod command;
 pub mod document;
 pub mod expression;
+mod handles;
 pub mod menu;
 pub mod number_field;
 pub mod numbers;
 pub mod panels;
 pub mod repair;
+pub mod scenery;
 pub mod state;
 pub mod theme;
 

@@ -7,6 +7,7 @@ use crate::views::{Ghost, Probe};
 use super::Start;
 use super::document::Document;
 use super::panels::operations::Operations;
+use super::scenery::Scenery;
 
 /// One of the three pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -22,6 +23,16 @@ pub enum Picture {
 impl Picture {
     /// All, from left to right.
     pub const ALL: [Self; 3] = [Self::World, Self::Canonical, Self::Image];
+
+    /// Its place in [`Picture::ALL`].
+    #[must_use]
+    pub const fn index(self) -> usize {
+        match self {
+            Self::World => 0,
+            Self::Canonical => 1,
+            Self::Image => 2,
+        }
+    }
 }
 
 /// From where a three-dimensional picture is to be seen.
@@ -123,6 +134,8 @@ pub struct Message {
 pub struct State {
     /// The figure.
     pub document: Document,
+    /// The scene of the figure.
+    pub scenery: Scenery,
     /// The window.
     pub settings: Settings,
     /// The pictures.
@@ -153,6 +166,7 @@ impl State {
         let square = start.figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
         Ok(Self {
             document: Document::new(start.figure, start.file)?,
+            scenery: Scenery::default(),
             settings: Settings {
                 lang: start.lang,
                 zoom: 1.0,

@@ -1,5 +1,6 @@
 //! Every text in both languages, as typed Rust values.
 
+pub mod canvas;
 pub mod command_line;
 pub mod faults;
 pub mod messages;

@@ -1,0 +1,168 @@
+//! From where the two three-dimensional pictures are seen, and how pointer and keys change that.
+
+use std::sync::Arc;
+
+use eframe::egui::Vec2;
+use glam::DVec2;
+
+use crate::camera::Camera;
+use crate::figure::{Observer, Observers};
+use crate::gui::state::{Look, Picture};
+use crate::scene::Scene;
+use crate::views::observer::{Preset, VIEW_ANGLE};
+use crate::views::{self, Setup};
+
+/// Degrees of orbit for one point of pointer motion.
+pub(super) const DEGREES_PER_POINT: f64 = 0.5;
+
+/// The observer of a figure that says nothing about it: it has everything in the picture, and stays where it is as long as
+/// that is about true, so that a camera that is moved is seen moving.
+#[derive(Debug, Default)]
+pub(super) struct Auto {
+    kept: Option<Kept>,
+}
+
+#[derive(Debug)]
+struct Kept {
+    observer: Observer,
+    /// The observer that would fit, and what it was computed from.
+    fitted: Observer,
+    camera: Camera,
+    scene: Arc<Scene>,
+    aspect: f64,
+}
+
+impl Auto {
+    /// The observer for the picture of `setup`. With `steady` (while something is dragged) it does not move at all.
+    pub(super) fn observer(&mut self, picture: Picture, setup: &Setup, scene: &Arc<Scene>, steady: bool) -> Observer {
+        let aspect = setup.size.aspect();
+        if let Some(kept) = &mut self.kept
+            && Arc::ptr_eq(&kept.scene, scene)
+            && kept.aspect == aspect
+        {
+            if kept.camera != *setup.camera {
+                kept.camera = setup.camera.clone();
+                kept.fitted = fitted(picture, setup);
+            }
+            if !steady && !still_fits(&kept.observer, &kept.fitted) {
+                kept.observer = kept.fitted;
+            }
+            return kept.observer;
+        }
+        let fitted = fitted(picture, setup);
+        let (camera, scene) = (setup.camera.clone(), Arc::clone(scene));
+        self.kept = Some(Kept { observer: fitted, fitted, camera, scene, aspect });
+        fitted
+    }
+
+    /// Fits again in the next frame.
+    pub(super) fn forget(&mut self) {
+        self.kept = None;
+    }
+}
+
+fn fitted(picture: Picture, setup: &Setup) -> Observer {
+    preset(picture, setup, Preset::default())
+}
+
+/// The observer that looks from a side and has everything in the picture.
+fn preset(picture: Picture, setup: &Setup, preset: Preset) -> Observer {
+    match picture {
+        Picture::Canonical => views::canonical::observer(setup, preset),
+        Picture::World | Picture::Image => views::world::observer(setup, preset),
+    }
+}
+
+/// True where what the fitted observer has in its picture is in this one's too, and not lost in it.
+fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
+    let offset = observer.target.distance(fitted.target) / (2.0 * (VIEW_ANGLE.radians() / 2.0).tan());
+    let needed = fitted.distance + 2.0 * offset;
+    needed <= 1.15 * observer.distance && fitted.distance >= 0.4 * observer.distance
+}
+
+/// What a button of the toolbar or a key asks for. `None`: the figure says nothing any more, and [`Auto`] looks.
+pub(super) fn looked(picture: Picture, setup: &Setup, look: Look, now: &Observer) -> Option<Observer> {
+    match look {
+        Look::Iso => None,
+        Look::Front => Some(preset(picture, setup, Preset::Front)),
+        Look::Top => Some(preset(picture, setup, Preset::Top)),
+        Look::Side => Some(preset(picture, setup, Preset::Side)),
+        Look::Fit => Some(match picture {
+            Picture::Canonical => views::canonical::fit(setup, now),
+            Picture::World | Picture::Image => views::world::fit(setup, now),
+        }),
+    }
+}
+
+/// The observer after the pointer went by `motion` points from where it turned `pressed`: the picture follows the pointer.
+pub(super) fn orbited(pressed: Observer, motion: Vec2) -> Observer {
+    pressed.orbit(f64::from(motion.x) * DEGREES_PER_POINT, f64::from(motion.y) * DEGREES_PER_POINT)
+}
+
+/// Goes nearer by `factor` so that what is at `pointer` (pixels) stays there.
+pub(super) fn zoomed_at(observer: Observer, factor: f64, pointer: DVec2, size: views::Size) -> Observer {
+    let height = f64::from(size.height);
+    let from_center = pointer - DVec2::new(f64::from(size.width), height) / 2.0;
+    let shift = from_center * (1.0 - factor);
+    observer.zoom(factor).pan(shift.x, shift.y, height)
+}
+
+/// Where the observer of a picture is written in a figure.
+pub(super) fn slot(observers: &mut Observers, picture: Picture) -> &mut Option<Observer> {
+    match picture {
+        Picture::Canonical => &mut observers.canonical,
+        Picture::World | Picture::Image => &mut observers.world,
+    }
+}
+
+/// What a figure says about the observer of a picture.
+pub(super) fn told(observers: &Observers, picture: Picture) -> Option<Observer> {
+    match picture {
+        Picture::World => observers.world,
+        Picture::Canonical => observers.canonical,
+        Picture::Image => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::vec2;
+    use glam::DVec3;
+
+    fn observer() -> Observer {
+        Observer { target: DVec3::new(1.0, 2.0, 3.0), distance: 20.0, azimuth: 35.0, elevation: 25.0, parallel: false }
+    }
+
+    #[test]
+    fn the_picture_follows_the_pointer() {
+        let turned = orbited(observer(), vec2(40.0, 10.0));
+        assert_eq!((turned.azimuth, turned.elevation), (15.0, 30.0));
+    }
+
+    /// Projects by hand: right and up in the plane of the target, one length for all pixels there.
+    #[test]
+    fn zoom_keeps_what_is_under_the_pointer() {
+        let size = views::Size { width: 400, height: 300, scale: 1.0 };
+        let pointer = DVec2::new(310.0, 60.0);
+        let on_target_plane = |o: Observer| {
+            let unit = 2.0 * o.distance * (VIEW_ANGLE.radians() / 2.0).tan() / 300.0;
+            let [right, up, _] = o.axes();
+            o.target + right * ((pointer.x - 200.0) * unit) - up * ((pointer.y - 150.0) * unit)
+        };
+        let before = observer();
+        let after = zoomed_at(before, 1.7, pointer, size);
+        assert!((after.distance - 20.0 / 1.7).abs() < 1e-12);
+        assert!(on_target_plane(before).distance(on_target_plane(after)) < 1e-12);
+    }
+
+    #[test]
+    fn an_observer_stays_until_something_leaves_its_picture_or_gets_lost_in_it() {
+        let fits = |fitted: Observer| still_fits(&observer(), &fitted);
+        assert!(fits(observer()));
+        assert!(fits(Observer { distance: 12.0, ..observer() }));
+        assert!(!fits(Observer { distance: 30.0, ..observer() }));
+        assert!(!fits(Observer { distance: 5.0, ..observer() }));
+        assert!(!fits(Observer { target: DVec3::new(9.0, 2.0, 3.0), ..observer() }));
+    }
+}

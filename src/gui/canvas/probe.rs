@@ -1,0 +1,90 @@
+//! What the pointer points at, and its coordinates in every space.
+
+use glam::{DVec2, DVec3};
+
+use crate::camera::{Camera, ImageSize, Projected, Viewport};
+use crate::figure::{Figure, Observer};
+use crate::gui::handles::point;
+use crate::gui::numbers::significant;
+use crate::gui::state::Picture;
+use crate::i18n::canvas::CanvasTexts;
+use crate::views::{Probe, Setup, pick};
+
+/// How near the pointer must come to a vertex, in points.
+pub(super) const REACH: f32 = 7.0;
+
+/// What is at `pointer` (pixels) in a picture: a vertex within `reach` pixels, or a pixel of the image.
+pub(super) fn at(picture: Picture, setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<Probe> {
+    match picture {
+        Picture::World => pick::vertex_in_world(setup, observer, pointer, reach).map(Probe::Point),
+        Picture::Canonical => pick::vertex_in_canonical(setup, observer, pointer, reach).map(Probe::Point),
+        Picture::Image => pick::vertex_in_image(setup, pointer, reach).map(Probe::Point).or_else(|| {
+            let point = pick::window_point_in_image(setup, pointer)?;
+            let pixel = pixel_of(setup.figure.image, setup.camera, point);
+            Some(Probe::Window(center_of(setup.figure.image, setup.camera, pixel)))
+        }),
+    }
+}
+
+/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22); on the right and the lower border
+/// the last one.
+pub(super) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2 {
+    let last = DVec2::new(f64::from(image.width), f64::from(image.height)) - 1.0;
+    image.image_from_window(&camera.window(), point).floor().clamp(DVec2::ZERO, last.max(DVec2::ZERO))
+}
+
+/// The point of the view window at the centre of a pixel, `[0]` Eq. (5.23).
+fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
+    image.window_from_image(&camera.window(), pixel + 0.5)
+}
+
+/// A space and the coordinates in it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Cell {
+    pub(super) space: &'static str,
+    pub(super) value: String,
+}
+
+/// The coordinates of a probe in every space, the most wanted first.
+pub(super) fn cells(probe: Probe, figure: &Figure, camera: &Camera, digits: usize, texts: &CanvasTexts) -> Vec<Cell> {
+    let cell = |space, value| Cell { space, value };
+    match probe {
+        Probe::Point(p) => {
+            let viewport = figure.viewport.unwrap_or_else(|| Viewport::whole(figure.image));
+            let s = camera.stations(p, figure.image, &viewport);
+            let mut cells =
+                vec![cell(texts.space_world, point(p, digits)), cell(texts.space_view, point(s.view, digits))];
+            let [x, y, z, w] = s.clip.to_array().map(|v| significant(v, digits));
+            cells.push(cell(texts.space_clip, format!("({x}, {y}, {z}, {w})")));
+            let Some(Projected { ndc, window, pixel, viewport }) = s.projected else {
+                cells.push(cell(texts.space_ndc, texts.no_image.to_owned()));
+                return cells;
+            };
+            let mut in_ndc = point(ndc, digits);
+            if !s.inside {
+                in_ndc = format!("{in_ndc} {}", texts.outside);
+            }
+            cells.push(cell(texts.space_ndc, in_ndc));
+            cells.push(cell(texts.space_window, pair(window, digits)));
+            cells.push(cell(texts.space_pixel, pair(pixel, digits.max(6))));
+            let [x, y, z] = viewport.to_array();
+            let depth = DVec3::new(x, y, z);
+            cells.push(cell(texts.space_viewport, point(depth, digits.max(6))));
+            cells
+        }
+        Probe::Window(w) => {
+            let ray = camera.ray_through_window(w);
+            vec![
+                cell(texts.space_pixel, pair(pixel_of(figure.image, camera, w), 17)),
+                cell(texts.space_window, pair(w, digits)),
+                cell(texts.ray_origin, point(ray.origin, digits)),
+                cell(texts.ray_direction, point(ray.direction, digits)),
+            ]
+        }
+    }
+}
+
+/// Two coordinates.
+pub(super) fn pair(p: DVec2, digits: usize) -> String {
+    format!("({}, {})", significant(p.x, digits), significant(p.y, digits))
+}

@@ -1,0 +1,135 @@
+//! A picture on the screen: its textures, and where each of its pixels is.
+
+use eframe::egui::{Color32, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
+use glam::DVec2;
+
+use super::paint::Sheet;
+use crate::views;
+
+/// One pixel of a picture is one pixel of the screen.
+const OPTIONS: TextureOptions = TextureOptions::NEAREST;
+
+/// The place of a picture: its corner on a whole pixel, its sides whole pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    /// In points.
+    pub(super) rect: Rect,
+    /// In pixels.
+    pub(super) size: views::Size,
+    pixels_per_point: f32,
+}
+
+impl Place {
+    /// The largest place in `room` (points).
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "sides of a screen: clamped to 0 … 16384 before the cast"
+    )]
+    pub(super) fn in_room(room: Rect, pixels_per_point: f32, stroke_scale: f32) -> Self {
+        let (min, max) = (room.min.to_vec2() * pixels_per_point, room.max.to_vec2() * pixels_per_point);
+        let (min, max) = (min.ceil(), max.floor());
+        let side = |length: f32| length.clamp(0.0, 16_384.0) as u32;
+        let size = views::Size {
+            width: side(max.x - min.x),
+            height: side(max.y - min.y),
+            scale: pixels_per_point * stroke_scale,
+        };
+        let corner = (min / pixels_per_point).to_pos2();
+        let rect = Rect::from_min_size(corner, (max - min).max(Vec2::ZERO) / pixels_per_point);
+        Self { rect, size, pixels_per_point }
+    }
+
+    /// A point of the screen in the picture's pixels.
+    pub(super) fn pixel(&self, point: Pos2) -> DVec2 {
+        let p = (point - self.rect.min) * self.pixels_per_point;
+        DVec2::new(f64::from(p.x), f64::from(p.y))
+    }
+
+    /// A rectangle of the picture (pixels) on the screen.
+    pub(super) fn rect_of(&self, x: f32, y: f32, width: f32, height: f32) -> Rect {
+        let min = self.rect.min + vec2(x, y) / self.pixels_per_point;
+        Rect::from_min_size(min, vec2(width, height) / self.pixels_per_point)
+    }
+
+    /// Points of the screen as pixels.
+    pub(super) fn pixels(&self, points: f32) -> f64 {
+        f64::from(points * self.pixels_per_point)
+    }
+}
+
+/// The newest finished picture, as textures.
+#[derive(Default)]
+pub(super) struct Screen {
+    size: [usize; 2],
+    tiles: Vec<([usize; 2], [usize; 2], TextureHandle)>,
+    /// The last drawing failed.
+    failed: bool,
+}
+
+impl Screen {
+    /// Takes a new picture; the textures are kept where their number is the same.
+    pub(super) fn set(&mut self, ctx: &Context, name: &str, sheet: Option<Sheet>) {
+        self.failed = sheet.is_none();
+        let Some(sheet) = sheet else { return };
+        self.size = sheet.size;
+        self.tiles.truncate(sheet.tiles.len());
+        for (i, (place, image)) in sheet.tiles.into_iter().enumerate() {
+            let size = image.size;
+            match self.tiles.get_mut(i) {
+                Some(tile) => {
+                    tile.2.set(image, OPTIONS);
+                    (tile.0, tile.1) = (place, size);
+                }
+                None => self.tiles.push((place, size, ctx.load_texture(name, image, OPTIONS))),
+            }
+        }
+    }
+
+    /// True where the last drawing failed.
+    pub(super) fn failed(&self) -> bool {
+        self.failed
+    }
+
+    /// Paints the picture at its place; one of another size, which is there while the next is being drawn, in the middle.
+    #[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
+    pub(super) fn paint(&self, ui: &Ui, place: &Place) {
+        let painter = ui.painter().with_clip_rect(place.rect.intersect(ui.clip_rect()));
+        let (width, height) = (self.size[0] as f32, self.size[1] as f32);
+        let shift_x = ((place.size.width as f32 - width) / 2.0).round();
+        let shift_y = ((place.size.height as f32 - height) / 2.0).round();
+        let all = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        for ([left, top], [w, h], texture) in &self.tiles {
+            let rect = place.rect_of(*left as f32 + shift_x, *top as f32 + shift_y, *w as f32, *h as f32);
+            painter.image(texture.id(), rect, all, Color32::WHITE);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_of_a_picture_are_pixels_of_the_screen() {
+        for (pixels_per_point, width) in [(1.0_f32, 199), (1.25, 249), (1.5, 299), (2.0, 399)] {
+            let room = Rect::from_min_max(pos2(10.3, 20.7), pos2(210.1, 170.2));
+            let place = Place::in_room(room, pixels_per_point, 1.5);
+            assert_eq!(place.size.width, width);
+            assert_eq!(place.size.scale, 1.5 * pixels_per_point);
+            assert!(room.contains_rect(place.rect));
+            for side in [place.rect.left(), place.rect.top(), place.rect.right(), place.rect.bottom()] {
+                let pixels = side * pixels_per_point;
+                assert!((pixels - pixels.round()).abs() < 1e-3, "{side} at {pixels_per_point}");
+            }
+            let corner = place.rect_of(3.0, 4.0, 1.0, 1.0).center();
+            assert!(place.pixel(corner).distance(DVec2::new(3.5, 4.5)) < 1e-3);
+        }
+    }
+
+    #[test]
+    fn a_room_without_height_has_a_picture_without_pixels() {
+        let room = Rect::from_min_max(pos2(0.0, 50.0), pos2(100.0, 40.0));
+        assert_eq!(Place::in_room(room, 1.0, 1.0).size.height, 0);
+    }
+}

@@ -1,0 +1,161 @@
+//! The lines under the pictures: what the pointer does and where it is, and the coordinates of the probe.
+
+use eframe::egui::{
+    self, Align, Color32, FontId, Label, Layout, Rect, RichText, TextStyle, Ui, UiBuilder, Vec2, pos2, vec2,
+};
+
+use super::probe::Cell;
+use super::title::picture_name;
+use crate::gui::state::Picture;
+use crate::i18n::canvas::CanvasTexts;
+
+/// A cell is as wide as its space's name and three numbers of four digits, in heights of a line.
+const CELL_WIDTH: f32 = 14.5;
+
+/// What is said under the pictures.
+#[derive(Default)]
+pub(super) struct Status {
+    /// The first line.
+    pub(super) message: String,
+    /// The message says why something is not possible.
+    pub(super) warning: bool,
+    /// At the right end of the first line.
+    pub(super) aside: String,
+    /// The pictures that can be shown again.
+    pub(super) hidden: Vec<Picture>,
+    /// The coordinates of the probe.
+    pub(super) cells: Vec<Cell>,
+    /// The same with all digits, for the tooltip.
+    pub(super) exact: Vec<Cell>,
+    /// What stands there without a probe, or after the cells.
+    pub(super) note: &'static str,
+}
+
+/// How many lines and columns of cells there are. They depend on the room alone, so that nothing moves when the probe comes
+/// and goes.
+fn grid(ui: &Ui, room: Vec2) -> (usize, usize) {
+    let cell = CELL_WIDTH * line_height(ui);
+    let columns = (1..=7).rev().find(|&n: &u8| f32::from(n) * cell <= room.x).unwrap_or(1);
+    let most = if room.y < 400.0 { 1 } else { 3 };
+    (usize::from(7_u8.div_ceil(columns)).min(most), usize::from(columns))
+}
+
+fn font(ui: &Ui) -> FontId {
+    TextStyle::Small.resolve(ui.style())
+}
+
+fn line_height(ui: &Ui) -> f32 {
+    (ui.text_style_height(&TextStyle::Small) + 2.0).ceil()
+}
+
+fn first_line_height(ui: &Ui) -> f32 {
+    ui.spacing().interact_size.y
+}
+
+/// The height of the lines in a room that the pictures share.
+pub(super) fn height(ui: &Ui, room: Vec2) -> f32 {
+    let lines = u8::try_from(grid(ui, room).0).map_or(1.0, f32::from);
+    first_line_height(ui) + lines * line_height(ui) + 4.0
+}
+
+impl Status {
+    /// Draws the lines. The result is a picture that is to be shown again.
+    pub(super) fn show(&self, ui: &mut Ui, rect: Rect, room: Vec2, texts: &CanvasTexts) -> Option<Picture> {
+        let inner = rect.shrink2(vec2(6.0, 1.0));
+        let first = Rect::from_min_size(inner.min, vec2(inner.width(), first_line_height(ui)));
+        let shown_again = self.first_line(ui, first, texts);
+        let cells = Rect::from_min_max(pos2(inner.left(), first.bottom()), inner.max);
+        self.cells(ui, cells, room);
+        shown_again
+    }
+
+    fn first_line(&self, ui: &mut Ui, rect: Rect, texts: &CanvasTexts) -> Option<Picture> {
+        let mut shown_again = None;
+        let builder = UiBuilder::new().id_salt("status").max_rect(rect).layout(Layout::right_to_left(Align::Center));
+        ui.scope_builder(builder, |ui| {
+            if !self.aside.is_empty() {
+                ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));
+            }
+            for &picture in self.hidden.iter().rev() {
+                if ui.small_button(picture_name(texts, picture)).clicked() {
+                    shown_again = Some(picture);
+                }
+            }
+            if !self.hidden.is_empty() {
+                ui.add(Label::new(RichText::new(texts.hidden).small()).selectable(false));
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let mut text = RichText::new(&self.message).small();
+                if self.warning {
+                    text = text.color(ui.visuals().warn_fg_color).strong();
+                }
+                ui.add(Label::new(text).truncate().selectable(false));
+            });
+        });
+        shown_again
+    }
+
+    fn cells(&self, ui: &mut Ui, rect: Rect, room: Vec2) {
+        let (lines, columns) = grid(ui, room);
+        let builder = UiBuilder::new().id_salt("probe").max_rect(rect);
+        let response = ui
+            .scope_builder(builder, |ui| {
+                ui.expand_to_include_rect(rect);
+                ui.spacing_mut().item_spacing = Vec2::ZERO;
+                let columns = columns.min(self.cells.len().max(1));
+                #[expect(clippy::cast_precision_loss, reason = "at most 7")]
+                let width = if self.cells.is_empty() { rect.width() } else { rect.width() / columns as f32 };
+                let height = line_height(ui);
+                let mut place = Rect::from_min_size(rect.min, vec2(width, height));
+                for line in self.cells.chunks(columns).take(lines) {
+                    place.set_left(rect.left());
+                    place.set_width(width);
+                    for cell in line {
+                        self.cell(ui, place, cell);
+                        place = place.translate(vec2(width, 0.0));
+                    }
+                    place = place.translate(vec2(0.0, height));
+                }
+                if self.cells.is_empty() {
+                    let text = RichText::new(self.note).small().weak();
+                    ui.put(place, |ui: &mut Ui| {
+                        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                            ui.add(Label::new(text).truncate().selectable(false))
+                        })
+                        .inner
+                    });
+                }
+            })
+            .response;
+        if !self.exact.is_empty() {
+            response.on_hover_ui(|ui| table(ui, &self.exact));
+        }
+    }
+
+    fn cell(&self, ui: &mut Ui, place: Rect, cell: &Cell) {
+        let weak = ui.visuals().weak_text_color();
+        let strong = ui.visuals().text_color();
+        let font = font(ui);
+        let mut job = egui::text::LayoutJob::default();
+        let format = |color: Color32| egui::TextFormat::simple(font.clone(), color);
+        job.append(&format!("{} ", cell.space), 0.0, format(weak));
+        job.append(&cell.value, 0.0, format(strong));
+        ui.put(place.shrink2(vec2(0.0, 0.0)), |ui: &mut Ui| {
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                ui.add(Label::new(job).truncate().selectable(false))
+            })
+            .inner
+        });
+    }
+}
+
+/// The coordinates, one space in a line.
+fn table(ui: &mut Ui, cells: &[Cell]) {
+    egui::Grid::new("probe table").num_columns(2).show(ui, |ui| {
+        for cell in cells {
+            ui.label(cell.space);
+            ui.monospace(&cell.value);
+            ui.end_row();
+        }
+    });
+}

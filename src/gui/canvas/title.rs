@@ -1,0 +1,143 @@
+//! The title of a picture: its name, and the buttons that change from where and how large it is seen.
+
+use eframe::egui::{self, Align2, Id, Popup, Rect, Sense, TextStyle, Ui, UiBuilder, WidgetText};
+
+use super::icons::{Icon, icon_button, left_center};
+use crate::gui::state::{Look, Picture};
+use crate::i18n::canvas::CanvasTexts;
+
+/// What a title's buttons ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TitleAction {
+    /// Look from somewhere.
+    Look(Look),
+    /// Turn both three-dimensional pictures together, or no more.
+    ToggleLink,
+    /// Give the picture all the room, or give it back.
+    ToggleMaximized,
+    /// Do not show the picture.
+    Hide,
+}
+
+/// What a title shows.
+pub(super) struct Title<'a> {
+    pub(super) picture: Picture,
+    pub(super) texts: &'a CanvasTexts,
+    pub(super) linked: bool,
+    pub(super) maximized: bool,
+    /// False for the only picture that is left.
+    pub(super) can_hide: bool,
+}
+
+const LOOKS: [(Look, Icon); 5] = [
+    (Look::Fit, Icon::Fit),
+    (Look::Front, Icon::Front),
+    (Look::Top, Icon::Top),
+    (Look::Side, Icon::Side),
+    (Look::Iso, Icon::Iso),
+];
+
+impl Title<'_> {
+    /// Draws the title in `rect`. Where there is no room for all buttons, those that say from where to look become a menu.
+    pub(super) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
+        let mut action = None;
+        let name = picture_name(self.texts, self.picture);
+        let font = TextStyle::Button.resolve(ui.style());
+        let galley = WidgetText::from(name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
+        let side = ui.spacing().interact_size.y;
+        let solid = matches!(self.picture, Picture::World | Picture::Canonical);
+        let room_for_all = rect.width() >= galley.size().x + 8.0 * (side + 1.0) + 18.0;
+        let looks: u8 = if !solid {
+            0
+        } else if room_for_all {
+            6
+        } else {
+            1
+        };
+        let buttons = looks + 1 + u8::from(self.can_hide);
+        let width = f32::from(buttons) * (side + 1.0) + if solid { 5.0 } else { 1.0 };
+
+        let bar = ui.interact(rect, Id::unique(("picture title", self.picture)), Sense::CLICK);
+        if bar.double_clicked() {
+            action = Some(TitleAction::ToggleMaximized);
+        }
+        let room = Rect::from_min_max(egui::pos2(rect.right() - width, rect.top()), rect.max);
+        let builder = UiBuilder::new()
+            .id_salt(("title buttons", self.picture))
+            .max_rect(room)
+            .layout(egui::Layout::left_to_right(egui::Align::Center));
+        ui.scope_builder(builder, |ui| {
+            ui.spacing_mut().item_spacing.x = 1.0;
+            if solid {
+                action = if room_for_all { self.look_buttons(ui) } else { self.look_menu(ui) }.or(action);
+                ui.add_space(4.0);
+            }
+            let (icon, text) = if self.maximized {
+                (Icon::Restore, self.texts.restore)
+            } else {
+                (Icon::Maximize, self.texts.maximize)
+            };
+            if icon_button(ui, icon, text, false).clicked() {
+                action = Some(TitleAction::ToggleMaximized);
+            }
+            if self.can_hide && icon_button(ui, Icon::Hide, self.texts.hide, false).clicked() {
+                action = Some(TitleAction::Hide);
+            }
+        });
+        let clip = rect.intersect(Rect::everything_left_of(room.left() - 3.0));
+        let painter = ui.painter().with_clip_rect(clip.intersect(ui.clip_rect()));
+        let place = Align2::LEFT_CENTER.anchor_size(left_center(rect, 6.0), galley.size());
+        painter.galley(place.min, galley, ui.visuals().strong_text_color());
+        action
+    }
+
+    fn look_buttons(&self, ui: &mut Ui) -> Option<TitleAction> {
+        let mut action = None;
+        for (look, icon) in LOOKS {
+            if icon_button(ui, icon, look_name(self.texts, look), false).clicked() {
+                action = Some(TitleAction::Look(look));
+            }
+        }
+        if icon_button(ui, Icon::Link, self.texts.link, self.linked).clicked() {
+            action = Some(TitleAction::ToggleLink);
+        }
+        action
+    }
+
+    fn look_menu(&self, ui: &mut Ui) -> Option<TitleAction> {
+        let mut action = None;
+        let button = icon_button(ui, Icon::Iso, self.texts.look_menu, false);
+        Popup::menu(&button).show(|ui| {
+            for (look, _) in LOOKS {
+                if ui.button(look_name(self.texts, look)).clicked() {
+                    action = Some(TitleAction::Look(look));
+                }
+            }
+            ui.separator();
+            let mut linked = self.linked;
+            if ui.checkbox(&mut linked, self.texts.link).changed() {
+                action = Some(TitleAction::ToggleLink);
+            }
+        });
+        action
+    }
+}
+
+/// The name of a picture.
+pub(super) fn picture_name(texts: &CanvasTexts, picture: Picture) -> &'static str {
+    match picture {
+        Picture::World => texts.world,
+        Picture::Canonical => texts.canonical,
+        Picture::Image => texts.image,
+    }
+}
+
+fn look_name(texts: &CanvasTexts, look: Look) -> &'static str {
+    match look {
+        Look::Fit => texts.fit,
+        Look::Front => texts.front,
+        Look::Top => texts.top,
+        Look::Side => texts.side,
+        Look::Iso => texts.iso,
+    }
+}

@@ -1,0 +1,114 @@
+//! Taking C, PF, VUP and the clipping planes in the world with the pointer.
+
+use eframe::egui::{CursorIcon, Modifiers};
+use glam::{DVec2, DVec3};
+
+use super::numbers::significant;
+use crate::camera::{Camera, CameraError, Parameters};
+use crate::figure::Observer;
+use crate::i18n::canvas::CanvasTexts;
+use crate::views::handles::{self, Handle};
+use crate::views::{Setup, Size};
+
+/// How near the pointer must come to a handle, in points.
+pub(super) const REACH: f32 = 10.0;
+
+/// A handle that is held.
+#[derive(Clone, Debug)]
+pub(super) struct HandleDrag {
+    handle: Handle,
+    observer: Observer,
+    size: Size,
+    /// The camera and the pointer (pixels) from which the motion is measured: those of the press, or of the moment in which
+    /// the modifier changed.
+    camera: Camera,
+    from: DVec2,
+    vertical: bool,
+    /// What Esc brings back.
+    before: Parameters,
+    /// Why the handle does not follow the pointer.
+    stopped: Option<CameraError>,
+}
+
+impl HandleDrag {
+    /// Takes a handle at `from` (pixels).
+    pub(super) fn new(handle: Handle, setup: &Setup, observer: Observer, from: DVec2, modifiers: Modifiers) -> Self {
+        Self {
+            handle,
+            observer,
+            size: setup.size,
+            camera: setup.camera.clone(),
+            from,
+            vertical: vertical(modifiers),
+            before: *setup.camera.parameters(),
+            stopped: None,
+        }
+    }
+
+    /// What is held.
+    pub(super) fn handle(&self) -> Handle {
+        self.handle
+    }
+
+    /// Why the handle does not follow the pointer.
+    pub(super) fn stopped(&self) -> Option<&CameraError> {
+        self.stopped.as_ref()
+    }
+
+    /// The parameters when the handle was taken.
+    pub(super) fn before(&self) -> Parameters {
+        self.before
+    }
+
+    /// The parameters with the pointer at `to` (pixels); `None` where they are no camera, so that the last one stays and
+    /// [`HandleDrag::stopped`] says why.
+    pub(super) fn moved(&mut self, setup: &Setup, to: DVec2, modifiers: Modifiers) -> Option<Parameters> {
+        if self.vertical != vertical(modifiers) {
+            self.vertical = !self.vertical;
+            self.camera = setup.camera.clone();
+            self.from = to;
+        }
+        let then = Setup { camera: &self.camera, size: self.size, ..*setup };
+        let parameters = handles::drag(&then, &self.observer, self.handle, self.from, to, self.vertical);
+        self.stopped = Camera::new(&parameters).err();
+        self.stopped.is_none().then_some(parameters)
+    }
+}
+
+/// True where a point is to move up and down.
+fn vertical(modifiers: Modifiers) -> bool {
+    modifiers.shift || modifiers.command || modifiers.ctrl
+}
+
+/// The name of a handle and where it is, such as `C = (3, 4, 5)`.
+pub(super) fn readout(handle: Handle, camera: &Camera, digits: usize, texts: &CanvasTexts) -> String {
+    match handle {
+        Handle::Position => format!("C = {}", point(camera.position(), digits)),
+        Handle::FocalPoint => format!("PF = {}", point(camera.focal_point(), digits)),
+        Handle::ViewUp => format!("VUP = {}", point(camera.view_up(), digits)),
+        Handle::Near => format!("F = {} ({})", significant(camera.near(), digits), texts.near_plane),
+        Handle::Far => format!("B = {} ({})", significant(camera.far(), digits), texts.far_plane),
+    }
+}
+
+/// How a handle is dragged.
+pub(super) fn hint(handle: Handle, camera: &Camera, digits: usize, texts: &CanvasTexts) -> String {
+    let on_plane = |y: f64| format!("{} {} · {}", texts.drag_on_plane, significant(y, digits), texts.drag_vertically);
+    match handle {
+        Handle::Position => on_plane(camera.position().y),
+        Handle::FocalPoint => on_plane(camera.focal_point().y),
+        Handle::ViewUp => texts.drag_up.to_owned(),
+        Handle::Near | Handle::Far => texts.drag_along_axis.to_owned(),
+    }
+}
+
+/// The cursor over a handle, or while it is held.
+pub(super) fn cursor(held: bool) -> CursorIcon {
+    if held { CursorIcon::Grabbing } else { CursorIcon::Grab }
+}
+
+/// A point as it is written everywhere in the window.
+pub(super) fn point(p: DVec3, digits: usize) -> String {
+    let [x, y, z] = p.to_array().map(|v| significant(v, digits));
+    format!("({x}, {y}, {z})")
+}

@@ -1,0 +1,403 @@
+//! The three pictures: what pointer and keys do in them, and that nothing is drawn twice.
+
+#![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
+
+use std::time::Duration;
+
+use camera_lab::camera::{Camera, Parameters};
+use camera_lab::figure::{Figure, Observer};
+use camera_lab::gui::canvas::Canvas;
+use camera_lab::gui::state::Picture;
+use camera_lab::gui::{Start, State, theme};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::pictures::labels;
+use camera_lab::scene::Preset;
+use camera_lab::views::handles::{Handle, handles};
+use camera_lab::views::{self, Extras, Probe, Setup, Size};
+use eframe::egui::{
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, vec2,
+};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use glam::{DVec2, DVec3};
+
+struct Stage {
+    state: State,
+    canvas: Canvas,
+}
+
+const WORLD: &str = "World: the scene";
+const CANONICAL: &str = "Canonical volume: the scene";
+const IMAGE: &str = "Image: what the camera sees";
+
+fn observer() -> Observer {
+    Observer { target: DVec3::new(1.0, 1.5, 2.0), distance: 22.0, azimuth: 100.0, elevation: 30.0, parallel: false }
+}
+
+fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> {
+    let mut figure =
+        Figure { camera: Parameters { near: 2.0, far: 9.0, ..Parameters::default() }, ..Figure::default() };
+    figure.scene.preset = Preset::Cube;
+    figure.style.antialias = 1;
+    figure.observers.world = Some(observer());
+    figure.observers.canonical = Some(Observer { target: DVec3::ZERO, distance: 8.0, ..observer() });
+    let mut state = State::new(Start { figure, lang: Lang::En, ..Start::default() }).unwrap();
+    change(&mut state);
+    let mut canvas = Canvas::default();
+    canvas.patience = Duration::from_secs(60);
+    let mut harness = Harness::builder()
+        .with_size([1300.0, 520.0])
+        .with_step_dt(0.05)
+        .with_context_setup(theme::install_fonts)
+        .build_ui_state(|ui, stage: &mut Stage| stage.canvas.ui(ui, &mut stage.state), Stage { state, canvas });
+    harness.run();
+    harness
+}
+
+fn place(harness: &Harness<Stage>, label: &str) -> Rect {
+    harness.get_by_label_contains(label).rect()
+}
+
+fn parameters(harness: &Harness<Stage>) -> Parameters {
+    *harness.state().state.document.draft()
+}
+
+fn world_observer(harness: &Harness<Stage>) -> Observer {
+    harness.state().state.document.figure().observers.world.unwrap()
+}
+
+fn canonical_observer(harness: &Harness<Stage>) -> Observer {
+    harness.state().state.document.figure().observers.canonical.unwrap()
+}
+
+/// What the views know of a picture in `rect`.
+fn with_setup<T>(harness: &Harness<Stage>, rect: Rect, ask: impl FnOnce(&Setup) -> T) -> T {
+    let state = &harness.state().state;
+    let side = |s: f32| s.round() as u32;
+    ask(&Setup {
+        figure: state.document.figure(),
+        camera: state.document.camera(),
+        scene: state.scenery.scene(),
+        labels: labels(Lang::En),
+        size: Size { width: side(rect.width()), height: side(rect.height()), scale: 1.0 },
+        extras: &Extras::default(),
+    })
+}
+
+/// Where a handle is on the screen.
+fn handle(harness: &Harness<Stage>, wanted: Handle) -> Pos2 {
+    let rect = place(harness, WORLD);
+    let all = with_setup(harness, rect, |setup| handles(setup, &world_observer(harness)));
+    let (_, p) = all.into_iter().find(|(h, _)| *h == wanted).unwrap();
+    rect.min + vec2(p.x as f32, p.y as f32)
+}
+
+fn drag(harness: &mut Harness<Stage>, from: Pos2, motion: Vec2, button: PointerButton, modifiers: Modifiers) {
+    let press = |pressed, pos| Event::PointerButton { pos, button, pressed, modifiers };
+    harness.event(Event::ModifiersChanged(modifiers));
+    harness.hover_at(from);
+    harness.run();
+    harness.event(press(true, from));
+    harness.run();
+    for share in [0.4, 1.0] {
+        harness.hover_at(from + motion * share);
+        harness.run();
+    }
+    harness.event(press(false, from + motion));
+    harness.event(Event::ModifiersChanged(Modifiers::NONE));
+    harness.run();
+    harness.state_mut().state.document.commit();
+}
+
+fn drag_primary(harness: &mut Harness<Stage>, from: Pos2, motion: Vec2) {
+    drag(harness, from, motion, PointerButton::Primary, Modifiers::NONE);
+}
+
+/// A place in the world where nothing can be taken.
+fn free_place(harness: &Harness<Stage>) -> Pos2 {
+    place(harness, WORLD).left_bottom() + vec2(30.0, -30.0)
+}
+
+#[test]
+fn a_drag_turns_the_observer_by_half_a_degree_a_point_and_is_no_undo_step() {
+    let mut h = stage(|_| ());
+    let from = free_place(&h);
+    drag_primary(&mut h, from, vec2(60.0, 20.0));
+    let now = world_observer(&h);
+    assert!((now.azimuth - 70.0).abs() < 1e-4 && (now.elevation - 40.0).abs() < 1e-4, "{now:?}");
+    assert_eq!((now.target, now.distance), (observer().target, observer().distance));
+    assert_eq!(canonical_observer(&h).azimuth, observer().azimuth, "the other picture is not linked");
+    assert!(!h.state().state.document.can_undo());
+}
+
+#[test]
+fn linked_orbits_turn_together() {
+    let mut h = stage(|state| state.layout.linked = true);
+    let from = place(&h, CANONICAL).left_bottom() + vec2(20.0, -20.0);
+    drag_primary(&mut h, from, vec2(-40.0, 0.0));
+    for now in [world_observer(&h), canonical_observer(&h)] {
+        assert!((now.azimuth - 120.0).abs() < 1e-4, "{now:?}");
+    }
+}
+
+#[test]
+fn shift_and_the_right_button_move_the_picture_with_the_pointer() {
+    for (button, modifiers) in [(PointerButton::Secondary, Modifiers::NONE), (PointerButton::Primary, Modifiers::SHIFT)]
+    {
+        let mut h = stage(|_| ());
+        let focal_point_before = handle(&h, Handle::FocalPoint);
+        let from = free_place(&h);
+        drag(&mut h, from, vec2(25.0, -15.0), button, modifiers);
+        let now = world_observer(&h);
+        assert_eq!((now.azimuth, now.elevation, now.distance), (100.0, 30.0, 22.0));
+        let moved = handle(&h, Handle::FocalPoint) - focal_point_before;
+        assert!((moved - vec2(25.0, -15.0)).length() < 4.0, "{moved}");
+    }
+}
+
+#[test]
+fn the_wheel_goes_nearer_to_what_is_under_the_pointer() {
+    let mut h = stage(|_| ());
+    let focal_point = handle(&h, Handle::FocalPoint);
+    h.hover_at(focal_point + vec2(0.0, 14.0));
+    h.run();
+    h.event(Event::MouseWheel {
+        unit: MouseWheelUnit::Point,
+        delta: vec2(0.0, 100.0),
+        phase: TouchPhase::Move,
+        source: MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    h.run_steps(40);
+    let now = world_observer(&h);
+    assert!(now.distance < 0.75 * observer().distance, "{now:?}");
+    let moved = handle(&h, Handle::FocalPoint) - focal_point;
+    assert!(moved.length() < 10.0, "what is near the pointer stays near it: {moved}");
+}
+
+#[test]
+fn c_goes_over_its_plane_in_one_undo_step() {
+    let mut h = stage(|_| ());
+    let before = parameters(&h);
+    let from = handle(&h, Handle::Position);
+    drag_primary(&mut h, from, vec2(30.0, 12.0));
+    let after = parameters(&h);
+    assert_eq!(after.position.y, before.position.y, "C keeps its height");
+    assert!(after.position.distance(before.position) > 0.5);
+    assert_eq!((after.focal_point, after.near, after.far), (before.focal_point, before.near, before.far));
+    let now = handle(&h, Handle::Position);
+    assert!(now.distance(from + vec2(30.0, 12.0)) < 2.0, "C is under the pointer: {now}");
+    let document = &mut h.state_mut().state.document;
+    document.undo();
+    assert_eq!(*document.draft(), before);
+    assert!(!document.can_undo(), "one step");
+}
+
+#[test]
+fn with_ctrl_c_goes_up_and_down() {
+    let mut h = stage(|_| ());
+    let before = parameters(&h);
+    let from = handle(&h, Handle::Position);
+    drag(&mut h, from, vec2(0.0, 30.0), PointerButton::Primary, Modifiers::CTRL);
+    let after = parameters(&h);
+    assert!((after.position - before.position).truncate().x.abs() < 1e-12);
+    assert_eq!(after.position.z, before.position.z);
+    assert!(after.position.y < before.position.y - 0.3, "{}", after.position);
+}
+
+#[test]
+fn the_front_plane_goes_along_the_axis_and_stops_before_the_back_plane() {
+    let mut h = stage(|_| ());
+    let before = parameters(&h);
+    let from = handle(&h, Handle::Near);
+    let axis = handle(&h, Handle::Far) - from;
+    drag_primary(&mut h, from, axis * 0.3);
+    let after = parameters(&h);
+    assert!(after.near > before.near + 0.5 && after.near < before.far, "{}", after.near);
+    assert_eq!((after.position, after.far), (before.position, before.far));
+
+    let from = handle(&h, Handle::Near);
+    drag_primary(&mut h, from, axis * 3.0);
+    let after = parameters(&h);
+    assert!(after.near < after.far && Camera::new(&after).is_ok());
+}
+
+#[test]
+fn escape_gives_a_handle_back() {
+    let mut h = stage(|_| ());
+    let before = parameters(&h);
+    let from = handle(&h, Handle::Position);
+    h.hover_at(from);
+    h.run();
+    h.drag_at(from);
+    h.run();
+    h.hover_at(from + vec2(40.0, 0.0));
+    h.run();
+    assert_ne!(parameters(&h), before);
+    h.key_press(Key::Escape);
+    h.run();
+    assert_eq!(parameters(&h), before);
+    h.hover_at(from + vec2(80.0, 0.0));
+    h.run();
+    assert_eq!(parameters(&h), before, "what was given back is not held any more");
+}
+
+#[test]
+fn a_picture_can_be_hidden_and_shown_again() {
+    let mut h = stage(|_| ());
+    let width = place(&h, IMAGE).width();
+    h.get_all_by_label("Hide this picture").next().unwrap().click();
+    h.run();
+    assert_eq!(h.state().state.layout.shown, [false, true, true]);
+    assert!(h.query_by_label_contains(WORLD).is_none());
+    assert!(place(&h, IMAGE).width() > 1.4 * width);
+    h.get_by_label("World").click();
+    h.run();
+    assert_eq!(h.state().state.layout.shown, [true; 3]);
+    assert!(h.query_by_label_contains(WORLD).is_some());
+}
+
+#[test]
+fn a_double_click_gives_a_picture_all_the_room_and_takes_it_back() {
+    let mut h = stage(|_| ());
+    for expected in [Some(Picture::Canonical), None] {
+        let center = place(&h, CANONICAL).left_top() + vec2(15.0, 15.0);
+        h.hover_at(center);
+        h.run();
+        for _ in 0..2 {
+            h.drag_at(center);
+            h.step();
+            h.drop_at(center);
+            h.step();
+        }
+        h.run();
+        assert_eq!(h.state().state.layout.maximized, expected);
+        assert_eq!(h.query_by_label_contains(IMAGE).is_none(), expected.is_some());
+        h.run_steps(60);
+    }
+}
+
+#[test]
+fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
+    let mut h = stage(|_| ());
+    let rect = place(&h, IMAGE);
+    let window = h.state().state.document.camera().window();
+    let frame = with_setup(&h, rect, |setup| views::image::frame(setup.size, window));
+    let share = DVec2::new(0.03, 0.96);
+    let inside = DVec2::new(f64::from(frame.width), f64::from(frame.height)) * share;
+    let at = rect.min + vec2((f64::from(frame.x) + inside.x) as f32, (f64::from(frame.y) + inside.y) as f32);
+    h.hover_at(at);
+    h.run();
+    let pixel = (DVec2::new(1024.0, 768.0) * share).floor();
+    let near = |text: &str| {
+        let numbers: Vec<f64> = text.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
+        (numbers[0] - pixel.x).abs() <= 3.0 && (numbers[1] - pixel.y).abs() <= 3.0 && numbers[2..4] == [1024.0, 768.0]
+    };
+    let text = h.get_by_label_contains("/ 1024 × 768").accesskit_node().value().unwrap();
+    assert!(near(&text), "{text} is not near {pixel}");
+    let Some(Probe::Window(point)) = h.state().state.probe else { panic!("{:?}", h.state().state.probe) };
+    assert!((point.x - (window.left + share.x * window.width())).abs() < 0.01 * window.width());
+    assert!((point.y - (window.top - share.y * window.height())).abs() < 0.01 * window.height());
+
+    h.remove_cursor();
+    h.run();
+    assert_eq!(h.state().state.probe, None);
+    h.hover_at(at);
+    h.run();
+    h.drag_at(at);
+    h.drop_at(at);
+    h.run();
+    h.remove_cursor();
+    h.run();
+    assert_eq!(h.state().state.probe, Some(Probe::Window(point)), "a click pins it");
+    h.key_press(Key::Escape);
+    h.run();
+    assert_eq!(h.state().state.probe, None, "Esc releases it");
+}
+
+#[test]
+fn only_what_has_changed_is_drawn_again() {
+    let mut h = stage(|_| ());
+    let drawn = h.state().canvas.drawn();
+    assert!(drawn.iter().all(|&n| n >= 1));
+    h.run_steps(5);
+    assert_eq!(h.state().canvas.drawn(), drawn, "nothing has changed");
+
+    let from = free_place(&h);
+    drag_primary(&mut h, from, vec2(40.0, 0.0));
+    let orbited = h.state().canvas.drawn();
+    assert!(orbited[0] > drawn[0]);
+    assert_eq!(orbited[1..], drawn[1..], "only the world has another observer");
+
+    h.state_mut().state.layout.shown[1] = false;
+    h.run();
+    let hidden = h.state().canvas.drawn();
+    let wider = Parameters { view_angle: 60.0, ..parameters(&h) };
+    h.state_mut().state.document.set_parameters(wider);
+    h.run();
+    let changed = h.state().canvas.drawn();
+    assert_eq!((changed[0], changed[1], changed[2]), (hidden[0] + 1, hidden[1], hidden[2] + 1));
+}
+
+#[test]
+fn keys_raise_the_camera_and_turn_the_view() {
+    let mut h = stage(|_| ());
+    let before = parameters(&h);
+    h.get_by_label_contains(IMAGE).focus();
+    h.run();
+    h.key_press(Key::ArrowUp);
+    h.run();
+    let raised = parameters(&h);
+    assert!(raised.position.y > before.position.y, "up raises the camera");
+    let distance = |p: &Parameters| p.position.distance(p.focal_point);
+    assert!((distance(&raised) - distance(&before)).abs() < 1e-12);
+
+    let right = Camera::new(&raised).unwrap().basis().u;
+    h.key_press(Key::ArrowRight);
+    h.run();
+    let turned = parameters(&h);
+    assert!((turned.position - raised.position).dot(right) > 0.3, "right moves it to the right");
+
+    h.key_press(Key::Minus);
+    h.run();
+    assert!(parameters(&h).view_angle > turned.view_angle);
+    let wider = parameters(&h);
+    h.key_press(Key::PageUp);
+    h.run();
+    assert!((distance(&parameters(&h)) - distance(&wider) / 1.1).abs() < 1e-12);
+
+    let camera = parameters(&h);
+    h.get_by_label_contains(WORLD).focus();
+    h.run();
+    h.key_press_modifiers(Modifiers::SHIFT, Key::ArrowRight);
+    h.run();
+    assert!((world_observer(&h).azimuth - 105.0).abs() < 1e-4, "the eye goes to the right");
+    assert_eq!(parameters(&h), camera);
+}
+
+#[test]
+fn a_look_from_a_side_is_taken_and_an_untold_observer_stays_while_the_camera_moves_a_little() {
+    let mut h = stage(|_| ());
+    h.get_all_by_label("From the top (+y)").next().unwrap().click();
+    h.run();
+    assert_eq!(world_observer(&h).elevation, 90.0);
+    assert_eq!(canonical_observer(&h).elevation, 30.0, "each picture has its own buttons");
+    h.get_all_by_label("From a corner").next().unwrap().click();
+    h.run();
+    assert_eq!(h.state().state.document.figure().observers.world, None);
+
+    let drawn = h.state().canvas.drawn()[0];
+    let moved = Parameters { position: parameters(&h).position * 1.02, ..parameters(&h) };
+    h.state_mut().state.document.set_parameters(moved);
+    h.run();
+    assert_eq!(h.state().canvas.drawn()[0], drawn + 1, "one picture, from one place");
+}
+
+#[test]
+fn two_bars_divide_the_pictures() {
+    let mut h = stage(|_| ());
+    let (world, canonical) = (place(&h, WORLD), place(&h, CANONICAL));
+    let bar = Pos2::new((world.right() + canonical.left()) / 2.0, world.center().y);
+    drag_primary(&mut h, bar, vec2(-80.0, 0.0));
+    assert!((place(&h, WORLD).width() - (world.width() - 80.0)).abs() <= 2.0);
+}
