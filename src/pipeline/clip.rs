@@ -9,11 +9,14 @@ use super::transform::{ClipPoint, Projector};
 /// The planes of the volume, in the order of the distances: left, right, bottom, top, near, far.
 pub(super) const PLANES: usize = 6;
 
-/// A set of planes: bit `i` stands for plane `i`.
-pub(super) type PlaneSet = u8;
+/// A set of planes: bit `i` stands for plane `i` of left, right, bottom, top, near, far.
+pub type PlaneSet = u8;
 
 /// All six planes.
 pub(super) const ALL_PLANES: PlaneSet = 0b11_1111;
+
+/// The near plane.
+pub(super) const NEAR: PlaneSet = 1 << 4;
 
 /// The bit of an outcode that stands for "no number": such a point is drawn nowhere.
 pub(super) const NOT_A_NUMBER: PlaneSet = 0b100_0000;

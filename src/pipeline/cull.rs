@@ -6,9 +6,11 @@ use super::clip::{ALL_PLANES, PlaneSet, distances};
 use super::transform::{Projector, ViewFromObject};
 use crate::geometry::Aabb;
 
-/// Where a bounding box lies.
+/// Where an object lies, as far as its bounding box tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub enum Place {
+    /// It has no vertices.
+    Empty,
     /// No point of the box is in the volume: all of it is outside one of these planes.
     Outside(PlaneSet),
     /// Every point of the box is inside all planes but these, which it may cross.

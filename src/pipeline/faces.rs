@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::clip::{Clipper, NOT_A_NUMBER, PlaneSet, outcode};
+use super::clip::{ALL_PLANES, Clipper, NEAR, NOT_A_NUMBER, PlaneSet, outcode};
 use super::cull::{area_on_image, facing};
 use super::transform::{Projector, Screen, ViewVertices, on_grid};
 
@@ -24,19 +24,6 @@ impl Cut {
     }
 }
 
-/// How many triangles went where.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct FaceCounts {
-    /// Outside one plane of the volume, dropped whole.
-    pub(super) outside: usize,
-    /// Turned away, or without area on the image.
-    pub(super) back: usize,
-    /// Cut by a plane of the volume.
-    pub(super) cut: usize,
-    /// Left to draw.
-    pub(super) drawn: usize,
-}
-
 /// What is left of the triangles of one object; keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Faces {
@@ -48,6 +35,13 @@ pub(super) struct Faces {
     pub(super) source: Vec<u32>,
     /// The vertices that clipping made.
     pub(super) cuts: Vec<Cut>,
+    /// Triangles that were dropped because they turn away.
+    pub(super) back: usize,
+    /// Triangles that turn the other way on the grid of the image than they do in the world: thin ones, at silhouettes.
+    pub(super) turned_over: usize,
+    /// Triangles that cross a plane: index in the mesh, corners, planes.
+    crossing: Vec<(u32, [u32; 3], PlaneSet)>,
+    /// Empty where the object crosses no plane.
     outcodes: Vec<PlaneSet>,
     clipper: Clipper,
 }
@@ -55,64 +49,24 @@ pub(super) struct Faces {
 /// What is done with the faces of one object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FaceTask {
-    /// The planes that the object may cross.
-    pub(super) planes: PlaneSet,
     /// Drop the faces that turn their back.
     pub(super) cull_back: bool,
     /// The object is mirrored: its triangles run the other way round.
     pub(super) mirrored: bool,
+    /// Find out whether a triangle turned over.
+    pub(super) watch_turning: bool,
 }
 
 impl Faces {
-    /// Culls, clips and projects `triangles` over `vertices`.
-    pub(super) fn collect(
+    /// Takes all vertices to the image, and holds them against the planes that the object may cross.
+    pub(super) fn project(
         &mut self,
         projector: &Projector,
         screen: &Screen,
         vertices: &ViewVertices,
-        triangles: &[[u32; 3]],
-        task: FaceTask,
-    ) -> FaceCounts {
-        self.project(projector, screen, vertices, task.planes);
-        let mut counts = FaceCounts::default();
-        let front = if task.mirrored { -1.0 } else { 1.0 };
-        for (source, &triangle) in (0_u32..).zip(triangles) {
-            let [a, b, c] = triangle.map(|i| i as usize);
-            if a.max(b).max(c) >= vertices.len() {
-                continue;
-            }
-            let codes = if task.planes == 0 { [0; 3] } else { [self.outcodes[a], self.outcodes[b], self.outcodes[c]] };
-            let either = codes[0] | codes[1] | codes[2];
-            if codes[0] & codes[1] & codes[2] != 0 || either & NOT_A_NUMBER != 0 {
-                counts.outside += 1;
-                continue;
-            }
-            let area = if either == 0 {
-                area_on_image(self.positions[a], self.positions[b], self.positions[c])
-            } else {
-                facing(projector, triangle.map(|i| vertices.point(i)))
-            } * front;
-            if area == 0.0 || (task.cull_back && area < 0.0) {
-                counts.back += 1;
-                continue;
-            }
-            if either == 0 {
-                self.triangles.push(triangle);
-                self.source.push(source);
-            } else {
-                counts.cut += 1;
-                self.clip(projector, screen, vertices, triangle, source, either);
-            }
-        }
-        counts.drawn = self.triangles.len();
-        counts
-    }
-
-    fn project(&mut self, projector: &Projector, screen: &Screen, vertices: &ViewVertices, planes: PlaneSet) {
+        planes: PlaneSet,
+    ) {
         self.positions.clear();
-        self.triangles.clear();
-        self.source.clear();
-        self.cuts.clear();
         self.outcodes.clear();
         for i in 0..vertices.len() {
             let p = projector.clip(vertices.at(i));
@@ -123,35 +77,85 @@ impl Faces {
         }
     }
 
-    /// Cuts one triangle, and adds what is left as a fan.
-    fn clip(
+    /// True where the near plane cuts the object, so that its inside may be seen.
+    pub(super) fn cut_open(&self) -> bool {
+        self.outcodes.iter().any(|code| code & NEAR != 0)
+    }
+
+    /// Drops triangles that lie outside one plane, and those that turn their back. Those that cross a plane are left to
+    /// [`clip`](Self::clip).
+    pub(super) fn cull(
         &mut self,
         projector: &Projector,
-        screen: &Screen,
         vertices: &ViewVertices,
-        triangle: [u32; 3],
-        source: u32,
-        planes: PlaneSet,
+        triangles: &[[u32; 3]],
+        task: FaceTask,
     ) {
-        let corners = triangle.map(|i| projector.clip(vertices.point(i)));
-        let mut fan = [0_u32; 2];
-        for (i, corner) in self.clipper.triangle(projector, corners, planes).iter().enumerate() {
-            let index = match corner.original() {
-                Some(own) => triangle[own],
-                None => {
-                    let index = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
-                    self.positions.push(on_grid(screen.project(projector, corner.point)));
-                    self.cuts.push(Cut { of: triangle, weights: corner.weights, w: corner.point.w });
-                    index
-                }
+        self.triangles.clear();
+        self.source.clear();
+        self.crossing.clear();
+        (self.back, self.turned_over) = (0, 0);
+        let front = if task.mirrored { -1.0 } else { 1.0 };
+        for (source, &triangle) in (0_u32..).zip(triangles) {
+            let [a, b, c] = triangle.map(|i| i as usize);
+            if a.max(b).max(c) >= vertices.len() {
+                continue;
+            }
+            let codes = match self.outcodes[..] {
+                [] => [0; 3],
+                _ => [self.outcodes[a], self.outcodes[b], self.outcodes[c]],
             };
-            match i {
-                0 => fan[0] = index,
-                1 => fan[1] = index,
-                _ => {
-                    self.triangles.push([fan[0], fan[1], index]);
-                    self.source.push(source);
-                    fan[1] = index;
+            let crossed = codes[0] | codes[1] | codes[2];
+            if codes[0] & codes[1] & codes[2] != 0 || crossed & NOT_A_NUMBER != 0 {
+                continue;
+            }
+            let in_world = || facing(projector, triangle.map(|i| vertices.point(i)));
+            let area = if crossed == 0 {
+                let area = area_on_image(self.positions[a], self.positions[b], self.positions[c]);
+                if task.watch_turning && area * in_world() < 0.0 {
+                    self.turned_over += 1;
+                }
+                area
+            } else {
+                in_world()
+            } * front;
+            if area == 0.0 || (task.cull_back && area < 0.0) {
+                self.back += 1;
+            } else if crossed == 0 {
+                self.triangles.push(triangle);
+                self.source.push(source);
+            } else {
+                self.crossing.push((source, triangle, crossed));
+            }
+        }
+    }
+
+    /// Cuts the triangles that cross a plane, and adds what is left of each as a fan. With `all_planes`, also against the planes
+    /// that they do not cross.
+    pub(super) fn clip(&mut self, projector: &Projector, screen: &Screen, vertices: &ViewVertices, all_planes: bool) {
+        self.cuts.clear();
+        for &(source, triangle, crossed) in &self.crossing {
+            let corners = triangle.map(|i| projector.clip(vertices.point(i)));
+            let planes = if all_planes { ALL_PLANES } else { crossed };
+            let mut fan = [0_u32; 2];
+            for (i, corner) in self.clipper.triangle(projector, corners, planes).iter().enumerate() {
+                let index = match corner.original() {
+                    Some(own) => triangle[own],
+                    None => {
+                        let index = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
+                        self.positions.push(on_grid(screen.project(projector, corner.point)));
+                        self.cuts.push(Cut { of: triangle, weights: corner.weights, w: corner.point.w });
+                        index
+                    }
+                };
+                match i {
+                    0 => fan[0] = index,
+                    1 => fan[1] = index,
+                    _ => {
+                        self.triangles.push([fan[0], fan[1], index]);
+                        self.source.push(source);
+                        fan[1] = index;
+                    }
                 }
             }
         }

@@ -5,10 +5,11 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::Target;
-use super::clip::segment;
-use super::transform::{ClipPoint, Projector, Screen, single};
-use crate::appearance::LineStyle;
-use crate::drawing::StrokeSet;
+use super::clip::{outcode, segment};
+use super::transform::{ClipPoint, Projector, Screen, ViewVertices, single};
+use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
+use crate::drawing::{Anchor, Label, Mark, StrokeSet};
+use crate::scene::{Object, ObjectPaint, Scene};
 
 /// Collects strokes. Those that follow each other in the same style become one set; the order of styles is that of the lines.
 pub(super) struct Strokes<'a> {
@@ -16,14 +17,11 @@ pub(super) struct Strokes<'a> {
     screen: &'a Screen,
     scale: f32,
     pub(super) sets: Vec<StrokeSet>,
-    /// Pieces of lines that were given, and of those that are left.
-    pub(super) given: usize,
-    pub(super) kept: usize,
 }
 
 impl<'a> Strokes<'a> {
     pub(super) fn new(projector: &'a Projector, screen: &'a Screen, target: Target) -> Self {
-        Self { projector, screen, scale: target.scale, sets: Vec::new(), given: 0, kept: 0 }
+        Self { projector, screen, scale: target.scale, sets: Vec::new() }
     }
 
     /// A polyline through points of view space. Where it leaves the volume it ends, and where it comes back another begins; an
@@ -34,13 +32,11 @@ impl<'a> Strokes<'a> {
         let mut run: Vec<[f32; 3]> = Vec::new();
         let projector = self.projector;
         while let Some(to) = points.next() {
-            self.given += 1;
             let Some([(a, _), (b, cut)]) = segment(projector, [from, to]) else {
                 self.flush(&mut run, style, false);
                 from = to;
                 continue;
             };
-            self.kept += 1;
             if run.is_empty() {
                 run.push(self.point(a));
             }
@@ -51,6 +47,62 @@ impl<'a> Strokes<'a> {
             from = to;
         }
         self.flush(&mut run, style, false);
+    }
+
+    /// The edges of an object, whose vertices have been transformed.
+    pub(super) fn edges(&mut self, object: &Object, vertices: &ViewVertices, style: &Style) {
+        let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe) else { return };
+        for edge in &object.mesh.edges {
+            if edge.iter().all(|&i| (i as usize) < vertices.len()) {
+                self.polyline(edge.map(|i| vertices.point(i)), line_style);
+            }
+        }
+    }
+
+    /// The lines that stand in the world.
+    pub(super) fn lines(&mut self, scene: &Scene) {
+        let projector = self.projector;
+        for line in &scene.lines {
+            self.polyline(line.points.iter().map(|&p| projector.view(p)), line.style);
+        }
+    }
+
+    /// The marks inside the volume.
+    pub(super) fn marks(&self, scene: &Scene, background: Rgba) -> Vec<Mark> {
+        let marks = scene.marks.iter().filter_map(|mark| {
+            Some(Mark {
+                position: self.inside(mark.position)?,
+                shape: mark.shape,
+                radius: mark.radius * self.scale,
+                color: mark.color,
+                outline: background,
+                fade_if_hidden: mark.fade_if_hidden,
+            })
+        });
+        marks.collect()
+    }
+
+    /// The texts whose point is inside the volume.
+    pub(super) fn labels(&self, scene: &Scene, background: Rgba) -> Vec<Label> {
+        let labels = scene.texts.iter().filter_map(|text| {
+            Some(Label {
+                position: self.inside(text.position)?,
+                offset: text.offset.map(|c| c * self.scale),
+                text: text.text.clone(),
+                size: text.size * self.scale,
+                color: text.color,
+                halo: background,
+                anchor: Anchor::Left,
+                fade_if_hidden: text.fade_if_hidden,
+            })
+        });
+        labels.collect()
+    }
+
+    /// A world point on the image; `None` where it is outside the volume.
+    fn inside(&self, p_world: DVec3) -> Option<[f32; 3]> {
+        let p = self.projector.clip(self.projector.view(p_world));
+        (outcode(self.projector, p) == 0).then(|| self.point(p))
     }
 
     fn point(&self, p: ClipPoint) -> [f32; 3] {
@@ -76,6 +128,24 @@ fn push(sets: &mut Vec<StrokeSet>, run: &[[f32; 3]], style: LineStyle) {
         set.points.extend_from_slice(run);
         set.polylines.push(range(start, set.points.len()));
     }
+}
+
+/// How the edges of `object` are drawn: as it says, and in wireframe always, in the object's own colour.
+fn edge_style(object: &Object, wireframe: bool) -> Option<LineStyle> {
+    if !wireframe {
+        return object.edges;
+    }
+    let style = object.edges.unwrap_or(LineStyle {
+        color: Rgba::rgb(128, 128, 128),
+        width: 1.25,
+        dash: Dash::Solid,
+        hidden: HiddenLines::Shown,
+        arrow: false,
+    });
+    Some(match &object.paint {
+        ObjectPaint::Solid(color) => LineStyle { color: color.with_alpha(255), ..style },
+        _ => style,
+    })
 }
 
 /// Indices of the display list are 32 bits wide; a longer list than that would not fit in memory.

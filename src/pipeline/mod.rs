@@ -1,23 +1,47 @@
 //! scene + camera → [`Drawing`]: the stages in the order of the notes `[3]` §1.1.
+//!
+//! | stage | space, from → to | file |
+//! | --- | --- | --- |
+//! | plan: which of these are needed | – | [`plan`] |
+//! | objects outside the volume dropped | object | `cull` |
+//! | each vertex transformed once | object → world → view | `transform` |
+//! | divide and viewport | view → clip → ndc → pixels | `transform` |
+//! | back faces dropped | pixels | `faces`, `cull` |
+//! | clipping, before the divide | clip | `faces`, `clip` |
+//! | light on what is left | view | `shade` |
+//! | order of faces, where no depth buffer decides | view | `visibility` |
+//! | edges, lines, marks, texts | world → pixels | `lines` |
+//!
+//! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
+//! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
 
 mod clip;
 mod cull;
 mod faces;
 mod lines;
+pub mod plan;
 pub mod project;
+pub mod report;
 mod shade;
 mod transform;
 
-use crate::appearance::{LineStyle, Rgba, Shading, Style};
+use std::collections::HashMap;
+use std::sync::{Arc, Weak};
+
+use crate::appearance::{Rgba, Shading, Style};
 use crate::camera::Camera;
-use crate::drawing::{Anchor, Drawing, Label, Mark};
-use crate::scene::{Object, ObjectPaint, Scene};
-use clip::outcode;
-use cull::{Place, place};
+use crate::drawing::Drawing;
+use crate::geometry::Aabb;
+use crate::scene::{Mesh, Scene};
+pub use clip::PlaneSet;
+pub use cull::Place;
 use faces::{FaceTask, Faces};
 use lines::Strokes;
+pub use plan::{Options, Plan, Reason, Stage};
+pub use report::Frame;
+use report::Meter;
 use shade::{Lights, Shaded};
-use transform::{Projector, Screen, ViewVertices, single};
+use transform::{Projector, Screen, ViewVertices};
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,110 +60,101 @@ pub struct Target {
 /// window's aspect.
 #[must_use]
 pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Drawing {
-    let projector = Projector::new(camera);
-    let screen = Screen::new(target);
-    let lights = Lights::new(&scene.lights, &projector, style.shading);
-    let wireframe = style.shading == Shading::Wireframe;
-    let mut vertices = ViewVertices::default();
-    let mut faces = Faces::default();
-    let mut surfaces = Vec::new();
-    let mut strokes = Strokes::new(&projector, &screen, target);
-
-    for object in &scene.objects {
-        // An object whose box is outside one plane of the volume is dropped whole.
-        let view_from_object = projector.view_from_object(object.world_from_object);
-        let Some(bounds) = object.mesh.bounds() else { continue };
-        let planes = match place(&projector, &view_from_object, &bounds) {
-            Place::Outside(_) => continue,
-            Place::Crosses(planes) => planes,
-        };
-
-        // World → view: each vertex once.
-        vertices.fill(&object.mesh.positions, &view_from_object);
-
-        // Back faces, clipping, projection; then light on what is left.
-        if object.faces && !wireframe {
-            let task = FaceTask { planes, cull_back: !object.two_sided, mirrored: view_from_object.mirrored() };
-            faces.collect(&projector, &screen, &vertices, &object.mesh.triangles, task);
-            let shaded = Shaded {
-                object,
-                projector: &projector,
-                view_from_object: &view_from_object,
-                vertices: &vertices,
-                faces: &faces,
-                lights: lights.as_ref(),
-                shading: style.shading,
-            };
-            if !faces.triangles.is_empty() {
-                surfaces.extend(shaded.surfaces(true));
-            }
-        }
-        if let Some(line_style) = edge_style(object, wireframe) {
-            for edge in &object.mesh.edges {
-                if edge.iter().all(|&i| (i as usize) < vertices.len()) {
-                    strokes.polyline(edge.map(|i| vertices.point(i)), line_style);
-                }
-            }
-        }
-    }
-
-    for line in &scene.lines {
-        strokes.polyline(line.points.iter().map(|&p| projector.view(p)), line.style);
-    }
-    let strokes = strokes.sets;
-    let on_image = |p_world| {
-        let p = projector.clip(projector.view(p_world));
-        (outcode(&projector, p) == 0).then(|| single(screen.project(&projector, p)))
-    };
-    let marks = scene.marks.iter().filter_map(|mark| {
-        Some(Mark {
-            position: on_image(mark.position)?,
-            shape: mark.shape,
-            radius: mark.radius * target.scale,
-            color: mark.color,
-            outline: target.background,
-            fade_if_hidden: mark.fade_if_hidden,
-        })
-    });
-    let labels = scene.texts.iter().filter_map(|text| {
-        Some(Label {
-            position: on_image(text.position)?,
-            offset: text.offset.map(|c| c * target.scale),
-            text: text.text.clone(),
-            size: text.size * target.scale,
-            color: text.color,
-            halo: target.background,
-            anchor: Anchor::Left,
-            fade_if_hidden: text.fade_if_hidden,
-        })
-    });
-
-    Drawing {
-        width: target.width,
-        height: target.height,
-        background: target.background,
-        antialias: style.antialias,
-        surfaces,
-        strokes,
-        marks: marks.collect(),
-        labels: labels.collect(),
-    }
+    Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing
 }
 
-/// How the edges of `object` are drawn: as it says; without faces also in wireframe, in the object's own colour.
-fn edge_style(object: &Object, wireframe: bool) -> Option<LineStyle> {
-    if !wireframe {
-        return object.edges;
+/// Draws pictures one after the other; keeps its buffers, and what it found out about meshes.
+#[derive(Clone, Debug, Default)]
+pub struct Pipeline {
+    vertices: ViewVertices,
+    faces: Faces,
+    /// Bounding boxes of the meshes that were drawn last, by the address of the mesh: nobody else gets it as long as the weak
+    /// pointer is kept, and the mesh does not change as long as it is shared.
+    known: HashMap<usize, (Weak<Mesh>, Option<Aabb>)>,
+}
+
+impl Pipeline {
+    /// Draws as [`draw`] does, and tells what was done.
+    #[must_use]
+    pub fn frame(&mut self, scene: &Scene, camera: &Camera, target: Target, style: &Style, options: Options) -> Frame {
+        let mut meter = Meter::new(options);
+        let projector = Projector::new(camera);
+        let screen = Screen::new(target);
+        let bounds = self.bounds(scene);
+        let plan = Plan::new(scene, &projector, style, &bounds, options.force_all_stages);
+        let lights = Lights::new(&scene.lights, &projector, style.shading);
+        let hidden_surfaces = plan.runs(Stage::HiddenSurfaces);
+        let mut strokes = Strokes::new(&projector, &screen, target);
+        let mut surfaces = Vec::new();
+        meter.lap(Stage::CullObjects);
+
+        for (object, todo) in scene.objects.iter().zip(&plan.objects).filter(|(_, todo)| todo.drawn) {
+            let view_from_object = projector.view_from_object(object.world_from_object);
+            self.vertices.fill(&object.mesh.positions, &view_from_object);
+            meter.lap(Stage::Transform);
+
+            if todo.faces {
+                self.faces.project(&projector, &screen, &self.vertices, todo.clip_planes);
+                meter.lap(Stage::Viewport);
+
+                let cut_open = object.mesh.closed && self.faces.cut_open();
+                let task = FaceTask {
+                    cull_back: todo.cull_back && !cut_open,
+                    mirrored: view_from_object.mirrored(),
+                    watch_turning: !hidden_surfaces,
+                };
+                self.faces.cull(&projector, &self.vertices, &object.mesh.triangles, task);
+                meter.lap(Stage::CullFaces);
+
+                self.faces.clip(&projector, &screen, &self.vertices, options.force_all_stages);
+                meter.lap(Stage::Clip);
+                meter.count(&self.vertices, &self.faces, object);
+
+                let shaded = Shaded {
+                    object,
+                    projector: &projector,
+                    view_from_object: &view_from_object,
+                    vertices: &self.vertices,
+                    faces: &self.faces,
+                    lights: &lights,
+                    lit: todo.lit,
+                    both_sides: object.two_sided || cut_open || (object.mesh.closed && todo.translucent),
+                };
+                surfaces.extend(shaded.surfaces(hidden_surfaces || self.faces.turned_over > 0));
+                meter.lap(Stage::Light);
+            }
+            strokes.edges(object, &self.vertices, style);
+        }
+        if style.shading == Shading::Wireframe {
+            surfaces.clear();
+        }
+        strokes.lines(scene);
+        let marks = strokes.marks(scene, target.background);
+        let labels = strokes.labels(scene, target.background);
+
+        let drawing = Drawing {
+            width: target.width,
+            height: target.height,
+            background: target.background,
+            antialias: style.antialias,
+            surfaces,
+            strokes: strokes.sets,
+            marks,
+            labels,
+        };
+        Frame { drawing, report: meter.report(&plan), plan }
     }
-    let style = object.edges.unwrap_or(LineStyle {
-        color: Rgba::rgb(128, 128, 128),
-        width: 1.25,
-        dash: crate::appearance::Dash::Solid,
-        hidden: crate::appearance::HiddenLines::Shown,
-        arrow: false,
-    });
-    match &object.paint {
-        ObjectPaint::Solid(color) => Some(LineStyle { color: color.with_alpha(255), ..style }),
-        _ => Some(style),
+
+    /// The boxes around the meshes of `scene`.
+    fn bounds(&mut self, scene: &Scene) -> Vec<Option<Aabb>> {
+        let before = std::mem::take(&mut self.known);
+        let bounds = scene.objects.iter().map(|object| {
+            let address = Arc::as_ptr(&object.mesh).addr();
+            let found = self.known.get(&address).or_else(|| before.get(&address));
+            let bounds = found.map_or_else(|| object.mesh.bounds(), |(_, bounds)| *bounds);
+            self.known.insert(address, (Arc::downgrade(&object.mesh), bounds));
+            bounds
+        });
+        bounds.collect()
     }
 }

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use super::clip::{Clipper, NOT_A_NUMBER, outcode, segment};
+use super::clip::{Clipper, NEAR, NOT_A_NUMBER, outcode, segment};
 use super::faces::Cut;
-use super::shade::{Lights, color_at, mean_of_colors, mean_of_uv};
+use super::shade::{Lights, color_at, mean_color, mean_of_colors, mean_of_uv, translucent};
 use super::transform::{ClipPoint, Projector, ViewFromObject, ViewVertices};
 use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
@@ -22,7 +22,8 @@ use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     let projector = Projector::new(camera);
     // Edges alone show the object's own colour.
-    let lights = Lights::new(&scene.lights, &projector, shading).filter(|_| shading != Shading::Wireframe);
+    let lit = shading != Shading::Wireframe && !scene.lights.is_empty();
+    let lights = lit.then(|| Lights::new(&scene.lights, &projector, shading));
     let inside = |p_world: DVec3| {
         let p = projector.clip(projector.view(p_world));
         (outcode(&projector, p) == 0).then(|| displayed(&projector, p))
@@ -218,22 +219,25 @@ impl Projected<'_> {
     ) -> ObjectPaint {
         let smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
         let old = &object.mesh;
-        let face_light = |face: u32, color: Rgba| match lights {
+        let cut_open = old.closed && self.outcodes.iter().any(|code| code & NEAR != 0);
+        let both_sides = object.two_sided || cut_open || (old.closed && translucent(&object.paint));
+        let lights = lights.map(|lights| (lights, lights.lighting(both_sides)));
+        let face_light = |face: u32, color: Rgba| match &lights {
             None => color,
-            Some(lights) => {
+            Some((lights, lighting)) => {
                 let corners = old.triangles[face as usize].map(|i| self.vertices.point(i));
-                lights.face(&lights.lighting(object.two_sided), corners, view_from_object.outward(), color)
+                lights.face(lighting, corners, view_from_object.outward(), color)
             }
         };
         let faces = |color: &dyn Fn(u32) -> Rgba| {
             ObjectPaint::Faces(Arc::new(self.source.iter().map(|&face| face_light(face, color(face))).collect()))
         };
         let normals = view_from_object.normal_matrix();
-        let vertex_light = |i: u32, color: Rgba| match lights {
+        let vertex_light = |i: u32, color: Rgba| match &lights {
             None => color,
-            Some(lights) => {
+            Some((lights, lighting)) => {
                 let normal = normals * old.normals.get(i as usize).copied().unwrap_or_default();
-                lights.vertex(&lights.lighting(object.two_sided), self.vertices.point(i), normal, color)
+                lights.vertex(lighting, self.vertices.point(i), normal, color)
             }
         };
         let vertices = |color: &dyn Fn(u32) -> Rgba| {
@@ -254,9 +258,7 @@ impl Projected<'_> {
             ObjectPaint::Solid(color) => faces(&|_| *color),
             ObjectPaint::Faces(colors) => faces(&|face| color_at(colors, face)),
             ObjectPaint::Vertices(colors) if smooth || lights.is_none() => vertices(&|i| color_at(colors, i)),
-            ObjectPaint::Vertices(colors) => {
-                faces(&|face| mean_of_colors(old.triangles[face as usize].map(|i| color_at(colors, i)), [1.0 / 3.0; 3]))
-            }
+            ObjectPaint::Vertices(colors) => faces(&|face| mean_color(colors, old.triangles[face as usize])),
         }
     }
 }

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::faces::Faces;
+use super::plan::LitAt;
 use super::transform::{Projector, ViewFromObject, ViewVertices};
 use crate::appearance::{Rgba, Shading};
 use crate::drawing::{Lighting, Paint, Phong, Surface, ViewLight};
@@ -25,11 +26,8 @@ pub(super) struct Lights {
 }
 
 impl Lights {
-    /// `None` where there is no light: faces show their own colour.
-    pub(super) fn new(lights: &[Light], projector: &Projector, shading: Shading) -> Option<Self> {
-        if lights.is_empty() {
-            return None;
-        }
+    /// The lights of a scene. Without any, the ambient share is all, and lit faces show their own colour.
+    pub(super) fn new(lights: &[Light], projector: &Projector, shading: Shading) -> Self {
         let unit = projector.far;
         let in_view = |light: &Light| match *light {
             Light::Directional { direction } => {
@@ -40,7 +38,7 @@ impl Lights {
         };
         let shiny = matches!(shading, Shading::Gouraud | Shading::Phong);
         let lighting = Lighting {
-            ambient: AMBIENT,
+            ambient: if lights.is_empty() { 1.0 } else { AMBIENT },
             diffuse: DIFFUSE,
             specular: if shiny { SPECULAR } else { 0.0 },
             shininess: SHININESS,
@@ -48,7 +46,7 @@ impl Lights {
             two_sided: false,
             lights: lights.iter().filter_map(in_view).collect(),
         };
-        Some(Self { lighting, unit })
+        Self { lighting, unit }
     }
 
     /// For the faces of one object, lit on both sides or on the outer one.
@@ -82,43 +80,35 @@ pub(super) struct Shaded<'a> {
     pub(super) view_from_object: &'a ViewFromObject,
     pub(super) vertices: &'a ViewVertices,
     pub(super) faces: &'a Faces,
-    /// `None`: no light, own colours.
-    pub(super) lights: Option<&'a Lights>,
-    pub(super) shading: Shading,
+    pub(super) lights: &'a Lights,
+    /// Where light is computed.
+    pub(super) lit: LitAt,
+    /// Both sides of the faces may be seen, and are lit.
+    pub(super) both_sides: bool,
 }
 
 impl Shaded<'_> {
-    /// The surfaces of the object: one, or for Phong one for each colour of its faces.
+    /// The surfaces of the object: one, or with Phong shading one for each colour of its faces.
     pub(super) fn surfaces(&self, depth_test: bool) -> Vec<Surface> {
-        let lights = self.lights.filter(|_| self.object.lit);
-        let Some(lights) = lights else { return vec![self.surface(self.own_paint(), depth_test)] };
-        let smooth = matches!(self.shading, Shading::Gouraud | Shading::Phong);
-        match &self.object.paint {
-            ObjectPaint::Texture { .. } => vec![self.surface(self.own_paint(), depth_test)],
-            ObjectPaint::Solid(color) if self.shading == Shading::Phong => {
-                vec![self.surface(self.phong(lights, *color), depth_test)]
-            }
-            ObjectPaint::Solid(color) if smooth => {
-                let paint = Paint::Vertices(self.vertex_colors(lights, |_| *color));
-                vec![self.surface(paint, depth_test)]
-            }
-            ObjectPaint::Vertices(colors) if smooth => {
-                let paint = Paint::Vertices(self.vertex_colors(lights, |i| color_at(colors, i)));
-                vec![self.surface(paint, depth_test)]
-            }
-            ObjectPaint::Faces(colors) if smooth => self.surfaces_by_color(lights, colors, depth_test),
-            ObjectPaint::Solid(color) => {
-                vec![self.surface(Paint::Faces(self.face_colors(lights, |_| *color)), depth_test)]
-            }
-            ObjectPaint::Faces(colors) => {
-                let paint = Paint::Faces(self.face_colors(lights, |face| color_at(colors, face)));
-                vec![self.surface(paint, depth_test)]
-            }
-            ObjectPaint::Vertices(colors) => {
-                let paint = self.face_colors(lights, |face| self.mean_color(colors, face));
-                vec![self.surface(Paint::Faces(paint), depth_test)]
-            }
+        if self.faces.triangles.is_empty() {
+            return Vec::new();
         }
+        let paint = match (self.lit, &self.object.paint) {
+            (LitAt::Nowhere, _) | (_, ObjectPaint::Texture { .. }) => self.own_paint(),
+            (LitAt::Faces, ObjectPaint::Solid(color)) => self.lit_faces(|_| *color),
+            (LitAt::Faces, ObjectPaint::Faces(colors)) => self.lit_faces(|face| color_at(colors, face)),
+            (LitAt::Faces, ObjectPaint::Vertices(colors)) => {
+                self.lit_faces(|face| mean_color(colors, self.object.mesh.triangles[face as usize]))
+            }
+            (LitAt::Vertices, ObjectPaint::Solid(color)) => self.lit_vertices(|_| *color),
+            (LitAt::Vertices | LitAt::Pixels, ObjectPaint::Vertices(colors)) => {
+                self.lit_vertices(|i| color_at(colors, i))
+            }
+            (LitAt::Pixels, ObjectPaint::Solid(color)) => self.phong(*color),
+            (LitAt::Vertices, ObjectPaint::Faces(colors)) => return vec![self.unshared(colors, depth_test)],
+            (LitAt::Pixels, ObjectPaint::Faces(colors)) => return self.surfaces_by_color(colors, depth_test),
+        };
+        vec![self.surface(paint, depth_test)]
     }
 
     fn surface(&self, paint: Paint, depth_test: bool) -> Surface {
@@ -158,38 +148,45 @@ impl Shaded<'_> {
     }
 
     /// Light on each face, where it is still to be drawn.
-    fn face_colors(&self, lights: &Lights, color: impl Fn(u32) -> Rgba) -> Vec<Rgba> {
-        let lighting = lights.lighting(self.object.two_sided);
+    fn lit_faces(&self, color: impl Fn(u32) -> Rgba) -> Paint {
+        let lighting = self.lights.lighting(self.both_sides);
         let outward = self.view_from_object.outward();
         let triangles = &self.object.mesh.triangles;
         let mut last = None;
-        self.faces
+        let colors = self
+            .faces
             .source
             .iter()
             .map(|&face| match last {
                 Some((same, lit)) if same == face => lit,
                 _ => {
                     let corners = triangles[face as usize].map(|i| self.vertices.point(i));
-                    let lit = lights.face(&lighting, corners, outward, color(face));
+                    let lit = self.lights.face(&lighting, corners, outward, color(face));
                     last = Some((face, lit));
                     lit
                 }
             })
-            .collect()
+            .collect();
+        Paint::Faces(colors)
     }
 
     /// Light at each vertex; cuts take the mean of what they lie between.
-    fn vertex_colors(&self, lights: &Lights, color: impl Fn(u32) -> Rgba) -> Vec<Rgba> {
-        let lighting = lights.lighting(self.object.two_sided);
-        let normals = self.view_from_object.normal_matrix();
-        let lit = |i: u32| {
-            let normal = normals * self.object.mesh.normals.get(i as usize).copied().unwrap_or_default();
-            lights.vertex(&lighting, self.vertices.point(i), normal, color(i))
-        };
-        self.with_cuts(lit, mean_of_colors)
+    fn lit_vertices(&self, color: impl Fn(u32) -> Rgba) -> Paint {
+        let lit = self.vertex_light();
+        Paint::Vertices(self.with_cuts(|i| lit(i, color(i)), mean_of_colors))
     }
 
-    fn phong(&self, lights: &Lights, color: Rgba) -> Paint {
+    /// The colour of a vertex of the mesh under the lights.
+    fn vertex_light(&self) -> impl Fn(u32, Rgba) -> Rgba {
+        let lighting = self.lights.lighting(self.both_sides);
+        let normals = self.view_from_object.normal_matrix();
+        move |i, color| {
+            let normal = normals * self.object.mesh.normals.get(i as usize).copied().unwrap_or_default();
+            self.lights.vertex(&lighting, self.vertices.point(i), normal, color)
+        }
+    }
+
+    fn phong(&self, color: Rgba) -> Paint {
         let matrix = self.view_from_object.normal_matrix();
         let normal = |i: u32| {
             let normal = matrix * self.object.mesh.normals.get(i as usize).copied().unwrap_or_default();
@@ -202,33 +199,52 @@ impl Shaded<'_> {
             all.map(|i| self.vertices.point(i)).chain(cuts.iter().map(|cut| cut.mean(|i| self.vertices.point(i))));
         Paint::Phong(Phong {
             normals: normals.map(|n| n.as_vec3().to_array()).collect(),
-            positions: positions.map(|p| lights.position(p)).collect(),
+            positions: positions.map(|p| self.lights.position(p)).collect(),
             color,
-            lighting: lights.lighting(self.object.two_sided),
+            lighting: self.lights.lighting(self.both_sides),
         })
     }
 
-    /// Smooth shading of faces that have colours of their own: one surface for each colour, in the order in which they occur.
-    fn surfaces_by_color(&self, lights: &Lights, colors: &[Rgba], depth_test: bool) -> Vec<Surface> {
+    /// Gouraud shading of faces that have colours of their own: no vertex is shared any more, so that each has one colour.
+    fn unshared(&self, colors: &[Rgba], depth_test: bool) -> Surface {
+        let lit = self.vertex_light();
+        let shared = self.surface(Paint::Vertices(Vec::new()), depth_test);
+        let corners = || self.faces.triangles.iter().flatten().map(|&i| i as usize);
+        let own = self.vertices.len();
+        let mut paint = Vec::with_capacity(3 * self.faces.triangles.len());
+        for (triangle, &face) in self.faces.triangles.iter().zip(&self.faces.source) {
+            let color = color_at(colors, face);
+            paint.extend(triangle.map(|i| match (i as usize).checked_sub(own) {
+                None => lit(i, color),
+                Some(cut) => {
+                    let cut = &self.faces.cuts[cut];
+                    mean_of_colors(cut.of.map(|i| lit(i, color)), cut.weights)
+                }
+            }));
+        }
+        let count = u32::try_from(self.faces.triangles.len()).unwrap_or(u32::MAX);
+        Surface {
+            positions: corners().map(|i| shared.positions[i]).collect(),
+            inverse_w: corners().filter_map(|i| shared.inverse_w.get(i).copied()).collect(),
+            triangles: (0..count).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect(),
+            paint: Paint::Vertices(paint),
+            ..shared
+        }
+    }
+
+    /// Phong shading of faces that have colours of their own: one surface for each colour, in the order in which they occur.
+    fn surfaces_by_color(&self, colors: &[Rgba], depth_test: bool) -> Vec<Surface> {
         let mut surfaces: Vec<(Rgba, Surface)> = Vec::new();
         for (triangle, &face) in self.faces.triangles.iter().zip(&self.faces.source) {
             let color = color_at(colors, face);
             let at = surfaces.iter().position(|(c, _)| *c == color).unwrap_or_else(|| {
-                let paint = match self.shading {
-                    Shading::Phong => self.phong(lights, color),
-                    _ => Paint::Vertices(self.vertex_colors(lights, |_| color)),
-                };
-                surfaces.push((color, Surface { triangles: Vec::new(), ..self.surface(paint, depth_test) }));
+                let surface = self.surface(self.phong(color), depth_test);
+                surfaces.push((color, Surface { triangles: Vec::new(), ..surface }));
                 surfaces.len() - 1
             });
             surfaces[at].1.triangles.push(*triangle);
         }
         surfaces.into_iter().map(|(_, surface)| surface).collect()
-    }
-
-    fn mean_color(&self, colors: &[Rgba], face: u32) -> Rgba {
-        let [a, b, c] = self.object.mesh.triangles[face as usize].map(|i| color_at(colors, i));
-        mean_of_colors([a, b, c], [1.0 / 3.0; 3])
     }
 
     fn vertex_count(&self) -> u32 {
@@ -254,6 +270,11 @@ pub(super) fn translucent(paint: &ObjectPaint) -> bool {
 /// Grey for what has no colour of its own.
 pub(super) fn color_at(colors: &[Rgba], index: u32) -> Rgba {
     colors.get(index as usize).copied().unwrap_or(Rgba::rgb(128, 128, 128))
+}
+
+/// The colour of a face whose corners have colours.
+pub(super) fn mean_color(colors: &[Rgba], triangle: [u32; 3]) -> Rgba {
+    mean_of_colors(triangle.map(|i| color_at(colors, i)), [1.0 / 3.0; 3])
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a mean of bytes is a byte")]

@@ -8,6 +8,7 @@ mod contract;
 mod export;
 mod layers;
 mod pipeline;
+mod pipeline_plan;
 mod pipeline_project;
 mod raster_pictures;
 mod scene;

@@ -1,0 +1,252 @@
+//! The plan: what it says, and that it changes no pixel.
+
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+use std::sync::Arc;
+
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style};
+use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
+use camera_lab::pipeline::plan::{Options, Reason, Stage};
+use camera_lab::pipeline::{Frame, Pipeline, Place, Target};
+use camera_lab::raster::Rasterizer;
+use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene, primitives};
+use glam::{DMat4, DQuat, DVec3, EulerRot};
+use proptest::prelude::*;
+
+use super::pipeline::{CLAY, TARGET, cube, eye, object, only};
+
+const FORCED: Options = Options { force_all_stages: true, clock: None };
+
+fn frame(scene: &Scene, camera: &Camera, style: &Style) -> Frame {
+    Pipeline::default().frame(scene, camera, TARGET, style, Options::default())
+}
+
+fn at(z: f64) -> DMat4 {
+    DMat4::from_translation(DVec3::new(0.0, 0.0, z))
+}
+
+fn reason(frame: &Frame, stage: Stage) -> (bool, Reason) {
+    let planned = frame.plan.stage(stage);
+    assert_eq!(planned.stage, stage);
+    (planned.runs, planned.reason)
+}
+
+#[test]
+fn a_cube_alone_needs_little() {
+    let half = DMat4::from_scale(DVec3::splat(0.5));
+    let scene = Scene {
+        lights: vec![Light::Directional { direction: DVec3::NEG_ONE }],
+        ..only(object(cube(), at(-4.0) * half))
+    };
+    let style = Style { antialias: 1, ..Style::default() };
+    let frame = frame(&scene, &eye(Projection::Parallel), &style);
+    assert_eq!(reason(&frame, Stage::Clip), (false, Reason::AllInside { objects: 1 }));
+    assert_eq!(reason(&frame, Stage::HiddenSurfaces), (false, Reason::ConvexAlone));
+    assert_eq!(reason(&frame, Stage::Divide), (false, Reason::ParallelProjection));
+    assert_eq!(reason(&frame, Stage::Oblique), (false, Reason::SymmetricWindow));
+    assert_eq!(reason(&frame, Stage::Normals), (false, Reason::FlatShading));
+    assert_eq!(reason(&frame, Stage::Light), (true, Reason::LitFaces { objects: 1 }));
+    assert_eq!(reason(&frame, Stage::Interpolate), (false, Reason::OneColorAFace));
+    assert_eq!(reason(&frame, Stage::Blend), (false, Reason::AllOpaque));
+    assert_eq!(reason(&frame, Stage::Antialias), (false, Reason::OneSample));
+    assert!(!frame.drawing.surfaces[0].depth_test);
+    let cull = frame.report[Stage::CullFaces as usize];
+    assert_eq!((cull.stage, cull.counts), (Stage::CullFaces, Some((12, 2))));
+    assert_eq!(frame.report[Stage::Clip as usize].counts, None, "left out");
+}
+
+#[test]
+fn each_ground_for_a_stage_brings_it_back() {
+    let style = Style::default();
+    let camera = eye(Projection::Perspective);
+    let depth = |scene: &Scene| reason(&frame(scene, &camera, &style), Stage::HiddenSurfaces);
+    let alone = only(object(cube(), at(-4.0)));
+    assert_eq!(depth(&alone), (false, Reason::ConvexAlone));
+    let mut two = alone.clone();
+    two.objects.push(object(cube(), at(-7.0)));
+    assert_eq!(depth(&two), (true, Reason::SeveralObjects { objects: 2 }));
+    // The second one behind the eye does not count.
+    two.objects[1].world_from_object = at(7.0);
+    assert_eq!(depth(&two), (false, Reason::ConvexAlone));
+    assert_eq!(
+        reason(&frame(&two, &camera, &style), Stage::CullObjects),
+        (true, Reason::Outside { outside: 1, of: 2 })
+    );
+    // Outside the near plane, and with w < 0 outside the four sides too, but inside the far plane.
+    assert_eq!(frame(&two, &camera, &style).plan.objects[1].place, Place::Outside(0b01_1111));
+    let mut hollow = alone.clone();
+    hollow.objects[0].mesh = Arc::new(primitives::torus(8));
+    assert_eq!(depth(&hollow), (true, Reason::HidesItself));
+    let mut both_sides = alone.clone();
+    both_sides.objects[0].two_sided = true;
+    assert_eq!(depth(&both_sides), (true, Reason::HidesItself));
+    assert_eq!(
+        reason(&frame(&both_sides, &camera, &style), Stage::CullFaces),
+        (false, Reason::BothSidesSeen { objects: 1 })
+    );
+    // Through the hole that the near plane cuts, the inside shows.
+    assert_eq!(depth(&only(object(cube(), at(-1.5)))), (true, Reason::HidesItself));
+    let mut with_line = alone.clone();
+    let line = LineStyle { color: CLAY, width: 1.0, dash: Dash::Solid, hidden: HiddenLines::Dashed, arrow: false };
+    with_line.lines.push(Line { points: vec![DVec3::ZERO, DVec3::NEG_Z * 5.0], style: line });
+    assert_eq!(depth(&with_line), (true, Reason::LinesAskForDepth));
+    with_line.lines[0].style.hidden = HiddenLines::Shown;
+    assert_eq!(depth(&with_line), (false, Reason::ConvexAlone));
+
+    let beside = only(object(cube(), DMat4::from_translation(DVec3::new(8.0, 0.0, -4.0))));
+    let crossing = frame(&beside, &camera, &style);
+    assert_eq!(reason(&crossing, Stage::Clip), (true, Reason::Crossing { objects: 1, of: 1, planes: 0b10 }));
+    assert_eq!(crossing.plan.objects[0].clip_planes, 0b10);
+
+    let wireframe = Style { shading: Shading::Wireframe, ..style };
+    let bare = frame(&alone, &camera, &wireframe);
+    for stage in [Stage::Fill, Stage::HiddenSurfaces, Stage::Light, Stage::CullFaces, Stage::Blend] {
+        assert_eq!(reason(&bare, stage), (false, Reason::Wireframe));
+    }
+    assert_eq!(reason(&bare, Stage::Divide), (true, Reason::PerspectiveProjection));
+}
+
+#[test]
+fn the_inside_of_a_box_that_the_near_plane_cuts_open_is_seen() {
+    // The eye's near plane is inside the cube: the face behind it is seen, from inside.
+    let scene = only(object(cube(), at(-1.5)));
+    let frame = frame(&scene, &eye(Projection::Perspective), &Style::default());
+    let surface = &frame.drawing.surfaces[0];
+    let back_face = surface.triangles.iter().filter(|t| {
+        // At d = 2.5: depth (9 − 2.5)/(2.5 · 8)
+        t.iter().all(|&i| (surface.positions[i as usize][2] - 0.325).abs() < 1e-6)
+    });
+    assert_eq!(back_face.count(), 2);
+}
+
+fn any_mesh() -> impl Strategy<Value = Mesh> {
+    prop_oneof![
+        Just(primitives::cube()),
+        Just(primitives::pyramid()),
+        (3_u32..12).prop_map(primitives::sphere),
+        (3_u32..12).prop_map(primitives::cone),
+        (3_u32..9).prop_map(primitives::torus),
+    ]
+}
+
+fn any_vec(range: f64) -> impl Strategy<Value = DVec3> {
+    (-range..range, -range..range, -range..range).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+fn any_color() -> impl Strategy<Value = Rgba> {
+    let alpha = prop_oneof![3 => Just(255_u8), 1 => 0_u8..255];
+    (any::<[u8; 3]>(), alpha).prop_map(|([r, g, b], a)| Rgba::rgba(r, g, b, a))
+}
+
+fn any_line_style() -> impl Strategy<Value = LineStyle> {
+    let hidden = prop_oneof![Just(HiddenLines::Dashed), Just(HiddenLines::Hidden), Just(HiddenLines::Shown)];
+    (any_color(), 0.5_f32..4.0, hidden, any::<bool>()).prop_map(|(color, width, hidden, arrow)| LineStyle {
+        color,
+        width,
+        dash: Dash::Solid,
+        hidden,
+        arrow,
+    })
+}
+
+fn any_object() -> impl Strategy<Value = Object> {
+    let scale = prop_oneof![4 => any_vec(2.0), 1 => Just(DVec3::ONE), 1 => Just(DVec3::new(1.0, 0.0, 1.0))];
+    let place = (scale, any_vec(3.2), any_vec(3.0)).prop_map(|(scale, angles, at)| {
+        let turn = DQuat::from_euler(EulerRot::XYZ, angles.x, angles.y, angles.z);
+        DMat4::from_scale_rotation_translation(scale, turn, at)
+    });
+    let flags = (any::<bool>(), proptest::bool::weighted(0.2), proptest::bool::weighted(0.9));
+    let edges = proptest::option::weighted(0.3, any_line_style());
+    (any_mesh(), place, any_color(), any::<u8>(), flags, edges).prop_map(
+        |(mesh, world_from_object, color, kind, (lit, two_sided, faces), edges)| {
+            let varied = |n: usize| {
+                let shade = |i: usize| Rgba { r: color.r ^ u8::try_from(i * 37 % 256).unwrap(), ..color };
+                Arc::new((0..n).map(shade).collect::<Vec<_>>())
+            };
+            let paint = match kind % 4 {
+                0 => ObjectPaint::Faces(varied(mesh.triangles.len())),
+                1 => ObjectPaint::Vertices(varied(mesh.positions.len())),
+                _ => ObjectPaint::Solid(color),
+            };
+            let name = "thing".into();
+            Object { name, mesh: Arc::new(mesh), world_from_object, paint, lit, two_sided, faces, edges }
+        },
+    )
+}
+
+fn any_scene() -> impl Strategy<Value = Scene> {
+    let light = prop_oneof![
+        any_vec(1.0).prop_map(|direction| Light::Directional { direction }),
+        any_vec(5.0).prop_map(|position| Light::Point { position }),
+    ];
+    let line = (proptest::collection::vec(any_vec(6.0), 2..5), any_line_style())
+        .prop_map(|(points, style)| Line { points, style });
+    let mark = any_vec(4.0).prop_map(|position| PointMark {
+        position,
+        shape: MarkShape::Disc,
+        radius: 2.0,
+        color: CLAY,
+        fade_if_hidden: true,
+    });
+    (
+        proptest::collection::vec(any_object(), 1..4),
+        proptest::collection::vec(light, 0..3),
+        proptest::collection::vec(line, 0..2),
+        proptest::collection::vec(mark, 0..2),
+    )
+        .prop_map(|(objects, lights, lines, marks)| Scene { objects, lights, lines, marks, texts: Vec::new() })
+}
+
+fn any_camera() -> impl Strategy<Value = Camera> {
+    let window = proptest::option::weighted(
+        0.3,
+        (-0.3..-0.01, 0.02..0.4, -0.2..0.1, 0.11..0.3).prop_map(|(left, right, bottom, top)| ViewWindow {
+            left,
+            right,
+            bottom,
+            top,
+        }),
+    );
+    (any_vec(6.0), any_vec(1.0), any::<bool>(), 0.2..4.0, 10.0..90.0, window).prop_filter_map(
+        "no camera",
+        |(position, focal_point, perspective, near, view_angle, window)| {
+            let projection = if perspective { Projection::Perspective } else { Projection::Parallel };
+            Camera::new(&Parameters {
+                position,
+                focal_point,
+                projection,
+                view_angle,
+                height: 5.0,
+                near,
+                far: near + 6.0,
+                window: window.map(|w: ViewWindow| {
+                    let s = if perspective { near * 2.0 } else { 10.0 };
+                    ViewWindow { left: w.left * s, right: w.right * s, bottom: w.bottom * s, top: w.top * s }
+                }),
+                ..Parameters::default()
+            })
+            .ok()
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_plan_changes_no_pixel(
+        scene in any_scene(),
+        camera in any_camera(),
+        shading in prop_oneof![Just(Shading::Wireframe), Just(Shading::Flat), Just(Shading::Gouraud), Just(Shading::Phong)],
+    ) {
+        let target = Target { width: 48, height: 36, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
+        let style = Style { shading, antialias: 1, ..Style::default() };
+        let mut pipeline = Pipeline::default();
+        let planned = pipeline.frame(&scene, &camera, target, &style, Options::default());
+        let forced = pipeline.frame(&scene, &camera, target, &style, FORCED);
+        prop_assert!(forced.plan.stages.iter().all(|stage| stage.runs));
+        let mut raster = Rasterizer::default();
+        let (a, b) = (raster.paint(&planned.drawing).unwrap(), raster.paint(&forced.drawing).unwrap());
+        prop_assert!(a.data() == b.data());
+    }
+}
