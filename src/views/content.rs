@@ -83,8 +83,10 @@ pub(super) struct Ground {
 impl Ground {
     /// The lines of the grid.
     pub(super) fn lines(&self) -> Vec<[DVec3; 2]> {
+        // A hair below y = 0, so that a floor of the scene, whose face is there, covers it.
+        const SUNK: f64 = 0.01;
         let Self { low, high, step } = *self;
-        let at = |x: f64, z: f64| DVec3::new(x, 0.0, z);
+        let at = |x: f64, z: f64| DVec3::new(x, -SUNK * step, z);
         let stops =
             |a: f64, b: f64| (0..64).map(move |i| a + f64::from(i) * step).take_while(move |v| *v < b + 0.5 * step);
         let across = stops(low.x, high.x).map(|x| [at(x, low.y), at(x, high.y)]);
@@ -102,7 +104,7 @@ fn nice_step(least: f64) -> Option<f64> {
 /// The part of the volume that shows its shape without making the rest small: its cut at the depth where the content ends,
 /// or its end, if that comes before.
 fn volume_of_interest(camera: &Camera, core: &Aabb) -> Vec<DVec3> {
-    let deepest = core.corners().iter().map(|&p| -camera.view_point(p).z).fold(camera.distance(), f64::max);
+    let deepest = core.corners().iter().map(|&p| -camera.view_point(p).z).fold(0.0, f64::max);
     let depth = (0.45 * deepest).clamp(camera.near(), camera.far());
     if depth > 4.0 * deepest {
         return Vec::new();

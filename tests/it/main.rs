@@ -12,3 +12,4 @@ mod pipeline_plan;
 mod pipeline_project;
 mod raster_pictures;
 mod scene;
+mod views;

@@ -1,0 +1,287 @@
+//! The three pictures: they agree with the matrices and with each other, and nothing in them covers a text.
+
+use camera_lab::appearance::{Shading, Theme};
+use camera_lab::camera::{Camera, Convention, Operation, Parameters, Projection, ViewWindow};
+use camera_lab::drawing::{Anchor, Drawing, Label};
+use camera_lab::figure::{Figure, Observer};
+use camera_lab::i18n::{Lang, pictures};
+use camera_lab::raster::text::measure;
+use camera_lab::scene::{Preset as ScenePreset, Scene};
+use camera_lab::views::observer::Preset;
+use camera_lab::views::{self, Extras, Ghost, Palette, Probe, Setup, Size};
+use glam::{DVec2, DVec3, DVec4};
+
+/// What a [`Setup`] borrows.
+pub(crate) struct Pictured {
+    pub(crate) figure: Figure,
+    camera: Camera,
+    scene: Scene,
+    extras: Extras,
+    size: Size,
+    lang: Lang,
+}
+
+impl Pictured {
+    /// The picture of a figure at 320 × 240.
+    pub(crate) fn of(figure: Figure) -> Self {
+        let camera = Camera::new(&figure.camera).unwrap();
+        let scene = views::scene_of(&figure, &mut |path| Err(format!("{path} is not there"))).unwrap();
+        let size = Size { width: 320, height: 240, scale: 1.0 };
+        Self { figure, camera, scene, extras: Extras::default(), size, lang: Lang::En }
+    }
+
+    pub(crate) fn sized(self, width: u32, height: u32) -> Self {
+        Self { size: Size { width, height, scale: 1.0 }, ..self }
+    }
+
+    pub(crate) fn probed(mut self, probe: Probe) -> Self {
+        self.extras.probe = Some(probe);
+        self
+    }
+
+    /// While `operation` is tried.
+    pub(crate) fn tried(mut self, operation: Operation) -> Self {
+        let convention = Convention::RightHand;
+        let after = operation.apply(&self.camera, convention).unwrap();
+        self.extras.ghost = Some(Ghost { before: std::mem::replace(&mut self.camera, after), operation, convention });
+        self
+    }
+
+    pub(crate) fn painted(mut self, image: camera_lab::appearance::Texture) -> Self {
+        self.extras.painted_image = Some(std::sync::Arc::new(image));
+        self
+    }
+
+    pub(crate) fn setup(&self) -> Setup<'_> {
+        Setup {
+            figure: &self.figure,
+            camera: &self.camera,
+            scene: &self.scene,
+            labels: pictures::labels(self.lang),
+            size: self.size,
+            extras: &self.extras,
+        }
+    }
+
+    pub(crate) fn world(&self, preset: Preset) -> Drawing {
+        views::world::draw(&self.setup(), &views::world::observer(&self.setup(), preset))
+    }
+
+    pub(crate) fn canonical(&self, preset: Preset) -> Drawing {
+        views::canonical::draw(&self.setup(), &views::canonical::observer(&self.setup(), preset))
+    }
+
+    /// Where an observer's picture has a point, in pixels.
+    fn place(&self, observer: &Observer, p: DVec3) -> DVec2 {
+        let aspect = f64::from(self.size.width) / f64::from(self.size.height);
+        let clip = observer.camera(None, aspect).unwrap().clip_from_world() * p.extend(1.0);
+        self.pixel(clip)
+    }
+
+    fn pixel(&self, clip: DVec4) -> DVec2 {
+        let (x, y) = (clip.x / clip.w, clip.y / clip.w);
+        DVec2::new(f64::from(self.size.width) * (0.5 + 0.5 * x), f64::from(self.size.height) * (0.5 - 0.5 * y))
+    }
+}
+
+pub(crate) fn figure(change: impl FnOnce(&mut Parameters)) -> Figure {
+    let mut figure = Figure::default();
+    change(&mut figure.camera);
+    figure
+}
+
+/// Cameras that a careless picture would spoil.
+fn cameras() -> Vec<(&'static str, Figure)> {
+    vec![
+        ("default", figure(|_| {})),
+        ("short", figure(|c| (c.near, c.far) = (2.0, 12.0))),
+        ("parallel", figure(|c| (c.projection, c.height, c.near, c.far) = (Projection::Parallel, 4.0, 2.0, 10.0))),
+        (
+            "asymmetric",
+            figure(|c| {
+                (c.near, c.far) = (2.0, 12.0);
+                c.window = Some(ViewWindow { left: -1.0, right: 0.2, bottom: -0.3, top: 1.2 });
+            }),
+        ),
+        ("inside", figure(|c| (c.position, c.focal_point, c.near) = (DVec3::new(0.2, 0.6, 0.3), DVec3::X, 0.3))),
+        ("far away", figure(|c| (c.near, c.far) = (1e-4, 1e6))),
+        ("below", figure(|c| (c.position, c.near, c.far) = (DVec3::new(3.0, -3.0, 4.0), 1.5, 10.0))),
+        ("straight down", figure(|c| (c.position, c.view_up, c.near) = (DVec3::Y * 6.0, DVec3::NEG_Z, 2.0))),
+        ("narrow", figure(|c| (c.view_angle, c.near, c.far) = (3.0, 3.0, 20.0))),
+        ("wide", figure(|c| (c.view_angle, c.near, c.far) = (160.0, 1.0, 20.0))),
+        ("tall", figure(|c| (c.aspect, c.near, c.far) = (0.2, 2.0, 9.0))),
+        ("focal point beyond all", figure(|c| c.focal_point = DVec3::new(-3e5, -4e5, -5e5))),
+    ]
+}
+
+const PRESETS: [Preset; 4] = [Preset::Front, Preset::Top, Preset::Side, Preset::Iso];
+
+/// Left, top, right, bottom of a text in pixels.
+fn text_box(label: &Label) -> [f32; 4] {
+    let extent = measure(&label.text, label.size);
+    assert_eq!(label.anchor, Anchor::Center);
+    let (x, y) = (label.position[0] + label.offset[0], label.position[1] + label.offset[1]);
+    let half = extent.width / 2.0;
+    // The tops of capitals, and the lowest subscript.
+    [x - half, y - 0.46 * label.size, x + half, y + 0.46 * label.size]
+}
+
+#[test]
+fn no_text_covers_another_and_none_is_cut_off() {
+    for (name, figure) in cameras() {
+        for (width, height) in [(320, 240), (640, 480), (300, 700)] {
+            let pictured = Pictured::of(figure.clone()).sized(width, height).probed(Probe::Point(DVec3::ONE));
+            for preset in PRESETS {
+                for (view, drawing) in [("world", pictured.world(preset)), ("canonical", pictured.canonical(preset))] {
+                    let what = format!("{name}, {view}, {preset:?}, {width} × {height}");
+                    let boxes: Vec<_> = drawing.labels.iter().map(|l| (text_box(l), &l.text)).collect();
+                    for (i, ([l, t, r, b], text)) in boxes.iter().enumerate() {
+                        let inside = *l >= -1.0 && *t >= -1.0 && *r <= width as f32 + 1.0 && *b <= height as f32 + 1.0;
+                        assert!(inside, "{what}: {text} is cut off");
+                        for ([ol, ot, or, ob], other) in &boxes[i + 1..] {
+                            let apart = r <= ol || or <= l || b <= ot || ob <= t;
+                            assert!(apart, "{what}: {text} and {other} overlap");
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_camera_has_its_names_in_every_world() {
+    for (name, figure) in cameras() {
+        let world = Pictured::of(figure).sized(640, 480).world(Preset::Iso);
+        for symbol in ["C", "u", "v", "n", "VUP"] {
+            assert!(world.labels.iter().any(|l| l.text == symbol), "{name}: {symbol} is missing");
+        }
+    }
+}
+
+#[test]
+fn the_volume_drawn_is_the_inverse_of_the_matrices() {
+    for (name, figure) in cameras() {
+        let pictured = Pictured::of(figure);
+        let palette = Palette::of(pictured.figure.style.theme);
+        let observer = views::world::observer(&pictured.setup(), Preset::Iso);
+        let world = views::world::draw(&pictured.setup(), &observer);
+        // Near corners by a numerical inverse; the library has its own in closed form.
+        let world_from_clip = pictured.camera.clip_from_world().inverse();
+        for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+            let corner = world_from_clip * DVec4::new(x, y, -1.0, 1.0);
+            let place = pictured.place(&observer, corner.truncate() / corner.w);
+            let in_picture = place.cmpgt(DVec2::ZERO).all() && place.cmplt(DVec2::new(320.0, 240.0)).all();
+            let frames = world.strokes.iter().filter(|s| s.style.color == palette.ink);
+            let drawn = frames
+                .flat_map(|s| &s.points)
+                .any(|p| DVec2::new(f64::from(p[0]), f64::from(p[1])).distance(place) < 0.05);
+            assert!(drawn || !in_picture, "{name}: the window's corner ({x}, {y}) at {place}");
+        }
+    }
+}
+
+#[test]
+fn camera_and_scene_are_in_the_picture_and_large_enough_to_be_read() {
+    for scene in [ScenePreset::Primitives, ScenePreset::House, ScenePreset::Corridor, ScenePreset::NdcCube] {
+        for (name, mut figure) in cameras() {
+            figure.scene.preset = scene;
+            let pictured = Pictured::of(figure).sized(640, 480);
+            let bounds = pictured.scene.bounds().unwrap();
+            for preset in PRESETS {
+                let observer = views::world::observer(&pictured.setup(), preset);
+                let what = format!("{scene:?}, {name}, {preset:?}");
+                let c = pictured.place(&observer, pictured.camera.position());
+                let corners = bounds.corners().map(|p| pictured.place(&observer, p));
+                for place in corners.iter().chain([&c]) {
+                    assert!(place.cmpge(DVec2::ZERO).all() && place.x <= 640.0 && place.y <= 480.0, "{what}: {place}");
+                }
+                let size = corners.iter().flat_map(|a| corners.iter().map(|b| a.distance(*b))).fold(0.0, f64::max);
+                assert!(size > 90.0, "{what}: the scene is {size:.0} px large");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_canonical_front_view_is_the_image() {
+    // Seen from before its near face, the canonical volume shows what the image shows: M_p has turned every projection into
+    // the parallel one along z_n.
+    for (name, figure) in cameras() {
+        let aspect = figure.camera.aspect;
+        let pictured = Pictured::of(figure).sized(400, 300);
+        let observer = views::canonical::observer(&pictured.setup(), Preset::Front);
+        let image = views::image::frame(pictured.size, pictured.camera.window());
+        let corner = |x, y| pictured.place(&observer, DVec3::new(x, y, 1.0));
+        let (low, high) = (corner(-1.0, 1.0), corner(1.0, -1.0));
+        for p in [DVec3::new(0.1, 0.2, 0.3), DVec3::new(-0.5, 0.4, 0.2), DVec3::new(0.6, 0.1, -0.7)] {
+            let clip = pictured.camera.clip_from_world() * p.extend(1.0);
+            let ndc = clip.truncate() / clip.w;
+            let shown = pictured.place(&observer, DVec3::new(ndc.x, ndc.y, -ndc.z));
+            let share = (shown - low) / (high - low);
+            let in_image = DVec2::new(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y);
+            assert!((share - in_image).length() < 1e-6, "{name}: {share} and {in_image}");
+        }
+        assert!(image.width <= 400 && image.height <= 300, "{name} {aspect}");
+    }
+}
+
+#[test]
+fn one_probe_marks_the_same_point_in_all_three() {
+    let p = DVec3::new(0.4, 0.7, 0.2);
+    let pictured = Pictured::of(figure(|c| (c.near, c.far, c.aspect) = (2.0, 12.0, 1.0))).probed(Probe::Point(p));
+    let color = Palette::of(Theme::Light).probe;
+    let has_mark = |drawing: &Drawing, place: DVec2| {
+        let at = |m: &camera_lab::drawing::Mark| DVec2::new(f64::from(m.position[0]), f64::from(m.position[1]));
+        drawing.marks.iter().any(|m| m.color == color && at(m).distance(place) < 0.01)
+    };
+    let clip = pictured.camera.clip_from_world() * p.extend(1.0);
+    let ndc = clip.truncate() / clip.w;
+
+    let observer = views::world::observer(&pictured.setup(), Preset::Iso);
+    assert!(has_mark(&pictured.world(Preset::Iso), pictured.place(&observer, p)));
+    let observer = views::canonical::observer(&pictured.setup(), Preset::Iso);
+    let shown = DVec3::new(ndc.x, ndc.y, -ndc.z);
+    assert!(has_mark(&pictured.canonical(Preset::Iso), pictured.place(&observer, shown)));
+    // The frame of a square window in 320 × 240.
+    let place = DVec2::new(40.0 + 120.0 * (1.0 + ndc.x), 120.0 * (1.0 - ndc.y));
+    assert!(has_mark(&views::image::draw(&pictured.setup()), place));
+}
+
+#[test]
+fn a_pixels_ray_ends_on_what_the_pixel_shows() {
+    // The ray through the middle of the window is the axis of projection: it meets the cube about PF where the axis does.
+    let mut figure = figure(|c| (c.position, c.near, c.far) = (DVec3::new(0.0, 0.0, 6.0), 2.0, 12.0));
+    figure.scene.preset = ScenePreset::Cube;
+    let pictured = Pictured::of(figure).probed(Probe::Window(DVec2::ZERO));
+    let observer = views::world::observer(&pictured.setup(), Preset::Iso);
+    let world = views::world::draw(&pictured.setup(), &observer);
+    let color = Palette::of(Theme::Light).probe;
+    let hit = pictured.place(&observer, DVec3::Z);
+    let at = |m: &camera_lab::drawing::Mark| DVec2::new(f64::from(m.position[0]), f64::from(m.position[1]));
+    assert!(world.marks.iter().any(|m| m.color == color && at(m).distance(hit) < 0.01));
+}
+
+#[test]
+fn in_wireframe_the_scene_loses_its_faces_and_the_camera_keeps_its() {
+    let mut figure = figure(|_| {});
+    let faces = |figure: &Figure| Pictured::of(figure.clone()).world(Preset::Iso).surfaces.len();
+    let shaded = faces(&figure);
+    figure.style.shading = Shading::Wireframe;
+    let wired = faces(&figure);
+    figure.scene.preset = ScenePreset::Empty;
+    assert_eq!(wired, faces(&figure));
+    assert!(0 < wired && wired < shaded);
+}
+
+#[test]
+fn an_observer_that_is_no_camera_gives_an_empty_picture() {
+    let pictured = Pictured::of(figure(|_| {}));
+    let nowhere = Observer { target: DVec3::ZERO, distance: f64::NAN, azimuth: 0.0, elevation: 0.0, parallel: false };
+    for drawing in
+        [views::world::draw(&pictured.setup(), &nowhere), views::canonical::draw(&pictured.setup(), &nowhere)]
+    {
+        assert_eq!((drawing.width, drawing.height), (320, 240));
+        assert!(drawing.surfaces.is_empty() && drawing.strokes.is_empty() && drawing.labels.is_empty());
+    }
+}
