@@ -13,3 +13,4 @@ mod pipeline_project;
 mod raster_pictures;
 mod scene;
 mod views;
+mod views_pictures;

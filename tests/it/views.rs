@@ -1,4 +1,5 @@
 //! The three pictures: they agree with the matrices and with each other, and nothing in them covers a text.
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::appearance::{Shading, Theme};
 use camera_lab::camera::{Camera, Convention, Operation, Parameters, Projection, ViewWindow};
