@@ -1,3 +1,4 @@
 //! The window, driven without a display.
+#![cfg(feature = "gui")]
 
 mod canvas;
