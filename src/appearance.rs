@@ -27,6 +27,7 @@ impl Rgba {
 
     /// A colour with opacity.
     #[must_use]
+    #[expect(clippy::self_named_constructors, reason = "named after its letters, as `rgb` is")]
     pub const fn rgba(r: u8, g: u8, b: u8, a: u8) -> Self {
         Self { r, g, b, a }
     }

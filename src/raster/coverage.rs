@@ -7,7 +7,7 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::Rgba;
 
-use super::fill;
+use super::pixel::{over, premultiply, scale};
 
 /// A mask of a picture's size, cleared where it was used.
 #[derive(Clone, Debug, Default)]
@@ -97,7 +97,7 @@ impl Coverage {
         let (first, end) = (columns.start as u32, columns.end as u32);
         *touched = (touched.0.min(first), touched.1.max(end));
         for i in columns {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share is 0 … 1")]
+            #[expect(clippy::cast_possible_truncation, reason = "a share is 0 … 1")]
             let share = (share(center(i)) * 255.0 + 0.5) as u8;
             let pixel = &mut self.shares[j * self.width + i];
             *pixel = share.max(*pixel);
@@ -106,7 +106,7 @@ impl Coverage {
 
     /// Lays the colour on `pixmap` wherever the mask covers it, and clears the mask.
     pub(super) fn lay(&mut self, pixmap: &mut Pixmap, color: Rgba) {
-        let source = fill::premultiply(color);
+        let source = premultiply(color);
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
         for (j, touched) in self.rows.iter_mut().enumerate() {
             let (first, end) = std::mem::replace(touched, UNTOUCHED);
@@ -117,8 +117,7 @@ impl Coverage {
             for (share, pixel) in self.shares[range.clone()].iter_mut().zip(&mut pixels[range]) {
                 match std::mem::take(share) {
                     0 => {}
-                    255 => *pixel = fill::over(source, *pixel),
-                    s => *pixel = fill::over(source.map(|c| fill::scale(c, s)), *pixel),
+                    s => *pixel = over(scale(source, u32::from(s)), u32::from_le_bytes(*pixel)).to_le_bytes(),
                 }
             }
         }
@@ -130,13 +129,12 @@ fn overlap(distance: f32, radius: f32) -> f32 {
     (radius.min(distance + 0.5) - (-radius).max(distance - 0.5)).clamp(0.0, 1.0)
 }
 
-#[expect(clippy::cast_precision_loss, reason = "sides are at most 16384")]
 fn center(i: usize) -> f32 {
     i as f32 + 0.5
 }
 
 /// The pixels of 0 … size whose centres lie between two abscissae.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates; NaN gives nothing")]
+#[expect(clippy::cast_possible_truncation, reason = "`as` saturates; NaN gives nothing")]
 fn pixels(from: f32, to: f32, size: usize) -> std::ops::Range<usize> {
     let first = (from - 0.5).ceil().max(0.0) as usize;
     let end = ((to + 0.5).floor().max(0.0) as usize).min(size);

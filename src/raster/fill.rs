@@ -1,197 +1,299 @@
-//! Triangles → samples.
+//! A band of rows: its triangles → its samples.
+//!
+//! Eight pixels of a row are worked on together, in loops over arrays that the compiler turns into vector instructions. What
+//! a pixel gets depends on its triangles alone, never on the band or the eight that it is in: values are computed from the
+//! triangle's origin, not added up along the way.
 
-use crate::appearance::{Rgba, Texture};
-use crate::drawing::{Drawing, Paint, Surface};
+use std::ops::Range;
 
-use super::depth::DepthBuffer;
-use super::setup::{Plane, STEPS, Triangle, samples, snap};
+use crate::appearance::Rgba;
+use crate::drawing::{Paint, Surface};
 
-/// Premultiplied red, green, blue, alpha.
-pub(super) type Pixel = [u8; 4];
+use super::pixel::{Pixel, over, premultiply};
+use super::setup::{Borders, Pixels, Plane, Triangle, samples, snap};
+use super::shade::{
+    Affine, Flat, LANES, Lanes, PerPixel, Perspective, Shader, Textured, inverse_w, nearly_affine, pick,
+};
 
-/// The samples of a picture.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Samples {
-    pub(super) per_pixel: usize,
-    pub(super) colors: Vec<Pixel>,
-    pub(super) depths: Vec<f32>,
+/// Sides of a picture in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Size {
+    pub(super) width: i32,
+    pub(super) height: i32,
 }
 
-/// Paints all surfaces on `samples` (which hold the background), with their depth in `depth`.
-pub(super) fn surfaces(drawing: &Drawing, out: &mut Samples, depth: &mut DepthBuffer) {
-    for surface in drawing.surfaces.iter().filter(|s| !s.translucent) {
-        for index in 0..surface.triangles.len() {
-            triangle(drawing, surface, index, out, depth);
-        }
+/// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
+pub(super) struct Band<'a> {
+    pub(super) size: Size,
+    pub(super) rows: Range<i32>,
+    /// Values from one row to the next; beyond `width` there is room for eight more.
+    pub(super) pitch: usize,
+    /// Values from one plane to the next.
+    pub(super) plane: usize,
+    pub(super) colors: &'a mut [Pixel],
+    /// Empty where nothing writes depths: then no test can fail.
+    pub(super) depths: &'a mut [f32],
+    /// The slope of the face whose depth was written at the first sample (packed), where someone wants to know.
+    pub(super) slopes: Option<&'a mut [u32]>,
+}
+
+/// Distance of the samples from the centre, in steps.
+pub(super) const fn reach<const S: usize>() -> i32 {
+    let samples = samples::<S>();
+    let (mut k, mut reach) = (0, 0);
+    while k < S {
+        let (x, y) = (samples[k][0].abs(), samples[k][1].abs());
+        let most = if x > y { x } else { y };
+        reach = if most > reach { most } else { reach };
+        k += 1;
     }
-    let mut order: Vec<(f32, &Surface, usize)> = Vec::new();
-    for surface in drawing.surfaces.iter().filter(|s| s.translucent) {
-        for (index, triangle) in surface.triangles.iter().enumerate() {
-            let z = triangle.map(|v| surface.positions.get(v as usize).map_or(f32::NAN, |p| p[2]));
-            order.push((z[0] + z[1] + z[2], surface, index));
+    reach
+}
+
+/// Fills some triangles of a surface, in the order of their numbers.
+pub(super) fn fill<const S: usize>(band: &mut Band, surface: &Surface, triangles: impl Iterator<Item = u32>) {
+    let opaque = |c: Rgba| premultiply(c.with_alpha(255));
+    let own = |c: Rgba| if surface.translucent { premultiply(c) } else { opaque(c) };
+    match &surface.paint {
+        Paint::Solid(color) => {
+            let color = own(*color);
+            each::<S>(band, surface, triangles, |band, one| one.draw::<S, _>(band, surface, Flat(color)));
         }
-    }
-    order.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (_, surface, index) in order {
-        triangle(drawing, surface, index, out, depth);
+        Paint::Faces(colors) => each::<S>(band, surface, triangles, |band, one| {
+            let Some(&color) = colors.get(one.index) else { return };
+            one.draw::<S, _>(band, surface, Flat(own(color)));
+        }),
+        Paint::Vertices(colors) => each::<S>(band, surface, triangles, |band, one| {
+            let Some(colors) = pick(colors, one.corners) else { return };
+            let Some(inverse_w) = inverse_w(surface, one.corners) else { return };
+            let colors = colors.map(own);
+            match (nearly_affine(colors, inverse_w), surface.translucent) {
+                (true, false) => one.draw::<S, _>(band, surface, Affine::<3>::new(&one.triangle, colors)),
+                (true, true) => one.draw::<S, _>(band, surface, Affine::<4>::new(&one.triangle, colors)),
+                (false, false) => {
+                    one.draw::<S, _>(band, surface, Perspective::<3>::new(&one.triangle, colors, inverse_w));
+                }
+                (false, true) => {
+                    one.draw::<S, _>(band, surface, Perspective::<4>::new(&one.triangle, colors, inverse_w));
+                }
+            }
+        }),
+        Paint::Phong(phong) => each::<S>(band, surface, triangles, |band, one| {
+            let Some(inverse_w) = inverse_w(surface, one.corners) else { return };
+            let Some(shader) = PerPixel::new(&one.triangle, phong, one.corners, inverse_w) else { return };
+            one.draw::<S, _>(band, surface, shader);
+        }),
+        Paint::Texture { image, uv, opacity } => each::<S>(band, surface, triangles, |band, one| {
+            let Some(inverse_w) = inverse_w(surface, one.corners) else { return };
+            let texture = (&**image, uv.as_slice(), *opacity);
+            let Some(shader) = Textured::new(&one.triangle, texture, one.corners, inverse_w) else { return };
+            one.draw::<S, _>(band, surface, shader);
+        }),
     }
 }
 
-fn triangle(drawing: &Drawing, surface: &Surface, index: usize, out: &mut Samples, depth: &mut DepthBuffer) {
-    let Some((triangle, z, shader)) = set_up(surface, index) else { return };
-    #[expect(clippy::cast_possible_wrap, reason = "sides are at most 16384")]
-    let (width, height) = (drawing.width as i32, drawing.height as i32);
-    for (s, &offset) in samples(out.per_pixel).iter().enumerate() {
-        for j in triangle.rows(offset, height) {
-            for i in triangle.span(j, offset, width) {
-                let place = |v: i32, shift: i32| f64::from(v) + 0.5 + f64::from(shift) / f64::from(STEPS);
-                let (x, y) = (place(i, offset[0]), place(j, offset[1]));
-                let (i, j) = (i.unsigned_abs() as usize, j.unsigned_abs() as usize);
-                let index = (j * drawing.width as usize + i) * out.per_pixel + s;
-                if surface.depth_test {
-                    let new = z.at(x, y);
-                    let old = &mut out.depths[index];
-                    if new <= *old {
-                        continue;
-                    }
-                    if !surface.translucent {
-                        *old = new;
-                        if s == 0 {
-                            depth.set(i, j, new, z.slope());
-                        }
+/// A triangle with its place in the band.
+struct One {
+    index: usize,
+    corners: [usize; 3],
+    triangle: Triangle,
+    pixels: Pixels,
+    z: Plane,
+}
+
+/// Calls `draw` for each triangle that has pixels in the band; those whose indices lead nowhere have none.
+#[inline(always)]
+fn each<const S: usize>(
+    band: &mut Band,
+    surface: &Surface,
+    triangles: impl Iterator<Item = u32>,
+    mut draw: impl FnMut(&mut Band, One),
+) {
+    for index in triangles {
+        let index = index as usize;
+        let Some(corners) = surface.triangles.get(index).map(|t| t.map(|v| v as usize)) else { continue };
+        let Some(p) = pick(&surface.positions, corners) else { continue };
+        let (Some(a), Some(b), Some(c)) = (snap(p[0]), snap(p[1]), snap(p[2])) else { continue };
+        let v = [a, b, c];
+        let mut pixels = Pixels::around(&v, reach::<S>(), band.size.width, band.size.height);
+        pixels.rows = pixels.rows.start.max(band.rows.start)..pixels.rows.end.min(band.rows.end);
+        if pixels.is_empty() {
+            continue;
+        }
+        let Some(triangle) = Triangle::new(v) else { continue };
+        let z = triangle.plane(p.map(|p| p[2]));
+        draw(band, One { index, corners, triangle, pixels, z });
+    }
+}
+
+impl One {
+    #[inline(always)]
+    fn draw<const S: usize, P: Shader>(&self, band: &mut Band, surface: &Surface, shader: P) {
+        let mut painter = Painter::<S, P> {
+            origin: self.triangle.origin,
+            depth_steps: std::array::from_fn(|s| {
+                let [x, y] = samples::<S>()[s].map(in_pixels);
+                self.z.dx * x + self.z.dy * y
+            }),
+            z: self.z,
+            row: 0.0,
+            slope: pack_slope(self.z.dx, self.z.dy),
+            depth_test: surface.depth_test && !band.depths.is_empty(),
+            translucent: surface.translucent,
+            shader,
+        };
+        if self.pixels.small {
+            small(band, &self.triangle, &self.pixels, &mut painter);
+        } else {
+            large(band, &self.triangle, &self.pixels, &mut painter);
+        }
+    }
+}
+
+fn in_pixels(steps: i32) -> f32 {
+    steps as f32 / super::setup::STEPS as f32
+}
+
+/// Fills a triangle whose box is at most eight pixels wide: edge functions in 32 bits, all columns at once.
+#[inline(always)]
+fn small<const S: usize, P: Shader>(
+    band: &mut Band,
+    triangle: &Triangle,
+    pixels: &Pixels,
+    painter: &mut Painter<S, P>,
+) {
+    let first = pixels.columns.start;
+    // Within the box of a small triangle the edge functions, in units of 256 steps², stay far below 2³¹.
+    #[expect(clippy::cast_possible_truncation, reason = "see above")]
+    let starts: [[i32; 3]; S] = samples::<S>()
+        .map(|sample| std::array::from_fn(|k| triangle.edge(k, [first, pixels.rows.start], sample) as i32));
+    let columns: [Lanes<i32>; 3] = triangle.a.map(|a| lanes(|l| a * l));
+    let last = pixels.columns.end - first;
+    let inside: Lanes<i32> = lanes(|l| l - last);
+    for j in pixels.rows.clone() {
+        let down = j - pixels.rows.start;
+        let covered: [Lanes<bool>; S] = std::array::from_fn(|s| {
+            let e: [i32; 3] = std::array::from_fn(|k| starts[s][k] + triangle.b[k] * down);
+            // The sign of each: not negative inside; and negative in the columns of the box.
+            std::array::from_fn(|l| {
+                ((e[0] + columns[0][l]) | (e[1] + columns[1][l]) | (e[2] + columns[2][l]) | !inside[l]) >= 0
+            })
+        });
+        painter.start_row(j);
+        painter.paint(band, j, first, covered);
+    }
+}
+
+/// Fills any triangle: row by row between its borders.
+#[inline(always)]
+fn large<const S: usize, P: Shader>(
+    band: &mut Band,
+    triangle: &Triangle,
+    pixels: &Pixels,
+    painter: &mut Painter<S, P>,
+) {
+    let borders: [Borders; S] = samples::<S>().map(|sample| triangle.borders(sample));
+    for j in pixels.rows.clone() {
+        let rows: [(i32, i32); S] = std::array::from_fn(|s| borders[s].row(j, band.size.width));
+        // The rows of the box may be too many by one for some samples: there a border must not be followed beyond its edge.
+        let rows: [(i32, i32); S] =
+            std::array::from_fn(|s| if triangle.has_row(j, samples::<S>()[s]) { rows[s] } else { (0, 0) });
+        let first = rows.iter().filter(|r| r.0 < r.1).map(|r| r.0).min().unwrap_or(0);
+        let end = rows.iter().map(|r| r.1).max().unwrap_or(0);
+        if first >= end {
+            continue;
+        }
+        painter.start_row(j);
+        let mut i = first;
+        while i < end {
+            let covered = rows.map(|(first, end)| {
+                let (from, to) = (first - i, end - i);
+                lanes(|l| l >= from && l < to)
+            });
+            painter.paint(band, j, i, covered);
+            i += 8;
+        }
+    }
+}
+
+/// Lane numbers → lanes.
+#[inline(always)]
+fn lanes<T>(f: impl Fn(i32) -> T) -> Lanes<T> {
+    [f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)]
+}
+
+/// What is the same for all pixels of a triangle.
+struct Painter<const S: usize, P> {
+    origin: [f32; 2],
+    z: Plane,
+    /// From the depth at the centre to that at each sample.
+    depth_steps: [f32; S],
+    /// Depth in the row at hand, below the origin.
+    row: f32,
+    slope: u32,
+    depth_test: bool,
+    translucent: bool,
+    shader: P,
+}
+
+impl<const S: usize, P: Shader> Painter<S, P> {
+    #[inline(always)]
+    fn start_row(&mut self, j: i32) {
+        let y = (j as f32 + 0.5) - self.origin[1];
+        self.row = self.z.row(y);
+        self.shader.row(y);
+    }
+
+    /// Paints eight pixels of row `j` from column `i` on, where they are covered.
+    #[inline(always)]
+    fn paint(&self, band: &mut Band, j: i32, i: i32, mut covered: [Lanes<bool>; S]) {
+        let x: Lanes<f32> = lanes(|l| (i + l) as f32 + 0.5 - self.origin[0]);
+        let start = (j - band.rows.start).unsigned_abs() as usize * band.pitch + i.unsigned_abs() as usize;
+        if self.depth_test {
+            let center = x.map(|x| self.row + self.z.dx * x);
+            for s in 0..S {
+                let Some(depths) = eight(band.depths, s * band.plane + start) else { return };
+                for l in 0..LANES {
+                    let z = self.z.hold(center[l] + self.depth_steps[s]);
+                    let pass = covered[s][l] & (z > depths[l]);
+                    covered[s][l] = pass;
+                    if !self.translucent {
+                        depths[l] = if pass { z } else { depths[l] };
                     }
                 }
-                let source = shader.at(x, y);
-                let target = &mut out.colors[index];
-                *target = if surface.translucent { over(source, *target) } else { source };
+                if s == 0
+                    && !self.translucent
+                    && let Some(slopes) = band.slopes.as_deref_mut().and_then(|slopes| eight(slopes, start))
+                {
+                    for l in 0..LANES {
+                        slopes[l] = if covered[0][l] { self.slope } else { slopes[l] };
+                    }
+                }
+            }
+        }
+        let wanted = std::array::from_fn(|l| (0..S).any(|s| covered[s][l]));
+        let colors = self.shader.colors(x, wanted);
+        for (s, covered) in covered.iter().enumerate() {
+            let Some(pixels) = eight(band.colors, s * band.plane + start) else { return };
+            for l in 0..LANES {
+                let color = if self.translucent { over(colors[l], pixels[l]) } else { colors[l] };
+                pixels[l] = if covered[l] { color } else { pixels[l] };
             }
         }
     }
 }
 
-/// `None` where there is nothing to fill or the surface's arrays do not fit together.
-fn set_up(surface: &Surface, index: usize) -> Option<(Triangle, Plane, Shader<'_>)> {
-    let corners = surface.triangles[index].map(|v| v as usize);
-    let p = pick(&surface.positions, corners)?;
-    let triangle = Triangle::new([snap(p[0])?, snap(p[1])?, snap(p[2])?])?;
-    let z = triangle.plane(p.map(|p| p[2]));
-    let weights = Weights::new(&triangle, &surface.inverse_w, corners)?;
-    let shader = match &surface.paint {
-        Paint::Solid(c) => Shader::Flat(premultiply(*c)),
-        Paint::Faces(colors) => Shader::Flat(premultiply(*colors.get(index)?)),
-        Paint::Vertices(colors) => {
-            let colors = pick(colors, corners)?.map(|c| premultiply(c).map(f32::from));
-            Shader::Vertices { weights, colors }
-        }
-        Paint::Phong(phong) => Shader::Phong {
-            weights,
-            normals: pick(&phong.normals, corners)?,
-            positions: pick(&phong.positions, corners)?,
-            phong,
-        },
-        Paint::Texture { image, uv, opacity } => {
-            Shader::Texture { weights, uv: pick(uv, corners)?, image, opacity: f32::from(*opacity) / 255.0 }
-        }
-    };
-    Some((triangle, z, shader))
+#[inline(always)]
+fn eight<T>(values: &mut [T], start: usize) -> Option<&mut Lanes<T>> {
+    values.get_mut(start..)?.first_chunk_mut()
 }
 
-fn pick<T: Copy>(values: &[T], at: [usize; 3]) -> Option<[T; 3]> {
-    Some([*values.get(at[0])?, *values.get(at[1])?, *values.get(at[2])?])
+/// Two slopes as the upper halves of two `f32`: 8 bits of each are enough.
+fn pack_slope(dx: f32, dy: f32) -> u32 {
+    (dx.to_bits() & 0xffff_0000) | dy.to_bits() >> 16
 }
 
-/// The share of each vertex in a point of a triangle, perspective-correct.
-struct Weights {
-    planes: [Plane; 3],
-    inverse_w: [f32; 3],
-}
-
-impl Weights {
-    fn new(triangle: &Triangle, inverse_w: &[f32], corners: [usize; 3]) -> Option<Self> {
-        let inverse_w = if inverse_w.is_empty() { [1.0; 3] } else { pick(inverse_w, corners)? };
-        let planes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|q| triangle.plane(q));
-        Some(Self { planes, inverse_w })
-    }
-
-    fn at(&self, x: f64, y: f64) -> [f32; 3] {
-        let b: [f32; 3] = std::array::from_fn(|k| self.planes[k].at(x, y) * self.inverse_w[k]);
-        let sum = b[0] + b[1] + b[2];
-        b.map(|b| b / sum)
-    }
-}
-
-fn mix<const N: usize>(weights: [f32; 3], values: &[[f32; N]; 3]) -> [f32; N] {
-    std::array::from_fn(|k| weights[0] * values[0][k] + weights[1] * values[1][k] + weights[2] * values[2][k])
-}
-
-enum Shader<'a> {
-    Flat(Pixel),
-    Vertices { weights: Weights, colors: [[f32; 4]; 3] },
-    Phong { weights: Weights, normals: [[f32; 3]; 3], positions: [[f32; 3]; 3], phong: &'a crate::drawing::Phong },
-    Texture { weights: Weights, uv: [[f32; 2]; 3], image: &'a Texture, opacity: f32 },
-}
-
-impl Shader<'_> {
-    fn at(&self, x: f64, y: f64) -> Pixel {
-        match self {
-            Self::Flat(color) => *color,
-            Self::Vertices { weights, colors } => mix(weights.at(x, y), colors).map(byte),
-            Self::Phong { weights, normals, positions, phong } => {
-                let w = weights.at(x, y);
-                premultiply(phong.lighting.shade(mix(w, normals), mix(w, positions), phong.color))
-            }
-            Self::Texture { weights, uv, image, opacity } => {
-                texel(image, mix(weights.at(x, y), uv)).map(|c| byte(c * opacity))
-            }
-        }
-    }
-}
-
-/// The texture between its four nearest texels; beyond the border the border goes on.
-fn texel(image: &Texture, uv: [f32; 2]) -> [f32; 4] {
-    let axis = |t: f32, size: u32| {
-        let last = size.saturating_sub(1);
-        #[expect(clippy::cast_precision_loss, reason = "pictures are far smaller than 2²⁴")]
-        let t = (t * size as f32 - 0.5).clamp(0.0, last as f32);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped above")]
-        let low = t as u32;
-        #[expect(clippy::cast_precision_loss, reason = "as above")]
-        let part = t - low as f32;
-        (low as usize, (low + 1).min(last) as usize, part)
-    };
-    let (x0, x1, s) = axis(uv[0], image.width);
-    let (y0, y1, t) = axis(uv[1], image.height);
-    let at = |x: usize, y: usize| {
-        let start = 4 * (y * image.width as usize + x);
-        image.rgba.get(start..start + 4).map_or([0.0; 4], |c| [c[0], c[1], c[2], c[3]].map(f32::from))
-    };
-    let (a, b, c, d) = (at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1));
-    std::array::from_fn(|k| {
-        let top = a[k] + s * (b[k] - a[k]);
-        let bottom = c[k] + s * (d[k] - c[k]);
-        top + t * (bottom - top)
-    })
-}
-
-/// Rounds a channel.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates: 0 … 255, NaN is 0")]
-fn byte(v: f32) -> u8 {
-    (v + 0.5) as u8
-}
-
-pub(super) fn premultiply(c: Rgba) -> Pixel {
-    let times = |v: u8| scale(v, c.a);
-    [times(c.r), times(c.g), times(c.b), c.a]
-}
-
-/// v · a / 255, rounded.
-pub(super) fn scale(v: u8, a: u8) -> u8 {
-    let t = u32::from(v) * u32::from(a) + 128;
-    #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
-    let r = ((t + (t >> 8)) >> 8) as u8;
-    r
-}
-
-pub(super) fn over(source: Pixel, target: Pixel) -> Pixel {
-    std::array::from_fn(|k| source[k].saturating_add(scale(target[k], 255 - source[3])))
+/// The slopes that [`pack_slope`] packed, towards 0 by 1/128 at most.
+pub(super) fn unpack_slope(packed: u32) -> [f32; 2] {
+    [f32::from_bits(packed & 0xffff_0000), f32::from_bits(packed << 16)]
 }

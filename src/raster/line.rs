@@ -39,6 +39,7 @@ struct Part {
 impl Strokes {
     /// Draws a set: first what is hidden of it, then what can be seen.
     pub(super) fn draw(&mut self, pixmap: &mut Pixmap, depth: &DepthBuffer, set: &StrokeSet) {
+        self.coverage.resize(pixmap.width() as usize, pixmap.height() as usize);
         let test = set.style.hidden != HiddenLines::Shown && !depth.is_empty();
         if test && let Some(style) = set.style.behind_a_face() {
             self.cover(depth, set, style, test, false);

@@ -1,11 +1,19 @@
 //! [`Drawing`] → pixels.
+//!
+//! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many threads as
+//! there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and with their depth,
+//! come strokes (`line`), marks and texts (`label`, [`text`]). The bytes do not depend on the number of threads.
 
+mod bins;
 mod coverage;
 mod depth;
 mod fill;
 mod label;
 mod line;
+mod pixel;
 mod setup;
+mod shade;
+mod surfaces;
 pub mod text;
 
 use tiny_skia::{Color, Pixmap};
@@ -22,7 +30,7 @@ pub const MAX_PIXELS: u64 = 1 << 27;
 /// Draws pictures; keeps its buffers from one to the next.
 #[derive(Clone, Debug, Default)]
 pub struct Rasterizer {
-    samples: fill::Samples,
+    surfaces: surfaces::Surfaces,
     depth: DepthBuffer,
     strokes: line::Strokes,
 }
@@ -54,29 +62,11 @@ impl Rasterizer {
     }
 
     fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
-        let (width, height) = (drawing.width as usize, drawing.height as usize);
-        let per_pixel = match drawing.antialias {
-            0..=1 => 1,
-            2..=4 => 4,
-            _ => 16,
-        };
-        self.samples.per_pixel = per_pixel;
-        self.samples.colors.clear();
-        self.samples.colors.resize(width * height * per_pixel, fill::premultiply(drawing.background));
-        self.samples.depths.clear();
-        self.samples.depths.resize(width * height * per_pixel, f32::NEG_INFINITY);
-        self.depth.reset(width, height, setup::samples(per_pixel)[0]);
-        fill::surfaces(drawing, &mut self.samples, &mut self.depth);
-        for (pixel, samples) in pixmap.data_mut().chunks_exact_mut(4).zip(self.samples.colors.chunks_exact(per_pixel)) {
-            let n = samples.len();
-            for (k, byte) in pixel.iter_mut().enumerate() {
-                let sum: usize = samples.iter().map(|s| usize::from(s[k])).sum();
-                #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes")]
-                let mean = ((sum + n / 2) / n) as u8;
-                *byte = mean;
-            }
+        match drawing.antialias {
+            0..=1 => self.surfaces.paint::<1>(drawing, pixmap, &mut self.depth),
+            2..=4 => self.surfaces.paint::<4>(drawing, pixmap, &mut self.depth),
+            _ => self.surfaces.paint::<16>(drawing, pixmap, &mut self.depth),
         }
-        self.strokes.coverage.resize(width, height);
         for set in &drawing.strokes {
             self.strokes.draw(pixmap, &self.depth, set);
         }

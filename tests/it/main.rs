@@ -10,6 +10,7 @@ mod layers;
 mod pipeline;
 mod pipeline_plan;
 mod pipeline_project;
+mod raster_fill;
 mod raster_pictures;
 mod scene;
 mod views;

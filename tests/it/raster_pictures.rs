@@ -39,7 +39,7 @@ fn stroke(points: Vec<[f32; 3]>, hidden: HiddenLines, arrow: bool) -> StrokeSet 
     let end = u32::try_from(points.len()).expect("a few points");
     StrokeSet {
         points,
-        polylines: vec![0..end],
+        polylines: std::iter::once(0..end).collect(),
         style: LineStyle { color: INK, width: 2.0, dash: Dash::Solid, hidden, arrow },
     }
 }

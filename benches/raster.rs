@@ -1,0 +1,100 @@
+//! Time to paint one closed mesh: `cargo bench --no-default-features --bench raster [-- WORDS…]`.
+//!
+//! A bumpy sphere fills most of the picture; back faces are culled already. Each row is the median of many pictures that are
+//! painted over one another, with as many threads as there are.
+
+#![expect(clippy::print_stdout, reason = "a benchmark prints")]
+#![expect(clippy::cast_possible_truncation, reason = "small numbers")]
+
+use std::time::Instant;
+
+use camera_lab::appearance::Rgba;
+use camera_lab::drawing::{Drawing, Paint, Surface};
+use camera_lab::raster::Rasterizer;
+
+/// The half of a bumpy sphere that can be seen, in perspective.
+fn mesh(width: u32, height: u32, triangles: usize, gouraud: bool) -> Surface {
+    let n = ((triangles / 4) as f64).sqrt().round() as u32;
+    let (rows, columns) = (n, 2 * n);
+    let (mut positions, mut inverse_w, mut colors) = (Vec::new(), Vec::new(), Vec::new());
+    for i in 0..=rows {
+        for j in 0..=columns {
+            let theta = std::f64::consts::PI * f64::from(i) / f64::from(rows);
+            let phi = std::f64::consts::TAU * f64::from(j) / f64::from(columns);
+            let r = 1.0 + 0.02 * (5.0 * theta).sin() * (7.0 * phi).cos();
+            let (x, y, z) = (r * theta.sin() * phi.cos(), r * theta.cos(), r * theta.sin() * phi.sin());
+            let (y, z) = (0.8 * y + 0.6 * z, 0.8 * z - 0.6 * y);
+            let w = 4.0 - z;
+            let f = 1.75 * f64::from(height);
+            let at = [f64::from(width) / 2.0 + f * x / w, f64::from(height) / 2.0 - f * y / w, 1.0 / w];
+            positions.push(at.map(|v| v as f32));
+            inverse_w.push((1.0 / w) as f32);
+            let light = 60.0 + 190.0 * ((x + y + z) / 3.0_f64.sqrt()).clamp(0.0, 1.0);
+            colors.push(Rgba::rgb(light as u8, (light * 0.8) as u8, (light * 0.5) as u8));
+        }
+    }
+    let mut list = Vec::new();
+    for i in 0..rows {
+        for j in 0..columns {
+            let a = i * (columns + 1) + j;
+            let (b, c, d) = (a + 1, a + columns + 1, a + columns + 2);
+            for t in [[a, b, d], [a, d, c]] {
+                let [p, q, r] = t.map(|v| positions[v as usize]);
+                if (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]) > 0.0 {
+                    list.push(t);
+                }
+            }
+        }
+    }
+    let paint = if gouraud {
+        Paint::Vertices(colors)
+    } else {
+        Paint::Faces(list.iter().map(|t| colors[t[0] as usize]).collect())
+    };
+    Surface { positions, inverse_w, triangles: list, paint, translucent: false, depth_test: true }
+}
+
+fn main() {
+    let words: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
+    println!("{:>10} {:>8} {:>8} {:>8} {:>10} {:>10}", "picture", "paint", "samples", "faces", "median ms", "least ms");
+    for (width, height) in [(640, 640), (1920, 1080)] {
+        for (name, gouraud) in [("gouraud", true), ("flat", false)] {
+            for antialias in [1, 4] {
+                for triangles in [1_000, 10_000, 100_000, 1_000_000] {
+                    let row = format!("{width}x{height} {name} {antialias}x {triangles}");
+                    if !words.iter().all(|w| row.contains(w.as_str())) {
+                        continue;
+                    }
+                    let drawing = Drawing {
+                        width,
+                        height,
+                        background: Rgba::rgb(255, 255, 255),
+                        antialias,
+                        surfaces: vec![mesh(width, height, triangles, gouraud)],
+                        strokes: Vec::new(),
+                        marks: Vec::new(),
+                        labels: Vec::new(),
+                    };
+                    let (median, least) = time(&drawing);
+                    let picture = format!("{width}x{height}");
+                    println!("{picture:>10} {name:>8} {antialias:>8} {triangles:>8} {median:>10.3} {least:>10.3}");
+                }
+            }
+        }
+    }
+}
+
+/// Median and least time of a picture in milliseconds.
+fn time(drawing: &Drawing) -> (f64, f64) {
+    let mut rasterizer = Rasterizer::default();
+    let Some(mut pixmap) = rasterizer.paint(drawing) else { return (f64::NAN, f64::NAN) };
+    let mut times = Vec::new();
+    let start = Instant::now();
+    while times.len() < 20 || (start.elapsed().as_secs_f64() < 0.4 && times.len() < 500) {
+        let start = Instant::now();
+        rasterizer.paint_into(drawing, &mut pixmap);
+        times.push(start.elapsed().as_secs_f64() * 1e3);
+    }
+    times.sort_by(f64::total_cmp);
+    (times[times.len() / 2], times[0])
+}

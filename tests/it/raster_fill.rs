@@ -1,0 +1,555 @@
+//! What triangles cover, how deep they are and what colour, against exact arithmetic.
+
+#![expect(clippy::cast_possible_truncation, reason = "small numbers, and bytes of random ones")]
+
+use std::sync::Arc;
+
+use camera_lab::appearance::{Rgba, Texture};
+use camera_lab::drawing::{Drawing, Lighting, Paint, Phong, Surface, ViewLight};
+use camera_lab::raster::{MAX_SIDE, Rasterizer};
+use tiny_skia::Pixmap;
+
+const BLACK: Rgba = Rgba::rgb(0, 0, 0);
+const WHITE: Rgba = Rgba::rgb(255, 255, 255);
+
+/// Numbers that look random and are the same each time (splitmix64).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// 0 … 1.
+    fn unit(&mut self) -> f32 {
+        (self.next() >> 40) as f32 / (1 << 24) as f32
+    }
+
+    fn below(&mut self, end: u64) -> u64 {
+        self.next() % end
+    }
+}
+
+fn drawing(width: u32, height: u32, antialias: u8, surfaces: Vec<Surface>) -> Drawing {
+    Drawing {
+        width,
+        height,
+        background: WHITE,
+        antialias,
+        surfaces,
+        strokes: Vec::new(),
+        marks: Vec::new(),
+        labels: Vec::new(),
+    }
+}
+
+fn surface(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, paint: Paint) -> Surface {
+    Surface { positions, inverse_w: Vec::new(), triangles, paint, translucent: false, depth_test: true }
+}
+
+fn paint(drawing: &Drawing) -> Pixmap {
+    Rasterizer::default().paint(drawing).expect("a picture")
+}
+
+fn rgb(pixmap: &Pixmap, x: u32, y: u32) -> [u8; 3] {
+    let p = pixmap.pixel(x, y).expect("inside");
+    [p.red(), p.green(), p.blue()]
+}
+
+/// A position in 1/256 pixel, as the rasterizer must round it.
+fn grid(v: f32) -> i128 {
+    (f64::from(v) * 256.0).round_ties_even() as i128
+}
+
+/// Does the triangle own the centre of the pixel? By the definition of the top-left rule, in whole numbers.
+fn owns(triangle: [[f32; 3]; 3], x: u32, y: u32) -> bool {
+    let v = triangle.map(|p| [grid(p[0]), grid(p[1])]);
+    let p = [i128::from(x) * 256 + 128, i128::from(y) * 256 + 128];
+    let cross =
+        |a: [i128; 2], b: [i128; 2], c: [i128; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    let area = cross(v[0], v[1], v[2]);
+    if area == 0 {
+        return false;
+    }
+    (0..3).all(|k| {
+        let (a, b) = if area > 0 { (v[k], v[(k + 1) % 3]) } else { (v[(k + 1) % 3], v[k]) };
+        let third = v[(k + 2) % 3];
+        match cross(a, b, p) {
+            0 if a[1] == b[1] => third[1] > a[1],
+            0 => {
+                // The edge is at the left where the third corner lies to the right of it, at its own height.
+                let at = |q: [i128; 2]| (q[0] - a[0]) * (b[1] - a[1]) - (q[1] - a[1]) * (b[0] - a[0]);
+                (at(third) > 0) == (b[1] > a[1])
+            }
+            e => e > 0,
+        }
+    })
+}
+
+#[track_caller]
+fn check_coverage(width: u32, height: u32, triangle: [[f32; 3]; 3]) -> usize {
+    let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Paint::Solid(BLACK));
+    let pixmap = paint(&drawing(width, height, 1, vec![s]));
+    let mut covered = 0;
+    for y in 0..height {
+        for x in 0..width {
+            let found = rgb(&pixmap, x, y) == [0, 0, 0];
+            assert_eq!(found, owns(triangle, x, y), "pixel ({x}, {y}) of {triangle:?}");
+            covered += usize::from(found);
+        }
+    }
+    covered
+}
+
+#[test]
+fn a_triangle_covers_exactly_the_pixels_it_owns() {
+    let mut random = Random(1);
+    let mut covered = 0;
+    for round in 0..400 {
+        let triangle = std::array::from_fn(|_| {
+            let (x, y) = (random.unit() * 40.0, random.unit() * 24.0);
+            // Anywhere; on quarters of a pixel, where centres lie on edges; on corners and centres of pixels only.
+            let [x, y] = match round % 3 {
+                0 => [x, y],
+                1 => [(x * 4.0).round() / 4.0, (y * 4.0).round() / 4.0],
+                _ => [(x * 2.0).round() / 2.0, (y * 2.0).round() / 2.0],
+            };
+            [x, y, 0.5]
+        });
+        covered += check_coverage(40, 24, triangle);
+    }
+    assert!(covered > 10_000, "the triangles were too small to prove anything: {covered}");
+}
+
+#[test]
+fn slivers_cover_exactly_the_pixels_they_own() {
+    let mut random = Random(2);
+    let mut covered = 0;
+    for _ in 0..300 {
+        let (a, b) = ([random.unit() * 48.0, random.unit() * 24.0], [random.unit() * 48.0, random.unit() * 24.0]);
+        let t = random.unit();
+        let nudge = [random.unit() - 0.5, random.unit() - 0.5];
+        let c = [a[0] + t * (b[0] - a[0]) + nudge[0], a[1] + t * (b[1] - a[1]) + nudge[1]];
+        covered += check_coverage(48, 24, [a, b, c].map(|p| [p[0], p[1], 0.5]));
+    }
+    assert!(covered > 500, "{covered}");
+}
+
+#[test]
+fn tiny_triangles_cover_exactly_the_pixels_they_own() {
+    let mut random = Random(3);
+    let mut covered = 0;
+    for _ in 0..1500 {
+        let size = 0.2 + 3.0 * random.unit();
+        let near = [random.unit() * 10.0, random.unit() * 10.0];
+        covered += check_coverage(
+            12,
+            12,
+            std::array::from_fn(|_| {
+                [near[0] + size * (random.unit() - 0.5), near[1] + size * (random.unit() - 0.5), 0.5]
+            }),
+        );
+    }
+    assert!(covered > 300, "{covered}");
+}
+
+#[test]
+fn the_largest_triangles_do_not_overflow() {
+    let mut random = Random(4);
+    for round in 0..12 {
+        let far = |random: &mut Random, size: u32| (random.unit() * size as f32).min(size as f32);
+        let (width, height) = if round % 2 == 0 { (MAX_SIDE, 5) } else { (5, MAX_SIDE) };
+        let triangle = std::array::from_fn(|_| [far(&mut random, width), far(&mut random, height), 0.5]);
+        check_coverage(width, height, triangle);
+    }
+    let m = MAX_SIDE as f32;
+    check_coverage(MAX_SIDE, 3, [[0.0, 0.0, 0.5], [m, 0.0, 0.5], [m, 3.0, 0.5]]);
+    // Vertices far outside of the picture, as far as they may be.
+    check_coverage(6, 6, [[-m, -m, 0.5], [m, -m, 0.5], [3.0, m, 0.5]]);
+    check_coverage(6, 6, [[-m, 3.1, 0.5], [m, 2.9, 0.5], [3.0, m, 0.5]]);
+    check_coverage(6, 6, [[5.2, -m, 0.5], [4.9, m, 0.5], [m, 0.0, 0.5]]);
+}
+
+/// A picture full of triangles that share all their edges, vertices on no particular places.
+fn carpet(side: u32, cells: u32, random: &mut Random) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let step = side as f32 / cells as f32;
+    let mut positions = Vec::new();
+    for j in 0..=cells {
+        for i in 0..=cells {
+            let inner = |k: u32| if k == 0 || k == cells { 0.0 } else { 0.7 };
+            let x = (i as f32 + inner(i) * (random.unit() - 0.5)) * step;
+            let y = (j as f32 + inner(j) * (random.unit() - 0.5)) * step;
+            positions.push([x, y, random.unit()]);
+        }
+    }
+    let mut triangles = Vec::new();
+    for j in 0..cells {
+        for i in 0..cells {
+            let a = j * (cells + 1) + i;
+            let (b, c, d) = (a + 1, a + cells + 1, a + cells + 2);
+            // Diagonals and windings of both kinds.
+            match random.below(4) {
+                0 => triangles.extend([[a, b, d], [a, d, c]]),
+                1 => triangles.extend([[a, d, b], [c, d, a]]),
+                2 => triangles.extend([[a, b, c], [b, d, c]]),
+                _ => triangles.extend([[c, b, a], [b, c, d]]),
+            }
+        }
+    }
+    (positions, triangles)
+}
+
+#[test]
+fn triangles_with_common_edges_cover_each_sample_exactly_once() {
+    let mut random = Random(5);
+    for (cells, antialias) in [(3, 1), (9, 1), (48, 1), (90, 1), (9, 4), (60, 4), (5, 16), (30, 16)] {
+        let (positions, triangles) = carpet(48, cells, &mut random);
+        let mut s = surface(positions, triangles, Paint::Solid(Rgba::rgba(0, 0, 0, 128)));
+        s.translucent = true;
+        let pixmap = paint(&drawing(48, 48, antialias, vec![s]));
+        // White under one coat is 127; no coat would be 255, two 63.
+        for (k, pixel) in pixmap.pixels().iter().enumerate() {
+            assert_eq!(pixel.red(), 127, "pixel ({}, {}), {cells} cells, {antialias} samples", k % 48, k / 48);
+        }
+    }
+}
+
+#[test]
+fn depth_is_that_of_exact_arithmetic_within_its_bound() {
+    let mut random = Random(6);
+    let mut checked = 0;
+    for round in 0..300 {
+        let scale = if round % 2 == 0 { 1.0 } else { 1e-4 };
+        let mut triangle: [[f32; 3]; 3] = std::array::from_fn(|_| [0.0; 3]);
+        for p in &mut triangle {
+            *p = [random.unit() * 60.0, random.unit() * 40.0, scale * random.unit()];
+        }
+        if round % 3 == 0 {
+            // A sliver.
+            triangle[2][0] = 0.5 * (triangle[0][0] + triangle[1][0]) + 0.02;
+            triangle[2][1] = 0.5 * (triangle[0][1] + triangle[1][1]);
+        }
+        let mut rasterizer = Rasterizer::default();
+        let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Paint::Solid(BLACK));
+        rasterizer.paint(&drawing(60, 40, 1, vec![s])).expect("a picture");
+        // In f64: exact but for some 1e-13 of the terms.
+        let v = triangle.map(|p| [grid(p[0]) as f64 / 256.0, grid(p[1]) as f64 / 256.0, f64::from(p[2])]);
+        let (p, q) = ([v[1][0] - v[0][0], v[1][1] - v[0][1]], [v[2][0] - v[0][0], v[2][1] - v[0][1]]);
+        let area = p[0] * q[1] - p[1] * q[0];
+        let (d1, d2) = (v[1][2] - v[0][2], v[2][2] - v[0][2]);
+        let (dx, dy) = ((d1 * q[1] - d2 * p[1]) / area, (d2 * p[0] - d1 * q[0]) / area);
+        let low = v[0][2].min(v[1][2]).min(v[2][2]);
+        let high = v[0][2].max(v[1][2]).max(v[2][2]);
+        let extent = |k: usize| {
+            v.iter().map(|p| p[k]).fold(f64::MIN, f64::max) - v.iter().map(|p| p[k]).fold(f64::MAX, f64::min)
+        };
+        // Three roundings each of the terms at the far end of the triangle.
+        let bound = 3.0 * 2.0_f64.powi(-24) * (dx.abs() * (extent(0) + 1.0) + dy.abs() * (extent(1) + 1.0) + high);
+        for y in 0..40 {
+            for x in 0..60 {
+                let Some(found) = rasterizer.depth().at(x, y) else {
+                    assert!(!owns(triangle, x, y));
+                    continue;
+                };
+                let exact = v[0][2] + dx * (f64::from(x) + 0.5 - v[0][0]) + dy * (f64::from(y) + 0.5 - v[0][1]);
+                let error = (f64::from(found) - exact).abs();
+                assert!(error <= bound, "({x}, {y}) of {triangle:?}: {error:e} above {bound:e}");
+                assert!((low..=high).contains(&f64::from(found)), "outside of the vertices' range");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 30_000, "{checked}");
+}
+
+#[test]
+fn the_number_of_threads_changes_no_byte() {
+    let mut random = Random(7);
+    let (positions, triangles) = carpet(300, 60, &mut random);
+    let colors = positions.iter().map(|_| Rgba::rgb(random.next() as u8, random.next() as u8, random.next() as u8));
+    let colors: Vec<Rgba> = colors.collect();
+    let mut opaque = surface(positions.clone(), triangles.clone(), Paint::Vertices(colors));
+    opaque.inverse_w = positions.iter().map(|_| 0.2 + random.unit()).collect();
+    let faces = triangles.iter().map(|_| Rgba::rgba(random.next() as u8, 90, random.next() as u8, 60)).collect();
+    let mut clear =
+        surface(positions.iter().map(|p| [p[1], p[0], 1.0 - p[2]]).collect(), triangles, Paint::Faces(faces));
+    clear.translucent = true;
+    for antialias in [1, 4] {
+        let d = drawing(300, 300, antialias, vec![opaque.clone(), clear.clone()]);
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            pool.install(|| {
+                let mut rasterizer = Rasterizer::default();
+                let pixmap = rasterizer.paint(&d).expect("a picture");
+                let depths: Vec<_> = (0..300 * 300).map(|k| rasterizer.depth().at(k % 300, k / 300)).collect();
+                (pixmap, depths)
+            })
+        };
+        let one = on(1);
+        for threads in [2, 3, 8] {
+            let many = on(threads);
+            assert!(one.0 == many.0 && one.1 == many.1, "{threads} threads, {antialias} samples");
+        }
+    }
+}
+
+#[test]
+fn buffers_keep_nothing_of_the_picture_before() {
+    let mut random = Random(8);
+    let (positions, triangles) = carpet(40, 6, &mut random);
+    let full = drawing(40, 40, 1, vec![surface(positions, triangles, Paint::Solid(BLACK))]);
+    let corners = vec![[5.0, 5.0, 0.1], [20.0, 6.0, 0.1], [8.0, 18.0, 0.1]];
+    let small = drawing(30, 40, 4, vec![surface(corners, vec![[0, 1, 2]], Paint::Solid(Rgba::rgb(9, 8, 7)))]);
+    let mut rasterizer = Rasterizer::default();
+    let mut pixmap = Pixmap::new(1, 1).expect("a pixmap");
+    for d in [&full, &small, &full, &drawing(40, 40, 1, Vec::new()), &small] {
+        assert!(rasterizer.paint_into(d, &mut pixmap));
+        let mut fresh = Rasterizer::default();
+        assert!(pixmap == fresh.paint(d).expect("a picture"));
+        for k in 0..40 * 40 {
+            assert_eq!(rasterizer.depth().at(k % 40, k / 40), fresh.depth().at(k % 40, k / 40));
+        }
+    }
+}
+
+#[test]
+fn upright_and_level_edges_have_as_many_shades_as_samples() {
+    for (antialias, samples) in [(1, 1), (4, 4), (16, 16_u32)] {
+        for k in 0..=samples {
+            let edge = 2.0 + k as f32 / samples as f32;
+            let upright = vec![[0.0, 0.0, 0.5], [edge, 0.0, 0.5], [edge, 6.0, 0.5], [0.0, 6.0, 0.5]];
+            let level = upright.iter().map(|p| [p[1], p[0], p[2]]).collect();
+            for (positions, at) in [(upright, (2, 3)), (level, (3, 2))] {
+                let s = surface(positions, vec![[0, 1, 2], [0, 2, 3]], Paint::Solid(BLACK));
+                let found = rgb(&paint(&drawing(6, 6, antialias, vec![s])), at.0, at.1)[0];
+                let expected = (255.0 * (1.0 - f64::from(k) / f64::from(samples)) + 0.5).floor() as u8;
+                assert_eq!(found, expected, "{k}/{samples} covered");
+            }
+        }
+    }
+}
+
+#[test]
+fn of_equal_depths_the_first_stays_and_a_nearer_one_wins() {
+    let square = |z: f32, color: Rgba| {
+        let corners = vec![[0.0, 0.0, z], [4.0, 0.0, z], [4.0, 4.0, z], [0.0, 4.0, z]];
+        surface(corners, vec![[0, 1, 2], [0, 2, 3]], Paint::Solid(color))
+    };
+    let red = Rgba::rgb(255, 0, 0);
+    let middle = |surfaces: Vec<Surface>| rgb(&paint(&drawing(4, 4, 1, surfaces)), 2, 1);
+    assert_eq!(middle(vec![square(0.5, red), square(0.5, BLACK)]), [255, 0, 0]);
+    assert_eq!(middle(vec![square(0.5, BLACK), square(0.5, red)]), [0, 0, 0]);
+    assert_eq!(middle(vec![square(0.5, red), square(0.25, BLACK)]), [255, 0, 0]);
+    assert_eq!(middle(vec![square(0.5, red), square(0.75, BLACK)]), [0, 0, 0]);
+    // The far plane itself is in front of nothing at all.
+    assert_eq!(middle(vec![square(0.0, red)]), [255, 0, 0]);
+    // Without the test the last one stays.
+    let mut untested = square(0.25, BLACK);
+    untested.depth_test = false;
+    assert_eq!(middle(vec![square(0.5, red), untested]), [0, 0, 0]);
+}
+
+#[test]
+fn translucent_surfaces_are_blended_from_back_to_front_whatever_their_order() {
+    let square = |z: f32, color: Rgba| {
+        let corners = vec![[0.0, 0.0, z], [4.0, 0.0, z], [4.0, 4.0, z], [0.0, 4.0, z]];
+        let mut s = surface(corners, vec![[0, 1, 2], [0, 2, 3]], Paint::Solid(color));
+        s.translucent = !color.is_opaque();
+        s
+    };
+    let (front, back) = (square(0.8, Rgba::rgba(255, 0, 0, 128)), square(0.6, Rgba::rgba(0, 0, 255, 128)));
+    let hidden = square(0.2, Rgba::rgba(0, 255, 0, 128));
+    let wall = square(0.5, BLACK);
+    let middle = |surfaces: Vec<Surface>| rgb(&paint(&drawing(4, 4, 4, surfaces)), 2, 1);
+    // On black: blue 128, then red 128 over it leaves 64 of the blue.
+    for order in
+        [vec![front.clone(), back.clone(), hidden.clone(), wall.clone()], vec![wall.clone(), hidden, back, front]]
+    {
+        assert_eq!(middle(order), [128, 0, 64]);
+    }
+}
+
+#[test]
+fn colours_between_vertices_follow_perspective() {
+    let (side, triangle) = (64, [[2.0, 3.0, 0.9], [60.0, 10.0, 0.2], [20.0, 62.0, 0.4]]);
+    let inverse_w = vec![1.0, 0.1, 0.4];
+    let colors = [[250.0, 0.0, 30.0], [0.0, 240.0, 60.0], [10.0, 20.0, 255.0]];
+    let rgba = colors.map(|c: [f64; 3]| Rgba::rgb(c[0] as u8, c[1] as u8, c[2] as u8)).to_vec();
+    for (inverse_w, w) in [(inverse_w, [1.0, 0.1, 0.4]), (Vec::new(), [1.0; 3])] {
+        let mut s = surface(triangle.to_vec(), vec![[0, 1, 2]], Paint::Vertices(rgba.clone()));
+        s.inverse_w = inverse_w;
+        let pixmap = paint(&drawing(side, side, 1, vec![s]));
+        let v = triangle.map(|p| [f64::from(p[0]), f64::from(p[1])]);
+        let cross =
+            |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        for y in 0..side {
+            for x in 0..side {
+                if !owns(triangle, x, y) {
+                    continue;
+                }
+                let p = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+                let b = [cross(v[1], v[2], p) * w[0], cross(v[2], v[0], p) * w[1], cross(v[0], v[1], p) * w[2]];
+                let found = rgb(&pixmap, x, y);
+                for k in 0..3 {
+                    let exact = (0..3).map(|l| b[l] * colors[l][k]).sum::<f64>() / (b[0] + b[1] + b[2]);
+                    assert!((f64::from(found[k]) - exact).abs() < 0.51, "({x}, {y}): {found:?}, {exact}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn colours_stay_between_those_of_the_vertices_even_in_slivers_and_at_outer_samples() {
+    let mut random = Random(9);
+    let mut seen = 0;
+    for _ in 0..200 {
+        let (a, b) = ([random.unit() * 30.0, random.unit() * 30.0], [random.unit() * 30.0, random.unit() * 30.0]);
+        let c = [0.5 * (a[0] + b[0]) + 0.2, 0.5 * (a[1] + b[1])];
+        let positions = [a, b, c].map(|p| [p[0], p[1], random.unit()]).to_vec();
+        let colors = vec![Rgba::rgb(100, 150, 200), Rgba::rgb(110, 140, 205), Rgba::rgb(105, 160, 210)];
+        let mut s = surface(positions, vec![[0, 1, 2]], Paint::Vertices(colors));
+        s.inverse_w = (0..3).map(|_| 0.1 + random.unit()).collect();
+        let mut d = drawing(30, 30, 4, vec![s]);
+        d.background = Rgba::rgba(0, 0, 0, 0);
+        for pixel in paint(&d).pixels().iter().filter(|p| p.alpha() > 0) {
+            let c = pixel.demultiply();
+            // One part in 64 more or less, for the rounding of faint premultiplied colours.
+            assert!((98..=112).contains(&c.red()), "{c:?}");
+            assert!((138..=162).contains(&c.green()), "{c:?}");
+            assert!((198..=212).contains(&c.blue()), "{c:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 100, "{seen}");
+}
+
+#[test]
+fn a_texture_laid_pixel_on_texel_is_itself() {
+    let mut random = Random(10);
+    let rgba: Vec<u8> =
+        (0..16 * 8).flat_map(|_| [random.next() as u8, random.next() as u8, random.next() as u8, 255]).collect();
+    let image = Arc::new(Texture { width: 16, height: 8, rgba: rgba.clone() });
+    let corners = vec![[2.0, 1.0, 0.5], [18.0, 1.0, 0.5], [18.0, 9.0, 0.5], [2.0, 9.0, 0.5]];
+    let uv = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    for translucent in [false, true] {
+        let paint_ = Paint::Texture { image: Arc::clone(&image), uv: uv.clone(), opacity: 255 };
+        let mut s = surface(corners.clone(), vec![[0, 1, 2], [0, 2, 3]], paint_);
+        s.translucent = translucent;
+        let pixmap = paint(&drawing(20, 10, 1, vec![s]));
+        for y in 0..8 {
+            for x in 0..16 {
+                let k = 4 * (16 * y + x) as usize;
+                assert_eq!(rgb(&pixmap, x + 2, y + 1), rgba[k..k + 3], "({x}, {y})");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_texture_on_a_slanted_square_converges() {
+    // Two columns, black and white: their border is at the middle in space, not on the picture.
+    let image = Arc::new(Texture { width: 2, height: 1, rgba: vec![0, 0, 0, 255, 255, 255, 255, 255] });
+    let corners = vec![[0.0, 0.0, 0.9], [60.0, 10.0, 0.3], [60.0, 30.0, 0.3], [0.0, 40.0, 0.9]];
+    let uv = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let mut s = surface(corners, vec![[0, 1, 2], [0, 2, 3]], Paint::Texture { image, uv, opacity: 255 });
+    // Left edge at distance 1, right edge at 2 (half as high): the middle is at x = 60 · (1/2)/(1/2 + 1)… = 40.
+    s.inverse_w = vec![1.0, 0.5, 0.5, 1.0];
+    let pixmap = paint(&drawing(60, 40, 1, vec![s]));
+    for y in [12, 20, 28] {
+        let first = (0..60).find(|&x| rgb(&pixmap, x, y)[0] >= 128).expect("the white half");
+        assert_eq!(first, 40, "row {y}");
+    }
+}
+
+#[test]
+fn light_at_each_pixel_is_the_formula_at_that_pixel() {
+    let lighting = Lighting {
+        ambient: 0.2,
+        diffuse: 0.6,
+        specular: 0.3,
+        shininess: 20.0,
+        distant_viewer: false,
+        two_sided: false,
+        lights: vec![ViewLight::Point([1.0, 2.0, 3.0])],
+    };
+    let color = Rgba::rgb(200, 120, 60);
+    let (normals, positions) = (
+        vec![[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, 0.6, 0.8]],
+        vec![[-1.0, -1.0, -4.0], [1.0, -1.0, -5.0], [0.0, 1.0, -6.0]],
+    );
+    let phong = Phong { normals: normals.clone(), positions: positions.clone(), color, lighting: lighting.clone() };
+    let triangle = [[0.0, 0.0, 0.5], [32.0, 0.0, 0.5], [0.0, 32.0, 0.5]];
+    let mut s = surface(triangle.to_vec(), vec![[0, 1, 2]], Paint::Phong(phong));
+    s.inverse_w = vec![0.25, 0.2, 1.0 / 6.0];
+    let pixmap = paint(&drawing(32, 32, 1, vec![s]));
+    for (x, y) in [(1, 1), (20, 3), (5, 20), (10, 10)] {
+        let (s, t) = ((f64::from(x) + 0.5) / 32.0, (f64::from(y) + 0.5) / 32.0);
+        let b = [(1.0 - s - t) * 0.25, s * 0.2, t / 6.0];
+        let mix = |v: &[[f32; 3]]| -> [f32; 3] {
+            std::array::from_fn(|k| {
+                ((0..3).map(|l| b[l] * f64::from(v[l][k])).sum::<f64>() / (b[0] + b[1] + b[2])) as f32
+            })
+        };
+        let exact = lighting.shade(mix(&normals), mix(&positions), color);
+        let found = rgb(&pixmap, x, y);
+        for (found, exact) in found.into_iter().zip([exact.r, exact.g, exact.b]) {
+            assert!(found.abs_diff(exact) <= 1, "({x}, {y}): {found} and {exact}");
+        }
+    }
+}
+
+#[test]
+fn a_missing_size_is_none() {
+    let mut rasterizer = Rasterizer::default();
+    for (width, height) in [(0, 10), (10, 0), (0, 0), (MAX_SIDE + 1, 1), (1, u32::MAX), (MAX_SIDE, MAX_SIDE)] {
+        assert!(rasterizer.paint(&drawing(width, height, 1, Vec::new())).is_none(), "{width}×{height}");
+        let mut pixmap = Pixmap::new(3, 3).expect("a pixmap");
+        assert!(!rasterizer.paint_into(&drawing(width, height, 1, Vec::new()), &mut pixmap));
+        assert_eq!(pixmap.width(), 3);
+    }
+    assert_eq!(paint(&drawing(1, 1, 16, Vec::new())).pixel(0, 0).map(|p| p.red()), Some(255));
+}
+
+#[test]
+fn nonsense_is_left_out_without_harm() {
+    let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -1e30, f32::MAX, 16_385.0];
+    let paints = [
+        Paint::Solid(BLACK),
+        Paint::Faces(Vec::new()),
+        Paint::Vertices(vec![BLACK; 2]),
+        Paint::Phong(Phong { normals: Vec::new(), positions: Vec::new(), color: BLACK, lighting: Lighting::default() }),
+        Paint::Texture {
+            image: Arc::new(Texture { width: 0, height: 7, rgba: Vec::new() }),
+            uv: Vec::new(),
+            opacity: 9,
+        },
+        Paint::Texture {
+            image: Arc::new(Texture { width: 9, height: 9, rgba: vec![1; 5] }),
+            uv: vec![[f32::NAN, 1e30]; 4],
+            opacity: 255,
+        },
+    ];
+    for paint_ in paints {
+        for value in bad {
+            for slot in 0..3 {
+                for translucent in [false, true] {
+                    let mut positions = vec![[1.0, 1.0, 0.5], [9.0, 1.0, 0.5], [1.0, 9.0, 0.5], [4.0, 4.0, 0.5]];
+                    positions[1][slot] = value;
+                    let triangles = vec![[0, 1, 2], [0, 2, 3], [0, 1, 77], [u32::MAX; 3], [3, 3, 3]];
+                    let mut s = surface(positions, triangles, paint_.clone());
+                    s.translucent = translucent;
+                    s.inverse_w = vec![1.0, value, 0.0, -1.0];
+                    for antialias in [1, 4, 255] {
+                        paint(&drawing(10, 10, antialias, vec![s.clone()]));
+                    }
+                    s.inverse_w = vec![1.0];
+                    paint(&drawing(10, 10, 1, vec![s]));
+                }
+            }
+        }
+    }
+}
