@@ -268,6 +268,9 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
             let why = problem(lang, &Problem::Value { found: found.to_string(), allowed });
             format!("{}: segments {why}", object(name))
         }
+        SceneError::Mesh { name, path, error } => {
+            format!("{}: path {path:?}: {}", object(name), super::meshes::mesh(lang, error))
+        }
         SceneError::Light { index, key } => {
             let which = index + 1;
             pick(

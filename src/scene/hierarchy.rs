@@ -8,8 +8,8 @@ use glam::{DMat3, DMat4, DVec3};
 
 use super::palette::{PALETTE, SceneColors};
 use super::{
-    Light, LightSpec, Line, Mesh, Object, ObjectPaint, ObjectSpec, PointMark, Scene, SceneSpec, Shape, Text, presets,
-    primitives,
+    Light, LightSpec, Line, Mesh, MeshError, MeshFiles, Object, ObjectPaint, ObjectSpec, PointMark, Scene, SceneSpec,
+    Shape, Text, presets, primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Angle, try_unit};
@@ -73,6 +73,16 @@ pub enum SceneError {
         /// What was found.
         found: u32,
     },
+    /// A mesh file cannot be used.
+    #[error("object \"{name}\": mesh file \"{path}\": {error}")]
+    Mesh {
+        /// The object.
+        name: String,
+        /// As the figure names it.
+        path: String,
+        /// Why.
+        error: MeshError,
+    },
     /// A light has no direction, or a number that is not finite.
     #[error("light {}: {key} must be finite{}", index + 1, if *key == "direction" { " and not zero" } else { "" })]
     Light {
@@ -92,7 +102,8 @@ impl SceneError {
             | Self::UnknownParent { name, .. }
             | Self::NotFinite { name, .. }
             | Self::ZeroScale { name }
-            | Self::Segments { name, .. } => Some(name),
+            | Self::Segments { name, .. }
+            | Self::Mesh { name, .. } => Some(name),
             Self::Cycle { chain } => chain.first().map(String::as_str),
             Self::Light { .. } => None,
         }
@@ -114,13 +125,29 @@ pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
 /// # Errors
 /// [`SceneError`] names the object and what is wrong with it.
 pub fn build(spec: &SceneSpec, theme: Theme, read_file: &mut ReadFile<'_>) -> Result<Scene, SceneError> {
+    build_with(spec, theme, read_file, &mut MeshFiles::default())
+}
+
+/// As [`build`], for scenes that are built again and again: `files` keeps the mesh files that `spec` uses.
+///
+/// # Errors
+/// [`SceneError`] names the object and what is wrong with it.
+pub fn build_with(
+    spec: &SceneSpec,
+    theme: Theme,
+    read_file: &mut ReadFile<'_>,
+    files: &mut MeshFiles,
+) -> Result<Scene, SceneError> {
     let colors = SceneColors::of(theme);
     let preset = presets::objects(spec.preset, &colors);
     let placed_preset = place(&preset, &[])?;
     let placed_own = place(&spec.objects, &placed_preset)?;
 
     let mut scene = Scene::default();
-    let mut maker = Maker { colors, primitives: BTreeMap::new(), read_file };
+    let is_used =
+        |path: &str| spec.objects.iter().any(|o| matches!(&o.shape, Some(Shape::Mesh { path: p }) if p == path));
+    files.retain(is_used);
+    let mut maker = Maker { colors, primitives: BTreeMap::new(), read_file, files };
     let mut turns = PALETTE.into_iter().cycle();
     let mut next_color = || turns.next().unwrap_or(PALETTE[0]);
     for placed in &placed_preset {
@@ -223,8 +250,8 @@ fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Place
 struct Maker<'a, 'b> {
     colors: SceneColors,
     primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
-    #[expect(dead_code, reason = "read by the importers")]
     read_file: &'a mut ReadFile<'b>,
+    files: &'a mut MeshFiles,
 }
 
 impl Maker<'_, '_> {
@@ -259,7 +286,7 @@ impl Maker<'_, '_> {
                 let mesh = Mesh::segments(segments.iter().copied());
                 scene.objects.push(bare(name, mesh, placed, color, Some(style)));
             }
-            Shape::Mesh { .. } => {}
+            Shape::Mesh { path } => self.mesh_file(scene, placed, path, color)?,
             solid => {
                 let mesh = self.solid(solid, placed)?;
                 let faceted = matches!(solid, Shape::Box | Shape::Prism | Shape::Pyramid);
@@ -274,6 +301,32 @@ impl Maker<'_, '_> {
                     edges: faceted.then(|| self.colors.edge_style()),
                 });
             }
+        }
+        Ok(())
+    }
+
+    /// The parts of a mesh file: named after the object, and after themselves where there are several. A colour that the figure
+    /// gives wins over those of the file's materials.
+    fn mesh_file(&mut self, scene: &mut Scene, placed: &Placed<'_>, path: &str, color: Rgba) -> Result<(), SceneError> {
+        let name = &placed.spec.name;
+        let failed = |error| SceneError::Mesh { name: name.clone(), path: path.to_owned(), error };
+        let parts = self.files.get(path, self.read_file).map_err(failed)?;
+        for (k, part) in parts.iter().enumerate() {
+            let world_from_object = placed.world_from_object * part.file_from_part;
+            if !world_from_object.is_finite() {
+                return Err(SceneError::NotFinite { name: name.clone(), key: "scale" });
+            }
+            let part_name = if part.name.is_empty() { (k + 1).to_string() } else { part.name.clone() };
+            scene.objects.push(Object {
+                name: if parts.len() == 1 { name.clone() } else { format!("{name}/{part_name}") },
+                mesh: Arc::clone(&part.mesh),
+                world_from_object,
+                paint: ObjectPaint::Solid(placed.color.or(part.color).unwrap_or(color)),
+                lit: true,
+                two_sided: part.two_sided,
+                faces: true,
+                edges: None,
+            });
         }
         Ok(())
     }

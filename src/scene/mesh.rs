@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use glam::DVec3;
 
-use crate::geometry::{Aabb, try_unit};
+use super::polygon;
+use crate::geometry::Aabb;
 
 /// A mesh in its object's own space. Vertices that lie on a crease are there once for each side, each with its own normal.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,20 +27,24 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A polyhedron with flat faces. `faces` lists the corners of each planar, convex face, counter-clockwise seen from
-    /// outside; each corner becomes one vertex per face, with the face's normal. Every side of a face is an edge, once.
+    /// A polyhedron with flat faces. `faces` lists the corners of each planar face (convex or not), counter-clockwise seen
+    /// from outside; each corner becomes one vertex per face, with the face's normal. Every side of a face is an edge, once.
     /// A face without area gets the normal +y; an index out of range leaves its face out.
     #[must_use]
     pub fn polyhedron(corners: &[DVec3], faces: &[&[usize]]) -> Self {
         let mut mesh = Self::default();
         let mut known_edges = BTreeSet::new();
+        let mut triangles = Vec::new();
         for face in faces {
             if face.len() < 3 || face.iter().any(|&i| i >= corners.len()) {
                 continue;
             }
-            let normal = newell_normal(face.iter().map(|&i| corners[i])).unwrap_or(DVec3::Y);
-            let ids: Vec<u32> = face.iter().map(|&i| mesh.add_vertex(corners[i], normal)).collect();
-            mesh.add_polygon(&ids);
+            let points: Vec<DVec3> = face.iter().map(|&i| corners[i]).collect();
+            let normal = polygon::normal(points.iter().copied()).unwrap_or(DVec3::Y);
+            let ids: Vec<u32> = points.iter().map(|&p| mesh.add_vertex(p, normal)).collect();
+            triangles.clear();
+            polygon::triangulate(&points, &mut triangles);
+            mesh.triangles.extend(triangles.iter().map(|t| t.map(|i| ids[i])));
             for k in 0..face.len() {
                 let next = (k + 1) % face.len();
                 if known_edges.insert((face[k].min(face[next]), face[k].max(face[next]))) {
@@ -91,20 +96,6 @@ impl Mesh {
             self.triangles.push([corners[0], corners[k], corners[k + 1]]);
         }
     }
-}
-
-/// The unit normal of a polygon, planar or nearly so, by Newell's method about its first corner; `None` without area.
-pub(super) fn newell_normal(corners: impl IntoIterator<Item = DVec3>) -> Option<DVec3> {
-    let mut corners = corners.into_iter();
-    let origin = corners.next()?;
-    let mut previous = corners.next()? - origin;
-    let mut sum = DVec3::ZERO;
-    for p in corners {
-        let next = p - origin;
-        sum += previous.cross(next);
-        previous = next;
-    }
-    try_unit(sum)
 }
 
 /// A vertex number. Meshes are indexed with 32 bits; importers refuse larger ones ([`MAX_VERTICES`]).

@@ -1,10 +1,15 @@
 //! What is drawn: meshes in world space, lights, and the lines, marks and texts that stand in the world.
 
+mod gltf;
 pub mod hierarchy;
+pub mod import;
 pub mod mesh;
+mod obj;
 pub mod palette;
+mod polygon;
 mod presets;
 pub mod primitives;
+mod soup;
 pub mod spec;
 
 use std::sync::Arc;
@@ -13,7 +18,8 @@ use glam::{DMat4, DVec3};
 
 use crate::appearance::{LineStyle, MarkShape, Rgba};
 use crate::geometry::Aabb;
-pub use hierarchy::{DEFAULT_LIGHT, ReadFile, SceneError, build};
+pub use hierarchy::{DEFAULT_LIGHT, ReadFile, SceneError, build, build_with};
+pub use import::{GltfFault, MeshError, MeshFiles, ObjFault};
 pub use mesh::Mesh;
 pub use presets::objects as preset_objects;
 pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};

@@ -7,6 +7,7 @@ mod cli;
 mod contract;
 mod export;
 mod layers;
+mod meshes;
 mod pipeline;
 mod pipeline_plan;
 mod pipeline_project;

@@ -1,0 +1,434 @@
+//! Mesh files: what OBJ and glTF files of all kinds become, and that broken ones are refused with the place of the fault.
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use base64::Engine as _;
+use camera_lab::appearance::{Rgba, Theme};
+use camera_lab::scene::{
+    GltfFault, Mesh, MeshError, MeshFiles, ObjFault, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError,
+    SceneSpec, Shape, build_with, primitives,
+};
+use glam::DVec3;
+use proptest::prelude::*;
+
+type Folder = BTreeMap<&'static str, Vec<u8>>;
+
+fn folder<const N: usize>(files: [(&'static str, &[u8]); N]) -> Folder {
+    files.into_iter().map(|(name, bytes)| (name, bytes.to_vec())).collect()
+}
+
+fn spec(path: &str) -> SceneSpec {
+    let mesh = ObjectSpec::new("m", Shape::Mesh { path: path.to_owned() });
+    SceneSpec { preset: Preset::Empty, objects: vec![mesh], lights: vec![] }
+}
+
+fn load_spec(spec: &SceneSpec, files: &Folder) -> Result<Scene, SceneError> {
+    let mut read = |path: &str| files.get(path).cloned().ok_or_else(|| format!("no file {path}"));
+    build_with(spec, Theme::Light, &mut read, &mut MeshFiles::default())
+}
+
+fn load(path: &str, files: &Folder) -> Result<Scene, MeshError> {
+    load_spec(&spec(path), files).map_err(|error| match error {
+        SceneError::Mesh { name, error, .. } => {
+            assert_eq!(name, "m");
+            error
+        }
+        other => panic!("{other}"),
+    })
+}
+
+fn obj(text: &str) -> Result<Scene, MeshError> {
+    load("m.obj", &folder([("m.obj", text.as_bytes())]))
+}
+
+fn only(scene: &Scene) -> &Object {
+    assert_eq!(scene.objects.len(), 1);
+    &scene.objects[0]
+}
+
+fn color(object: &Object) -> Rgba {
+    match object.paint {
+        ObjectPaint::Solid(color) => color,
+        _ => panic!("no solid paint"),
+    }
+}
+
+/// The sum of the areas of the triangles, and of the parts of it that look along each axis.
+fn area(mesh: &Mesh) -> (f64, DVec3) {
+    let doubled = mesh.triangles.iter().map(|t| {
+        let [a, b, c] = t.map(|i| mesh.positions[i as usize]);
+        (b - a).cross(c - a)
+    });
+    doubled.fold((0.0, DVec3::ZERO), |(sum, total), d| (sum + d.length() / 2.0, total + d / 2.0))
+}
+
+// ---- OBJ ----------------------------------------------------------------------------------------------------------
+
+const CUBE: &str = "\
+# a cube
+v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1
+f 1 5 7 3\nf 2 4 8 6\nf 1 2 6 5\nf 3 7 8 4\nf 1 3 4 2\nf 5 6 8 7
+";
+
+#[test]
+fn quads_keep_their_sides_as_edges_and_get_flat_normals_at_creases() {
+    let scene = obj(CUBE).unwrap();
+    let cube = only(&scene);
+    assert_eq!(cube.name, "m");
+    assert_eq!((cube.mesh.triangles.len(), cube.mesh.edges.len(), cube.mesh.positions.len()), (12, 12, 24));
+    assert!(cube.mesh.closed && !cube.two_sided);
+    assert_eq!(area(&cube.mesh).0, 6.0);
+    for t in &cube.mesh.triangles {
+        let [a, b, c] = t.map(|i| cube.mesh.positions[i as usize]);
+        assert!(t.iter().all(|&i| cube.mesh.normals[i as usize] == (b - a).cross(c - a).normalize()));
+    }
+}
+
+#[test]
+fn a_concave_polygon_is_covered_once() {
+    // An L of area 3 in the plane z = 2, facing +z.
+    let scene = obj("v 0 0 2\nv 2 0 2\nv 2 1 2\nv 1 1 2\nv 1 2 2\nv 0 2 2\nf 5 6 1 2 3 4\n").unwrap();
+    let l = only(&scene);
+    assert_eq!((l.mesh.triangles.len(), l.mesh.edges.len()), (4, 6));
+    let (absolute, directed) = area(&l.mesh);
+    assert!((absolute - 3.0).abs() < 1e-12 && (directed - DVec3::Z * 3.0).length() < 1e-12);
+    assert!(!l.mesh.closed && l.two_sided, "an open surface is seen from both sides");
+}
+
+#[test]
+fn all_ways_to_write_a_corner_mean_the_same() {
+    let points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 2\n";
+    for face in [
+        "f 1 2 3",
+        "f -3 -2 -1",
+        "f 1/1 2/1 3/1",
+        "f 1//1 2//1 3//1",
+        "f 1/1/1 2/1/1 3/1/1",
+        "f -3/-1/-1 -2/-1/-1 -1/-1/-1",
+    ] {
+        let scene = obj(&format!("{points}{face}\n")).unwrap();
+        let mesh = &only(&scene).mesh;
+        assert_eq!(mesh.positions, [DVec3::ZERO, DVec3::X, DVec3::Y], "{face}");
+        assert_eq!(mesh.normals, [DVec3::Z; 3], "{face}");
+    }
+}
+
+#[test]
+fn normals_of_the_file_are_kept_and_split_vertices() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvn 0.6 0 0.8\nf 1//1 2//1 3//1\nf 2//2 4//2 3//2\n";
+    let scene = obj(text).unwrap();
+    let mesh = &only(&scene).mesh;
+    assert_eq!(mesh.positions.len(), 6);
+    assert!(mesh.normals.iter().filter(|n| (**n - DVec3::new(0.6, 0.0, 0.8)).length() < 1e-15).count() == 3);
+    // The side between the two is still one edge.
+    assert_eq!(mesh.edges.len(), 5);
+    // One corner without a normal: all are computed.
+    let scene = obj(&text.replace("4//2", "4")).unwrap();
+    assert_eq!(only(&scene).mesh.normals, [DVec3::Z; 4]);
+}
+
+#[test]
+fn several_objects_and_materials_become_several_parts() {
+    let text = "mtllib a.mtl\no first\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 2 3\nusemtl glass\nf 1 2 4\n\
+                o second part\nusemtl unknown\nf 2 3 4\ng\n";
+    let mtl = "newmtl red\nKa 1 2\nKd 1 0 0.2\nillum 2\nnewmtl glass\nKd 0 0 1\nTr 0.75\nmap_Kd\n";
+    let scene = load("d/m.obj", &folder([("d/m.obj", text.as_bytes()), ("d/a.mtl", mtl.as_bytes())])).unwrap();
+    let found: Vec<_> = scene.objects.iter().map(|o| (o.name.as_str(), color(o))).collect();
+    assert_eq!(found[0], ("m/first", Rgba::rgb(255, 0, 51)));
+    assert_eq!(found[1], ("m/first", Rgba::rgba(0, 0, 255, 64)));
+    assert_eq!(found[2].0, "m/second part");
+    assert_eq!(found.len(), 3);
+
+    // Without the library the shape is there all the same; a colour of the figure wins.
+    assert_eq!(load("m.obj", &folder([("m.obj", text.as_bytes())])).unwrap().objects.len(), 2);
+    let mut own = spec("d/m.obj");
+    own.objects[0].color = Some(Rgba::rgb(1, 2, 3));
+    let scene = load_spec(&own, &folder([("d/m.obj", text.as_bytes()), ("d/a.mtl", mtl.as_bytes())])).unwrap();
+    assert!(scene.objects.iter().all(|o| color(o) == Rgba::rgb(1, 2, 3)));
+}
+
+#[test]
+fn oddities_of_real_files_are_read() {
+    // Windows ends, tabs, a continued line, a comment behind values, Latin-1, vertex colours, a weight, lines and points.
+    let mut bytes =
+        b"# caf\xe9\r\nv\t0 0 0 0.5 0.5 0.5\r\nv 2 0 0 2 # halved\r\nv 0 1 \\\r\n0\r\nl 1 2 3\r\np 1\r\ns off\r\n"
+            .to_vec();
+    bytes.extend(b"cstype bezier\r\no caf\xe9\r\nf 1 2 \\\r\n3 # last\r\n");
+    let scene = load("M.OBJ", &folder([("M.OBJ", &bytes)])).unwrap();
+    assert_eq!(only(&scene).mesh.positions, [DVec3::ZERO, DVec3::X, DVec3::Y]);
+    assert_eq!(only(&scene).mesh.triangles.len(), 1);
+}
+
+#[test]
+fn broken_obj_files_are_refused_with_the_line() {
+    let fault = |text: &str| match obj(text) {
+        Err(MeshError::Obj { line, fault }) => (line, fault),
+        other => panic!("{other:?}"),
+    };
+    let points = "v 0 0 0\nv 1 0 0\n\nv 0 1 0\n";
+    let number = |s: &str| ObjFault::Number { found: s.to_owned() };
+    assert_eq!(fault("v 0 0 0\nv 1 x 0\n"), (2, number("x")));
+    assert_eq!(fault("v 0 0 0\n\n# c\nv 1 nan 0\n"), (4, number("nan")));
+    assert_eq!(fault("v 0 0 1e999\n"), (1, number("1e999")));
+    assert_eq!(fault("v 0 0 0 0\n"), (1, number("0")));
+    assert_eq!(fault("v 0 0\n"), (1, ObjFault::Coordinates { found: 2 }));
+    assert_eq!(fault(&format!("{points}f 1 2\n")), (5, ObjFault::Corners { found: 2 }));
+    assert_eq!(fault(&format!("{points}f 1 2 3.5\n")), (5, ObjFault::Corner { found: "3.5".into() }));
+    assert_eq!(fault(&format!("{points}f 1 2 3/1/1/1\n")), (5, ObjFault::Corner { found: "3/1/1/1".into() }));
+    let index = |found: &str, points, normals| ObjFault::Index { found: found.to_owned(), points, normals };
+    assert_eq!(fault(&format!("{points}f 1 2 0\n")), (5, index("0", 3, 0)));
+    assert_eq!(fault(&format!("{points}f 1 2 -4\nv 1 1 1\n")), (5, index("-4", 3, 0)));
+    assert_eq!(fault(&format!("{points}f 1 2 9\nf 1 2 3\no x\n")), (5, index("9", 3, 0)));
+    assert_eq!(fault(&format!("{points}f 1//1 2//1 3//7\nvn 0 0 1\n")), (5, index("3//7", 3, 1)));
+    assert_eq!(fault(&format!("{points}f 1 2 99999999999999999999\n")).0, 5);
+
+    assert_eq!(obj(points), Err(MeshError::Empty));
+    assert_eq!(obj(""), Err(MeshError::Empty));
+    assert_eq!(load("m.stl", &folder([("m.stl", b"solid")])), Err(MeshError::Format));
+    assert_eq!(load("gone.obj", &folder([])), Err(MeshError::Unreadable { reason: "no file gone.obj".to_owned() }));
+}
+
+#[test]
+fn a_face_may_come_before_its_points() {
+    assert_eq!(obj("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap().objects.len(), 1);
+}
+
+// ---- glTF ---------------------------------------------------------------------------------------------------------
+
+/// A glTF document with a sphere: the JSON, and the bytes of its buffer (positions, normals, 16-bit indices).
+fn gltf_sphere(buffer: &str) -> (String, Vec<u8>) {
+    let sphere = primitives::sphere(8);
+    let mut bytes = Vec::new();
+    for v in sphere.positions.iter().chain(&sphere.normals) {
+        bytes.extend(v.as_vec3().to_array().into_iter().flat_map(f32::to_le_bytes));
+    }
+    let at = bytes.len();
+    for i in sphere.triangles.as_flattened() {
+        bytes.extend(u16::try_from(*i).unwrap().to_le_bytes());
+    }
+    let (n, m) = (sphere.positions.len(), 3 * sphere.triangles.len());
+    let json = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
+"nodes": [{{"name": "ball", "translation": [1, 2, 3], "children": [1]}},
+          {{"name": "small", "scale": [0.5, 0.5, 0.5], "rotation": [0, 0, 0.70710678, 0.70710678], "translation": [4, 0, 0], "mesh": 0}}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "NORMAL": 1}}, "indices": 2, "material": 0}}]}}],
+"materials": [{{"pbrMetallicRoughness": {{"baseColorFactor": [1, 0.214041, 0, 0.5]}}, "alphaMode": "BLEND"}}],
+"accessors": [
+  {{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": {n}, "min": [-1, -1, -1], "max": [1, 1, 1]}},
+  {{"bufferView": 0, "byteOffset": {}, "componentType": 5126, "type": "VEC3", "count": {n}}},
+  {{"bufferView": 1, "componentType": 5123, "type": "SCALAR", "count": {m}}}],
+"bufferViews": [{{"buffer": 0, "byteLength": {at}, "byteStride": 12}}, {{"buffer": 0, "byteOffset": {at}, "byteLength": {}}}],
+"buffers": [{{"byteLength": {}{buffer}}}]}}"#,
+        12 * n,
+        2 * m,
+        bytes.len()
+    );
+    (json, bytes)
+}
+
+fn embedded() -> String {
+    let (_, bytes) = gltf_sphere("");
+    let data = base64::engine::general_purpose::STANDARD.encode(bytes);
+    gltf_sphere(&format!(r#", "uri": "data:application/octet-stream;base64,{data}""#)).0
+}
+
+fn glb(json: &str, bin: &[u8]) -> Vec<u8> {
+    let pad = |bytes: &[u8], with: u8| {
+        let mut padded = bytes.to_vec();
+        padded.resize(bytes.len().next_multiple_of(4), with);
+        padded
+    };
+    let (json, bin) = (pad(json.as_bytes(), b' '), pad(bin, 0));
+    let len = |n: usize| u32::try_from(n).unwrap().to_le_bytes();
+    let mut out = b"glTF\x02\0\0\0".to_vec();
+    out.extend(len(12 + 8 + json.len() + 8 + bin.len()));
+    out.extend(len(json.len()));
+    out.extend(b"JSON");
+    out.extend(json);
+    out.extend(len(bin.len()));
+    out.extend(b"BIN\0");
+    out.extend(bin);
+    out
+}
+
+fn assert_is_the_sphere(scene: &Scene) {
+    let ball = only(scene);
+    let expected = primitives::sphere(8);
+    assert_eq!(ball.mesh.triangles.len(), expected.triangles.len());
+    assert_eq!(ball.mesh.positions.len(), expected.positions.len());
+    assert!(ball.mesh.closed && !ball.two_sided);
+    assert_eq!(color(ball), Rgba::rgba(255, 127, 0, 128), "linear light becomes sRGB");
+    // The node's own transform, then its parent's: x → y by the turn, halved, moved.
+    let p = ball.world_from_object.transform_point3(DVec3::X);
+    assert!((p - DVec3::new(5.0, 2.5, 3.0)).length() < 1e-6, "{p}");
+    for (p, n) in ball.mesh.positions.iter().zip(&ball.mesh.normals) {
+        assert!(p.dot(*n) > 1.0 - 1e-6);
+    }
+}
+
+#[test]
+fn gltf_is_read_from_embedded_external_and_binary_buffers() {
+    let embedded = embedded();
+    assert_is_the_sphere(&load("b.gltf", &folder([("b.gltf", embedded.as_bytes())])).unwrap());
+    let (json, bytes) = gltf_sphere(r#", "uri": "the%20ball.bin""#);
+    let files = folder([("x/b.gltf", json.as_bytes()), ("x/the ball.bin", &bytes)]);
+    assert_is_the_sphere(&load("x/b.gltf", &files).unwrap());
+    let (json, bytes) = gltf_sphere("");
+    assert_is_the_sphere(&load("b.glb", &folder([("b.glb", &glb(&json, &bytes))])).unwrap());
+}
+
+#[test]
+fn missing_normals_are_computed_and_strips_and_fans_turn_one_way() {
+    let with = |what: &str, by: &str| {
+        let json = embedded();
+        assert!(json.contains(what));
+        load("b.gltf", &folder([("b.gltf", json.replace(what, by).as_bytes())]))
+    };
+    let scene = with(r#", "NORMAL": 1"#, "").unwrap();
+    let mesh = &only(&scene).mesh;
+    assert!(mesh.positions.iter().zip(&mesh.normals).all(|(p, n)| p.dot(*n) > 0.8));
+
+    // The corners of a strip and of a fan in the plane z = 0, all facing +z.
+    for (mode, order) in [(5, [0, 1, 2, 3]), (6, [0, 1, 3, 2])] {
+        let mut bytes = Vec::new();
+        for p in [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]] {
+            bytes.extend(p.into_iter().flat_map(f32::to_le_bytes));
+        }
+        bytes.extend(order);
+        let json = format!(
+            r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1, "mode": {mode}}}]}}],
+"accessors": [{{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 4, "min": [0,0,0], "max": [1,1,0]}},
+{{"bufferView": 1, "componentType": 5121, "type": "SCALAR", "count": 4}}],
+"bufferViews": [{{"buffer": 0, "byteLength": 48}}, {{"buffer": 0, "byteOffset": 48, "byteLength": 4}}],
+"buffers": [{{"byteLength": 52}}]}}"#
+        );
+        let scene = load("s.glb", &folder([("s.glb", &glb(&json, &bytes))])).unwrap();
+        assert_eq!(area(&only(&scene).mesh), (1.0, DVec3::Z), "mode {mode}");
+    }
+}
+
+#[test]
+fn broken_gltf_files_are_refused_with_the_place() {
+    let edited = |what: &str, by: &str| {
+        let json = embedded();
+        assert!(json.contains(what), "{what}");
+        match load("b.gltf", &folder([("b.gltf", json.replacen(what, by, 1).as_bytes())])) {
+            Err(MeshError::Gltf { place, fault }) => (place, fault),
+            other => panic!("{other:?}"),
+        }
+    };
+    let at = |place: &str, fault| (place.to_owned(), fault);
+    assert_eq!(edited(r#""mesh": 0"#, r#""mesh": 7"#), at("nodes[1].mesh", GltfFault::Reference));
+    assert_eq!(edited(r#""byteOffset": 312"#, r#""byteOffset": 900"#), at("accessors[1]", GltfFault::OutOfBuffer));
+    assert_eq!(edited("5126", "5123"), at("accessors[0]", GltfFault::Unsupported { what: "Vec3 U16".into() }));
+    assert_eq!(edited("base64,", "base64,*"), at("buffers[0]", GltfFault::DataUri));
+    assert_eq!(edited(r#""buffers": [{"byteLength": "#, r#""buffers": [{"byteLength": 9"#).1, GltfFault::NoBytes);
+    assert_eq!(edited(r#""children": [1]"#, r#""children": [1, 1]"#), at("nodes[1]", GltfFault::Tree));
+    assert_eq!(edited(r#""children": [1]"#, r#""children": [0]"#), at("nodes[0]", GltfFault::Tree));
+    let sparse = edited(
+        r#"{"bufferView": 1, "#,
+        r#"{"sparse": {"count": 1, "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 0}}, "bufferView": 1, "#,
+    );
+    assert_eq!(sparse, at("accessors[2]", GltfFault::Unsupported { what: "sparse accessor".into() }));
+
+    let (json, mut bytes) = gltf_sphere("");
+    let last = bytes.len() - 1;
+    bytes[last] = 0xff;
+    let index = load("b.glb", &folder([("b.glb", &glb(&json, &bytes))]));
+    assert!(matches!(&index, Err(MeshError::Gltf { fault: GltfFault::Index { vertices: 26, .. }, .. })), "{index:?}");
+    bytes[..4].copy_from_slice(&f32::NAN.to_le_bytes());
+    let nan = load("b.glb", &folder([("b.glb", &glb(&json, &bytes))]));
+    assert_eq!(nan, Err(MeshError::Gltf { place: "accessors[0]".into(), fault: GltfFault::NotFinite }));
+
+    match load("b.gltf", &folder([("b.gltf", b"{\n  \"asset\": nonsense\n}")])) {
+        Err(MeshError::Json { line: 2, .. }) => {}
+        other => panic!("{other:?}"),
+    }
+    for cut in ["glTF", "glTF\x02\0\0\0\x01\0\0\0", "glTF\x02\0\0\0\x0c\0\0\0"] {
+        let broken = load("b.glb", &folder([("b.glb", cut.as_bytes())]));
+        assert!(matches!(&broken, Err(MeshError::Gltf { fault: GltfFault::Container { .. }, .. })), "{broken:?}");
+    }
+}
+
+// ---- all of them --------------------------------------------------------------------------------------------------
+
+#[test]
+fn a_file_that_many_objects_use_is_read_once_and_kept_between_builds() {
+    let mut two = spec("m.obj");
+    two.objects.push(ObjectSpec::new("n", Shape::Mesh { path: "m.obj".into() }).at(5.0, 0.0, 0.0));
+    let mut reads = 0;
+    let mut read = |_: &str| {
+        reads += 1;
+        Ok(CUBE.as_bytes().to_vec())
+    };
+    let mut files = MeshFiles::default();
+    let first = build_with(&two, Theme::Light, &mut read, &mut files).unwrap();
+    let second = build_with(&two, Theme::Dark, &mut read, &mut files).unwrap();
+    assert!(std::sync::Arc::ptr_eq(&first.objects[0].mesh, &second.objects[1].mesh));
+    // Once the scene does without it, it is forgotten.
+    build_with(&SceneSpec::default(), Theme::Dark, &mut read, &mut files).unwrap();
+    build_with(&two, Theme::Dark, &mut read, &mut files).unwrap();
+    assert_eq!(reads, 2);
+}
+
+#[test]
+fn a_hundred_thousand_triangles_come_through_whole() {
+    let sphere = primitives::sphere(320);
+    let mut text = String::new();
+    for p in &sphere.positions {
+        writeln!(text, "v {} {} {}", p.x, p.y, p.z).unwrap();
+    }
+    for t in &sphere.triangles {
+        writeln!(text, "f {} {} {}", t[0] + 1, t[1] + 1, t[2] + 1).unwrap();
+    }
+    let scene = obj(&text).unwrap();
+    let mesh = &only(&scene).mesh;
+    assert_eq!((mesh.triangles.len(), mesh.positions.len()), (sphere.triangles.len(), sphere.positions.len()));
+    assert!(mesh.closed && mesh.triangles.len() > 100_000);
+    assert_eq!(mesh.edges.len(), sphere.triangles.len() * 3 / 2);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Whatever the bytes: a scene or an error, no panic, and only finite numbers and indices in range.
+    #[test]
+    fn damaged_files_do_no_harm(
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+        cut in any::<prop::sample::Index>(),
+        which in 0..4_usize,
+        cut_it in any::<bool>(),
+    ) {
+        let (json, bytes) = gltf_sphere("");
+        let obj = format!("mtllib m.mtl\nvn 0 0 1\nvt 0 0\nusemtl a\n{CUBE}f 1/1/1 2/1/1 3/1/1\nf -1 -2 -3\nl 1 2 3\n");
+        let (name, mut damaged) = match which {
+            0 => ("m.obj", obj.into_bytes()),
+            1 => ("m.gltf", embedded().into_bytes()),
+            2 => ("m.glb", glb(&json, &bytes)),
+            _ => ("m.mtl", b"newmtl a\nKd 1 0 0\nd 0.5\nKa 1 1 1\nNs 5\nillum 2\nmap_Kd x.png\n".to_vec()),
+        };
+        for (at, byte) in edits {
+            let at = at.index(damaged.len());
+            damaged[at] = byte;
+        }
+        if cut_it {
+            damaged.truncate(cut.index(damaged.len()));
+        }
+        let mut files = folder([("m.obj", b"mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")]);
+        files.insert(name, damaged);
+        let path = if name == "m.mtl" { "m.obj" } else { name };
+        if let Ok(scene) = load_spec(&spec(path), &files) {
+            for o in &scene.objects {
+                prop_assert!(o.world_from_object.is_finite());
+                prop_assert_eq!(o.mesh.normals.len(), o.mesh.positions.len());
+                prop_assert!(o.mesh.positions.iter().all(|p| p.is_finite()));
+                prop_assert!(o.mesh.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-9));
+                prop_assert!(o.mesh.triangles.iter().flatten().all(|&i| (i as usize) < o.mesh.positions.len()));
+                prop_assert!(o.mesh.edges.iter().flatten().all(|&i| (i as usize) < o.mesh.positions.len()));
+            }
+        }
+    }
+}
