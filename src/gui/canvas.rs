@@ -108,8 +108,9 @@ impl Canvas {
     pub fn ui(&mut self, ui: &mut Ui, state: &mut State) {
         let room = ui.available_rect_before_wrap();
         ui.take_available_space();
+        ui.painter().rect_filled(room, 0.0, ui.visuals().panel_fill);
         let texts = words::canvas(state.settings.lang);
-        let lines = status::height(ui, room.size());
+        let lines = status::height(ui, room.size(), state.settings.numbers_panel);
         let (pictures, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
 
         if let Err(problem) = state.scenery.update(&state.document, state.settings.lang) {
@@ -129,7 +130,7 @@ impl Canvas {
         } else {
             Vec::new()
         };
-        if let Some(picture) = status.show(ui, lines, room.size(), texts) {
+        if let Some(picture) = status.show(ui, lines, room.size(), state.settings.numbers_panel, texts) {
             state.layout.shown[picture.index()] = true;
         }
     }
@@ -270,7 +271,7 @@ impl Canvas {
             let border = ui.visuals().widgets.noninteractive.bg_stroke;
             ui.painter().rect_stroke(rect, 0.0, border, StrokeKind::Inside);
             if pane.response.has_focus() {
-                let ring = Stroke { width: 2.0, ..ui.visuals().selection.stroke };
+                let ring = Stroke::new(2.0, ui.visuals().hyperlink_color);
                 ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
             }
             if self.screens[pane.picture.index()].failed() {
@@ -285,14 +286,21 @@ impl Canvas {
     }
 
     fn describe_probe(&self, state: &State, status: &mut Status, texts: &'static CanvasTexts) {
+        let panel = state.settings.numbers_panel;
         let Some(probe) = self.extras.probe else {
             status.note = texts.probe_hint;
+            if panel && status.message.is_empty() {
+                texts.probe_hint.clone_into(&mut status.message);
+            }
             return;
         };
         let (figure, camera) = (state.document.figure(), state.document.camera());
         let digits = state.settings.digits;
         status.cells = probe::cells(probe, figure, camera, digits.min(4), texts);
         status.exact = probe::cells(probe, figure, camera, digits, texts);
+        if status.message.is_empty() {
+            status.message = if panel { probe::line(&status.cells, texts) } else { texts.probe_hint.to_owned() };
+        }
         if self.pinned.is_some() {
             status.aside = if status.aside.is_empty() {
                 texts.pinned.to_owned()
