@@ -5,6 +5,7 @@
 
 mod act;
 mod arrange;
+mod easel;
 mod icons;
 mod look;
 mod paint;
@@ -23,8 +24,9 @@ use eframe::egui::{
 
 use self::act::Drag;
 use self::arrange::{Axis, Shares, arrange};
+use self::easel::Job;
 use self::look::Auto;
-use self::paint::{Job, Painter};
+use self::paint::Painter;
 use self::screen::{Place, Screen};
 use self::status::Status;
 use self::title::{Title, TitleAction, picture_name};
@@ -221,7 +223,7 @@ impl Canvas {
     fn draw(&mut self, ui: &Ui, state: &State, panes: &[Pane]) {
         let ctx = ui.ctx();
         let painter = self.painter.get_or_insert_with(|| Painter::new(ctx));
-        let max_side = ui.input(|i| i.max_texture_side);
+        let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
         let figure = state.document.figure();
         for pane in panes {
             if pane.place.size.width == 0 || pane.place.size.height == 0 {
@@ -240,6 +242,7 @@ impl Canvas {
                 scene: Arc::clone(state.scenery.scene()),
                 labels: labels(state.settings.lang),
                 size: pane.place.size,
+                draft: moving && figure.style.antialias > 1 && painter.is_heavy(pane.picture, self.patience),
                 observer: (pane.picture != Picture::Image).then(|| self.seen[pane.picture.index()]),
                 extras: Extras {
                     painted_image: None,

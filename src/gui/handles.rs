@@ -70,8 +70,15 @@ impl HandleDrag {
         }
         let then = Setup { camera: &self.camera, size: self.size, ..*setup };
         let parameters = handles::drag(&then, &self.observer, self.handle, self.from, to, self.vertical);
-        self.stopped = Camera::new(&parameters).err();
-        self.stopped.is_none().then_some(parameters)
+        if let Err(error) = Camera::new(&parameters) {
+            self.stopped = Some(error);
+            return None;
+        }
+        // The planes stop just before each other, and there they are still a camera.
+        let touching = matches!(self.handle, Handle::Near | Handle::Far) && parameters.far <= 1.011 * parameters.near;
+        let (near, far) = (parameters.near, parameters.near);
+        self.stopped = touching.then_some(CameraError::FarNotBeyondNear { near, far });
+        Some(parameters)
     }
 }
 

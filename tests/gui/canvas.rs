@@ -46,7 +46,7 @@ fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> {
     let mut canvas = Canvas::default();
     canvas.patience = Duration::from_secs(60);
     let mut harness = Harness::builder()
-        .with_size([1300.0, 520.0])
+        .with_size([1110.0, 330.0])
         .with_step_dt(0.05)
         .with_context_setup(theme::install_fonts)
         .build_ui_state(|ui, stage: &mut Stage| stage.canvas.ui(ui, &mut stage.state), Stage { state, canvas });

@@ -1,63 +1,13 @@
-//! Draws pictures beside the window's thread, each only when something that made it has changed.
+//! Has pictures drawn beside the window's thread, each only when something that made it has changed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use eframe::egui::{self, ColorImage};
-use tiny_skia::Pixmap;
+use eframe::egui;
 
-use crate::appearance::Texture;
-use crate::camera::Camera;
-use crate::figure::{Figure, Observer};
+use super::easel::{Easel, Job, Sheet};
 use crate::gui::state::Picture;
-use crate::raster::Rasterizer;
-use crate::scene::Scene;
-use crate::views::{self, Extras, Labels, Setup, Size};
-
-/// Width of the image that is painted on the view window in the world, in texels.
-const PAINTED_WIDTH: u32 = 512;
-
-/// Everything that makes a picture. Two equal jobs make the same pixels.
-#[derive(Clone, Debug)]
-pub(super) struct Job {
-    pub(super) picture: Picture,
-    /// Of the figure only what no other field holds: image size, viewport and style; the rest is as in a new figure.
-    pub(super) figure: Figure,
-    pub(super) camera: Camera,
-    pub(super) scene: Arc<Scene>,
-    pub(super) labels: &'static Labels,
-    pub(super) size: Size,
-    /// From where a three-dimensional picture is seen.
-    pub(super) observer: Option<Observer>,
-    /// Without the painted image, which the drawing of the world makes.
-    pub(super) extras: Extras,
-    /// The greatest side of a texture, pixels.
-    pub(super) max_side: usize,
-}
-
-impl PartialEq for Job {
-    /// Scenes are equal where they are the same one: the canvas makes a new one only when the figure's has changed.
-    fn eq(&self, other: &Self) -> bool {
-        self.picture == other.picture
-            && Arc::ptr_eq(&self.scene, &other.scene)
-            && self.size == other.size
-            && self.observer == other.observer
-            && self.camera == other.camera
-            && self.extras == other.extras
-            && self.labels == other.labels
-            && self.figure == other.figure
-            && self.max_side == other.max_side
-    }
-}
-
-/// A picture as it came from the rasterizer, in tiles no larger than a texture may be.
-pub(super) struct Sheet {
-    /// Width and height in pixels.
-    pub(super) size: [usize; 2],
-    /// The place of each tile (left, top, in pixels) and its pixels.
-    pub(super) tiles: Vec<([usize; 2], ColorImage)>,
-}
 
 /// Draws pictures, on a thread of its own where there are threads.
 pub(super) struct Painter {
@@ -67,8 +17,9 @@ pub(super) struct Painter {
     asked: [Option<Job>; 3],
     /// How many pictures have been drawn, by picture.
     drawn: [u64; 3],
-    /// What the last drawing of each picture took.
+    /// What the last drawing of each picture took, and the last one that was no draft.
     cost: [Duration; 3],
+    full_cost: [Duration; 3],
     /// For where there are no threads.
     easel: Easel,
 }
@@ -93,6 +44,7 @@ struct Desk {
 struct Finished {
     sheet: Option<Sheet>,
     cost: Duration,
+    draft: bool,
 }
 
 impl Shared {
@@ -121,6 +73,7 @@ impl Painter {
             asked: Default::default(),
             drawn: [0; 3],
             cost: [Duration::ZERO; 3],
+            full_cost: [Duration::ZERO; 3],
             easel: Easel::default(),
         }
     }
@@ -130,11 +83,18 @@ impl Painter {
         self.drawn
     }
 
-    /// Asks for a picture, unless it is the one that was asked for last. What was asked for before and has not been begun is
+    /// True for a picture that takes longer than `patience`: while the hand moves, a draft of it is better than a late one.
+    pub(super) fn is_heavy(&self, picture: Picture, patience: Duration) -> bool {
+        self.full_cost[picture.index()] > patience
+    }
+
+    /// Asks for a picture, unless it, or one of which it would be a draft, was asked for last. What was asked for before and has not been begun is
     /// forgotten.
     pub(super) fn ask(&mut self, job: Job) {
         let i = job.picture.index();
-        if self.asked[i].as_ref() == Some(&job) {
+        if let Some(last) = &self.asked[i]
+            && (*last == job || *last == (Job { draft: false, ..job.clone() }))
+        {
             return;
         }
         self.shared.desk().wanted[i] = Some(job.clone());
@@ -150,7 +110,8 @@ impl Painter {
         if !self.threaded {
             for i in 0..3 {
                 if let Some(job) = desk.wanted[i].take() {
-                    desk.finished[i] = Some(Finished { sheet: self.easel.draw(&job), cost: Duration::ZERO });
+                    desk.finished[i] =
+                        Some(Finished { sheet: self.easel.draw(&job), cost: Duration::ZERO, draft: job.draft });
                 }
             }
         } else if desk.pending() {
@@ -169,6 +130,9 @@ impl Painter {
             let finished = desk.finished[i].take()?;
             self.drawn[i] += 1;
             self.cost[i] = finished.cost;
+            if !finished.draft {
+                self.full_cost[i] = finished.cost;
+            }
             Some(finished.sheet)
         })
     }
@@ -210,7 +174,7 @@ fn work(shared: &Shared, ctx: &egui::Context) {
 
         let mut desk = shared.desk();
         desk.busy = None;
-        desk.finished[i] = Some(Finished { sheet, cost: start.elapsed() });
+        desk.finished[i] = Some(Finished { sheet, cost: start.elapsed(), draft: job.draft });
         let waited_for = desk.waited_for;
         drop(desk);
         shared.done.notify_one();
@@ -220,140 +184,83 @@ fn work(shared: &Shared, ctx: &egui::Context) {
     }
 }
 
-/// Buffers that are kept from one picture to the next, and the image that is painted in the world.
-#[derive(Default)]
-struct Easel {
-    rasterizer: Rasterizer,
-    painted: Option<(Job, Arc<Texture>)>,
-}
-
-impl Easel {
-    /// `None`: the picture has no size, or no memory is left for it.
-    fn draw(&mut self, job: &Job) -> Option<Sheet> {
-        let mut extras = job.extras.clone();
-        if job.picture == Picture::World {
-            extras.painted_image = self.painted(job);
-        }
-        let setup = Setup {
-            figure: &job.figure,
-            camera: &job.camera,
-            scene: &job.scene,
-            labels: job.labels,
-            size: job.size,
-            extras: &extras,
-        };
-        let drawing = match (job.picture, &job.observer) {
-            (Picture::World, Some(observer)) => views::world::draw(&setup, observer),
-            (Picture::Canonical, Some(observer)) => views::canonical::draw(&setup, observer),
-            _ => views::image::draw(&setup),
-        };
-        let pixmap = self.rasterizer.paint(&drawing)?;
-        Some(tiles(&pixmap, job.max_side))
-    }
-
-    /// The image, small, as it is painted on the view window; drawn again only when the camera or the scene has changed.
-    fn painted(&mut self, job: &Job) -> Option<Arc<Texture>> {
-        let image = Job {
-            picture: Picture::Image,
-            size: painted_size(job.camera.window().aspect()),
-            observer: None,
-            extras: Extras::default(),
-            ..job.clone()
-        };
-        if let Some((made_from, texture)) = &self.painted
-            && *made_from == image
-        {
-            return Some(Arc::clone(texture));
-        }
-        let setup = Setup {
-            figure: &image.figure,
-            camera: &image.camera,
-            scene: &image.scene,
-            labels: image.labels,
-            size: image.size,
-            extras: &image.extras,
-        };
-        let pixmap = self.rasterizer.paint(&views::image::draw(&setup))?;
-        let (width, height) = (pixmap.width(), pixmap.height());
-        let texture = Arc::new(Texture { width, height, rgba: pixmap.take() });
-        self.painted = Some((image, Arc::clone(&texture)));
-        Some(texture)
-    }
-}
-
-/// A size with about this aspect, no side longer than [`PAINTED_WIDTH`].
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "rounded and clamped to 1 … 512 before the cast"
-)]
-fn painted_size(aspect: f64) -> Size {
-    let longest = f64::from(PAINTED_WIDTH);
-    let side = |s: f64| (longest * s.min(1.0)).round().clamp(1.0, longest) as u32;
-    Size { width: side(aspect), height: side(aspect.recip()), scale: 1.0 }
-}
-
-/// Cuts a picture into tiles.
-fn tiles(pixmap: &Pixmap, max_side: usize) -> Sheet {
-    let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
-    let side = max_side.max(1);
-    let mut tiles = Vec::new();
-    for top in (0..height).step_by(side) {
-        for left in (0..width).step_by(side) {
-            let (w, h) = (side.min(width - left), side.min(height - top));
-            let image = if w == width {
-                ColorImage::from_rgba_premultiplied([w, h], &pixmap.data()[4 * width * top..4 * width * (top + h)])
-            } else {
-                let mut rgba = Vec::with_capacity(4 * w * h);
-                for y in top..top + h {
-                    let start = 4 * (y * width + left);
-                    rgba.extend_from_slice(&pixmap.data()[start..start + 4 * w]);
-                }
-                ColorImage::from_rgba_premultiplied([w, h], &rgba)
-            };
-            tiles.push(([left, top], image));
-        }
-    }
-    Sheet { size: [width, height], tiles }
-}
-
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
 
     use super::*;
+    use crate::camera::Camera;
+    use crate::figure::Figure;
+    use crate::scene::Scene;
+    use crate::views::{Extras, Size};
 
-    #[test]
-    fn tiles_hold_each_pixel_once_at_its_place() {
-        let (width, height) = (7_u8, 5_u8);
-        let mut pixmap = Pixmap::new(width.into(), height.into()).unwrap();
-        for (i, p) in pixmap.data_mut().chunks_exact_mut(4).enumerate() {
-            let i = u8::try_from(i).unwrap();
-            p.copy_from_slice(&[i % width, i / width, 0, 255]);
-        }
-        for max_side in [2, 3, 5, 7, 100] {
-            let sheet = tiles(&pixmap, max_side);
-            assert_eq!(sheet.size, [7, 5]);
-            let mut seen = [0; 35];
-            for ([left, top], image) in &sheet.tiles {
-                assert!(image.size[0] <= max_side && image.size[1] <= max_side);
-                for (k, pixel) in image.pixels.iter().enumerate() {
-                    let (x, y) = (left + k % image.size[0], top + k / image.size[0]);
-                    assert_eq!((usize::from(pixel.r()), usize::from(pixel.g())), (x, y));
-                    seen[y * 7 + x] += 1;
-                }
-            }
-            assert!(seen.iter().all(|&n| n == 1));
+    fn job(size: u32) -> Job {
+        let camera = Camera::new(&Figure::default().camera).unwrap();
+        Job {
+            picture: Picture::Image,
+            figure: Figure::default(),
+            camera,
+            scene: Arc::new(Scene::default()),
+            labels: crate::i18n::pictures::labels(crate::i18n::Lang::En),
+            size: Size { width: size, height: size, scale: 1.0 },
+            observer: None,
+            draft: false,
+            extras: Extras::default(),
+            max_side: 2048,
         }
     }
 
     #[test]
-    fn the_painted_image_keeps_the_aspect_and_never_vanishes() {
-        let size = painted_size(2.0);
-        assert_eq!((size.width, size.height), (512, 256));
-        let size = painted_size(0.5);
-        assert_eq!((size.width, size.height), (256, 512));
-        let size = painted_size(1e9);
-        assert_eq!((size.width, size.height), (512, 1));
+    fn a_window_that_does_not_wait_is_called_when_the_picture_is_done() {
+        let ctx = egui::Context::default();
+        let called = Arc::new(Mutex::new(0));
+        let count = Arc::clone(&called);
+        ctx.set_request_repaint_callback(move |_| *count.lock().unwrap() += 1);
+        let mut painter = Painter::new(&ctx);
+        painter.cost = [Duration::from_secs(1); 3];
+        painter.ask(job(40));
+        let mut sheets = painter.collect(Duration::from_millis(1));
+        let start = Instant::now();
+        while sheets[2].is_none() && start.elapsed() < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(2));
+            sheets = painter.collect(Duration::ZERO);
+        }
+        assert_eq!(sheets[2].as_ref().unwrap().as_ref().unwrap().size, [40, 40]);
+        assert_eq!(painter.drawn(), [0, 0, 1]);
+        while *called.lock().unwrap() == 0 && start.elapsed() < Duration::from_secs(60) {
+            std::thread::yield_now();
+        }
+        assert_eq!(*called.lock().unwrap(), 1);
+    }
+
+    #[test]
+    fn the_same_picture_is_not_drawn_twice_nor_as_a_draft_of_itself() {
+        let mut painter = Painter::new(&egui::Context::default());
+        let patience = Duration::from_secs(60);
+        let full = job(30);
+        let draft = Job { draft: true, ..full.clone() };
+        let thirty_one = Size { width: 31, ..full.size };
+        for (job, drawn) in [
+            (full.clone(), 1),
+            (full.clone(), 1),
+            (draft.clone(), 1),
+            (Job { draft: true, ..Job { size: thirty_one, ..full.clone() } }, 2),
+            (Job { size: thirty_one, ..full.clone() }, 3),
+        ] {
+            painter.ask(job);
+            painter.collect(patience);
+            assert_eq!(painter.drawn()[2], drawn);
+        }
+    }
+
+    #[test]
+    fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
+        let mut painter = Painter::new(&egui::Context::default());
+        painter.shared.desk().quit = true;
+        painter.shared.wake.notify_one();
+        painter.threaded = false;
+        painter.ask(job(25));
+        let sheets = painter.collect(Duration::ZERO);
+        assert_eq!(sheets[2].as_ref().unwrap().as_ref().unwrap().size, [25, 25]);
     }
 }

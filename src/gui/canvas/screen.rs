@@ -3,7 +3,7 @@
 use eframe::egui::{Color32, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
 use glam::DVec2;
 
-use super::paint::Sheet;
+use super::easel::Sheet;
 use crate::views;
 
 /// One pixel of a picture is one pixel of the screen.
