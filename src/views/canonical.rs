@@ -46,7 +46,7 @@ fn frame(setup: &Setup, direction: Direction) -> Observer {
 pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
     let bounds = Aabb { min: CUBE.min * 2.0, max: CUBE.max * 2.0 };
     let camera = observer.camera(Some(bounds), setup.size.aspect()).ok()?;
-    Some(Screen::new(camera, PixelRect::whole(setup.size)))
+    Some(Screen::new(camera, PixelRect::whole(setup.size), setup.size.scale))
 }
 
 /// The clipped and projected scene, in display space.
@@ -116,9 +116,12 @@ fn outwards(screen: &Screen, p: DVec3) -> DVec2 {
 fn corner_names(screen: &Screen) -> Vec<(DVec3, String)> {
     const SMALL: f64 = 320.0;
     let corners = CUBE.corners();
-    let wanted = if screen.extent().min_element() < SMALL { vec![corners[4], corners[3]] } else { corners.to_vec() };
-    let coincide =
-        |a: DVec3, b: DVec3| matches!((screen.place(a), screen.place(b)), (Some(a), Some(b)) if a.distance(b) < 12.0);
+    let wanted = if screen.extent().min_element() < SMALL * screen.scale() {
+        vec![corners[4], corners[3]]
+    } else {
+        corners.to_vec()
+    };
+    let coincide = |a: DVec3, b: DVec3| matches!((screen.place(a), screen.place(b)), (Some(a), Some(b)) if a.distance(b) < 12.0 * screen.scale());
     let mut names: Vec<(DVec3, String)> = Vec::new();
     for p in wanted {
         let twin = corners.into_iter().find(|&q| q != p && coincide(p, q));

@@ -55,7 +55,7 @@ pub(super) fn on_screen(setup: &Setup, screen: &Screen) -> Vec<(Handle, DVec3)> 
     all
 }
 
-/// The handles of the clipping planes on the axis of projection, but at least `clear` pixels away from C, where a small F
+/// The handles of the clipping planes on the axis of projection, but at least `clear` pixels (at scale 1) away from C, where a small F
 /// would hide its handle; none where the axis is seen end-on.
 pub(super) fn on_axis(setup: &Setup, screen: &Screen, clear: f64) -> Vec<(Handle, DVec3)> {
     let camera = setup.camera;
@@ -68,7 +68,7 @@ pub(super) fn on_axis(setup: &Setup, screen: &Screen, clear: f64) -> Vec<(Handle
     if pixels_per_step < 0.05 {
         return Vec::new();
     }
-    let least = unit * clear / pixels_per_step;
+    let least = unit * clear * screen.scale() / pixels_per_step;
     [(Handle::Near, camera.near()), (Handle::Far, camera.far())].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
 }
 

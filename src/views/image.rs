@@ -7,7 +7,7 @@ use crate::pipeline;
 
 use super::gizmos::{Sheet, stroke};
 use super::screen::Screen;
-use super::{Palette, Setup, Size, probe};
+use super::{Palette, Setup, Size, placing, probe};
 
 /// A rectangle of a picture, in pixels; (0, 0) is the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ fn rounded(pixels: f64, most: u32) -> u32 {
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(setup: &Setup) -> Screen {
-    Screen::new(setup.camera.clone(), frame(setup.size, setup.camera.window()))
+    Screen::new(setup.camera.clone(), frame(setup.size, setup.camera.window()), setup.size.scale)
 }
 
 /// Draws the image.
@@ -62,7 +62,8 @@ pub fn draw(setup: &Setup) -> Drawing {
     probe::in_image(&mut sheet, setup, palette);
     let rect = frame(setup.size, setup.camera.window());
     let target = pipeline::Target { width: rect.width, height: rect.height, ..whole };
-    let drawing = pipeline::draw(&sheet.scene, &setup.camera.clone(), target, style);
+    let mut drawing = pipeline::draw(&sheet.scene, setup.camera, target, style);
+    placing::settle(&mut drawing, &[]);
     if rect == PixelRect::whole(setup.size) { drawing } else { mounted(drawing, rect, setup.size, palette) }
 }
 

@@ -13,16 +13,28 @@ pub(super) struct Screen {
     camera: Camera,
     origin: DVec2,
     extent: DVec2,
+    scale: f64,
 }
 
 impl Screen {
-    pub(super) fn new(camera: Camera, rect: PixelRect) -> Self {
+    /// `scale`: pixels for one unit of stroke width or type size.
+    pub(super) fn new(camera: Camera, rect: PixelRect, scale: f32) -> Self {
         let origin = DVec2::new(f64::from(rect.x), f64::from(rect.y));
-        Self { camera, origin, extent: DVec2::new(f64::from(rect.width), f64::from(rect.height)) }
+        Self {
+            camera,
+            origin,
+            extent: DVec2::new(f64::from(rect.width), f64::from(rect.height)),
+            scale: f64::from(scale),
+        }
     }
 
     pub(super) fn camera(&self) -> &Camera {
         &self.camera
+    }
+
+    /// Pixels for one unit of stroke width or type size.
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
     }
 
     /// Width and height in pixels.
@@ -98,7 +110,7 @@ mod tests {
 
     fn screen(projection: Projection) -> Screen {
         let parameters = Parameters { projection, height: 8.0, ..Parameters::default() };
-        Screen::new(Camera::new(&parameters).unwrap(), PixelRect { x: 10, y: 20, width: 400, height: 300 })
+        Screen::new(Camera::new(&parameters).unwrap(), PixelRect { x: 10, y: 20, width: 400, height: 300 }, 1.0)
     }
 
     #[test]

@@ -49,7 +49,7 @@ pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
 
 fn screen_of(setup: &Setup, observer: &Observer, content: &Content) -> Option<Screen> {
     let camera = observer.camera(Some(content.bounds(setup.camera)), setup.size.aspect()).ok()?;
-    Some(Screen::new(camera, PixelRect::whole(setup.size)))
+    Some(Screen::new(camera, PixelRect::whole(setup.size), setup.size.scale))
 }
 
 /// Draws the world as `observer` sees it; an observer that is no camera sees nothing.
@@ -92,8 +92,11 @@ pub(super) struct Gear {
 impl Gear {
     pub(super) fn new(screen: &Screen, camera: &Camera) -> Self {
         let pixel = screen.units_per_pixel(camera.position());
-        let side = screen.extent().min_element();
-        Self { body: pixel * (0.036 * side).clamp(9.0, 60.0), axis: pixel * (0.12 * side).clamp(30.0, 180.0) }
+        let (side, scale) = (screen.extent().min_element(), screen.scale());
+        Self {
+            body: pixel * (0.036 * side).clamp(9.0 * scale, 60.0 * scale),
+            axis: pixel * (0.12 * side).clamp(30.0 * scale, 180.0 * scale),
+        }
     }
 
     /// Where VUP's arrow ends.
@@ -174,7 +177,7 @@ impl World<'_> {
         let seen = || face.iter().zip(places).filter_map(|(p, place)| Some((*p, place?)));
         let Some(middle) = self.sheet.screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
         let reach = seen().map(|(_, px)| px.distance(middle)).fold(0.0, f64::max);
-        if reach < 10.0 {
+        if reach < 10.0 * self.sheet.screen.scale() {
             return;
         }
         if let Some((corner, px)) = seen().min_by(|a, b| a.1.y.total_cmp(&b.1.y)) {

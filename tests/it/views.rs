@@ -286,3 +286,52 @@ fn an_observer_that_is_no_camera_gives_an_empty_picture() {
         assert!(drawing.surfaces.is_empty() && drawing.strokes.is_empty() && drawing.labels.is_empty());
     }
 }
+
+#[test]
+fn cameras_of_any_size_make_finite_pictures() {
+    let finite = |drawing: &Drawing| {
+        let points = drawing.surfaces.iter().flat_map(|s| &s.positions);
+        let points = points.chain(drawing.strokes.iter().flat_map(|s| &s.points));
+        points.chain(drawing.labels.iter().map(|l| &l.position)).all(|p| p.iter().all(|v| v.is_finite()))
+    };
+    for exponent in [-150, -20, -6, 6, 12, 20, 150] {
+        let unit = 10.0_f64.powi(exponent);
+        for at in [DVec3::ZERO, DVec3::splat(1e12)] {
+            for projection in [Projection::Perspective, Projection::Parallel] {
+                let figure = figure(|c| {
+                    c.position = c.position * unit + at;
+                    c.focal_point = at;
+                    c.projection = projection;
+                    (c.height, c.near, c.far) = (4.0 * unit, 0.1 * unit, 1e6 * unit);
+                });
+                // Far from the origin C and PF may be one point: that is no camera, and no picture is asked for.
+                if Camera::new(&figure.camera).is_err() {
+                    continue;
+                }
+                let pictured = Pictured::of(figure).probed(Probe::Window(DVec2::ZERO));
+                for preset in PRESETS {
+                    let what = format!("1e{exponent} at {at}, {projection:?}, {preset:?}");
+                    assert!(finite(&pictured.world(preset)), "world, {what}");
+                    assert!(finite(&pictured.canonical(preset)), "canonical, {what}");
+                    let _ =
+                        views::handles::handles(&pictured.setup(), &views::world::observer(&pictured.setup(), preset));
+                }
+                assert!(finite(&views::image::draw(&pictured.setup())), "image, 1e{exponent} at {at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_picture_at_twice_the_scale_is_the_same_picture_with_twice_the_pixels() {
+    let one = Pictured::of(figure(|c| (c.near, c.far) = (2.0, 12.0)));
+    let mut two = Pictured::of(one.figure.clone());
+    two.size = Size { width: 640, height: 480, scale: 2.0 };
+    let (one, two) = (one.world(Preset::Iso), two.world(Preset::Iso));
+    assert_eq!(one.labels.len(), two.labels.len());
+    for (a, b) in one.labels.iter().zip(&two.labels) {
+        assert_eq!(a.text, b.text);
+        let apart = (0..2).map(|k| (2.0 * (a.position[k] + a.offset[k]) - b.position[k] - b.offset[k]).abs());
+        assert!(apart.fold(0.0, f32::max) < 0.1, "{}", a.text);
+    }
+}
