@@ -31,11 +31,6 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         (Ok(width), Ok(height)) => Size { width, height, scale },
         _ => return Err(too_large()),
     };
-    let folder = args.figure.parent().map(Path::to_owned).unwrap_or_default();
-    let mut beside =
-        |path: &str| files::read_file(&folder.join(path)).map_err(|error| messages::file(lang, path, &error));
-    let scene = scene_of(figure, &mut beside)
-        .map_err(|error| Failure::BadInput(format!("{}: {error}", args.figure.display())))?;
     let source = Source {
         figure,
         camera: &camera,

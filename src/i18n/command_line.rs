@@ -155,9 +155,12 @@ pub const fn standard_output(lang: Lang) -> &'static str {
 /// No display, or no OpenGL.
 #[must_use]
 pub fn no_window(lang: Lang, why: &str) -> String {
-    let why: Vec<_> = why.split_whitespace().collect();
-    let why = why.join(" ");
-    let why = why.trim_end_matches('.');
+    // The window's library names the line of its source before the reason.
+    let reason =
+        why.rsplit_once(".rs:").map_or(why, |(_, rest)| rest.trim_start_matches(|c: char| c.is_numeric() || c == ':'));
+    let reason: Vec<_> = reason.split_whitespace().collect();
+    let reason = reason.join(" ");
+    let why = reason.trim_end_matches('.');
     pick(
         lang,
         format!("no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one"),
@@ -175,4 +178,20 @@ pub fn not_built_in(lang: Lang) -> String {
         "this camera-lab was built without its window; `camera-lab render FIGURE -o picture.png` draws without one",
         "este camera-lab foi compilado sem a janela; `camera-lab render FIGURA -o imagem.png` desenha sem janela",
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_reason_for_no_window_is_one_sentence_without_paths() {
+        let why = "winit EventLoopError: os error at /home/x/linux/mod.rs:765: neither A\nnor B is set.";
+        let text = no_window(Lang::En, why);
+        assert!(
+            text.starts_with("no window can be opened here (neither A nor B is set); `camera-lab render"),
+            "{text}"
+        );
+        assert!(no_window(Lang::PtBr, "sem OpenGL").contains("(sem OpenGL)"));
+    }
 }
