@@ -40,6 +40,8 @@ pub struct Source<'a> {
     pub scene: &'a Scene,
     /// The words in the pictures.
     pub labels: &'a Labels,
+    /// Run every stage of the pipeline, needed or not. The picture is the same.
+    pub force_all_stages: bool,
 }
 
 /// Room between two pictures on a sheet, in pixels at scale 1.
@@ -51,8 +53,8 @@ const GAP: f32 = 4.0;
 #[must_use]
 pub fn paint(rasterizer: &mut Rasterizer, source: Source<'_>, view: View, size: Size) -> Option<Pixmap> {
     let extras = match view {
-        View::World => Extras { painted_image: Some(painted_image(rasterizer, source, size)?), ..Extras::default() },
-        View::Canonical | View::Image => Extras::default(),
+        View::World => Extras { painted_image: Some(painted_image(rasterizer, source, size)?), ..plain(source) },
+        View::Canonical | View::Image => plain(source),
     };
     let setup = setup(source, size, &extras);
     let observers = source.figure.observers;
@@ -96,14 +98,19 @@ pub fn gap(scale: f32) -> u32 {
 fn painted_image(rasterizer: &mut Rasterizer, source: Source<'_>, size: Size) -> Option<Arc<Texture>> {
     let side = (size.width.max(size.height) / 2).clamp(256, 1024);
     let rect = frame(Size { width: side, height: side, scale: 1.0 }, source.camera.window());
-    let extras = Extras::default();
+    let extras = plain(source);
     let size = Size { width: rect.width, height: rect.height, scale: 1.0 };
     let pixmap = rasterizer.paint(&views::image::draw(&setup(source, size, &extras)))?;
     let (width, height) = (pixmap.width(), pixmap.height());
     Some(Arc::new(Texture { width, height, rgba: pixmap.take() }))
 }
 
+/// Nothing is pointed at.
+fn plain(source: Source<'_>) -> Extras {
+    Extras { force_all_stages: source.force_all_stages, ..Extras::default() }
+}
+
 fn setup<'a>(source: Source<'a>, size: Size, extras: &'a Extras) -> Setup<'a> {
-    let Source { figure, camera, scene, labels } = source;
+    let Source { figure, camera, scene, labels, .. } = source;
     Setup { figure, camera, scene, labels, size, extras }
 }

@@ -75,6 +75,9 @@ pub(super) struct RenderArgs {
     /// Colours; without it, the figure's
     #[arg(long, value_enum)]
     theme: Option<ThemeArg>,
+    /// Run every stage of the pipeline, needed or not; the picture is the same
+    #[arg(long)]
+    pub(super) force_all_stages: bool,
     /// The file to write; its ending says the format: .png
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: PathBuf,

@@ -36,6 +36,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         camera: &camera,
         scene: &scene,
         labels: pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang)),
+        force_all_stages: args.force_all_stages,
     };
     let mut rasterizer = Rasterizer::default();
     let pixmap = match args.view() {

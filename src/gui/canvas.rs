@@ -245,10 +245,10 @@ impl Canvas {
                 draft: moving && figure.style.antialias > 1 && painter.is_heavy(pane.picture, self.patience),
                 observer: (pane.picture != Picture::Image).then(|| self.seen[pane.picture.index()]),
                 extras: Extras {
-                    painted_image: None,
                     probe: self.extras.probe,
                     ghost: self.extras.ghost.clone().filter(|_| only_world),
                     hot: self.extras.hot.filter(|_| only_world),
+                    ..Extras::default()
                 },
                 max_side,
             });

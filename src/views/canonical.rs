@@ -16,7 +16,7 @@ use super::gizmos::{self, SMALL_TYPE, Sheet};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
 use super::screen::Screen;
-use super::{Palette, Setup, placing, probe};
+use super::{Palette, Setup, drawn, placing, probe};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -61,14 +61,14 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
     let palette = Palette::of(style.theme);
     let target = setup.size.target(palette.paper);
     let Some(screen) = screen(setup, observer) else {
-        return pipeline::draw(&Scene::default(), setup.camera, target, style);
+        return drawn(setup, &Scene::default(), setup.camera, target, style);
     };
     let (scene, style) = gizmos::wired(contents(setup), style);
     let mut sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
     axes(&mut sheet, palette);
     probe::in_canonical(&mut sheet, setup, palette);
     cube(&mut sheet, setup, palette);
-    let mut drawing = pipeline::draw(&sheet.scene, screen.camera(), target, &style);
+    let mut drawing = drawn(setup, &sheet.scene, screen.camera(), target, &style);
     placing::settle(&mut drawing, &[]);
     drawing
 }

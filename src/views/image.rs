@@ -7,7 +7,7 @@ use crate::pipeline;
 
 use super::gizmos::{Sheet, stroke};
 use super::screen::Screen;
-use super::{Palette, Setup, Size, placing, probe};
+use super::{Palette, Setup, Size, drawn, placing, probe};
 
 /// A rectangle of a picture, in pixels; (0, 0) is the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,7 +62,7 @@ pub fn draw(setup: &Setup) -> Drawing {
     probe::in_image(&mut sheet, setup, palette);
     let rect = frame(setup.size, setup.camera.window());
     let target = pipeline::Target { width: rect.width, height: rect.height, ..whole };
-    let mut drawing = pipeline::draw(&sheet.scene, setup.camera, target, style);
+    let mut drawing = drawn(setup, &sheet.scene, setup.camera, target, style);
     placing::settle(&mut drawing, &[]);
     if rect == PixelRect::whole(setup.size) { drawing } else { mounted(drawing, rect, setup.size, palette) }
 }

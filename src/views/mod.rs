@@ -2,7 +2,7 @@
 //!
 //! There is one engine: the image is the scene seen by the figure's camera, the world is the scene with the camera's own gear
 //! seen by a second camera (the observer), and the canonical volume is the scene after clipping and projection, seen by a
-//! third. All three go through [`pipeline::draw`](crate::pipeline::draw).
+//! third. All three go through [`Pipeline::frame`].
 //!
 //! | picture | space of its scene | observer |
 //! | --- | --- | --- |
@@ -28,10 +28,11 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use crate::appearance::{Rgba, Texture};
+use crate::appearance::{Rgba, Style, Texture};
 use crate::camera::{Camera, Convention, Operation};
+use crate::drawing::Drawing;
 use crate::figure::Figure;
-use crate::pipeline::Target;
+use crate::pipeline::{Options, Pipeline, Target};
 use crate::scene::{self, ReadFile, Scene, SceneError};
 pub use handles::Handle;
 pub use palette::Palette;
@@ -106,6 +107,8 @@ pub struct Extras {
     pub ghost: Option<Ghost>,
     /// The handle under the pointer, drawn stronger.
     pub hot: Option<Handle>,
+    /// Run every stage of the pipeline, needed or not. The picture is the same.
+    pub force_all_stages: bool,
 }
 
 /// What is pointed at.
@@ -126,6 +129,12 @@ pub struct Ghost {
     pub operation: Operation,
     /// The sign rule of rotations.
     pub convention: Convention,
+}
+
+/// Sends what a picture shows through the pipeline.
+fn drawn(setup: &Setup, scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Drawing {
+    let options = Options { force_all_stages: setup.extras.force_all_stages, ..Options::default() };
+    Pipeline::default().frame(scene, camera, target, style, options).drawing
 }
 
 /// The scene of a figure in the colours of its theme.

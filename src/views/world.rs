@@ -8,7 +8,6 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
 use crate::camera::{Camera, Projection};
 use crate::drawing::Drawing;
 use crate::figure::Observer;
-use crate::pipeline;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
 use super::content::{Content, iso_direction};
@@ -16,7 +15,7 @@ use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
 use super::screen::Screen;
-use super::{Handle, Palette, Setup, ghost, handles, placing, probe};
+use super::{Handle, Palette, Setup, drawn, ghost, handles, placing, probe};
 
 /// The observer that a button gives: it looks from the preset's side and has everything of interest in the picture.
 #[must_use]
@@ -60,7 +59,7 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
     let target = setup.size.target(palette.paper);
     let content = Content::of(setup);
     let Some(screen) = screen_of(setup, observer, &content) else {
-        return pipeline::draw(&Scene::default(), setup.camera, target, style);
+        return drawn(setup, &Scene::default(), setup.camera, target, style);
     };
     let (scene, style) = gizmos::wired(setup.scene.clone(), style);
     let sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
@@ -75,7 +74,7 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
     world.hot_handle();
     ghost::in_world(&mut world.sheet, setup, palette, world.gear);
     probe::in_world(&mut world.sheet, setup, palette);
-    let mut drawing = pipeline::draw(&world.sheet.scene, screen.camera(), target, &style);
+    let mut drawing = drawn(setup, &world.sheet.scene, screen.camera(), target, &style);
     placing::settle(&mut drawing, &[palette.grid]);
     drawing
 }

@@ -43,6 +43,16 @@ fn the_same_figure_gives_the_same_bytes() {
 }
 
 #[test]
+fn forcing_all_stages_changes_no_pixel() {
+    let bench = bench("forced");
+    for view in ["world", "canonical", "image"] {
+        bench.run(&["render", "figure.toml", "--view", view, "-o", "a.png"]).done();
+        bench.run(&["render", "figure.toml", "--view", view, "-o", "b.png", "--force-all-stages"]).done();
+        assert!(bench.read("a.png") == bench.read("b.png"), "{view}");
+    }
+}
+
+#[test]
 fn sizes_are_those_asked_for() {
     let bench = bench("sizes");
     for (arguments, size) in [
