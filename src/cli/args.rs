@@ -1,9 +1,9 @@
 //! The arguments, and how their values are read.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory as _, Parser, Subcommand, ValueEnum};
 use glam::DVec3;
 
 use super::Failure;
@@ -151,6 +151,19 @@ pub(super) fn written_lang(args: &[OsString]) -> Option<Lang> {
     LangArg::from_str(value, true).ok().map(LangArg::lang)
 }
 
+/// The names of the commands.
+pub(super) fn commands() -> Vec<String> {
+    CommandLine::command().get_subcommands().map(|command| command.get_name().to_owned()).collect()
+}
+
+/// The first argument, where it seems to be meant as a command but is none. (It may be a figure file too.)
+pub(super) fn unknown_command(args: &[OsString]) -> Option<String> {
+    let first = args.get(1)?.to_str()?;
+    let plain = first.starts_with(|c: char| c.is_ascii_alphabetic()) && !first.contains(['.', '/', '\\']);
+    let known = first == "help" || commands().iter().any(|command| command == first);
+    (plain && !known && args.len() > 2 && !Path::new(first).exists()).then(|| first.to_owned())
+}
+
 impl FigureArgs {
     pub(super) fn convention(&self) -> Convention {
         match self.convention {
@@ -243,7 +256,6 @@ fn number(text: &str) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory as _;
 
     #[test]
     fn the_arguments_are_consistent() {

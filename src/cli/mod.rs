@@ -37,13 +37,16 @@ enum Failure {
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let args: Vec<OsString> = args.into_iter().collect();
     let lang = args::written_lang(&args).unwrap_or_else(system_lang);
-    let result = match CommandLine::try_parse_from(args) {
+    let result = match CommandLine::try_parse_from(&args) {
         Ok(line) => match line.command {
             Some(Command::Inspect(args)) => inspect::run(&args, lang),
             Some(Command::Render(args)) => render::run(&args, lang),
             None => window::run(&line.window, lang),
         },
-        Err(error) if error.use_stderr() => Err(Failure::BadInput(texts::arguments(lang, &error))),
+        Err(error) if error.use_stderr() => Err(Failure::BadInput(match args::unknown_command(&args) {
+            Some(name) => texts::unknown_command(lang, &name, &args::commands()),
+            None => texts::arguments(lang, &error),
+        })),
         Err(help) => print(help.render().to_string().as_bytes(), lang),
     };
     let (status, message) = match result {

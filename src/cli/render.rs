@@ -56,7 +56,7 @@ fn scene(path: &Path, opened: &Opened, lang: Lang) -> Result<Scene, Failure> {
         files::read_file(&beside).map_err(|error| messages::file(lang, &beside.display().to_string(), &error))
     };
     scene_of(&opened.figure, &mut read_file).map_err(|error| {
-        let line = error.object().and_then(|name| line_of_object(&opened.text, name));
+        let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
         Failure::BadInput(texts::in_file(lang, &path.display().to_string(), line, &messages::scene(lang, &error)))
     })
 }

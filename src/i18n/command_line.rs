@@ -15,6 +15,19 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
     format!("{what}{}", pick(lang, "; see --help", "; veja --help"))
 }
 
+/// A command that does not exist.
+#[must_use]
+pub fn unknown_command(lang: Lang, name: &str, commands: &[String]) -> String {
+    let commands = commands.join(", ");
+    pick(
+        lang,
+        format!("there is no command {name:?}, nor a figure file of this name; allowed: {commands}; see --help"),
+        format!(
+            "não há o comando {name:?}, nem um arquivo de figura com este nome; permitido: {commands}; veja --help"
+        ),
+    )
+}
+
 /// Clap's own words, without its usage lines, on one line.
 fn english(error: &clap::Error) -> String {
     let text = error.render().to_string();

@@ -108,6 +108,19 @@ impl SceneError {
             Self::Light { .. } => None,
         }
     }
+
+    /// The key that is at fault.
+    #[must_use]
+    pub const fn key(&self) -> &'static str {
+        match self {
+            Self::DuplicateName { .. } => "name",
+            Self::UnknownParent { .. } | Self::Cycle { .. } => "parent",
+            Self::ZeroScale { .. } => "scale",
+            Self::Segments { .. } => "segments",
+            Self::Mesh { .. } => "path",
+            Self::NotFinite { key, .. } | Self::Light { key, .. } => key,
+        }
+    }
 }
 
 /// What the shells do when a mesh file is asked for: gives the bytes of the file with this path (as the figure names it), or a

@@ -145,6 +145,16 @@ fn messages_speak_the_language_asked_for_or_the_systems() {
 }
 
 #[test]
+fn a_mistyped_command_is_called_so() {
+    let bench = bench("mistyped");
+    for arguments in [&["rendr", "figure.toml", "-o", "a.png"][..], &["inspct", "figure.toml"]] {
+        let run = bench.run(arguments);
+        assert!(run.refused(2).contains(&format!("no command {:?}", arguments[0])), "{}", run.err);
+        assert!(run.err.contains("allowed: inspect, render"), "{}", run.err);
+    }
+}
+
+#[test]
 fn help_and_version_work_on_every_command() {
     let bench = Bench::new("help");
     for command in [&[][..], &["inspect"], &["render"]] {

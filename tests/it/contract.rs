@@ -148,6 +148,21 @@ fn faults_of_the_figure_are_named_in_one_paragraph() {
 }
 
 #[test]
+fn faults_of_mesh_files_name_figure_and_mesh() {
+    let bench = Bench::new("meshes");
+    bench.write("figure.toml", "[[scene.objects]]\nname = \"a\"\nshape = \"mesh\"\n\npath = \"sub.obj\"\n");
+    let arguments = ["render", "figure.toml", "-o", "a.png"];
+    let run = bench.run(&arguments);
+    assert!(run.refused(2).contains("figure.toml, line 5: [[scene.objects]] \"a\": path \"sub.obj\""), "{}", run.err);
+    assert!(run.err.contains("there is no such file"), "{}", run.err);
+    bench.write("sub.obj", "v 0 0 0\nf 1 2 9\n");
+    let run = bench.run(&arguments);
+    assert!(run.refused(2).contains("line 5") && run.err.contains("line 2"), "{}", run.err);
+    bench.write("sub.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    bench.run(&arguments).done();
+}
+
+#[test]
 fn faults_of_the_arguments_are_named_too() {
     let bench = Bench::new("arguments");
     for (arguments, part) in [

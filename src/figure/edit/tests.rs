@@ -144,6 +144,8 @@ const OTHER_FORMS: [&str; 5] = [
 ];
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn what_is_written_reads_back(figure in figure()) {
         let text = to_toml(&figure);

@@ -55,22 +55,23 @@ pub fn parse(text: &str) -> Result<Figure, FigureError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
     let mut root = Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0);
-    let mut faults = Vec::new();
-    let image_section = root.section("image", "[image]");
-    let figure = Figure {
-        camera: camera(root.section("camera", "[camera]"), &mut faults),
-        image: ImageSize::default(),
-        viewport: None,
-        scene: scene::scene(root.section("scene", "[scene]"), &mut faults),
-        style: style(root.section("style", "[style]"), &mut faults),
-        observers: observers(root.section("observers", "[observers]"), &mut faults),
-    };
+    // Asked for in the order of the documentation, in which a message lists them.
+    let mut section = |key| root.section(key, &format!("[{key}]"));
+    let (camera_section, image_section, viewport_section) = (section("camera"), section("image"), section("viewport"));
+    let (scene_section, style_section, observers_section) = (section("scene"), section("style"), section("observers"));
+    let mut faults = root.finish();
     let image = image(image_section, &mut faults);
-    let viewport = viewport(root.section("viewport", "[viewport]"), image, &mut faults);
-    faults.extend(root.finish());
+    let figure = Figure {
+        camera: camera(camera_section, &mut faults),
+        image,
+        viewport: viewport(viewport_section, image, &mut faults),
+        scene: scene::scene(scene_section, &mut faults),
+        style: style(style_section, &mut faults),
+        observers: observers(observers_section, &mut faults),
+    };
     match faults.into_iter().min_by_key(|fault| fault.at) {
         Some(Fault { at, key, problem }) => Err(FigureError { line: line_of(text, at), key, problem }),
-        None => Ok(Figure { image, viewport, ..figure }),
+        None => Ok(figure),
     }
 }
 

@@ -161,15 +161,16 @@ fn read_light(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Light
     light
 }
 
-/// The line of the object called `name`, counted from 1; `None` where the text lists no such object.
+/// The line of a key of the object called `name` (of the object itself, where the key is missing), counted from 1; `None`
+/// where the text lists no such object.
 #[must_use]
-pub fn line_of_object(text: &str, name: &str) -> Option<usize> {
-    let document = Document::parse(text).ok()?;
+pub fn line_of_object(text: &str, name: &str, key: &str) -> Option<usize> {
+    let document = Document::parse(text.strip_prefix('\u{feff}').unwrap_or(text)).ok()?;
     let mut root = Section::new(text, Some(document.as_table()), "", 0);
     let objects = root.section("scene", "").sections("objects", "");
     let found = objects.into_iter().enumerate().find_map(|(i, mut object)| {
         let called = object.text("name").unwrap_or_else(|| default_name(i));
         (called == name).then_some(object)
     })?;
-    Some(line_of(text, found.start()))
+    Some(line_of(document.raw(), found.place(key).unwrap_or(found.start())))
 }

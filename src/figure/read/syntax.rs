@@ -68,18 +68,27 @@ fn section_before(text: &str, at: usize) -> Option<String> {
         .map(|header| snippet(&header, 0..header.len()))
 }
 
-/// The key whose value is being written at `at`.
+/// The key whose value is being written at `at`: the one of an earlier line whose brackets are still open, or the one of
+/// this line.
 fn key_before(text: &str, at: usize) -> Option<String> {
-    let is_bare = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
-    for (i, line) in lines_back(text, at).enumerate() {
-        if line.starts_with('[') {
-            return None;
-        }
-        let key = line.split('=').next().unwrap_or_default().trim();
-        let whole = line.contains('=') || i == 0;
-        if whole && !key.is_empty() && key.len() <= 80 && key.chars().all(is_bare) {
-            return Some(key.to_owned());
+    let mut lines = lines_back(text, at);
+    let here = key_of(lines.next()?);
+    let mut open = 0;
+    for line in lines.take_while(|line| !line.starts_with('[')) {
+        let code = line.split('#').next().unwrap_or_default();
+        open += code.matches(['[', '{']).count();
+        open = open.saturating_sub(code.matches([']', '}']).count());
+        if line.contains('=') {
+            return key_of(line).filter(|_| open > 0).or(here);
         }
     }
-    None
+    here
+}
+
+/// The key at the start of a line.
+fn key_of(line: &str) -> Option<String> {
+    let is_bare = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
+    let key = line.split('=').next().unwrap_or_default().trim();
+    let good = key.len() <= 80 && key.starts_with(|c: char| c.is_ascii_alphabetic()) && key.chars().all(is_bare);
+    good.then(|| key.to_owned())
 }

@@ -246,9 +246,10 @@ fn a_preset_has_names_too() {
 #[test]
 fn objects_are_found_by_their_names() {
     let text = "[scene]\n\n[[scene.objects]]\nshape = \"box\"\n[[scene.objects]]\nname = \"lamp\"";
-    assert_eq!(line_of_object(text, "object 1"), Some(3));
-    assert_eq!(line_of_object(text, "lamp"), Some(5));
-    assert_eq!(line_of_object(text, "moon"), None);
+    assert_eq!(line_of_object(text, "object 1", "path"), Some(3));
+    assert_eq!(line_of_object(text, "object 1", "shape"), Some(4));
+    assert_eq!(line_of_object(text, "lamp", "name"), Some(6));
+    assert_eq!(line_of_object(text, "moon", "name"), None);
 }
 
 #[test]
@@ -264,6 +265,8 @@ fn syntax_errors_name_line_and_key() {
         ("[camera]\nnear = 99999999999999999999999\n", 2, "[camera] near"),
         ("[camera]\r\nnear = 1.0.0\r\n", 2, "[camera] near"),
         ("[camera]\nposition = [\n 1,\n 2 3\n]", 4, "[camera] position"),
+        ("[camera]\nnear = 0.1\n\"lost", 3, "[camera]"),
+        ("[camera]\nposition = [1, # [\n 2\n 3]", 3, "[camera] position"),
         ("near = 1\0\n", 1, "near"),
         ("[camera]\nname = \"abc\nfar = 3", 2, "[camera] name"),
     ] {
