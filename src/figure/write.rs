@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use glam::DVec3;
 
 pub use super::edit::update;
-use super::read::DEFAULT_SEGMENTS;
+use super::read::default_segments;
 use super::words::{self, HIDDEN_LINES, PRESETS, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Figure, Observer};
 use crate::camera::Projection;
@@ -94,7 +94,7 @@ fn write_object(out: &mut Text, object: &ObjectSpec) {
     if let Some(color) = object.color {
         out.key("color", quoted(&color.to_string()));
     }
-    if object.segments != DEFAULT_SEGMENTS {
+    if object.segments != default_segments(object.shape.as_ref()) {
         out.key("segments", object.segments);
     }
 }

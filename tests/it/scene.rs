@@ -5,6 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
 use camera_lab::appearance::{Rgba, Theme};
+use camera_lab::camera::{Camera, Parameters, Projection};
+use camera_lab::figure::read;
+use camera_lab::figure::write::to_toml;
+use camera_lab::files::open_figure;
 use camera_lab::geometry::Aabb;
 use camera_lab::scene::{
     Light, LightSpec, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, build,
@@ -378,4 +382,67 @@ fn own_objects_can_hang_on_a_presets_objects_and_share_their_names() {
     let flag = object(&scene, "flag").world_from_object.w_axis;
     assert_eq!((flag.x, flag.z), (house.x, house.z));
     assert_eq!(scene.objects.iter().filter(|o| o.name == "walls").count(), 2);
+}
+
+// ---- example figures ----------------------------------------------------------------------------------------------
+
+#[test]
+fn each_preset_has_an_example_figure_with_its_recommended_camera() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
+    for preset in Preset::ALL {
+        let figure = open_figure(&folder.join(format!("{preset}.toml"))).unwrap().figure;
+        assert_eq!(figure.scene, SceneSpec { preset, ..SceneSpec::default() }, "{preset}");
+        // What has no part in the projection is not in the file.
+        let used = |p: Parameters| match p.projection {
+            Projection::Perspective => Parameters { height: 0.0, ..p },
+            Projection::Parallel => Parameters { view_angle: 0.0, ..p },
+        };
+        assert_eq!(used(figure.camera), used(preset.camera()), "{preset}");
+        let camera = Camera::new(&figure.camera).unwrap();
+        let [image_aspect, aspect] =
+            [f64::from(figure.image.width) / f64::from(figure.image.height), camera.window().aspect()];
+        assert!((image_aspect - aspect).abs() < 1e-9, "{preset}: pixels are square");
+    }
+}
+
+#[test]
+fn every_example_figure_can_be_drawn() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
+    let mut count = 0;
+    for entry in std::fs::read_dir(&folder).unwrap() {
+        let path = entry.unwrap().path();
+        let figure = open_figure(&path).unwrap().figure;
+        let mut read = |file: &str| std::fs::read(folder.join(file)).map_err(|e| e.to_string());
+        let scene = build(&figure.scene, figure.style.theme, &mut read).unwrap();
+        Camera::new(&figure.camera).unwrap();
+        let is_empty = scene.objects.is_empty();
+        assert_eq!(is_empty, path.ends_with("empty.toml"), "{}", path.display());
+        count += 1;
+    }
+    assert!(count > Preset::ALL.len());
+}
+
+#[test]
+fn the_sample_mesh_is_whole() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/meshes");
+    let mut read = |file: &str| std::fs::read(folder.join(file)).map_err(|e| e.to_string());
+    let teapot = ObjectSpec::new("t", Shape::Mesh { path: "teapot.obj".to_owned() });
+    let spec = SceneSpec { preset: Preset::Empty, objects: vec![teapot], lights: vec![] };
+    let scene = build(&spec, Theme::Light, &mut read).unwrap();
+    let names: Vec<_> = scene.objects.iter().map(|o| o.name.as_str()).collect();
+    assert_eq!(names, ["t/body", "t/lid", "t/spout", "t/handle"]);
+    for o in &scene.objects {
+        assert_watertight(&o.name, &o.mesh);
+        assert!(o.mesh.closed && signed_volume(&o.mesh) > 0.0, "{}", o.name);
+        assert_good_normals(&o.name, &o.mesh, 0.7);
+    }
+    assert_ne!(scene.objects[0].paint, scene.objects[2].paint, "the material library was found");
+}
+
+#[test]
+fn a_prism_has_six_sides_and_a_grid_ten_cells_where_a_figure_file_does_not_say() {
+    let text = "[[scene.objects]]\nshape = \"prism\"\n[[scene.objects]]\nshape = \"grid\"\n[[scene.objects]]\nshape = \"prism\"\nsegments = 32\n";
+    let figure = read::parse(text).unwrap();
+    assert_eq!(figure.scene.objects.iter().map(|o| o.segments).collect::<Vec<_>>(), [6, 10, 32]);
+    assert_eq!(read::parse(&to_toml(&figure)).unwrap(), figure);
 }

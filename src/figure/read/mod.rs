@@ -14,7 +14,7 @@ use super::words::{HIDDEN_LINES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Figure, Observer, Observers};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
-pub(super) use scene::DEFAULT_SEGMENTS;
+pub(super) use scene::default_segments;
 pub use scene::line_of_object;
 use section::{Fault, Section};
 

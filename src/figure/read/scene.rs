@@ -17,8 +17,10 @@ use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape, preset_objec
 /// The fewest and the most segments of a curved shape.
 const SEGMENTS: (i64, i64) = (3, 512);
 
-/// Segments of a curved shape where the file says nothing.
-pub(in crate::figure) const DEFAULT_SEGMENTS: u32 = 32;
+/// Segments of a shape where the file says nothing.
+pub(in crate::figure) fn default_segments(shape: Option<&Shape>) -> u32 {
+    shape.map_or(32, Shape::default_segments)
+}
 
 /// Reads `[scene]`. Where no preset is named it is the default one, unless objects are listed: then these alone are the scene.
 pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneSpec {
@@ -46,15 +48,17 @@ fn read_objects(sections: Vec<Section<'_>>, preset: Preset, faults: &mut Vec<Fau
     for (i, mut section) in sections.into_iter().enumerate() {
         let place = |key| section.place(key).unwrap_or(section.start());
         places.push(Places { name: place("name"), parent: place("parent") });
+        let shape = read_shape(&mut section);
+        let segments = default_segments(shape.as_ref());
         objects.push(ObjectSpec {
             name: section.text("name").unwrap_or_else(|| default_name(i)),
-            shape: read_shape(&mut section),
+            shape,
             parent: section.text("parent"),
             translate: section.vector("translate", DVec3::ZERO),
             rotate: section.vector("rotate", DVec3::ZERO),
             scale: read_scale(&mut section),
             color: section.color("color"),
-            segments: section.integer("segments", SEGMENTS.0, SEGMENTS.1, DEFAULT_SEGMENTS),
+            segments: section.integer("segments", SEGMENTS.0, SEGMENTS.1, segments),
         });
         faults.extend(section.finish());
     }
