@@ -146,3 +146,47 @@ pub fn try_unit(v: DVec3) -> Option<DVec3> {
     let near_one = DVec3::new(double_double::scale(v.x, k), double_double::scale(v.y, k), double_double::scale(v.z, k));
     Some(near_one / near_one.length())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_are_reduced_in_degrees() {
+        for (degrees, sine, cosine) in
+            [(30.0, 0.5, 0.75f64.sqrt()), (60.0, 0.75f64.sqrt(), 0.5), (90.0, 1.0, 0.0), (180.0, 0.0, -1.0)]
+        {
+            for turns in [-720.0, 0.0, 360.0, 36e12] {
+                assert_eq!(Angle::from_degrees(degrees + turns).sin_cos(), (sine, cosine), "{degrees} + {turns}");
+                assert_eq!(Angle::from_degrees(-degrees - turns).sin_cos(), (-sine, cosine));
+            }
+        }
+        let (sine, cosine) = Angle::from_degrees(225.0).sin_cos();
+        assert_eq!((sine, cosine), (-0.5f64.sqrt(), -0.5f64.sqrt()));
+    }
+
+    #[test]
+    fn unit_vectors_neither_overflow_nor_underflow() {
+        let expected = DVec3::new(0.6, 0.0, -0.8);
+        for size in [1e-320, 1e-200, 1.0, 1e200, 1e307] {
+            let unit = try_unit(DVec3::new(3.0, 0.0, -4.0) * size);
+            let tolerance = if size < 1e-300 { 1e-3 } else { 1e-15 };
+            assert!(unit.is_some_and(|unit| (unit - expected).length() < tolerance), "{size}: {unit:?}");
+        }
+        assert_eq!(try_unit(DVec3::ZERO), None);
+        assert_eq!(try_unit(DVec3::new(1.0, f64::NAN, 0.0)), None);
+        assert_eq!(try_unit(DVec3::new(1.0, f64::INFINITY, 0.0)), None);
+    }
+
+    #[test]
+    fn a_box_holds_the_finite_points() {
+        let points = [DVec3::new(1.0, 5.0, -1.0), DVec3::splat(f64::NAN), DVec3::new(-2.0, 0.0, 3.0)];
+        let all = Aabb::around(points);
+        assert_eq!(all, Some(Aabb { min: DVec3::new(-2.0, 0.0, -1.0), max: DVec3::new(1.0, 5.0, 3.0) }));
+        assert_eq!(
+            all.map(|b| (b.center(), b.corners()[7])),
+            Some((DVec3::new(-0.5, 2.5, 1.0), DVec3::new(1.0, 5.0, 3.0)))
+        );
+        assert_eq!(Aabb::around([DVec3::splat(f64::INFINITY)]), None);
+    }
+}

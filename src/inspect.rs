@@ -2,6 +2,7 @@
 
 use glam::{DMat4, DVec2, DVec3};
 use serde::{Serialize, Serializer};
+use serde_json::Value;
 
 use crate::camera::{
     Camera, CameraError, Convention, ImageSize, Operation, Parameters, Projection, Stations, ViewWindow, Viewport,
@@ -279,13 +280,44 @@ impl Report {
         })
     }
 
-    /// One JSON object, indented, with a line break at its end.
+    /// One JSON object, indented, vectors and rows on one line, with a line break at its end.
     #[must_use]
     pub fn to_json(&self) -> String {
-        // Neither keys nor values of a report can fail to serialise.
-        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        // A report has nothing that could fail to become a JSON value.
+        let value = serde_json::to_value(self).unwrap_or_default();
+        let mut text = String::new();
+        write_json(&mut text, &value, "");
         text.push('\n');
         text
+    }
+}
+
+fn write_json(text: &mut String, value: &Value, indent: &str) {
+    let deeper = format!("{indent}  ");
+    let mut list = |open, close, items: &mut dyn Iterator<Item = (Option<&String>, &Value)>| {
+        text.push(open);
+        for (i, (key, item)) in items.enumerate() {
+            text.push_str(if i == 0 { "\n" } else { ",\n" });
+            text.push_str(&deeper);
+            if let Some(key) = key {
+                text.push_str(&format!("{}: ", Value::from(key.as_str())));
+            }
+            write_json(text, item, &deeper);
+        }
+        text.push('\n');
+        text.push_str(indent);
+        text.push(close);
+    };
+    match value {
+        Value::Object(fields) => list('{', '}', &mut fields.iter().map(|(key, item)| (Some(key), item))),
+        Value::Array(items) if items.iter().any(|item| item.is_array() || item.is_object()) => {
+            list('[', ']', &mut items.iter().map(|item| (None, item)));
+        }
+        Value::Array(items) => {
+            let items: Vec<String> = items.iter().map(Value::to_string).collect();
+            text.push_str(&format!("[{}]", items.join(", ")));
+        }
+        scalar => text.push_str(&scalar.to_string()),
     }
 }
 

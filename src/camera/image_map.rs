@@ -89,7 +89,7 @@ impl Viewport {
             (Dd::new(size) * (t + Dd::ONE).scaled(-1) + Dd::new(f64::from(start))).floor(size * noise)
         };
         let (near, far) = (Dd::new(self.depth_near), Dd::new(self.depth_far));
-        let depth = (far - near).scaled(-1) * z + (far + near).scaled(-1);
+        let depth = ((far - near).scaled(-1) * z).plus((far + near).scaled(-1));
         [along(self.width, self.x, x, noise[0]), along(self.height, self.y, y, noise[1]), depth.value()]
     }
 }

@@ -150,13 +150,13 @@ impl Operation {
             Self::Elevation(_) | Self::Azimuth(_) => {
                 let axis = if matches!(self, Self::Elevation(_)) { Axis::U } else { Axis::V };
                 turn().apply(axis, &mut frame, &mut pose.up);
-                pose.position = pose.focal_point + frame.to_viewer;
+                pose.position = pose.focal_point.plus(frame.to_viewer);
             }
             Self::Roll(_) => turn().apply(Axis::N, &mut frame, &mut pose.up),
             Self::Yaw(_) | Self::Pitch(_) => {
                 let axis = if matches!(self, Self::Pitch(_)) { Axis::U } else { Axis::V };
                 turn().apply(axis, &mut frame, &mut pose.up);
-                pose.focal_point = pose.position - frame.to_viewer;
+                pose.focal_point = pose.position.plus(-frame.to_viewer);
             }
             Self::Zoom(factor) => {
                 window = window.divided(Dd::new(factor));
@@ -166,12 +166,12 @@ impl Operation {
                 let factor = Dd::new(factor);
                 frame.to_viewer = frame.to_viewer.map(|x| x / factor);
                 frame.distance = frame.distance / factor;
-                pose.position = pose.focal_point + frame.to_viewer;
+                pose.position = pose.focal_point.plus(frame.to_viewer);
             }
             Self::Pan { dx, dy } => {
                 let step = frame.u * Dd::new(dx) + frame.v * Dd::new(dy);
-                pose.position = pose.position + step;
-                pose.focal_point = pose.focal_point + step;
+                pose.position = pose.position.plus(step);
+                pose.focal_point = pose.focal_point.plus(step);
             }
         }
         pose.write(&mut parameters);
@@ -234,7 +234,7 @@ impl Turn {
         }
         let Frame { u, v, n, .. } = *frame;
         // Of two axes a, b with a × b = the third: a turns towards b, b towards −a.
-        let ahead = |a: Dd3, b: Dd3| (a * self.cosine + b * self.sine).without_noise();
+        let ahead = |a: Dd3, b: Dd3| (a * self.cosine).plus(b * self.sine);
         let (third, [u, v, n]) = match axis {
             Axis::U => (u, [u, ahead(v, n), ahead(n, -v)]),
             Axis::V => (v, [ahead(u, -n), v, ahead(n, u)]),
@@ -247,7 +247,7 @@ impl Turn {
 
     /// Rodrigues: x cos α + (k × x) sin α + k (k · x)(1 − cos α).
     fn rotated(&self, k: Dd3, x: Dd3) -> Dd3 {
-        (x * self.cosine + k.cross(x) * self.sine + k * (k.dot(x) * self.versine)).without_noise()
+        (x * self.cosine).plus(k.cross(x) * self.sine).plus(k * (k.dot(x) * self.versine))
     }
 }
 

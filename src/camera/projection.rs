@@ -137,8 +137,10 @@ impl Camera {
     pub(super) fn clip_of_view(&self, p: Dd3) -> [Dd; 4] {
         let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
         match self.projection() {
-            Projection::Perspective => [x * p.x + skew_x * p.z, y * p.y + skew_y * p.z, z * p.z + depth, -p.z],
-            Projection::Parallel => [x * p.x + skew_x, y * p.y + skew_y, z * p.z + depth, Dd::ONE],
+            Projection::Perspective => {
+                [(x * p.x).plus(skew_x * p.z), (y * p.y).plus(skew_y * p.z), (z * p.z).plus(depth), -p.z]
+            }
+            Projection::Parallel => [(x * p.x).plus(skew_x), (y * p.y).plus(skew_y), (z * p.z).plus(depth), Dd::ONE],
         }
     }
 }
@@ -178,12 +180,7 @@ pub(super) fn lens(projection: Projection, window: &super::window::WideWindow, n
 }
 
 fn sum(a: [Dd; 4], b: [Dd; 4]) -> [Dd; 4] {
-    std::array::from_fn(|i| plus(a[i], b[i]))
-}
-
-/// a + b; zero where nothing but noise is left of it.
-fn plus(a: Dd, b: Dd) -> Dd {
-    (a + b).without_noise(a.value().abs() + b.value().abs())
+    std::array::from_fn(|i| a[i].plus(b[i]))
 }
 
 fn rounded(row: [Dd; 4]) -> DVec4 {

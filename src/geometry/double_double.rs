@@ -123,6 +123,11 @@ impl Dd {
         if self.hi.abs() <= size * NOISE { Self::ZERO } else { self }
     }
 
+    /// The sum; zero where nothing but noise is left of it.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        (self + other).without_noise(self.hi.abs() + other.hi.abs())
+    }
+
     /// The greatest whole number that is not above it. What lies within `noise` (at most 2⁻²⁰) of a whole number is that
     /// number.
     pub(crate) fn floor(self, noise: f64) -> f64 {
@@ -312,11 +317,17 @@ impl Dd3 {
         (x + y + z).without_noise(x.hi.abs() + y.hi.abs() + z.hi.abs())
     }
 
+    /// The sum, with [`Dd::plus`] in each component.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self { x: self.x.plus(other.x), y: self.y.plus(other.y), z: self.z.plus(other.z) }
+    }
+
+    /// The vector product, with [`Dd::plus`] in each component.
     pub(crate) fn cross(self, other: Self) -> Self {
         Self {
-            x: self.y * other.z - self.z * other.y,
-            y: self.z * other.x - self.x * other.z,
-            z: self.x * other.y - self.y * other.x,
+            x: (self.y * other.z).plus(-(self.z * other.y)),
+            y: (self.z * other.x).plus(-(self.x * other.z)),
+            z: (self.x * other.y).plus(-(self.y * other.x)),
         }
     }
 
@@ -340,12 +351,6 @@ impl Dd3 {
         let near_one = self.scaled(-self.exponent());
         let length = near_one.length();
         near_one.map(|x| x / length)
-    }
-
-    /// Without the components that are nothing but noise: below 2⁻⁹⁶ of the greatest.
-    pub(crate) fn without_noise(self) -> Self {
-        let size = self.value().abs().max_element();
-        self.map(|x| x.without_noise(size))
     }
 }
 
@@ -384,5 +389,113 @@ impl Mul<Dd> for Dd3 {
 
     fn mul(self, s: Dd) -> Self {
         self.map(|x| x * s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// hi and lo of a number that is known to 32 digits.
+    fn near(x: Dd, hi: f64, lo: f64) -> bool {
+        (x - Dd::sum(hi, lo)).value().abs() <= hi.abs() * 2f64.powi(-100)
+    }
+
+    #[test]
+    fn sums_and_products_lose_nothing() {
+        assert_eq!(two_sum(1e16, 1.0), (1e16, 1.0));
+        assert_eq!(two_product(1.0 + f64::EPSILON, 1.0 - f64::EPSILON), (1.0, -f64::EPSILON * f64::EPSILON));
+        let third = Dd::ONE / Dd::new(3.0);
+        assert_eq!((third * Dd::new(3.0) - Dd::ONE).value(), 0.0);
+        assert_eq!(third.parts()[0], 1.0 / 3.0);
+        assert_eq!(exact_sum([1e300, 1.0, -1e300, 1e-300, -1.0]).value(), 1e-300);
+        assert_eq!(exact_sum([0.1, 0.2, -0.1, -0.2]), Dd::ZERO);
+    }
+
+    #[test]
+    fn roots_have_thirty_digits() {
+        // √2 = 1.41421356237309504880168872420969807…
+        assert!(near(Dd::new(2.0).sqrt(), std::f64::consts::SQRT_2, -9.667_293_313_452_913e-17));
+        assert_eq!(Dd::ZERO.sqrt(), Dd::ZERO);
+        assert_eq!(Dd::new(1e-300).sqrt().value(), 1e-150);
+    }
+
+    #[test]
+    fn sine_and_cosine_are_exact_where_they_are_rational() {
+        let half = Dd::new(0.5);
+        for (degrees, sine, cosine) in [
+            (0.0, Dd::ZERO, Some(Dd::ONE)),
+            (30.0, half, None),
+            (90.0, Dd::ONE, Some(Dd::ZERO)),
+            (150.0, half, None),
+            (180.0, Dd::ZERO, Some(-Dd::ONE)),
+            (210.0, -half, None),
+            (-30.0, -half, None),
+            (330.0, -half, None),
+            (-90.0, -Dd::ONE, Some(Dd::ZERO)),
+            (390.0, half, None),
+            (360e9, Dd::ZERO, Some(Dd::ONE)),
+        ] {
+            let (s, c) = sin_cos_degrees(degrees);
+            assert_eq!(s.value(), sine.value(), "sin {degrees}");
+            assert!(cosine.is_none_or(|cosine| c.value() == cosine.value()), "cos {degrees}");
+        }
+        let (s, c) = sin_cos_degrees(60.0);
+        assert_eq!(c, half);
+        assert_eq!(s, Dd::new(0.75).sqrt());
+        let (s, c) = sin_cos_degrees(45.0);
+        assert_eq!(s, c);
+    }
+
+    #[test]
+    fn sine_of_any_angle_has_thirty_digits() {
+        // sin 1° = 0.017452406437283512819418978516316192…, cos 1° = 0.99984769515639123915701155881391485…
+        let (s, c) = sin_cos_degrees(1.0);
+        assert!(near(s, 0.017_452_406_437_283_51, 1.166_216_639_340_766_1e-18), "{s:?}");
+        assert!(near(c, 0.999_847_695_156_391_3, -3.042_050_003_471_091_4e-17), "{c:?}");
+        for degrees in [0.1, 12.3, 44.9, 45.1, 77.0, 133.3, -299.9] {
+            let (s, c) = sin_cos_degrees(degrees);
+            assert!((s * s + c * c - Dd::ONE).value().abs() < 1e-30, "{degrees}");
+            assert_eq!(sin_cos_degrees(degrees * 4.0 + 1440.0).0, sin_cos_degrees((degrees * 4.0 + 1440.0) % 360.0).0);
+        }
+    }
+
+    #[test]
+    fn half_tangents_and_their_angles_agree() {
+        assert_eq!(tan_half_degrees(90.0), Dd::ONE);
+        // tan(89.99995°) = 1145915.5902…: the complement keeps what 180 − θ has.
+        let wide = tan_half_degrees(179.9999).value();
+        assert!((wide - 1_145_915.590_3).abs() < 0.01, "{wide}");
+        for degrees in [1e-300, 1e-6, 0.5, 45.0, 60.0, 89.0, 90.0, 91.0, 120.0, 179.9999, 179.999_999_999] {
+            assert_eq!(atan_degrees(tan_half_degrees(degrees)).scaled(1).value(), degrees);
+        }
+        assert_eq!(atan_degrees(-Dd::ONE).value(), -45.0);
+    }
+
+    #[test]
+    fn floors_are_those_of_the_exact_number() {
+        assert_eq!(Dd::new(3.0).floor(0.0), 3.0);
+        assert_eq!(Dd::sum(3.0, -1e-20).floor(0.0), 2.0);
+        assert_eq!(Dd::sum(3.0, -1e-20).floor(1e-19), 3.0);
+        assert_eq!(Dd::sum(3.0, 1e-20).floor(0.0), 3.0);
+        assert_eq!(Dd::new(-0.5).floor(0.0), -1.0);
+        assert_eq!(Dd::new(1e300).floor(0.0), 1e300);
+        assert_eq!(Dd::new(0.75).floor(1.0), 0.0, "noise is never more than 2⁻²⁰");
+    }
+
+    #[test]
+    fn scaling_by_powers_of_two_is_exact_over_the_whole_range() {
+        assert_eq!(exponent(1.0), 0);
+        assert_eq!(exponent(-0.75), -1);
+        assert_eq!(exponent(f64::MAX), 1023);
+        assert_eq!(exponent(f64::MIN_POSITIVE), -1022);
+        assert_eq!(exponent(5e-324), -1074);
+        assert_eq!(exponent(0.0), 0);
+        assert_eq!(scale(5e-324, 1074), 1.0);
+        assert_eq!(scale(1.5, 1023), 1.5 * 2f64.powi(1023));
+        assert_eq!(scale(f64::MAX, -1023), 2.0 - f64::EPSILON);
+        let tiny = Dd3::from(DVec3::new(3e-310, 0.0, 4e-310)).unit().value();
+        assert!((tiny - DVec3::new(0.6, 0.0, 0.8)).length() < 1e-13, "as good as the subnormal input");
+        assert_eq!(Dd3::from(DVec3::new(3e300, 0.0, 4e300)).unit().value(), DVec3::new(0.6, 0.0, 0.8));
     }
 }

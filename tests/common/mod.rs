@@ -1,4 +1,5 @@
 //! What both integration binaries share.
 
+pub(crate) mod camera;
 pub(crate) mod picture;
 pub(crate) mod program;

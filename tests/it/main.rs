@@ -3,9 +3,15 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod camera_equations;
+mod camera_extreme;
+mod camera_operations;
+mod camera_parameters;
+mod camera_properties;
 mod cli;
 mod contract;
 mod export;
+mod inspect_report;
 mod layers;
 mod meshes;
 mod pipeline;
