@@ -1,6 +1,6 @@
 //! Window ↔ image, `[0]` Eqs. (5.22) and (5.23), and the viewport with its depth range, Eqs. (5.24) and (5.25).
 //!
-//! The notes write the maps for a symmetric window; with l, r, b, t they read i/m = (x_p − l)/W and j/n = (t − y_p)/H.
+//! The notes write the maps for a symmetric window; with l, r, b, t they read i : m = (x_p − l) : W and j : n = (t − y_p) : H.
 //! The pixel (i, j) owns its left and its upper border. So the right and the lower border of the window belong to the
 //! pixels i = m and j = n, which lie outside the image: [`ImageSize::contains`] says so.
 

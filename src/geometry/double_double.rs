@@ -53,7 +53,6 @@ pub(crate) fn exponent(x: f64) -> i32 {
         return 0;
     }
     let (x, shift) = if x.abs() < f64::MIN_POSITIVE { (x * 2f64.powi(64), 64) } else { (x, 0) };
-    #[expect(clippy::cast_possible_truncation, reason = "eleven bits fit an i32")]
     let bits = ((x.to_bits() >> 52) & 0x7ff) as i32;
     bits - BIAS - shift
 }

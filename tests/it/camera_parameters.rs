@@ -16,7 +16,9 @@ fn error(change: impl FnOnce(&mut Parameters)) -> CameraError {
 
 #[test]
 fn every_number_has_its_range() {
-    let numbers: [(&str, fn(&mut Parameters) -> &mut f64, Range); 5] = [
+    type Number = fn(&mut Parameters) -> &mut f64;
+    type Vector = fn(&mut Parameters) -> &mut DVec3;
+    let numbers: [(&str, Number, Range); 5] = [
         ("view_angle", |p| &mut p.view_angle, Range::HalfTurn),
         ("height", |p| &mut p.height, Range::Positive),
         ("aspect", |p| &mut p.aspect, Range::Positive),
@@ -40,7 +42,7 @@ fn every_number_has_its_range() {
     }
     assert!(error(|p| p.view_angle = 360.0).to_string().contains("360.0"), "the message says what was found");
     camera(|p| p.view_angle = 180f64.next_down());
-    let vectors: [(&str, fn(&mut Parameters) -> &mut DVec3); 3] =
+    let vectors: [(&str, Vector); 3] =
         [("position", |p| &mut p.position), ("focal_point", |p| &mut p.focal_point), ("view_up", |p| &mut p.view_up)];
     for (key, field) in vectors {
         for value in [f64::NAN, f64::INFINITY] {
