@@ -6,7 +6,6 @@ use crate::i18n::{Lang, command_line as texts};
 
 #[cfg(feature = "gui")]
 pub(super) fn run(args: &WindowArgs, lang: Lang) -> Result<(), Failure> {
-    use crate::figure::Figure;
     use crate::gui::{self, GuiError, Start};
     use crate::i18n::messages;
 
@@ -14,7 +13,7 @@ pub(super) fn run(args: &WindowArgs, lang: Lang) -> Result<(), Failure> {
         let (opened, _) = super::open(path, &args.common, lang)?;
         Start { figure: opened.figure, file: Some((path.clone(), opened.text)), lang }
     } else {
-        let mut figure = Figure::default();
+        let mut figure = gui::fresh();
         super::operate(&mut figure, &args.common.operations(lang)?, args.common.convention())
             .map_err(|error| Failure::BadInput(messages::inspect(lang, &error)))?;
         Start { figure, file: None, lang }

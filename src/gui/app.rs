@@ -1,23 +1,34 @@
 //! What happens in a frame, in order.
 
+use std::path::Path;
+
 use eframe::egui::{self, ViewportCommand};
 
 use super::canvas::Canvas;
 use super::command::Command;
-use super::state::State;
-use super::{menu, panels, theme};
+use super::export::Export;
+use super::filing::{self, Dialog, Purpose, Wish};
+use super::session::Session;
+use super::state::{Side, State};
+use super::{dialogs, menu, panels, theme};
 use crate::appearance::Theme;
 use crate::i18n::Lang;
+use crate::i18n::window;
 
 /// The window's program.
 pub struct App {
     /// What the panels and the pictures share.
     pub state: State,
-    canvas: Canvas,
+    /// The pictures.
+    pub canvas: Canvas,
+    session: Option<Session>,
 }
 
 /// What the presentation enlarges everything by.
 const PRESENTATION_ZOOM: f32 = 1.6;
+
+/// Below this width, in points, there is room for one panel beside the pictures.
+const NARROW: f32 = 960.0;
 
 impl App {
     /// Starts from a state, in a window whose fonts and style it sets.
@@ -25,57 +36,74 @@ impl App {
     pub fn new(ctx: &egui::Context, state: State) -> Self {
         theme::install_fonts(ctx);
         theme::install_style(ctx);
-        let app = Self { state, canvas: Canvas::default() };
+        let app = Self { state, canvas: Canvas::default(), session: None };
         app.apply_settings(ctx);
         app
+    }
+
+    /// Writes the session down in `folder` from now on. With `restore`, takes up what a window left that did not close.
+    pub fn keep_session(&mut self, folder: &Path, restore: bool) {
+        let Some((session, left)) = Session::begin(folder, restore) else { return };
+        self.session = Some(session);
+        if let Some(document) = left {
+            self.state.document = document;
+            self.state.say(window::texts(self.state.settings.lang).restored);
+        }
     }
 
     /// One frame; `ui` is the whole window.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
-        if let Some(command) = self.keyboard(&ctx) {
+        filing::tend(&ctx, &mut self.state);
+        if self.state.filing.dialog.is_none()
+            && let Some(command) = self.keyboard(&ctx)
+        {
             self.perform(&ctx, command);
         }
+        self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
+        let sides = *self.state.settings.panels();
         let bar = egui::Panel::top("menu").show(ui, |ui| menu::bar(ui, &self.state)).inner;
         egui::Panel::bottom("status").show(ui, |ui| panels::status::ui(ui, &mut self.state));
-        if self.state.settings.parameters_panel {
+        if sides.is_shown(Side::Left) {
             egui::Panel::left("parameters")
                 .default_size(256.0)
                 .size_range(220.0..=420.0)
                 .show(ui, |ui| panels::parameters::ui(ui, &mut self.state));
         }
-        if self.state.settings.numbers_panel {
+        if sides.is_shown(Side::Right) {
             egui::Panel::right("numbers").default_size(300.0).size_range(260.0..=520.0).show(ui, |ui| {
                 self.right(ui);
             });
         }
-        egui::CentralPanel::no_frame().show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
+        egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
         if let Some(command) = bar {
             self.perform(&ctx, command);
         }
+        dialogs::show(&ctx, &mut self.state);
+        drop_hint(&ctx, &self.state);
         self.apply_settings(&ctx);
         if ctx.input(|i| !i.pointer.any_down() && i.keys_down.is_empty()) {
             self.state.document.commit();
+            if let Some(session) = &mut self.session {
+                session.keep(&self.state.document);
+            }
         }
     }
 
-    /// Operations above, numbers below; the border between them can be dragged.
+    /// Operations above, as high as they are but not more than about half; numbers below.
     fn right(&mut self, ui: &mut egui::Ui) {
-        let height = ui.available_height();
-        egui::Panel::bottom("values")
-            .resizable(true)
-            .default_size(height * 0.48)
-            .size_range(60.0..=(height - 60.0).max(60.0))
-            .frame(egui::Frame::NONE.inner_margin(egui::Margin { top: 4, ..Default::default() }))
-            .show(ui, |ui| {
-                egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                    panels::probe::ui(ui, &mut self.state);
-                    panels::values::ui(ui, &mut self.state);
-                });
-            });
-        egui::CentralPanel::no_frame().show(ui, |ui| {
-            egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| panels::operations::ui(ui, &mut self.state));
-        });
+        let half = ui.available_height() * 0.56;
+        egui::ScrollArea::vertical()
+            .id_salt("operations")
+            .max_height(half)
+            .auto_shrink([false, true])
+            .show(ui, |ui| panels::operations::ui(ui, &mut self.state));
+        ui.add_space(4.0);
+        egui::ScrollArea::vertical()
+            .id_salt("numbers")
+            .auto_shrink(false)
+            .show(ui, |ui| panels::values::ui(ui, &mut self.state));
     }
 
     /// The command whose keys were pressed.
@@ -95,12 +123,19 @@ impl App {
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
         let state = &mut self.state;
         match command {
-            Command::New | Command::Open | Command::Save | Command::SaveAs | Command::Export => {}
-            Command::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),
+            Command::New => filing::wish(ctx, state, Wish::New),
+            Command::Open => filing::wish(ctx, state, Wish::Open),
+            Command::Save => filing::save(ctx, state, None),
+            Command::SaveAs => filing::ask(ctx, state, Purpose::Save(None)),
+            Command::Export => state.filing.dialog = Some(Dialog::Export(Export::new(state))),
+            Command::Quit => filing::wish(ctx, state, Wish::Quit),
             Command::Undo => state.document.undo(),
             Command::Redo => state.document.redo(),
             Command::Reset => state.document.reset(),
-            Command::CopyNumbers => ctx.copy_text(panels::values::copy(state)),
+            Command::CopyNumbers => {
+                ctx.copy_text(panels::values::copy(state));
+                state.say(window::texts(state.settings.lang).copied);
+            }
             Command::Language => {
                 state.settings.lang = match state.settings.lang {
                     Lang::En => Lang::PtBr,
@@ -115,12 +150,16 @@ impl App {
             Command::Presentation => {
                 state.settings.presentation = !state.settings.presentation;
                 ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
+                state.message = None;
+                if state.settings.presentation {
+                    state.say(window::texts(state.settings.lang).presentation_keys);
+                }
             }
             Command::ZoomIn => state.settings.zoom = (state.settings.zoom + 0.1).min(3.0),
             Command::ZoomOut => state.settings.zoom = (state.settings.zoom - 0.1).max(0.5),
             Command::ZoomReset => state.settings.zoom = 1.0,
-            Command::ParametersPanel => state.settings.parameters_panel = !state.settings.parameters_panel,
-            Command::NumbersPanel => state.settings.numbers_panel = !state.settings.numbers_panel,
+            Command::ParametersPanel => state.settings.panels_mut().toggle(Side::Left),
+            Command::NumbersPanel => state.settings.panels_mut().toggle(Side::Right),
             Command::Show(picture) => state.layout.toggle(picture),
             Command::Look(look) => state.look = Some(look),
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,
@@ -145,8 +184,28 @@ impl App {
     }
 }
 
+/// Says what happens with a file that is held over the window.
+fn drop_hint(ctx: &egui::Context, state: &State) {
+    if ctx.input(|input| input.raw.hovered_files.is_empty()) {
+        return;
+    }
+    let painter = ctx.layer_painter(egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop")));
+    let (rect, visuals) = (ctx.content_rect(), ctx.global_style().visuals.clone());
+    painter.rect_filled(rect, 0.0, visuals.panel_fill.gamma_multiply(0.85));
+    let text = window::texts(state.settings.lang).drop_here;
+    let font = egui::FontId::proportional(24.0);
+    painter.text(rect.center(), egui::Align2::CENTER_CENTER, text, font, visuals.text_color());
+}
+
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
+    }
+
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        // Whoever closes the window has saved, or does not want to.
+        if let Some(session) = &mut self.session {
+            session.forget();
+        }
     }
 }

@@ -112,7 +112,7 @@ impl Canvas {
         ui.take_available_space();
         ui.painter().rect_filled(room, 0.0, ui.visuals().panel_fill);
         let texts = words::canvas(state.settings.lang);
-        let lines = status::height(ui, room.size(), state.settings.numbers_panel);
+        let lines = status::height(ui, room.size());
         let (pictures, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
 
         if let Err(problem) = state.scenery.update(&state.document, state.settings.lang) {
@@ -132,7 +132,7 @@ impl Canvas {
         } else {
             Vec::new()
         };
-        if let Some(picture) = status.show(ui, lines, room.size(), state.settings.numbers_panel, texts) {
+        if let Some(picture) = status.show(ui, lines, room.size(), texts) {
             state.layout.shown[picture.index()] = true;
         }
     }
@@ -289,12 +289,8 @@ impl Canvas {
     }
 
     fn describe_probe(&self, state: &State, status: &mut Status, texts: &'static CanvasTexts) {
-        let panel = state.settings.numbers_panel;
         let Some(probe) = self.extras.probe else {
             status.note = texts.probe_hint;
-            if panel && status.message.is_empty() {
-                texts.probe_hint.clone_into(&mut status.message);
-            }
             return;
         };
         let (figure, camera) = (state.document.figure(), state.document.camera());
@@ -302,7 +298,7 @@ impl Canvas {
         status.cells = probe::cells(probe, figure, camera, digits.min(4), texts);
         status.exact = probe::cells(probe, figure, camera, digits, texts);
         if status.message.is_empty() {
-            status.message = if panel { probe::line(&status.cells, texts) } else { texts.probe_hint.to_owned() };
+            texts.probe_hint.clone_into(&mut status.message);
         }
         if self.pinned.is_some() {
             status.aside = if status.aside.is_empty() {

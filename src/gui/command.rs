@@ -2,7 +2,7 @@
 
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::state::{Look, Picture, State};
+use super::state::{Look, Picture, Side, State};
 use crate::appearance::Theme;
 use crate::i18n::window::Texts;
 
@@ -195,8 +195,8 @@ impl Command {
         match self {
             Self::Theme => Some(state.document.figure().style.theme == Theme::Dark),
             Self::Presentation => Some(state.settings.presentation),
-            Self::ParametersPanel => Some(state.settings.parameters_panel),
-            Self::NumbersPanel => Some(state.settings.numbers_panel),
+            Self::ParametersPanel => Some(state.settings.panels().is_shown(Side::Left)),
+            Self::NumbersPanel => Some(state.settings.panels().is_shown(Side::Right)),
             Self::Show(picture) => Some(state.layout.is_shown(picture)),
             Self::LinkOrbits => Some(state.layout.linked),
             _ => None,

@@ -1,6 +1,6 @@
 //! The figure that is being edited: the last one that was possible, the draft that may not be, its file, undo and redo.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::camera::{Camera, CameraError, Parameters};
 use crate::figure::{Figure, Observers};
@@ -20,6 +20,7 @@ pub struct Document {
     draft: Parameters,
     problem: Option<CameraError>,
     path: Option<PathBuf>,
+    folder: Option<PathBuf>,
     source: String,
     saved: Figure,
     opened: Parameters,
@@ -39,11 +40,15 @@ impl Document {
     pub fn new(figure: Figure, file: Option<(PathBuf, String)>) -> Result<Self, CameraError> {
         let camera = Camera::new(&figure.camera)?;
         let (path, source) = file.map_or((None, String::new()), |(path, source)| (Some(path), source));
+        let folder = path.as_deref().and_then(Path::parent).map(Path::to_owned);
+        // A picture holds a figure, but it is no figure file: saving must not replace it.
+        let path = path.filter(|path| !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")));
         Ok(Self {
             camera,
             draft: figure.camera,
             problem: None,
             path,
+            folder,
             source,
             saved: figure.clone(),
             opened: figure.camera,
@@ -216,6 +221,12 @@ impl Document {
         self.path.as_ref()
     }
 
+    /// The folder of the file that the figure came from: paths of meshes are relative to it.
+    #[must_use]
+    pub fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
     /// The text of the file as it was read or written last, with its comments; empty without a file.
     #[must_use]
     pub fn source(&self) -> &str {
@@ -224,6 +235,7 @@ impl Document {
 
     /// Notes that the figure now stands in a file with this text.
     pub fn mark_saved(&mut self, path: PathBuf, source: String) {
+        self.folder = path.parent().map(Path::to_owned);
         self.path = Some(path);
         self.source = source;
         self.saved = self.figure.clone();

@@ -11,15 +11,20 @@
 pub mod app;
 pub mod canvas;
 pub mod command;
+pub mod dialogs;
 pub mod document;
+pub mod export;
 pub mod expression;
+pub mod filing;
 mod handles;
 pub mod menu;
+pub mod native;
 pub mod number_field;
 pub mod numbers;
 pub mod panels;
 pub mod repair;
 pub mod scenery;
+pub mod session;
 pub mod state;
 pub mod theme;
 
@@ -27,6 +32,7 @@ use std::path::PathBuf;
 
 use crate::figure::Figure;
 use crate::i18n::Lang;
+use crate::scene::Preset;
 pub use app::App;
 pub use state::State;
 
@@ -52,11 +58,18 @@ pub enum GuiError {
     Camera(#[from] crate::camera::CameraError),
 }
 
+/// The figure that the window begins with: the default scene, from where it and its view volume are worth seeing.
+#[must_use]
+pub fn fresh() -> Figure {
+    Figure { camera: Preset::default().camera(), ..Figure::default() }
+}
+
 /// Opens the window and returns when it is closed.
 ///
 /// # Errors
 /// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.
 pub fn run(start: Start) -> Result<(), GuiError> {
+    let restore = start.file.is_none() && start.figure == fresh();
     let state = State::new(start)?;
     let options = eframe::NativeOptions {
         viewport: eframe::egui::ViewportBuilder::default()
@@ -67,6 +80,16 @@ pub fn run(start: Start) -> Result<(), GuiError> {
         system_font_fallback: false,
         ..Default::default()
     };
-    eframe::run_native("camera-lab", options, Box::new(move |context| Ok(Box::new(App::new(&context.egui_ctx, state)))))
-        .map_err(|error| GuiError::NoWindow(error.to_string()))
+    eframe::run_native(
+        "camera-lab",
+        options,
+        Box::new(move |context| {
+            let mut app = App::new(&context.egui_ctx, state);
+            if let Some(folders) = directories::ProjectDirs::from("", "", "camera-lab") {
+                app.keep_session(folders.data_dir(), restore);
+            }
+            Ok(Box::new(app))
+        }),
+    )
+    .map_err(|error| GuiError::NoWindow(error.to_string()))
 }

@@ -141,6 +141,13 @@ impl<'a> NumberField<'a> {
 
     /// Shows the field and changes `value`.
     pub fn show(self, ui: &mut egui::Ui, texts: &Texts, value: &mut f64) -> FieldOutput {
+        let size = egui::vec2(self.width, ui.spacing().interact_size.y);
+        let layout = egui::Layout::centered_and_justified(egui::Direction::LeftToRight);
+        ui.allocate_ui_with_layout(size, layout, |ui| self.show_in(ui, texts, value)).inner
+    }
+
+    /// As [`Self::show`], in a place of its own: button and text field must have one and the same id.
+    fn show_in(self, ui: &mut egui::Ui, texts: &Texts, value: &mut f64) -> FieldOutput {
         let id = ui.next_auto_id();
         let old = *value;
         let editing = ui.is_enabled()
@@ -250,8 +257,8 @@ impl<'a> NumberField<'a> {
             TextEdit::singleline(&mut state.text)
                 .id(id)
                 .clip_text(true)
-                .desired_width(0.0)
-                .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
+                .desired_width(self.width)
+                .align(egui::Align2::LEFT_CENTER)
                 .margin(egui::Margin::symmetric(4, 2)),
         );
         if state.text != state.first {
@@ -298,7 +305,7 @@ impl<'a> NumberField<'a> {
         if problem {
             button = button.stroke(egui::Stroke::new(1.5, color));
         }
-        let response = ui.add_sized([self.width, ui.spacing().interact_size.y], button);
+        let response = ui.add(button);
         let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
         if response.clicked() {
             ui.memory_mut(|memory| memory.request_focus(id));

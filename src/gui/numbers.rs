@@ -64,20 +64,6 @@ fn short_scientific(text: &str, room: usize) -> String {
     format!("{cut}…e{exponent}")
 }
 
-/// Rows of numbers as aligned text: each column is as wide as its widest number.
-#[must_use]
-pub fn table<const N: usize>(rows: &[[f64; N]], digits: usize) -> Vec<String> {
-    let cells: Vec<[String; N]> = rows.iter().map(|row| row.map(|v| significant(v, digits))).collect();
-    let width: [usize; N] = std::array::from_fn(|column| cells.iter().map(|row| row[column].len()).max().unwrap_or(0));
-    cells
-        .iter()
-        .map(|row| {
-            let padded: Vec<String> = row.iter().zip(width).map(|(cell, width)| format!("{cell:>width$}")).collect();
-            padded.join("  ")
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -124,10 +110,5 @@ mod tests {
             assert_eq!(short(value, room), text);
             assert!(short(value, room).chars().count() <= room);
         }
-    }
-
-    #[test]
-    fn columns_are_aligned() {
-        assert_eq!(table(&[[1.0, -0.5], [-10.0, 0.25]], 6), ["  1  -0.5", "-10  0.25"]);
     }
 }

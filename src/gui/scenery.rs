@@ -30,7 +30,7 @@ impl Scenery {
     /// What cannot be read or built, as a sentence; the last scene stays. It is said once, not in each frame.
     pub fn update(&mut self, document: &Document, lang: Lang) -> Result<(), String> {
         let figure = document.figure();
-        let folder = document.path().and_then(|path| path.parent());
+        let folder = document.folder();
         if let Some((spec, theme, beside)) = &self.made_from
             && *spec == figure.scene
             && *theme == figure.style.theme

@@ -6,6 +6,7 @@ use crate::views::{Ghost, Probe};
 
 use super::Start;
 use super::document::Document;
+use super::filing::Filing;
 use super::panels::operations::Operations;
 use super::scenery::Scenery;
 
@@ -91,6 +92,45 @@ impl Layout {
     }
 }
 
+/// A panel at a side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// The parameters.
+    #[default]
+    Left,
+    /// The operations and the numbers.
+    Right,
+}
+
+/// Which panels are wanted, and which there is room for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Panels {
+    /// The wishes, left and right.
+    pub wanted: [bool; 2],
+    /// The one that stays where there is no room for both.
+    pub last: Side,
+    /// There is no room for both.
+    pub narrow: bool,
+}
+
+impl Panels {
+    /// True where the panel is on the screen.
+    #[must_use]
+    pub fn is_shown(&self, side: Side) -> bool {
+        let both = self.wanted == [true; 2];
+        self.wanted[side as usize] && !(self.narrow && both && self.last != side)
+    }
+
+    /// Shows or hides a panel.
+    pub fn toggle(&mut self, side: Side) {
+        let shown = self.is_shown(side);
+        self.wanted[side as usize] = !shown;
+        if !shown {
+            self.last = side;
+        }
+    }
+}
+
 /// What belongs to the window and not to the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -100,10 +140,10 @@ pub struct Settings {
     pub zoom: f32,
     /// Large type and thick strokes, for a projector.
     pub presentation: bool,
-    /// The panel with the parameters.
-    pub parameters_panel: bool,
-    /// The panel with the operations and the numbers.
-    pub numbers_panel: bool,
+    /// The panels at the sides.
+    pub panels: Panels,
+    /// The panels at the sides during a presentation.
+    pub presentation_panels: Panels,
     /// A is kept at m / n.
     pub aspect_follows_image: bool,
     /// The inverse matrices are shown instead of the matrices.
@@ -113,6 +153,17 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// The panels as they are wanted now.
+    #[must_use]
+    pub fn panels(&self) -> &Panels {
+        if self.presentation { &self.presentation_panels } else { &self.panels }
+    }
+
+    /// The panels as they are wanted now.
+    pub fn panels_mut(&mut self) -> &mut Panels {
+        if self.presentation { &mut self.presentation_panels } else { &mut self.panels }
+    }
+
     /// What stroke widths and type sizes in the pictures are multiplied by, on top of the pixels per point of the window.
     #[must_use]
     pub fn stroke_scale(&self) -> f32 {
@@ -142,6 +193,12 @@ pub struct State {
     pub layout: Layout,
     /// The panel of operations.
     pub operations: Operations,
+    /// Files and the questions about them.
+    pub filing: Filing,
+    /// Width and height of each picture on the screen, in pixels, in the order of [`Picture::ALL`]; written by the pictures.
+    pub picture_sizes: [[u32; 2]; 3],
+    /// Pixels for one unit of stroke width in the pictures; written by the pictures.
+    pub screen_scale: f32,
     /// What was said last at the bottom of the window.
     pub message: Option<Message>,
     /// Asks the pictures to look from somewhere; they take it (`take()`) in the next frame. For both three-dimensional pictures.
@@ -152,8 +209,6 @@ pub struct State {
     pub ghost: Option<Ghost>,
     /// What is pointed at; written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
-    /// What was pointed at last.
-    pub last_probe: Option<Probe>,
 }
 
 impl State {
@@ -171,20 +226,22 @@ impl State {
                 lang: start.lang,
                 zoom: 1.0,
                 presentation: false,
-                parameters_panel: true,
-                numbers_panel: true,
+                panels: Panels { wanted: [true; 2], ..Panels::default() },
+                presentation_panels: Panels::default(),
                 aspect_follows_image: square,
                 inverse: false,
                 digits: 5,
             },
             layout: Layout::default(),
             operations: Operations::default(),
+            filing: Filing::new(true),
+            picture_sizes: [[640, 480]; 3],
+            screen_scale: 1.0,
             message: None,
             look: None,
             problem_out_of_sight: false,
             ghost: None,
             probe: None,
-            last_probe: None,
         })
     }
 

@@ -95,6 +95,7 @@ texts! {
     changed_hint: "There are changes that have not been saved", "Há mudanças que não foram salvas";
     unchanged_hint: "Everything is saved", "Tudo está salvo";
 
+    presentation_keys: "F8: parameters · F9: operations and numbers · F11: leave the presentation", "F8: parâmetros · F9: operações e números · F11: sair da apresentação";
     welcome: "Drag a number, or click it and type. Every control says what it does when the pointer rests on it.", "Arraste um número, ou clique nele e digite. Cada controle diz o que faz quando o ponteiro repousa nele.";
 
     // The parameters.
@@ -176,6 +177,46 @@ texts! {
     theme_dark: "dark", "escuro";
     theme_print: "print", "impressão";
 
+    // Files.
+    open_title: "Open a figure", "Abrir uma figura";
+    open_action: "Open", "Abrir";
+    save_title: "Save the figure", "Salvar a figura";
+    save_action: "Save", "Salvar";
+    export_title: "Write the picture", "Gravar a imagem";
+    figure_filter: "Figure, or picture with a figure in it", "Figura, ou imagem com uma figura dentro";
+    picture_filter: "PNG picture", "Imagem PNG";
+    untitled_file: "figure.toml", "figura.toml";
+    path_text: "There is no file dialog on this system. Which file?", "Não há diálogo de arquivos neste sistema. Qual arquivo?";
+    path_name: "file", "arquivo";
+    path_hint: "folder/name", "pasta/nome";
+    cancel: "Cancel", "Cancelar";
+    unsaved_title: "Save the changes?", "Salvar as mudanças?";
+    unsaved_text: "Changes have not been saved:", "Há mudanças que não foram salvas:";
+    dont_save: "Don't save", "Não salvar";
+    save_first: "Save", "Salvar";
+    overwrite_title: "Replace the file?", "Substituir o arquivo?";
+    overwrite_text: "is there already.", "já existe.";
+    replace: "Replace", "Substituir";
+    opened: "Opened:", "Aberto:";
+    saved: "Saved:", "Salvo:";
+    exporting: "Drawing the picture…", "Desenhando a imagem…";
+    restored: "The last session is back: it had not been saved.", "A última sessão voltou: ela não tinha sido salva.";
+    copied: "Copied.", "Copiado.";
+    picture_too_large: "There is no memory for a picture of this size.", "Não há memória para uma imagem deste tamanho.";
+    export_heading: "Export pictures", "Exportar imagens";
+    export_what: "pictures", "imagens";
+    export_all: "all three", "as três";
+    export_size: "size", "tamanho";
+    export_size_hint: "As many times as large as on the screen, or as typed", "Tantas vezes o tamanho na tela, ou como digitado";
+    export_typed: "typed", "digitado";
+    export_pixels: "pixels", "pixels";
+    export_width: "picture width", "largura da imagem";
+    export_height: "picture height", "altura da imagem";
+    export_theme_hint: "print: white ground and strokes that survive greyscale", "impressão: fundo branco e traços que sobrevivem a tons de cinza";
+    export_note: "The figure goes with the picture: opening or dropping the PNG brings it back.", "A figura vai com a imagem: abrir ou soltar o PNG a traz de volta.";
+    export_action: "Export…", "Exportar…";
+    drop_here: "Drop it here to open it", "Solte aqui para abrir";
+
     // Operations.
     operations: "Operations", "Operações";
     elevation: "Elevation", "Elevação";
@@ -220,32 +261,6 @@ texts! {
     inverse_projection_name: "inverse of the projection matrix", "inversa da matriz de projeção";
     corners_name: "corners of the view volume, world", "cantos do volume de vista, mundo";
     warnings: "Warnings", "Avisos";
-
-    // What is pointed at.
-    probe: "Point", "Ponto";
-    probe_empty: "Point at a vertex or at a pixel.", "Aponte um vértice ou um pixel.";
-    space_world: "world", "mundo";
-    space_world_hint: "World coordinates (WC)", "Coordenadas do mundo (WC)";
-    space_view: "view", "vista";
-    space_view_hint: "Coordinates of the VRC (5.7)", "Coordenadas do VRC (5.7)";
-    space_clip: "clip", "recorte";
-    space_clip_hint: "Homogeneous clip coordinates (5.8)", "Coordenadas homogêneas de recorte (5.8)";
-    space_ndc: "NDC", "NDC";
-    space_ndc_hint: "Normalised device coordinates (5.6)", "Coordenadas normalizadas de dispositivo (5.6)";
-    space_window: "window", "janela";
-    space_window_hint: "(x_p, y_p) on the plane z_c = −F (5.9), (5.10)", "(x_p, y_p) no plano z_c = −F (5.9), (5.10)";
-    space_pixel: "pixel", "pixel";
-    space_pixel_hint: "(i, j) of the image (5.22)", "(i, j) da imagem (5.22)";
-    space_viewport: "viewport", "viewport";
-    space_viewport_hint: "(X, Y) and depth Z (5.24), (5.25)", "(X, Y) e profundidade Z (5.24), (5.25)";
-    inside: "inside", "dentro";
-    inside_hint: "In the view volume", "No volume de vista";
-    yes: "yes", "sim";
-    no: "no", "não";
-    ray_origin: "ray from", "raio de";
-    ray_origin_hint: "O_R (5.17), (5.21)", "O_R (5.17), (5.21)";
-    ray_direction: "towards", "direção";
-    ray_direction_hint: "D_R (5.18), (5.20)", "D_R (5.18), (5.20)";
 
     // Number fields.
     number_field_hint: "Drag, or click and type: 1/3, sqrt(2)/2, 45°", "Arraste, ou clique e digite: 1/3, sqrt(2)/2, 45°";

@@ -1,4 +1,8 @@
 //! The window, driven without a display.
 #![cfg(feature = "gui")]
+#![expect(clippy::expect_used, clippy::cast_possible_truncation, reason = "tests may fail")]
 
 mod canvas;
+mod painter;
+mod panels;
+mod window;

@@ -84,13 +84,6 @@ pub(super) fn cells(probe: Probe, figure: &Figure, camera: &Camera, digits: usiz
     }
 }
 
-/// The most wanted of the cells in one line.
-pub(super) fn line(cells: &[Cell], texts: &CanvasTexts) -> String {
-    let wanted = [texts.space_world, texts.space_ndc, texts.space_pixel, texts.ray_direction];
-    let parts = cells.iter().filter(|cell| wanted.contains(&cell.space));
-    parts.map(|cell| format!("{} {}", cell.space, cell.value)).collect::<Vec<_>>().join(" · ")
-}
-
 /// Two coordinates.
 pub(super) fn pair(p: DVec2, digits: usize) -> String {
     format!("({}, {})", significant(p.x, digits), significant(p.y, digits))

@@ -32,17 +32,11 @@ pub(super) struct Status {
 }
 
 /// How many lines and columns of cells there are. They depend on the room alone, so that nothing moves when the probe comes
-/// and goes. None where a panel shows the same.
-fn grid(ui: &Ui, room: Vec2, panel: bool) -> (usize, usize) {
+/// and goes.
+fn grid(ui: &Ui, room: Vec2) -> (usize, usize) {
     let cell = CELL_WIDTH * line_height(ui);
     let columns = (1..=7).rev().find(|&n: &u8| f32::from(n) * cell <= room.x).unwrap_or(1);
-    let most = if panel {
-        0
-    } else if room.y < 400.0 {
-        1
-    } else {
-        3
-    };
+    let most = if room.y < 400.0 { 1 } else { 3 };
     (usize::from(7_u8.div_ceil(columns)).min(most), usize::from(columns))
 }
 
@@ -58,30 +52,21 @@ fn first_line_height(ui: &Ui) -> f32 {
     ui.spacing().interact_size.y
 }
 
-/// The height of the lines in a room that the pictures share. `panel`: the coordinates of the probe stand in a panel too.
-pub(super) fn height(ui: &Ui, room: Vec2, panel: bool) -> f32 {
-    let lines = u8::try_from(grid(ui, room, panel).0).map_or(1.0, f32::from);
+/// The height of the lines in a room that the pictures share.
+pub(super) fn height(ui: &Ui, room: Vec2) -> f32 {
+    let lines = u8::try_from(grid(ui, room).0).map_or(1.0, f32::from);
     first_line_height(ui) + lines * line_height(ui) + 2.0
 }
 
 impl Status {
     /// Draws the lines. The result is a picture that is to be shown again.
-    pub(super) fn show(
-        &self,
-        ui: &mut Ui,
-        rect: Rect,
-        room: Vec2,
-        panel: bool,
-        texts: &CanvasTexts,
-    ) -> Option<Picture> {
+    pub(super) fn show(&self, ui: &mut Ui, rect: Rect, room: Vec2, texts: &CanvasTexts) -> Option<Picture> {
         let inner = rect.shrink2(vec2(6.0, 1.0));
         let first = Rect::from_min_size(inner.min, vec2(inner.width(), first_line_height(ui)));
         let shown_again = self.first_line(ui, first, texts);
         let cells = Rect::from_min_max(pos2(inner.left(), first.bottom()), inner.max);
-        let (lines, columns) = grid(ui, room, panel);
-        if lines > 0 {
-            self.cells(ui, cells, lines, columns);
-        }
+        let (lines, columns) = grid(ui, room);
+        self.cells(ui, cells, lines, columns);
         shown_again
     }
 

@@ -2,7 +2,6 @@
 
 pub mod operations;
 pub mod parameters;
-pub mod probe;
 pub mod status;
 pub mod values;
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, RichText};
 
-use super::section;
+use super::{TEXT_LINE, section};
 use crate::camera::Convention;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::numbers;
@@ -118,8 +118,10 @@ fn tables(t: &'static Texts, r: &Report, inverse: bool) -> Vec<Table> {
 }
 
 fn show(ui: &mut egui::Ui, table: &Table, digits: usize) {
-    ui.add_space(4.0);
+    ui.add_space(3.0);
+    ui.spacing_mut().item_spacing.y = 1.0;
     ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = TEXT_LINE;
         ui.spacing_mut().item_spacing.x = 5.0;
         if !table.symbol.is_empty() {
             ui.label(theme::symbol(ui, table.symbol));
@@ -132,20 +134,28 @@ fn show(ui: &mut egui::Ui, table: &Table, digits: usize) {
     });
 }
 
-/// The rows as aligned text.
+/// The rows as aligned text: in each column the decimal points stand below each other.
 fn lines(rows: &[(String, Vec<f64>)], digits: usize) -> Vec<String> {
     let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
-    let cells: Vec<Vec<String>> =
-        rows.iter().map(|(_, values)| values.iter().map(|v| numbers::significant(*v, digits)).collect()).collect();
-    let width = |column: usize| cells.iter().filter_map(|row| row.get(column)).map(String::len).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let halves = |v: &f64| {
+        let text = numbers::significant(*v, digits);
+        let point = text.find(['.', 'e']).unwrap_or(text.len());
+        (text[..point].to_owned(), text[point..].to_owned())
+    };
+    let cells: Vec<Vec<(String, String)>> =
+        rows.iter().map(|(_, values)| values.iter().map(halves).collect()).collect();
+    let width = |column: usize| {
+        let cells = cells.iter().filter_map(|row| row.get(column));
+        cells.fold((0, 0), |(left, right), (a, b)| (left.max(a.len()), right.max(b.len())))
+    };
+    let widths: Vec<(usize, usize)> = (0..columns).map(width).collect();
     rows.iter()
         .zip(&cells)
         .map(|((name, _), cells)| {
-            let padded = cells.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}"));
+            let padded = cells.iter().zip(&widths).map(|((a, b), (left, right))| format!("{a:>left$}{b:<right$}"));
             let head = if names == 0 { Vec::new() } else { vec![format!("{name:<names$}")] };
-            head.into_iter().chain(padded).collect::<Vec<_>>().join("  ")
+            head.into_iter().chain(padded).collect::<Vec<_>>().join("  ").trim_end().to_owned()
         })
         .collect()
 }
@@ -169,4 +179,16 @@ fn text(t: &'static Texts, report: &Report, digits: usize) -> String {
 pub fn copy(state: &State) -> String {
     let t = window::texts(state.settings.lang);
     report(state).map(|report| text(t, &report, numbers::EXACT_DIGITS)).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimal_points_stand_below_each_other() {
+        let rows = named(&[("u", [1.0, -0.5, 2e-9]), ("n", [-10.25, 0.0, 3.0])]);
+        assert_eq!(lines(&rows, 5), ["u    1     -0.5  2e-9", "n  -10.25   0    3"]);
+        assert_eq!(lines(&matrix(&[[1.0; 4], [20.0; 4], [0.0; 4], [0.0; 4]])[..2], 5)[1], "20  20  20  20");
+    }
 }

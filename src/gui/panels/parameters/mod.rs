@@ -22,6 +22,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
         let mut form = Form::new(state);
         if form.error.is_some() && state.problem_out_of_sight {
             form.problem(ui);
+            form.said = false;
         }
         camera::placement(ui, &mut form);
         camera::projection(ui, &mut form, state);

@@ -56,7 +56,25 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             choice(ui, t.theme_name, t.theme_name_hint, &mut style.theme, &themes)
         });
     });
-    if (preset, style) != (figure.scene.preset, figure.style) {
+    let other = preset != figure.scene.preset;
+    if other || style != figure.style {
         state.document.edit(|figure| (figure.scene.preset, figure.style) = (preset, style));
     }
+    if other {
+        show_from_its_best_side(state, preset);
+    }
+}
+
+/// A scene of another size would be out of sight: each preset comes with its camera, and with an image of the same aspect.
+fn show_from_its_best_side(state: &mut State, preset: Preset) {
+    let mut camera = preset.camera();
+    if state.settings.aspect_follows_image {
+        let n = state.document.figure().image.height;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
+        let m = (f64::from(n) * camera.aspect).round().clamp(1.0, 16384.0) as u32;
+        state.document.edit(|figure| figure.image.width = m);
+        camera.aspect = f64::from(m) / f64::from(n);
+    }
+    state.document.set_parameters(camera);
+    *state.document.observers_mut() = Default::default();
 }

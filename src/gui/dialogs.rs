@@ -1,0 +1,173 @@
+//! The questions that are asked in the window.
+
+use std::path::PathBuf;
+
+use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
+
+use super::export::{Export, MAX_SIDE};
+use super::filing::{self, Dialog, Purpose};
+use super::number_field::{NumberField, Step};
+use super::panels::{choice, row};
+use super::state::State;
+use crate::appearance::Theme;
+use crate::i18n::window::{self, Texts};
+use crate::picture::View;
+
+/// Shows the question that is open, if any, and acts on the answer.
+pub fn show(ctx: &egui::Context, state: &mut State) {
+    let Some(dialog) = state.filing.dialog.take() else { return };
+    let t = window::texts(state.settings.lang);
+    let modal = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
+        ui.set_width(380.0_f32.min(ui.ctx().content_rect().width() - 40.0));
+        match dialog {
+            Dialog::Unsaved(wish) => {
+                let name = state.document.name().unwrap_or_else(|| t.untitled.to_owned());
+                text(ui, t.unsaved_title, &format!("{} {name}", t.unsaved_text));
+                match buttons(ui, t.cancel, &[t.dont_save, t.save_first]) {
+                    Answer::Yes(1) => filing::save(ctx, state, Some(wish)),
+                    Answer::Yes(_) => filing::fulfil(ctx, state, wish),
+                    Answer::No => {}
+                    Answer::Open => state.filing.dialog = Some(Dialog::Unsaved(wish)),
+                }
+            }
+            Dialog::Overwrite(purpose, path) => {
+                text(ui, t.overwrite_title, &format!("{} {}", path.display(), t.overwrite_text));
+                match buttons(ui, t.cancel, &[t.replace]) {
+                    Answer::Yes(_) => filing::confirmed(ctx, state, purpose, &path),
+                    Answer::No => {}
+                    Answer::Open => state.filing.dialog = Some(Dialog::Overwrite(purpose, path)),
+                }
+            }
+            Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path),
+            Dialog::Export(export) => ask_export(ui, t, state, export),
+        }
+    });
+    if modal.should_close() {
+        state.filing.dialog = None;
+    }
+}
+
+fn text(ui: &mut egui::Ui, title: &str, text: &str) {
+    ui.heading(title);
+    ui.add_space(6.0);
+    ui.label(text);
+    ui.add_space(10.0);
+}
+
+enum Answer {
+    /// The button with this number.
+    Yes(usize),
+    No,
+    /// None yet.
+    Open,
+}
+
+/// Buttons at the lower right; the last of `actions` is the one that Enter presses.
+fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str]) -> Answer {
+    let mut answer = Answer::Open;
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        for (index, action) in actions.iter().enumerate().rev() {
+            let main = index + 1 == actions.len();
+            let mut button = egui::Button::new(*action).min_size(egui::vec2(80.0, 26.0));
+            if main {
+                button = button.fill(ui.visuals().selection.bg_fill);
+            }
+            let response = ui.add(button);
+            let enter = main && ui.memory(|m| m.focused().is_none()) && ui.input(|i| i.key_pressed(Key::Enter));
+            if response.clicked() || enter {
+                answer = Answer::Yes(index);
+            }
+        }
+        if ui.add(egui::Button::new(cancel).min_size(egui::vec2(80.0, 26.0))).clicked() {
+            answer = Answer::No;
+        }
+    });
+    answer
+}
+
+fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Purpose, mut path: String) {
+    let (title, action) = match &purpose {
+        Purpose::Open => (t.open_title, t.open_action),
+        Purpose::Save(_) => (t.save_title, t.save_action),
+        Purpose::Export(_) => (t.export_title, t.save_action),
+    };
+    ui.heading(title);
+    ui.add_space(6.0);
+    ui.label(t.path_text);
+    let field = egui::TextEdit::singleline(&mut path).desired_width(f32::INFINITY).hint_text(t.path_hint);
+    let response = ui.add(field).accessible_name(t.path_name);
+    let first = ui.data_mut(|data| !std::mem::replace(data.get_temp_mut_or_default::<bool>(response.id), true));
+    if first {
+        response.request_focus();
+    }
+    let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    if let Some(error) = state.message.as_ref().filter(|message| message.is_error) {
+        super::panels::complaint(ui, &error.text);
+    }
+    ui.add_space(10.0);
+    let answer = buttons(ui, t.cancel, &[action]);
+    let empty = path.trim().is_empty();
+    match answer {
+        Answer::Yes(_) if !empty => {}
+        Answer::Open if enter && !empty => {}
+        Answer::No => {
+            ui.data_mut(|data| data.remove::<bool>(response.id));
+            return;
+        }
+        _ => {
+            state.filing.dialog = Some(Dialog::Path(purpose, path));
+            return;
+        }
+    }
+    ui.data_mut(|data| data.remove::<bool>(response.id));
+    state.message = None;
+    filing::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
+    // What went wrong is shown where it was typed.
+    if state.filing.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error) {
+        state.filing.dialog = Some(Dialog::Path(purpose, path));
+    }
+}
+
+fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export) {
+    ui.heading(t.export_heading);
+    ui.add_space(6.0);
+    let what = [
+        (None, t.export_all),
+        (Some(View::World), t.show_world),
+        (Some(View::Canonical), t.show_canonical),
+        (Some(View::Image), t.show_image),
+    ];
+    row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
+    let times = [(Some(1), "1 ×"), (Some(2), "2 ×"), (Some(3), "3 ×"), (Some(4), "4 ×"), (None, t.export_typed)];
+    row(ui, "", t.export_size, t.export_size_hint, |ui| {
+        choice(ui, t.export_size, t.export_size_hint, &mut export.times, &times)
+    });
+    export.fit_screen(state);
+    row(ui, "", t.export_pixels, "", |ui| {
+        ui.add_enabled_ui(export.times.is_none(), |ui| pixels(ui, t, &mut export));
+    });
+    let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
+    row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
+        choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
+    });
+    ui.add_space(4.0);
+    ui.label(RichText::new(t.export_note).small().weak());
+    ui.add_space(10.0);
+    match buttons(ui, t.cancel, &[t.export_action]) {
+        Answer::Yes(_) => filing::ask(ui.ctx(), state, Purpose::Export(export)),
+        Answer::No => {}
+        Answer::Open => state.filing.dialog = Some(Dialog::Export(export)),
+    }
+}
+
+fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) {
+    let [mut width, mut height] = [f64::from(export.width), f64::from(export.height)];
+    let field = |name: &str| NumberField::new(name, Step::Add(16.0)).whole().width(64.0);
+    ui.spacing_mut().item_spacing.x = 4.0;
+    field(t.export_height).show(ui, t, &mut height);
+    ui.label("×");
+    field(t.export_width).show(ui, t, &mut width);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
+    let side = |v: f64| v.round().clamp(1.0, f64::from(MAX_SIDE)) as u32;
+    (export.width, export.height) = (side(width), side(height));
+}

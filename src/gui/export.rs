@@ -1,0 +1,111 @@
+//! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::Sender;
+
+use eframe::egui;
+
+use super::state::State;
+use crate::appearance::Theme;
+use crate::camera::Camera;
+use crate::export::png;
+use crate::figure::Figure;
+use crate::figure::write::update;
+use crate::files;
+use crate::i18n::{Lang, messages, pictures};
+use crate::picture::{Source, View, paint, paint_all};
+use crate::raster::Rasterizer;
+use crate::views::{Size, scene_of};
+
+/// Which picture, how large, in which theme.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Export {
+    /// One picture, or all three side by side.
+    pub what: Option<View>,
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// How many times as large as on the screen; `None`: the size was typed.
+    pub times: Option<u32>,
+    /// The theme of the picture.
+    pub theme: Theme,
+    /// Thick strokes and large type by this factor.
+    pub scale: f32,
+}
+
+/// The greatest side of a picture, in pixels.
+pub const MAX_SIDE: u32 = 16_384;
+
+impl Export {
+    /// All three pictures as on the screen, for paper.
+    #[must_use]
+    pub fn new(state: &State) -> Self {
+        let mut export = Self { what: None, width: 0, height: 0, times: Some(2), theme: Theme::Print, scale: 1.0 };
+        export.fit_screen(state);
+        export
+    }
+
+    /// Sets the size to that on the screen, `times` as large.
+    pub fn fit_screen(&mut self, state: &State) {
+        let Some(times) = self.times else { return };
+        let sizes = state.picture_sizes;
+        let [width, height] = match self.what {
+            Some(view) => sizes[view as usize],
+            None => {
+                let widest = sizes.iter().map(|s| s[0]).max().unwrap_or(0);
+                [3 * widest, sizes.iter().map(|s| s[1]).max().unwrap_or(0)]
+            }
+        };
+        let side = |pixels: u32| (pixels.max(1) * times).min(MAX_SIDE);
+        (self.width, self.height) = (side(width), side(height));
+        self.scale = times as f32 * state.screen_scale;
+    }
+}
+
+/// The word for a choice of pictures, as on the command line.
+#[must_use]
+pub fn word(what: Option<View>) -> &'static str {
+    match what {
+        Some(View::World) => "world",
+        Some(View::Canonical) => "canonical",
+        Some(View::Image) => "image",
+        None => "all",
+    }
+}
+
+/// Paints and writes on a thread; sends the path, or a sentence that says what went wrong.
+pub fn start(ctx: &egui::Context, state: &State, export: Export, path: PathBuf, done: Sender<Result<PathBuf, String>>) {
+    let mut figure = state.document.figure().clone();
+    figure.style.theme = export.theme;
+    let source = state.document.source().to_owned();
+    let folder = state.document.folder().map(Path::to_owned).unwrap_or_default();
+    let lang = state.settings.lang;
+    let ctx = ctx.clone();
+    std::thread::spawn(move || {
+        let result = picture(&figure, &source, &folder, export, lang).and_then(|bytes| {
+            let name = path.display().to_string();
+            files::save(&path, &bytes).map(|()| path).map_err(|error| messages::file(lang, &name, &error))
+        });
+        // Nobody waits any more when the window has been closed.
+        let _ = done.send(result);
+        ctx.request_repaint();
+    });
+}
+
+/// The bytes of the PNG, with the figure file in it.
+fn picture(figure: &Figure, source: &str, folder: &Path, export: Export, lang: Lang) -> Result<Vec<u8>, String> {
+    let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
+    let mut beside =
+        |path: &str| files::read_file(&folder.join(path)).map_err(|error| messages::file(lang, path, &error));
+    let scene = scene_of(figure, &mut beside).map_err(|error| messages::scene(lang, &error))?;
+    let from = Source { figure, camera: &camera, scene: &scene, labels: pictures::labels(lang) };
+    let size = Size { width: export.width, height: export.height, scale: export.scale };
+    let mut rasterizer = Rasterizer::default();
+    let pixmap = match export.what {
+        Some(view) => paint(&mut rasterizer, from, view, size),
+        None => paint_all(&mut rasterizer, from, size),
+    };
+    let pixmap = pixmap.ok_or_else(|| crate::i18n::window::texts(lang).picture_too_large.to_owned())?;
+    png::encode(&pixmap, &update(source, figure)).map_err(|error| messages::png(lang, &error))
+}

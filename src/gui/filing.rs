@@ -1,0 +1,291 @@
+//! Opening, saving and closing: what is asked, in which order, and what is done then.
+//!
+//! ```text
+//! New, Open, a dropped file, Quit ── unsaved? ── ask ──┐
+//! Save, Save as, Export ── which file? ── there already? ── ask ── do it ── then what was wanted
+//! ```
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, channel};
+
+use eframe::egui::{self, ViewportCommand};
+
+use super::document::Document;
+use super::export::{self, Export};
+use super::native::{Answer, Asking, Question};
+use super::state::State;
+use crate::figure::write::update;
+use crate::files::{self, Opened};
+use crate::i18n::messages;
+use crate::i18n::window::{self, Texts};
+
+/// What is to be done once nothing can be lost any more.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// The default figure.
+    New,
+    /// Ask for a file and open it.
+    Open,
+    /// Open this file.
+    OpenPath(PathBuf),
+    /// Close the window.
+    Quit,
+}
+
+/// What a file is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Purpose {
+    /// To open it.
+    Open,
+    /// To save the figure in it, and then to go on.
+    Save(Option<Wish>),
+    /// To write a picture.
+    Export(Export),
+}
+
+/// What is asked in the window.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dialog {
+    /// There are changes: save them?
+    Unsaved(Wish),
+    /// Which file? The text of the field.
+    Path(Purpose, String),
+    /// The file is there already: replace it?
+    Overwrite(Purpose, PathBuf),
+    /// What to export.
+    Export(Export),
+}
+
+/// What is going on with files.
+#[derive(Debug, Default)]
+pub struct Filing {
+    /// What is asked in the window now.
+    pub dialog: Option<Dialog>,
+    /// False: files are asked for with a field in the window, as where the system has no dialogs.
+    pub native: bool,
+    /// True from the moment when the window may close.
+    pub may_close: bool,
+    asking: Option<(Purpose, Asking)>,
+    exporting: Option<Receiver<Result<PathBuf, String>>>,
+}
+
+impl Filing {
+    /// Nothing is going on.
+    #[must_use]
+    pub fn new(native: bool) -> Self {
+        Self { native, ..Self::default() }
+    }
+
+    /// True while the window waits for a dialog of the system.
+    #[must_use]
+    pub fn is_asking(&self) -> bool {
+        self.asking.is_some()
+    }
+}
+
+/// Does `wish`, after asking about changes that would be lost.
+pub fn wish(ctx: &egui::Context, state: &mut State, wish: Wish) {
+    state.document.commit();
+    if state.document.is_changed() {
+        state.filing.dialog = Some(Dialog::Unsaved(wish));
+    } else {
+        fulfil(ctx, state, wish);
+    }
+}
+
+/// Does `wish`; what was changed is lost.
+pub fn fulfil(ctx: &egui::Context, state: &mut State, wish: Wish) {
+    match wish {
+        Wish::New => {
+            if let Ok(document) = Document::new(super::fresh(), None) {
+                take_over(state, document);
+            }
+        }
+        Wish::Open => ask(ctx, state, Purpose::Open),
+        Wish::OpenPath(path) => open(state, &path),
+        Wish::Quit => {
+            state.filing.may_close = true;
+            ctx.send_viewport_cmd(ViewportCommand::Close);
+        }
+    }
+}
+
+/// Saves to the figure's own file; asks for one where there is none.
+pub fn save(ctx: &egui::Context, state: &mut State, then: Option<Wish>) {
+    match state.document.path().cloned() {
+        Some(path) => write(ctx, state, &path, then),
+        None => ask(ctx, state, Purpose::Save(then)),
+    }
+}
+
+/// Asks for a file: with the dialog of the system, or with a field where it has none.
+pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
+    let t = window::texts(state.settings.lang);
+    if state.filing.native {
+        let question = question(t, state, &purpose);
+        state.filing.asking = Some((purpose, Asking::start(ctx, question)));
+    } else {
+        let text = proposal(t, state, &purpose);
+        state.filing.dialog = Some(Dialog::Path(purpose, text));
+    }
+}
+
+fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> Question {
+    let folder = state.document.folder().map(Path::to_owned).filter(|folder| !folder.as_os_str().is_empty());
+    let name = Path::new(&proposal(t, state, purpose)).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    match purpose {
+        Purpose::Open => Question {
+            save: false,
+            title: t.open_title,
+            filter: t.figure_filter,
+            endings: &["toml", "png"],
+            name: String::new(),
+            folder,
+        },
+        Purpose::Save(_) => {
+            Question { save: true, title: t.save_title, filter: t.figure_filter, endings: &["toml"], name, folder }
+        }
+        Purpose::Export(_) => {
+            Question { save: true, title: t.export_title, filter: t.picture_filter, endings: &["png"], name, folder }
+        }
+    }
+}
+
+/// The path that stands in the field at first.
+fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
+    let folder = state.document.folder().map(Path::to_owned).unwrap_or_default();
+    let stem = state.document.name().map_or_else(|| PathBuf::from(t.untitled_file), PathBuf::from);
+    match purpose {
+        Purpose::Open => folder.display().to_string(),
+        Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
+        Purpose::Export(export) => {
+            let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            folder.join(format!("{stem}-{}.png", export::word(export.what))).display().to_string()
+        }
+    }
+}
+
+/// Goes on with the file that was chosen; asks before a file is replaced.
+pub fn chosen(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: PathBuf) {
+    let path = match &purpose {
+        Purpose::Open => path,
+        Purpose::Save(_) => with_ending(path, "toml"),
+        Purpose::Export(_) => with_ending(path, "png"),
+    };
+    let own = state.document.path() == Some(&path);
+    if purpose != Purpose::Open && !own && path.exists() {
+        state.filing.dialog = Some(Dialog::Overwrite(purpose, path));
+    } else {
+        confirmed(ctx, state, purpose, &path);
+    }
+}
+
+/// Appends the ending unless the name has it.
+fn with_ending(path: PathBuf, ending: &str) -> PathBuf {
+    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending)) {
+        return path;
+    }
+    let mut name = path.into_os_string();
+    name.push(".");
+    name.push(ending);
+    name.into()
+}
+
+/// Opens or writes the file.
+pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path) {
+    match purpose {
+        Purpose::Open => open(state, path),
+        Purpose::Save(then) => write(ctx, state, path, then),
+        Purpose::Export(export) => {
+            let (send, receive) = channel();
+            export::start(ctx, state, export, path.to_owned(), send);
+            state.filing.exporting = Some(receive);
+            state.say(window::texts(state.settings.lang).exporting);
+        }
+    }
+}
+
+fn open(state: &mut State, path: &Path) {
+    let name = path.display().to_string();
+    let lang = state.settings.lang;
+    match files::open_figure(path) {
+        Ok(Opened { figure, text }) => match Document::new(figure, Some((path.to_owned(), text))) {
+            Ok(document) => {
+                take_over(state, document);
+                state.say(format!("{} {name}", window::texts(lang).opened));
+            }
+            Err(error) => state.say_error(format!("{name}: {}", messages::camera(lang, &error))),
+        },
+        Err(error) => state.say_error(messages::file(lang, &name, &error)),
+    }
+}
+
+fn take_over(state: &mut State, document: Document) {
+    let image = document.figure().image;
+    state.settings.aspect_follows_image = document.draft().aspect == f64::from(image.width) / f64::from(image.height);
+    state.document = document;
+    state.probe = None;
+    state.message = None;
+}
+
+fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<Wish>) {
+    let text = update(state.document.source(), state.document.figure());
+    let name = path.display().to_string();
+    match files::save(path, text.as_bytes()) {
+        Ok(()) => {
+            state.document.mark_saved(path.to_owned(), text);
+            state.say(format!("{} {name}", window::texts(state.settings.lang).saved));
+            if let Some(then) = then {
+                fulfil(ctx, state, then);
+            }
+        }
+        Err(error) => state.say_error(messages::file(state.settings.lang, &name, &error)),
+    }
+}
+
+/// What happens by itself in each frame: answers of dialogs and of exports, dropped files, the window's own close button.
+pub fn tend(ctx: &egui::Context, state: &mut State) {
+    if let Some((purpose, answer)) = state.filing.asking.as_ref().and_then(|(p, a)| Some((p.clone(), a.poll()?))) {
+        state.filing.asking = None;
+        match answer {
+            Answer::Chosen(path) => chosen(ctx, state, purpose, path),
+            Answer::Cancelled => {}
+            Answer::Unavailable => {
+                state.filing.native = false;
+                ask(ctx, state, purpose);
+            }
+        }
+    }
+    if let Some(result) = state.filing.exporting.as_ref().and_then(|receive| receive.try_recv().ok()) {
+        state.filing.exporting = None;
+        match result {
+            Ok(path) => state.say(format!("{} {}", window::texts(state.settings.lang).saved, path.display())),
+            Err(error) => state.say_error(error),
+        }
+    }
+    let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
+    if let Some(path) = dropped {
+        wish(ctx, state, Wish::OpenPath(path));
+    }
+    if ctx.input(|input| input.viewport().close_requested()) && !state.filing.may_close {
+        state.document.commit();
+        if state.document.is_changed() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            state.filing.dialog = Some(Dialog::Unsaved(Wish::Quit));
+        } else {
+            state.filing.may_close = true;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn endings_are_appended_once() {
+        for (given, made) in [("a", "a.toml"), ("a.toml", "a.toml"), ("a.TOML", "a.TOML"), ("v1.2", "v1.2.toml")] {
+            assert_eq!(with_ending(PathBuf::from(given), "toml"), PathBuf::from(made));
+        }
+    }
+}

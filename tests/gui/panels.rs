@@ -1,0 +1,283 @@
+//! The panels at the sides: fields, repairs, operations, numbers, undo.
+
+use camera_lab::camera::{Projection, ViewWindow};
+use camera_lab::i18n::Lang;
+use eframe::egui::{Key, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use super::window::Window;
+
+#[test]
+fn a_number_is_typed_and_undone() {
+    let mut window = Window::new(Lang::En);
+    window.enter("C x", "7.25");
+    assert_eq!(window.state().document.figure().camera.position.x, 7.25);
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.figure().camera.position.x, 3.0);
+    window.command_key(Key::Y);
+    assert_eq!(window.state().document.figure().camera.position.x, 7.25);
+}
+
+#[test]
+fn tab_goes_from_field_to_field_and_commits() {
+    let mut window = Window::new(Lang::En);
+    window.type_into("C x", "1");
+    for text in ["2", "6"] {
+        window.key(Key::Tab);
+        window.harness.event(eframe::egui::Event::Text(text.to_owned()));
+        window.run();
+    }
+    window.key(Key::Enter);
+    assert_eq!(window.state().document.draft().position.to_array(), [1.0, 2.0, 6.0]);
+}
+
+#[test]
+fn expressions_are_evaluated_and_angles_are_degrees() {
+    let mut window = Window::new(Lang::PtBr);
+    window.enter("C y", "sqrt(2)/2");
+    assert_eq!(window.state().document.draft().position.y, 2.0_f64.sqrt() / 2.0);
+    window.enter("PF x", "1/3");
+    assert_eq!(window.state().document.draft().focal_point.x, 1.0 / 3.0);
+    window.enter("C z", "12,5");
+    assert_eq!(window.state().document.draft().position.z, 12.5);
+    window.enter("θ", "pi/3");
+    assert_eq!(window.state().document.draft().view_angle, 60.0);
+    window.enter("θ", "45°");
+    assert_eq!(window.state().document.draft().view_angle, 45.0);
+}
+
+#[test]
+fn escape_leaves_the_value_and_a_look_at_it_does_not_round_it() {
+    let mut window = Window::new(Lang::En);
+    let exact = 0.1 + 0.2;
+    window.enter("C x", "0.1+0.2");
+    window.type_into("C x", "99");
+    window.key(Key::Escape);
+    assert_eq!(window.state().document.draft().position.x, exact);
+    window.field("C x").click();
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!(window.state().document.draft().position.x, exact);
+}
+
+#[test]
+fn a_faulty_text_stays_with_its_reason_until_it_is_mended() {
+    let mut window = Window::new(Lang::En);
+    window.enter("F", "1/0");
+    assert!(window.says("the result is not a finite number"));
+    assert_eq!(window.state().document.draft().near, 3.0);
+    // The text is still there to be mended.
+    window.field("F").click();
+    window.run();
+    window.key(Key::End);
+    window.harness.event(eframe::egui::Event::Text(".5".to_owned()));
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!(window.state().document.draft().near, 2.0);
+    assert!(!window.says("the result is not a finite number"));
+}
+
+#[test]
+fn arrow_keys_step_and_a_screen_reader_can_set() {
+    let mut window = Window::new(Lang::En);
+    window.field("θ").click();
+    window.run();
+    window.key(Key::ArrowUp);
+    window.key(Key::ArrowUp);
+    window.key(Key::ArrowDown);
+    assert_eq!(window.state().document.draft().view_angle, 47.0);
+    window.key(Key::Enter);
+    window.field("B").set_value_accesskit(33.0);
+    window.run();
+    assert_eq!(window.state().document.draft().far, 33.0);
+    window.field("B").increment_accesskit();
+    window.run();
+    assert!(window.state().document.draft().far > 33.0);
+}
+
+#[test]
+fn a_drag_changes_a_number_in_one_undo_step() {
+    let mut window = Window::new(Lang::En);
+    let center = window.field("C x").rect().center();
+    window.drag(center, vec2(80.0, 0.0), |window| {
+        assert!(window.state().document.draft().position.x > 3.0);
+    });
+    let after = window.state().document.draft().position.x;
+    assert!(after > 3.0);
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.draft().position.x, 3.0);
+    assert!(!window.state().document.can_undo());
+    window.command_key(Key::Y);
+    assert_eq!(window.state().document.draft().position.x, after);
+}
+
+#[test]
+fn collinear_up_is_said_and_mended_by_one_click() {
+    let mut window = Window::new(Lang::En);
+    let before = window.state().document.figure().clone();
+    window.enter("VUP x", "3");
+    window.enter("VUP y", "4");
+    window.enter("VUP z", "5");
+    assert!(window.says("VUP must not be collinear"));
+    // The last good picture stays: VUP = (3, 4, 0).
+    assert_eq!(window.state().document.figure().camera.view_up.z, 0.0);
+    assert_ne!(window.state().document.figure(), &before);
+    window.click("VUP = (0, 1, 0)");
+    assert!(window.state().document.problem().is_none());
+    assert!(!window.says("VUP must not be collinear"));
+    assert_eq!(window.state().document.figure().camera.view_up.to_array(), [0.0, 1.0, 0.0]);
+}
+
+#[test]
+fn near_beyond_far_offers_to_swap_them() {
+    let mut window = Window::new(Lang::PtBr);
+    window.enter("F", "20");
+    assert!(window.says("F tem de ser menor que B"));
+    assert_eq!(window.state().document.figure().camera.near, 3.0);
+    window.click("Trocar F e B");
+    assert_eq!((window.state().document.draft().near, window.state().document.draft().far), (12.0, 20.0));
+    window.enter("θ", "200");
+    assert!(window.says("θ tem de ser maior que 0° e menor que 180°"));
+    window.click("θ = 179°");
+    assert_eq!(window.state().document.figure().camera.view_angle, 179.0);
+}
+
+#[test]
+fn a_problem_in_a_closed_section_is_said_at_the_top() {
+    let mut window = Window::new(Lang::En);
+    window.enter("F", "20");
+    window.click("Projection");
+    assert!(window.says("F must be less than B"));
+    window.click("Swap F and B");
+    assert!(window.state().document.problem().is_none());
+}
+
+#[test]
+fn projection_is_switched_both_ways_without_drift() {
+    let mut window = Window::new(Lang::En);
+    let before = *window.state().document.draft();
+    window.click("Parallel");
+    let camera = window.state().document.camera().clone();
+    assert_eq!(camera.projection(), Projection::Parallel);
+    // What spans 2 D tan(θ/2) at PF spans H.
+    let height = 2.0 * camera.distance() * (before.view_angle.to_radians() / 2.0).tan();
+    assert!((camera.window().height() - height).abs() < 1e-12);
+    window.field("H");
+    for _ in 0..3 {
+        window.click("Perspective");
+        window.click("Parallel");
+    }
+    window.click("Perspective");
+    assert_eq!(window.state().document.draft().view_angle, before.view_angle);
+}
+
+#[test]
+fn the_padlock_frees_the_window_and_closes_it_again() {
+    let mut window = Window::new(Lang::En);
+    window.click("A follows the image");
+    let before = *window.state().document.draft();
+    let size = window.state().document.camera().window();
+    window.click("Symmetric");
+    assert_eq!(window.state().document.draft().window, Some(size));
+    window.click("Symmetric");
+    assert_eq!(*window.state().document.draft(), before);
+    window.click("Symmetric");
+    window.enter("r, right", "5");
+    let free = window.state().document.draft().window.expect("free");
+    assert_eq!(free, ViewWindow { right: 5.0, ..size });
+    window.enter("l, left", "6");
+    assert!(window.says("l must be less than r"));
+    window.click("Swap them");
+    assert_eq!(window.state().document.draft().window.map(|w| (w.left, w.right)), Some((5.0, 6.0)));
+    window.click("Symmetric");
+    let after = window.state().document.camera().window();
+    assert!((after.width() - 1.0).abs() < 1e-12 && (after.left + after.right).abs() < 1e-12);
+}
+
+#[test]
+fn the_aspect_follows_the_image_until_it_is_told_not_to() {
+    let mut window = Window::new(Lang::En);
+    window.enter("m", "1536");
+    assert_eq!(window.state().document.draft().aspect, 2.0);
+    window.click("A follows the image");
+    window.enter("m", "768");
+    assert_eq!(window.state().document.draft().aspect, 2.0);
+    window.enter("A", "16/9");
+    assert_eq!(window.state().document.draft().aspect, 16.0 / 9.0);
+}
+
+#[test]
+fn an_operation_turns_the_camera_by_its_step() {
+    let mut window = Window::new(Lang::En);
+    window.enter("Azimuth: step", "90");
+    window.click("Azimuth +");
+    // C = (3, 4, 5) looks at the origin; u = (5, 0, −3)/√34. Its distance stays.
+    let camera = window.state().document.camera().clone();
+    assert!((camera.distance() - 50.0_f64.sqrt()).abs() < 1e-12);
+    assert!((camera.position().dot(glam::DVec3::new(3.0, 4.0, 5.0))).abs() < 1e-12, "{}", camera.position());
+    for _ in 0..3 {
+        window.click("Azimuth +");
+    }
+    assert_eq!(window.state().document.draft().position.to_array(), [3.0, 4.0, 5.0]);
+    for _ in 0..4 {
+        window.command_key(Key::Z);
+    }
+    assert!(!window.state().document.can_undo());
+}
+
+#[test]
+fn a_slider_scrubs_from_where_the_camera_is_and_springs_back() {
+    let mut window = Window::new(Lang::En);
+    let before = *window.state().document.draft();
+    let slider = window.harness.get_by_label("Elevation: slider").rect();
+    window.drag(slider.center(), vec2(slider.width() / 8.0, 0.0), |window| {
+        let ghost = window.state().ghost.as_ref().expect("a ghost while it is held");
+        assert_eq!(*ghost.before.parameters(), before);
+        assert_ne!(*window.state().document.draft(), before);
+    });
+    assert!(window.state().ghost.is_none());
+    let after = *window.state().document.draft();
+    assert_eq!(after.focal_point, before.focal_point);
+    assert_ne!(after.position, before.position);
+    let slider = window.harness.get_by_label("Elevation: slider");
+    assert_eq!(slider.accesskit_node().numeric_value(), Some(0.0));
+    window.command_key(Key::Z);
+    assert_eq!(*window.state().document.draft(), before);
+    assert!(!window.state().document.can_undo());
+}
+
+#[test]
+fn the_signs_of_vtk_turn_elevation_the_other_way() {
+    let mut one = Window::new(Lang::En);
+    one.click("Elevation −");
+    let mut other = Window::new(Lang::En);
+    other.harness.get_by_label("Signs of VTK").click_accesskit();
+    other.run();
+    other.click("Elevation +");
+    assert_eq!(one.state().document.draft(), other.state().document.draft());
+}
+
+#[test]
+fn numbers_are_those_of_the_report_with_as_many_digits_as_asked_for() {
+    let mut window = Window::new(Lang::En);
+    let camera = window.state().document.camera().clone();
+    assert!(window.says("7.0711"));
+    window.enter("digits", "17");
+    assert!(window.says(&camera.distance().to_string()));
+    assert!(window.says(&camera.basis().u.x.to_string()));
+    window.click("inverses");
+    assert!(window.says("inverse of the view matrix"));
+    let inverse = camera.view_from_clip().to_cols_array_2d()[0][0];
+    assert!(window.says(&inverse.to_string()));
+}
+
+#[test]
+fn reset_brings_the_camera_of_the_file_back_and_can_be_undone() {
+    let mut window = Window::new(Lang::En);
+    window.enter("C x", "1");
+    window.enter("θ", "20");
+    window.menu("Edit", "Reset the camera");
+    assert_eq!(window.state().document.draft().position.x, 3.0);
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.draft().view_angle, 20.0);
+}

@@ -1,0 +1,151 @@
+//! What all tests of the window need: the whole window in a harness, without a display.
+
+use std::time::Duration;
+
+use camera_lab::figure::Figure;
+use camera_lab::gui::state::Picture;
+use camera_lab::gui::{App, Start, State, theme};
+use camera_lab::i18n::Lang;
+use camera_lab::scene::Preset;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, Pos2, Ui, UiBuilder, Vec2};
+use egui_kittest::kittest::Queryable;
+use egui_kittest::{Harness, Node};
+
+use super::painter::Painter;
+
+/// The window in a harness.
+pub(crate) struct Window {
+    /// The harness.
+    pub(crate) harness: Harness<'static, Option<App>>,
+}
+
+impl Window {
+    /// A window of the usual size with the camera that it begins with. There is little to draw in it, because pictures take
+    /// their time without optimisation.
+    pub(crate) fn new(lang: Lang) -> Self {
+        let mut figure = camera_lab::gui::fresh();
+        figure.scene.preset = Preset::Empty;
+        figure.style.antialias = 1;
+        let mut state = State::new(Start { figure, file: None, lang }).expect("a possible camera");
+        state.filing.native = false;
+        state.layout.maximized = Some(Picture::Image);
+        Self::with_state(state, [1280.0, 800.0])
+    }
+
+    /// A window with a figure.
+    pub(crate) fn of(figure: Figure, lang: Lang, size: [f32; 2]) -> Self {
+        let mut state = State::new(Start { figure, file: None, lang }).expect("a possible camera");
+        state.filing.native = false;
+        Self::with_state(state, size)
+    }
+
+    /// A window with a state.
+    pub(crate) fn with_state(state: State, size: [f32; 2]) -> Self {
+        let mut start = Some(state);
+        let harness = Harness::builder()
+            .with_size(Vec2::from(size))
+            .with_theme(eframe::egui::Theme::Light)
+            .with_context_setup(|ctx| {
+                theme::install_fonts(ctx);
+                theme::install_style(ctx);
+            })
+            .with_max_steps(12)
+            .with_render_cursor(false)
+            .renderer(Painter::default())
+            .build_ui_state(
+                move |ui, app: &mut Option<App>| {
+                    let ctx = ui.ctx().clone();
+                    let app = app.get_or_insert_with(|| {
+                        let mut app = App::new(&ctx, start.take().expect("once"));
+                        app.canvas.patience = Duration::from_secs(60);
+                        app
+                    });
+                    // The harness leaves a margin; the window has none.
+                    let whole = UiBuilder::new().max_rect(ctx.content_rect());
+                    app.show(&mut Ui::new(ctx, eframe::egui::Id::unique("whole window"), whole));
+                },
+                None,
+            );
+        let mut window = Self { harness };
+        window.run();
+        window
+    }
+
+    /// What the window knows.
+    pub(crate) fn state(&self) -> &State {
+        &self.harness.state().as_ref().expect("it has been shown").state
+    }
+
+    /// Frames until nothing changes any more.
+    pub(crate) fn run(&mut self) {
+        self.harness.run();
+    }
+
+    /// The number field with this name.
+    pub(crate) fn field<'a>(&'a self, name: &'a str) -> Node<'a> {
+        self.harness.get_by_role_and_label(Role::SpinButton, name)
+    }
+
+    /// Clicks a field and types into it; does not leave it.
+    pub(crate) fn type_into(&mut self, field: &str, text: &str) {
+        self.field(field).click();
+        self.run();
+        self.harness.event(Event::Text(text.to_owned()));
+        self.run();
+    }
+
+    /// Types into a field and presses Enter.
+    pub(crate) fn enter(&mut self, field: &str, text: &str) {
+        self.type_into(field, text);
+        self.key(Key::Enter);
+    }
+
+    /// Presses a key.
+    pub(crate) fn key(&mut self, key: Key) {
+        self.harness.key_press(key);
+        self.run();
+    }
+
+    /// Presses a key together with the platform's command key.
+    pub(crate) fn command_key(&mut self, key: Key) {
+        self.harness.key_press_modifiers(Modifiers::COMMAND, key);
+        self.run();
+    }
+
+    /// Clicks what has this label.
+    pub(crate) fn click(&mut self, label: &str) {
+        self.harness.get_by_label(label).click();
+        self.run();
+    }
+
+    /// Chooses an entry of a menu.
+    pub(crate) fn menu(&mut self, menu: &str, entry: &str) {
+        self.click(menu);
+        let entry = self
+            .harness
+            .get_by(|node| node.label().is_some_and(|label| label.trim().trim_start_matches("✔ ").starts_with(entry)));
+        entry.click();
+        self.run();
+    }
+
+    /// Takes the pointer to `from`, presses, moves it by `way` in steps, and lets go after `held` has looked at the window.
+    pub(crate) fn drag(&mut self, from: Pos2, way: Vec2, held: impl FnOnce(&mut Self)) {
+        self.harness.hover_at(from);
+        self.run();
+        self.harness.drag_at(from);
+        self.run();
+        for step in 1..=4 {
+            self.harness.hover_at(from + way * (step as f32 / 4.0));
+            self.run();
+        }
+        held(self);
+        self.harness.drop_at(from + way);
+        self.run();
+    }
+
+    /// True where some label contains this text.
+    pub(crate) fn says(&self, text: &str) -> bool {
+        self.harness.query_all_by_label_contains(text).next().is_some()
+    }
+}
