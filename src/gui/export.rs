@@ -99,7 +99,8 @@ fn picture(figure: &Figure, source: &str, folder: &Path, export: Export, lang: L
     let mut beside =
         |path: &str| files::read_file(&folder.join(path)).map_err(|error| messages::file(lang, path, &error));
     let scene = scene_of(figure, &mut beside).map_err(|error| messages::scene(lang, &error))?;
-    let from = Source { figure, camera: &camera, scene: &scene, labels: pictures::labels(lang) };
+    let from =
+        Source { figure, camera: &camera, scene: &scene, labels: pictures::labels(lang), force_all_stages: false };
     let size = Size { width: export.width, height: export.height, scale: export.scale };
     let mut rasterizer = Rasterizer::default();
     let pixmap = match export.what {
