@@ -62,6 +62,7 @@ window.measure = async () => {
   const camera = new THREE.Camera();
   camera.matrixAutoUpdate = false;
   camera.matrix.set(...job.view.flat()).invert();
+  camera.matrixWorldNeedsUpdate = true;
   camera.projectionMatrix.set(...job.projection.flat());
   camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
   const target = new THREE.WebGLRenderTarget(job.width, job.height, { samples: job.samples > 1 ? job.samples : 0 });
