@@ -38,8 +38,8 @@ impl Box2 {
     }
 }
 
-/// Places the labels of a drawing in their order: the offset of each is the direction and distance that it would like; one
-/// that finds no free place is left out. Lines in a color of `background` may be covered.
+/// Places the labels of a drawing, larger ones first, equal ones in their order: the offset of each is the direction and
+/// distance that it would like; one that finds no free place is left out. Lines in a color of `background` may be covered.
 pub(super) fn settle(drawing: &mut Drawing, background: &[Rgba]) {
     let lines = lines(&drawing.strokes, background);
     let mut taken: Vec<Box2> = drawing
@@ -50,6 +50,7 @@ pub(super) fn settle(drawing: &mut Drawing, background: &[Rgba]) {
     let marks = taken.len();
     let picture = DVec2::new(f64::from(drawing.width), f64::from(drawing.height));
     let mut kept = Vec::with_capacity(drawing.labels.len());
+    drawing.labels.sort_by(|a, b| b.size.total_cmp(&a.size));
     for mut label in std::mem::take(&mut drawing.labels) {
         let best = candidates(&label)
             .map(|(b, dislike)| (b, dislike + cost(&b, &taken, marks, &lines, picture, f64::from(label.size))))
