@@ -3,6 +3,7 @@
 pub mod canvas;
 pub mod command_line;
 pub mod faults;
+mod figure_files;
 mod meshes;
 pub mod messages;
 pub mod pictures;

@@ -11,6 +11,7 @@ mod camera_properties;
 mod cli;
 mod contract;
 mod export;
+mod figure;
 mod inspect_report;
 mod layers;
 mod meshes;

@@ -1,0 +1,293 @@
+//! Faults of files and figures, in both languages.
+
+use std::io;
+
+use super::Lang;
+use super::messages::{camera, pick};
+use crate::export::png::PngError;
+use crate::figure::FigureError;
+use crate::figure::error::{Allowed, Problem};
+use crate::files::FileError;
+
+/// Why a text is no figure: line, key, what was found, what is allowed.
+#[must_use]
+pub fn figure(lang: Lang, error: &FigureError) -> String {
+    let FigureError { line, key, problem } = error;
+    let what = self::problem(lang, problem);
+    let line = pick(lang, format!("line {line}"), format!("linha {line}"));
+    match problem {
+        // These name the keys themselves.
+        Problem::Camera(_) => format!("{line}: [camera] {what}"),
+        _ if key.is_empty() => format!("{line}: {what}"),
+        _ => format!("{line}: {key} {what}"),
+    }
+}
+
+/// What comes after line and key.
+pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
+    match problem {
+        Problem::NotUtf8 { byte } => pick(
+            lang,
+            format!("byte {byte:#04x} is no UTF-8; allowed: text in UTF-8"),
+            format!("o byte {byte:#04x} não é UTF-8; permitido: texto em UTF-8"),
+        ),
+        Problem::TooLarge { limit } => pick(
+            lang,
+            format!("the file is too large; allowed: at most {limit} bytes"),
+            format!("o arquivo é grande demais; permitido: no máximo {limit} bytes"),
+        ),
+        Problem::Syntax { found, detail } => {
+            let in_portuguese = toml_in_portuguese(detail);
+            pick(
+                lang,
+                format!(
+                    "cannot be read as TOML: {found} ({detail}); allowed: KEY = VALUE with texts in quotes and a point in decimals, such as near = 0.5"
+                ),
+                format!(
+                    "não pode ser lido como TOML: {found} ({in_portuguese}); permitido: CHAVE = VALOR com textos entre aspas e ponto nos decimais, como near = 0.5"
+                ),
+            )
+        }
+        Problem::Duplicate => pick(lang, "is there twice; allowed: once", "aparece duas vezes; permitido: uma"),
+        Problem::UnknownKey { near, known } => {
+            let (near, known) = (meant(lang, near.as_deref()), known.join(", "));
+            pick(lang, format!("is unknown{near}; allowed: {known}"), format!("não existe{near}; permitido: {known}"))
+        }
+        Problem::Value { found, allowed } => {
+            let allowed = self::allowed(lang, allowed);
+            pick(lang, format!("is {found}; allowed: {allowed}"), format!("é {found}; permitido: {allowed}"))
+        }
+        Problem::Missing { allowed } => {
+            let allowed = self::allowed(lang, allowed);
+            pick(lang, format!("is missing; needed: {allowed}"), format!("está faltando; necessário: {allowed}"))
+        }
+        Problem::DuplicateName { name } => pick(
+            lang,
+            format!("is {name:?}, as an object before it; allowed: a name of its own"),
+            format!("é {name:?}, como um objeto anterior; permitido: um nome próprio"),
+        ),
+        Problem::UnknownParent { name, near } => {
+            let near = meant(lang, near.as_deref());
+            pick(
+                lang,
+                format!("is {name:?}, and no object is called so{near}; allowed: the name of an object"),
+                format!("é {name:?}, e nenhum objeto se chama assim{near}; permitido: o nome de um objeto"),
+            )
+        }
+        Problem::ParentCycle { name } => pick(
+            lang,
+            format!("makes {name:?} its own ancestor; allowed: parents that form a tree"),
+            format!("torna {name:?} ancestral de si mesmo; permitido: pais que formem uma árvore"),
+        ),
+        Problem::Camera(error) => camera(lang, error),
+    }
+}
+
+/// The TOML parser speaks English; its common complaints are known, others stay as they are.
+fn toml_in_portuguese(detail: &str) -> &str {
+    const COMPLAINTS: &[(&str, &str)] = &[
+        ("string values must be quoted", "textos precisam de aspas"),
+        ("unexpected key or value", "há algo a mais depois do valor"),
+        ("key with no value", "chave sem valor"),
+        ("unclosed array", "falta fechar uma lista com ]"),
+        ("unclosed table", "falta fechar uma seção com ]"),
+        ("unclosed inline table", "falta fechar uma tabela com }"),
+        ("missing comma between array elements", "falta uma vírgula entre os elementos da lista"),
+        ("extra comma in array", "há uma vírgula a mais na lista"),
+        ("integer number overflowed", "inteiro grande demais"),
+        ("floating-point number overflowed", "número grande demais"),
+        ("unexpected leading zero", "zero a mais no começo do número"),
+        ("invalid float", "número inválido"),
+        ("invalid integer", "inteiro inválido"),
+        ("invalid mantissa", "falta um dígito antes do ponto"),
+        ("invalid fraction", "falta um dígito depois do ponto"),
+        ("invalid basic string", "falta fechar um texto com aspas"),
+        ("cannot recurse further", "aninhamento profundo demais"),
+    ];
+    COMPLAINTS.iter().find(|(english, _)| detail.starts_with(english)).map_or(detail, |(_, portuguese)| portuguese)
+}
+
+fn meant(lang: Lang, near: Option<&str>) -> String {
+    near.map_or_else(String::new, |near| {
+        pick(lang, format!(" (did you mean {near}?)"), format!(" (você quis dizer {near}?)"))
+    })
+}
+
+fn allowed(lang: Lang, allowed: &Allowed) -> String {
+    match allowed {
+        Allowed::Number => pick(lang, "a finite number", "um número finito"),
+        Allowed::PositiveNumber => pick(lang, "a finite number greater than 0", "um número finito maior que 0"),
+        Allowed::NumberIn(least, most) => {
+            pick(lang, format!("a number from {least} to {most}"), format!("um número de {least} a {most}"))
+        }
+        Allowed::IntegerIn(least, most) => {
+            pick(lang, format!("an integer from {least} to {most}"), format!("um inteiro de {least} a {most}"))
+        }
+        Allowed::Integers(choice) => {
+            let choice: Vec<_> = choice.iter().map(ToString::to_string).collect();
+            choice.join(", ")
+        }
+        Allowed::Vector => pick(lang, "three finite numbers, [x, y, z]", "três números finitos, [x, y, z]"),
+        Allowed::NonZeroVector => {
+            pick(lang, "three finite numbers, [x, y, z], not all 0", "três números finitos, [x, y, z], nem todos 0")
+        }
+        Allowed::NonZeroScale => pick(
+            lang,
+            "three finite numbers, [x, y, z], none of them 0",
+            "três números finitos, [x, y, z], nenhum deles 0",
+        ),
+        Allowed::Points => pick(lang, "a list of points, [[x, y, z], …]", "uma lista de pontos, [[x, y, z], …]"),
+        Allowed::PointPairs => pick(
+            lang,
+            "a list of an even number of points, [[x, y, z], [x, y, z], …]",
+            "uma lista com um número par de pontos, [[x, y, z], [x, y, z], …]",
+        ),
+        Allowed::Color => pick(
+            lang,
+            "\"#rrggbb\" or \"#rrggbbaa\" with hexadecimal digits",
+            "\"#rrggbb\" ou \"#rrggbbaa\" com dígitos hexadecimais",
+        ),
+        Allowed::Text => pick(lang, "a text in quotes that is not empty", "um texto entre aspas, não vazio"),
+        Allowed::Word { words, near } => {
+            let words: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
+            format!("{}{}", words.join(", "), meant(lang, near.as_deref()))
+        }
+        Allowed::Section => pick(lang, "a section with keys", "uma seção com chaves"),
+        Allowed::Sections => pick(
+            lang,
+            "sections in double brackets, or a list of inline tables",
+            "seções entre colchetes duplos, ou uma lista de tabelas em linha",
+        ),
+    }
+}
+
+/// Why the file called `name` cannot be used.
+#[must_use]
+pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
+    match error {
+        FileError::Read(error) => {
+            let why = system(lang, error);
+            pick(lang, format!("{name} cannot be read: {why}"), format!("{name} não pode ser lido: {why}"))
+        }
+        FileError::Write(error) => {
+            let why = system(lang, error);
+            pick(lang, format!("{name} cannot be written: {why}"), format!("{name} não pode ser gravado: {why}"))
+        }
+        FileError::Directory => pick(
+            lang,
+            format!("{name} is a directory; allowed: a file"),
+            format!("{name} é um diretório; permitido: um arquivo"),
+        ),
+        FileError::TooLarge => pick(
+            lang,
+            format!("{name} is larger than any figure or picture; allowed: at most 1 GiB"),
+            format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo 1 GiB"),
+        ),
+        FileError::Png(error) => format!("{name}: {}", png(lang, error)),
+        FileError::Figure(error) => format!("{name}, {}", figure(lang, error)),
+    }
+}
+
+/// Why a picture cannot be written or read.
+#[must_use]
+pub fn png(lang: Lang, error: &PngError) -> String {
+    match error {
+        PngError::Encode(why) => pick(
+            lang,
+            format!("the picture cannot be written as PNG ({why})"),
+            format!("a imagem não pode ser gravada como PNG ({why})"),
+        ),
+        PngError::Damaged(why) => {
+            pick(lang, format!("the PNG is damaged ({why})"), format!("o PNG está danificado ({why})"))
+        }
+        PngError::NoFigure => pick(
+            lang,
+            "this PNG holds no figure; allowed: a figure file, or a picture that camera-lab wrote",
+            "este PNG não contém uma figura; permitido: um arquivo de figura, ou uma imagem gravada por camera-lab",
+        ),
+    }
+}
+
+/// What the system said, in our words where the case is common.
+fn system(lang: Lang, error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => {
+            pick(lang, "there is no such file or directory", "o arquivo ou diretório não existe")
+        }
+        io::ErrorKind::PermissionDenied => pick(lang, "permission denied", "permissão negada"),
+        io::ErrorKind::IsADirectory => pick(lang, "it is a directory", "é um diretório"),
+        io::ErrorKind::NotADirectory => {
+            pick(lang, "a part of the path is no directory", "uma parte do caminho não é um diretório")
+        }
+        io::ErrorKind::StorageFull => pick(lang, "the disk is full", "o disco está cheio"),
+        io::ErrorKind::ReadOnlyFilesystem => pick(lang, "the disk is read-only", "o disco é somente de leitura"),
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::read;
+
+    fn both(text: &str) -> (String, String) {
+        let error = read::parse(text).expect_err("a fault");
+        (figure(Lang::En, &error), figure(Lang::PtBr, &error))
+    }
+
+    #[test]
+    fn messages_name_line_key_value_and_what_is_allowed() {
+        for (text, parts) in [
+            ("[camera]\nfov = 3", &["2", "[camera] fov", "view_angle"][..]),
+            ("[camera]\nview_angle = 180", &["2", "view_angle", "180.0"]),
+            ("[camera]\nnear = 7\nfar = 3", &["3", "near", "7.0", "far", "3.0"]),
+            ("[camera]\nposition = \"abc\"", &["2", "[camera] position", "\"abc\"", "[x, y, z]"]),
+            ("[scene]\npreset = \"huose\"", &["2", "[scene] preset", "\"huose\"", "\"ndc-cube\"", "house"]),
+            ("[image]\nwidth = 0", &["2", "[image] width", "0", "16384"]),
+            ("[camera]\nnear = 1,5", &["2", "[camera] near", "1,5"]),
+        ] {
+            let (en, pt) = both(text);
+            for part in parts {
+                assert!(en.contains(part), "{part}: {en}");
+                assert!(pt.contains(part), "{part}: {pt}");
+            }
+            assert_ne!(en, pt);
+            assert!(!en.contains('\n') && !pt.contains('\n'));
+        }
+    }
+
+    #[test]
+    fn the_two_languages_read_well() {
+        let (en, pt) = both("[style]\nantialias = 3");
+        assert_eq!(en, "line 2: [style] antialias is 3; allowed: 1, 4, 16");
+        assert_eq!(pt, "linha 2: [style] antialias é 3; permitido: 1, 4, 16");
+        let (en, pt) = both("[camera]\nview_up = [0, 0, 0]");
+        assert!(en.starts_with("line 2: [camera] view_up is the zero vector; allowed:"), "{en}");
+        assert!(pt.starts_with("linha 2: [camera] view_up é o vetor nulo; permitido:"), "{pt}");
+    }
+
+    #[test]
+    fn common_complaints_of_the_toml_parser_are_translated() {
+        for (text, portuguese) in [
+            ("[camera]\nnear = 1,5", "há algo a mais depois do valor"),
+            ("[camera]\nprojection = parallel", "textos precisam de aspas"),
+            ("[camera]\nposition = [1, 2", "falta fechar uma lista com ]"),
+            ("[camera]\nposition = [1, 2\nnear = 3", "falta uma vírgula entre os elementos da lista"),
+            ("[camera", "falta fechar uma seção com ]"),
+            ("[camera]\nnear", "chave sem valor"),
+            ("[camera]\nnear = .5", "falta um dígito antes do ponto"),
+            ("[camera]\nnear = 5.", "falta um dígito depois do ponto"),
+            ("[camera]\nnear = \"5", "falta fechar um texto com aspas"),
+        ] {
+            let (_, pt) = both(text);
+            assert!(pt.contains(portuguese), "{pt}");
+        }
+    }
+
+    #[test]
+    fn files_are_named() {
+        let missing = FileError::Read(io::ErrorKind::NotFound.into());
+        assert_eq!(file(Lang::En, "a.toml", &missing), "a.toml cannot be read: there is no such file or directory");
+        assert_eq!(file(Lang::PtBr, "a.toml", &missing), "a.toml não pode ser lido: o arquivo ou diretório não existe");
+    }
+}
