@@ -27,8 +27,8 @@ pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
 }
 
 fn obj(lang: Lang, fault: &ObjFault) -> String {
-    let pt = match fault {
-        _ if lang == Lang::En => return fault.to_string(),
+    match fault {
+        _ if lang == Lang::En => fault.to_string(),
         ObjFault::Number { found } => format!("\"{found}\" não é um número finito"),
         ObjFault::Coordinates { found } => format!("há {found} coordenadas; são necessárias 3"),
         ObjFault::Corners { found } => format!("uma face com {found} vértices; são necessários pelo menos 3"),
@@ -39,13 +39,12 @@ fn obj(lang: Lang, fault: &ObjFault) -> String {
             format!("\"{found}\" indica um ponto ou uma normal que não existe; há {points} pontos e {normals} normais")
         }
         ObjFault::Other { detail } => detail.clone(),
-    };
-    pt
+    }
 }
 
 fn gltf(lang: Lang, fault: &GltfFault) -> String {
-    let pt = match fault {
-        _ if lang == Lang::En => return fault.to_string(),
+    match fault {
+        _ if lang == Lang::En => fault.to_string(),
         GltfFault::Container { detail } => format!("o arquivo GLB não é válido ({detail})"),
         GltfFault::Value => "um valor que o glTF não permite".to_owned(),
         GltfFault::Missing => "está faltando".to_owned(),
@@ -60,6 +59,5 @@ fn gltf(lang: Lang, fault: &GltfFault) -> String {
         }
         GltfFault::NotFinite => "um número não é finito".to_owned(),
         GltfFault::Tree => "um nó tem dois pais".to_owned(),
-    };
-    pt
+    }
 }

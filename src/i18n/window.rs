@@ -7,7 +7,7 @@ macro_rules! texts {
         /// Every text of the window in one language.
         #[derive(Debug)]
         pub struct Texts {
-            $(#[doc = concat!("“", $en, "”")] pub $name: &'static str,)*
+            $(#[doc = concat!("`", $en, "`")] pub $name: &'static str,)*
         }
 
         static EN: Texts = Texts { $($name: $en,)* };

@@ -22,6 +22,7 @@ struct Texture {
 }
 
 impl egui_kittest::TestRenderer for Painter {
+    #[expect(clippy::iter_over_hash_type, reason = "each texture is changed on its own, in any order")]
     fn handle_delta(&mut self, delta: &mut TexturesDelta) {
         for (id, changes) in delta.set.drain() {
             for change in changes {
