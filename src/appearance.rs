@@ -38,6 +38,38 @@ impl Rgba {
         Self { a, ..self }
     }
 
+    /// The relative luminance of WCAG 2: 0 black … 1 white.
+    #[must_use]
+    pub fn luminance(self) -> f64 {
+        let linear = |v: u8| {
+            let v = f64::from(v) / 255.0;
+            if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
+        };
+        0.2126 * linear(self.r) + 0.7152 * linear(self.g) + 0.0722 * linear(self.b)
+    }
+
+    /// The contrast of WCAG 2 between two opaque colours: 1 (equal) … 21 (black on white).
+    #[must_use]
+    pub fn contrast(self, other: Self) -> f64 {
+        let (a, b) = (self.luminance() + 0.05, other.luminance() + 0.05);
+        a.max(b) / a.min(b)
+    }
+
+    /// This colour where a stroke in it can be seen on `ground` (contrast at least 3); else the nearest one on the way to black
+    /// or to white, whichever `ground` is farther from. The opacity stays.
+    #[must_use]
+    pub fn legible_on(self, ground: Self) -> Self {
+        const ENOUGH: f64 = 3.0;
+        // Black and white have equal contrast on a ground of this luminance.
+        let end = if ground.luminance() > 0.179 { 0 } else { 255 };
+        let mixed = |sixteenths: u16| {
+            #[expect(clippy::cast_possible_truncation, reason = "a mean of two bytes")]
+            let mix = |from: u8| ((u16::from(from) * (16 - sixteenths) + end * sixteenths) / 16) as u8;
+            Self::rgba(mix(self.r), mix(self.g), mix(self.b), self.a)
+        };
+        (0..16).map(mixed).find(|c| c.contrast(ground) >= ENOUGH).unwrap_or_else(|| mixed(16))
+    }
+
     /// True when nothing shows through.
     #[must_use]
     pub const fn is_opaque(self) -> bool {
@@ -240,4 +272,34 @@ pub struct Texture {
     pub height: u32,
     /// 4 bytes a texel, premultiplied.
     pub rgba: Vec<u8>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn contrast_is_that_of_wcag() {
+        let (black, white) = (Rgba::rgb(0, 0, 0), Rgba::rgb(255, 255, 255));
+        assert!((black.contrast(white) - 21.0).abs() < 1e-12);
+        // A published example: #777777 on white is 4.48 : 1.
+        assert!((Rgba::rgb(0x77, 0x77, 0x77).contrast(white) - 4.48).abs() < 0.005);
+    }
+
+    #[test]
+    fn strokes_are_darkened_or_lightened_only_as_far_as_needed() {
+        let yellow = Rgba::rgba(0xf0, 0xe4, 0x42, 90);
+        let (white, night) = (Rgba::rgb(255, 255, 255), Rgba::rgb(0x16, 0x1a, 0x20));
+        let dark = yellow.legible_on(white);
+        assert!((3.0..3.6).contains(&dark.contrast(white)), "{dark}");
+        assert_eq!(dark.a, 90);
+        assert_eq!(yellow.legible_on(night), yellow);
+        let navy = Rgba::rgb(0, 0x44, 0x88);
+        assert_eq!(navy.legible_on(white), navy);
+        assert!((3.0..3.6).contains(&navy.legible_on(night).contrast(night)));
+        for grey in 0..=255 {
+            let ground = Rgba::rgb(grey, grey, grey);
+            assert!(ground.legible_on(ground).contrast(ground) >= 3.0, "{ground}");
+        }
+    }
 }

@@ -16,12 +16,13 @@ pub(super) struct Strokes<'a> {
     projector: &'a Projector,
     screen: &'a Screen,
     scale: f32,
+    background: Rgba,
     pub(super) sets: Vec<StrokeSet>,
 }
 
 impl<'a> Strokes<'a> {
     pub(super) fn new(projector: &'a Projector, screen: &'a Screen, target: Target) -> Self {
-        Self { projector, screen, scale: target.scale, sets: Vec::new() }
+        Self { projector, screen, scale: target.scale, background: target.background, sets: Vec::new() }
     }
 
     /// A polyline through points of view space. Where it leaves the volume it ends, and where it comes back another begins; an
@@ -51,7 +52,7 @@ impl<'a> Strokes<'a> {
 
     /// The edges of an object, whose vertices have been transformed.
     pub(super) fn edges(&mut self, object: &Object, vertices: &ViewVertices, style: &Style) {
-        let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe) else { return };
+        let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe, self.background) else { return };
         for edge in &object.mesh.edges {
             if edge.iter().all(|&i| (i as usize) < vertices.len()) {
                 self.polyline(edge.map(|i| vertices.point(i)), line_style);
@@ -130,8 +131,9 @@ fn push(sets: &mut Vec<StrokeSet>, run: &[[f32; 3]], style: LineStyle) {
     }
 }
 
-/// How the edges of `object` are drawn: as it says, and in wireframe always, in the object's own colour.
-fn edge_style(object: &Object, wireframe: bool) -> Option<LineStyle> {
+/// How the edges of `object` are drawn: as it says, and in wireframe always, in the object's own colour, made legible
+/// where it is too near the ground of the picture.
+fn edge_style(object: &Object, wireframe: bool, background: Rgba) -> Option<LineStyle> {
     if !wireframe {
         return object.edges;
     }
@@ -142,10 +144,11 @@ fn edge_style(object: &Object, wireframe: bool) -> Option<LineStyle> {
         hidden: HiddenLines::Shown,
         arrow: false,
     });
-    Some(match &object.paint {
-        ObjectPaint::Solid(color) => LineStyle { color: color.with_alpha(255), ..style },
-        _ => style,
-    })
+    let color = match &object.paint {
+        ObjectPaint::Solid(color) => color.with_alpha(255),
+        _ => style.color,
+    };
+    Some(LineStyle { color: color.legible_on(background), ..style })
 }
 
 /// Indices of the display list are 32 bits wide; a longer list than that would not fit in memory.

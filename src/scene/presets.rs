@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3};
 
 use super::hierarchy::{point_mark, point_name};
 use super::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILION, YELLOW};
@@ -37,7 +37,10 @@ pub(super) fn finish(preset: Preset, colors: &SceneColors, scene: &mut Scene) {
             scene.objects.iter_mut().for_each(|o| o.two_sided = true);
             name_corners(scene, colors, |p| p.y == 0.0);
         }
-        Preset::NdcCube => make_wire(scene, colors),
+        Preset::NdcCube => {
+            make_wire(scene, colors);
+            scene.objects.push(letter_f(colors));
+        }
         Preset::Exercise51 => rays_of_exercise_51(scene, colors),
         Preset::Exercise53 => {
             make_wire(scene, colors);
@@ -169,21 +172,40 @@ fn pyramid() -> Vec<ObjectSpec> {
     ]
 }
 
-/// In the cube: a letter F, which no mirror image equals, a ball before it and a cone behind it.
+/// In the cube: a ball before, a cone behind, and the letter of [`letter_f`].
 fn ndc_cube() -> Vec<ObjectSpec> {
-    let part = |name: &str, center: [f64; 3], half: [f64; 3]| {
-        let [x, y, z] = center;
-        ObjectSpec::new(name, Shape::Box).at(x, y, z).scaled(half[0], half[1], half[2]).under("F")
-    };
     vec![
         ObjectSpec::new("cube", Shape::Box),
-        ObjectSpec::group("F").at(-0.1, 0.0, 0.0).colored(BLUE),
-        part("stem", [-0.4, 0.0, 0.0], [0.13, 0.7, 0.13]),
-        part("long arm", [0.13, 0.57, 0.0], [0.4, 0.13, 0.13]),
-        part("short arm", [0.03, 0.03, 0.0], [0.3, 0.12, 0.13]),
         ObjectSpec::new("ball", Shape::Sphere).at(0.55, -0.55, 0.6).scaled(0.25, 0.25, 0.25).colored(VERMILION),
         ObjectSpec::new("cone", Shape::Cone).at(0.6, -0.1, -0.6).scaled(0.25, 0.35, 0.25).colored(YELLOW),
     ]
+}
+
+/// A letter F, which no mirror image equals, in the middle of the cube.
+fn letter_f(colors: &SceneColors) -> Object {
+    let (left, right, stem, arm) = (-0.63, 0.43, 0.26, 0.23);
+    let outline = [
+        [left, -0.7],
+        [left + stem, -0.7],
+        [left + stem, -0.1],
+        [right - 0.2, -0.1],
+        [right - 0.2, -0.1 + arm],
+        [left + stem, -0.1 + arm],
+        [left + stem, 0.7 - arm],
+        [right, 0.7 - arm],
+        [right, 0.7],
+        [left, 0.7],
+    ];
+    Object {
+        name: "F".to_owned(),
+        mesh: Arc::new(primitives::plate(&outline.map(DVec2::from), 0.13)),
+        world_from_object: DMat4::IDENTITY,
+        paint: ObjectPaint::Solid(BLUE),
+        lit: true,
+        two_sided: false,
+        faces: true,
+        edges: Some(colors.edge_style()),
+    }
 }
 
 /// `[0]` exercise 5.1: C = (3, 4, 0), PF = 0. The point with VRC coordinates (1, 1, 0) is C + **u** + **v**, where

@@ -7,7 +7,7 @@
 //! [`MAX_LINES`] meridians (and as many parallels as keep the meshes of the net about square), each along sides of the
 //! tessellation: with up to [`MAX_LINES`] segments the wireframe shows the tessellation itself, with more it stays legible.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::mesh::Mesh;
 use crate::geometry::{Angle, try_unit};
@@ -82,6 +82,21 @@ pub fn prism(sides: u32) -> Mesh {
     let mut faces: Vec<&[usize]> = vec![&bottom, &top];
     faces.extend(sides.iter().map(<[usize; 4]>::as_slice));
     Mesh { closed: true, convex: true, ..Mesh::polyhedron(&corners, &faces) }
+}
+
+/// A plate with a polygonal outline in x and y, counter-clockwise seen from +z, convex or not, from z = −`half_depth` to
+/// z = `half_depth`.
+#[must_use]
+pub fn plate(outline: &[DVec2], half_depth: f64) -> Mesh {
+    let n = outline.len();
+    let at = |z: f64| outline.iter().map(move |p| p.extend(z));
+    let corners: Vec<DVec3> = at(half_depth).chain(at(-half_depth)).collect();
+    let front: Vec<usize> = (0..n).collect();
+    let back: Vec<usize> = (n..2 * n).rev().collect();
+    let sides: Vec<[usize; 4]> = (0..n).map(|k| [k, n + k, n + (k + 1) % n, (k + 1) % n]).collect();
+    let mut faces: Vec<&[usize]> = vec![&front, &back];
+    faces.extend(sides.iter().map(<[usize; 4]>::as_slice));
+    Mesh { closed: true, ..Mesh::polyhedron(&corners, &faces) }
 }
 
 /// A pyramid on the square \[−1, 1\]² of y = 0, with its apex at (0, 2, 0).

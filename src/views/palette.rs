@@ -108,27 +108,13 @@ impl Palette {
 mod tests {
     use super::*;
 
-    /// Relative luminance of WCAG 2.
-    fn luminance(c: Rgba) -> f64 {
-        let linear = |v: u8| {
-            let v = f64::from(v) / 255.0;
-            if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
-        };
-        0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b)
-    }
-
-    fn contrast(a: Rgba, b: Rgba) -> f64 {
-        let (a, b) = (luminance(a) + 0.05, luminance(b) + 0.05);
-        a.max(b) / a.min(b)
-    }
-
     #[test]
     fn every_letter_has_enough_contrast_on_the_paper() {
         for theme in [Theme::Light, Theme::Dark, Theme::Print] {
             let p = Palette::of(theme);
             let [x, y, z] = p.axes;
             for c in [p.ink, p.soft, x, y, z, p.volume_edge, p.view_up, p.aim, p.probe, p.ghost] {
-                assert!(contrast(c, p.paper) >= 4.5, "{theme:?} {c}: {:.2}", contrast(c, p.paper));
+                assert!(c.contrast(p.paper) >= 4.5, "{theme:?} {c}: {:.2}", c.contrast(p.paper));
             }
         }
     }
@@ -137,7 +123,7 @@ mod tests {
     fn the_grid_stays_behind() {
         for theme in [Theme::Light, Theme::Dark, Theme::Print] {
             let p = Palette::of(theme);
-            let c = contrast(p.grid, p.paper);
+            let c = p.grid.contrast(p.paper);
             assert!((1.2..2.0).contains(&c), "{theme:?}: {c:.2}");
         }
     }

@@ -131,6 +131,17 @@ fn solids_are_closed_and_oriented_outwards_at_any_tessellation() {
 }
 
 #[test]
+fn a_plate_of_any_outline_is_solid() {
+    // A U of area 5.
+    let outline = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [2.0, 2.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+    let plate = primitives::plate(&outline.map(Into::into), 0.25);
+    assert_watertight("plate", &plate);
+    assert!((signed_volume(&plate) - 2.5).abs() < 1e-14);
+    assert_eq!((euler_characteristic(&plate), plate.edges.len()), (2, 24));
+    assert_good_normals("plate", &plate, 1.0 - 1e-12);
+}
+
+#[test]
 fn convex_solids_are_convex() {
     for (name, mesh) in [3, 7, 32].into_iter().flat_map(solids).filter(|(_, m)| m.convex) {
         for t in &mesh.triangles {
