@@ -340,7 +340,7 @@ fn cross(ui: &Ui, state: &State, pane: &Pane) {
     if !frame.contains(pointer) {
         return;
     }
-    let stroke = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.7));
+    let stroke = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.5));
     let gap = 8.0;
     let painter = ui.painter().with_clip_rect(frame);
     for (a, b) in [
