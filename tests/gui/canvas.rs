@@ -316,6 +316,37 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
 }
 
 #[test]
+fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
+    let observer = Observer { azimuth: 40.0, distance: 12.0, ..observer() };
+    let mut h = stage(|state| state.document.observers_mut().world = Some(observer));
+    let [_, _, back] = observer.axes();
+    let eye = observer.target + back * observer.distance;
+    let scene = h.state().state.scenery.scene().clone();
+    let object = &scene.objects[0];
+    let corners = object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p));
+    let corner = corners.min_by(|a, b| a.distance(eye).total_cmp(&b.distance(eye))).unwrap();
+
+    let rect = place(&h, WORLD);
+    let camera = observer.camera(None, f64::from(rect.width() / rect.height())).unwrap();
+    let clip = camera.clip_point(corner);
+    let at = rect.center()
+        + vec2((clip.x / clip.w) as f32 * rect.width() / 2.0, -(clip.y / clip.w) as f32 * rect.height() / 2.0);
+    h.hover_at(free_place(&h));
+    h.run();
+    let drawn = h.state().canvas.drawn();
+    h.hover_at(at + vec2(2.0, -1.0));
+    h.run();
+    assert_eq!(h.state().state.probe, Some(Probe::Point(corner)));
+    for (after, before) in h.state().canvas.drawn().iter().zip(drawn) {
+        assert_eq!(*after, before + 1);
+    }
+    let text = h.get_by_label_contains("NDC").accesskit_node().value().unwrap();
+    let ndc = h.state().state.document.camera().clip_point(corner);
+    let x = format!("{:.4}", ndc.x / ndc.w);
+    assert!(text.contains(&x), "{text} has no {x}");
+}
+
+#[test]
 fn only_what_has_changed_is_drawn_again() {
     let mut h = stage(|_| ());
     let drawn = h.state().canvas.drawn();
