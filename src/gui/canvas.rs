@@ -112,7 +112,7 @@ impl Canvas {
         ui.take_available_space();
         ui.painter().rect_filled(room, 0.0, ui.visuals().panel_fill);
         let texts = words::canvas(state.settings.lang);
-        let lines = status::height(ui, room.size());
+        let lines = status::height(ui, room.width());
         let (pictures, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
 
         if let Err(problem) = state.scenery.update(&state.document, state.settings.lang) {
@@ -120,6 +120,10 @@ impl Canvas {
         }
         self.extras.ghost = state.ghost.clone();
         let panes = self.panes(ui, pictures, state, texts);
+        for pane in &panes {
+            state.picture_sizes[pane.picture.index()] = [pane.place.size.width, pane.place.size.height];
+            state.screen_scale = pane.place.size.scale;
+        }
         self.settle_observers(ui, state, &panes);
         let mut status = self.act(ui, state, &panes, texts);
         state.probe = self.extras.probe;
@@ -132,7 +136,7 @@ impl Canvas {
         } else {
             Vec::new()
         };
-        if let Some(picture) = status.show(ui, lines, room.size(), texts) {
+        if let Some(picture) = status.show(ui, lines, texts) {
             state.layout.shown[picture.index()] = true;
         }
     }
@@ -297,9 +301,6 @@ impl Canvas {
         let digits = state.settings.digits;
         status.cells = probe::cells(probe, figure, camera, digits.min(4), texts);
         status.exact = probe::cells(probe, figure, camera, digits, texts);
-        if status.message.is_empty() {
-            texts.probe_hint.clone_into(&mut status.message);
-        }
         if self.pinned.is_some() {
             status.aside = if status.aside.is_empty() {
                 texts.pinned.to_owned()

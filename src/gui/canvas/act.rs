@@ -259,9 +259,8 @@ impl Canvas {
             return probed(handle, state);
         }
         let found = probe::at(pane.picture, &setup, observer, pointer, pane.place.pixels(probe::REACH));
-        status.message = match (found, pane.picture) {
-            (Some(Probe::Point(_)), _) => String::new(),
-            (_, Picture::Image) => match pick::window_point_in_image(&setup, pointer) {
+        status.message = match pane.picture {
+            Picture::Image => match pick::window_point_in_image(&setup, pointer) {
                 Some(point) => {
                     let image = state.document.figure().image;
                     let pixel = probe::pair(probe::pixel_of(image, camera, point), 17);

@@ -1,6 +1,6 @@
 //! What the pointer points at, and its coordinates in every space.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::camera::{Camera, ImageSize, Projected, Viewport};
 use crate::figure::{Figure, Observer};
@@ -43,42 +43,45 @@ fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
 pub(super) struct Cell {
     pub(super) space: &'static str,
     pub(super) value: String,
+    /// How much room the coordinates take: 1, or 2 for four numbers.
+    pub(super) slots: u8,
+    /// Shown also where there is no room for all.
+    pub(super) wanted: bool,
 }
 
-/// The coordinates of a probe in every space, the most wanted first.
+/// The coordinates of a probe in every space, in the order of the pipeline.
 pub(super) fn cells(probe: Probe, figure: &Figure, camera: &Camera, digits: usize, texts: &CanvasTexts) -> Vec<Cell> {
-    let cell = |space, value| Cell { space, value };
+    let wanted = |space, value| Cell { space, value, slots: 1, wanted: true };
+    let other = |space, value| Cell { space, value, slots: 1, wanted: false };
     match probe {
         Probe::Point(p) => {
             let viewport = figure.viewport.unwrap_or_else(|| Viewport::whole(figure.image));
             let s = camera.stations(p, figure.image, &viewport);
-            let mut cells =
-                vec![cell(texts.space_world, point(p, digits)), cell(texts.space_view, point(s.view, digits))];
             let [x, y, z, w] = s.clip.to_array().map(|v| significant(v, digits));
-            cells.push(cell(texts.space_clip, format!("({x}, {y}, {z}, {w})")));
+            let mut cells = vec![
+                wanted(texts.space_world, point(p, digits)),
+                other(texts.space_view, point(s.view, digits)),
+                Cell { slots: 2, ..other(texts.space_clip, format!("({x}, {y}, {z}, {w})")) },
+            ];
             let Some(Projected { ndc, window, pixel, viewport }) = s.projected else {
-                cells.push(cell(texts.space_ndc, texts.no_image.to_owned()));
+                cells.push(wanted(texts.space_ndc, texts.no_image.to_owned()));
                 return cells;
             };
-            let mut in_ndc = point(ndc, digits);
-            if !s.inside {
-                in_ndc = format!("{in_ndc} {}", texts.outside);
-            }
-            cells.push(cell(texts.space_ndc, in_ndc));
-            cells.push(cell(texts.space_window, pair(window, digits)));
-            cells.push(cell(texts.space_pixel, pair(pixel, digits.max(6))));
-            let [x, y, z] = viewport.to_array();
-            let depth = DVec3::new(x, y, z);
-            cells.push(cell(texts.space_viewport, point(depth, digits.max(6))));
+            let outside = if s.inside { String::new() } else { format!(" {}", texts.outside) };
+            cells.push(wanted(texts.space_ndc, format!("{}{outside}", point(ndc, digits))));
+            cells.push(other(texts.space_window, pair(window, digits)));
+            cells.push(wanted(texts.space_pixel, pair(pixel, digits.max(6))));
+            let [x, y] = [viewport.x, viewport.y].map(|v| significant(v, digits.max(6)));
+            cells.push(other(texts.space_viewport, format!("({x}, {y}, {})", significant(viewport.z, digits))));
             cells
         }
         Probe::Window(w) => {
             let ray = camera.ray_through_window(w);
             vec![
-                cell(texts.space_pixel, pair(pixel_of(figure.image, camera, w), 17)),
-                cell(texts.space_window, pair(w, digits)),
-                cell(texts.ray_origin, point(ray.origin, digits)),
-                cell(texts.ray_direction, point(ray.direction, digits)),
+                wanted(texts.space_pixel, pair(pixel_of(figure.image, camera, w), 17)),
+                other(texts.space_window, pair(w, digits)),
+                wanted(texts.ray_origin, point(ray.origin, digits)),
+                wanted(texts.ray_direction, point(ray.direction, digits)),
             ]
         }
     }

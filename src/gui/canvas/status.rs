@@ -1,8 +1,6 @@
 //! The lines under the pictures: what the pointer does and where it is, and the coordinates of the probe.
 
-use eframe::egui::{
-    self, Align, Color32, FontId, Label, Layout, Rect, RichText, TextStyle, Ui, UiBuilder, Vec2, pos2, vec2,
-};
+use eframe::egui::{self, Align, Color32, FontId, Label, Layout, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2};
 
 use super::probe::Cell;
 use super::title::picture_name;
@@ -10,7 +8,7 @@ use crate::gui::state::Picture;
 use crate::i18n::canvas::CanvasTexts;
 
 /// A cell is as wide as its space's name and three numbers of four digits, in heights of a line.
-const CELL_WIDTH: f32 = 14.5;
+const CELL_WIDTH: f32 = 11.5;
 
 /// What is said under the pictures.
 #[derive(Default)]
@@ -33,11 +31,17 @@ pub(super) struct Status {
 
 /// How many lines and columns of cells there are. They depend on the room alone, so that nothing moves when the probe comes
 /// and goes.
-fn grid(ui: &Ui, room: Vec2) -> (usize, usize) {
+fn grid(ui: &Ui, width: f32) -> (u8, u8) {
     let cell = CELL_WIDTH * line_height(ui);
-    let columns = (1..=7).rev().find(|&n: &u8| f32::from(n) * cell <= room.x).unwrap_or(1);
-    let most = if room.y < 400.0 { 1 } else { 3 };
-    (usize::from(7_u8.div_ceil(columns)).min(most), usize::from(columns))
+    if width >= 8.0 * cell {
+        (1, 8)
+    } else if width >= 4.0 * cell {
+        (2, 4)
+    } else if width >= 2.0 * cell {
+        (2, 2)
+    } else {
+        (3, 1)
+    }
 }
 
 fn font(ui: &Ui) -> FontId {
@@ -52,20 +56,19 @@ fn first_line_height(ui: &Ui) -> f32 {
     ui.spacing().interact_size.y
 }
 
-/// The height of the lines in a room that the pictures share.
-pub(super) fn height(ui: &Ui, room: Vec2) -> f32 {
-    let lines = u8::try_from(grid(ui, room).0).map_or(1.0, f32::from);
-    first_line_height(ui) + lines * line_height(ui) + 2.0
+/// The height of the lines under pictures that are so wide together.
+pub(super) fn height(ui: &Ui, width: f32) -> f32 {
+    first_line_height(ui) + f32::from(grid(ui, width).0) * line_height(ui) + 4.0
 }
 
 impl Status {
     /// Draws the lines. The result is a picture that is to be shown again.
-    pub(super) fn show(&self, ui: &mut Ui, rect: Rect, room: Vec2, texts: &CanvasTexts) -> Option<Picture> {
+    pub(super) fn show(&self, ui: &mut Ui, rect: Rect, texts: &CanvasTexts) -> Option<Picture> {
         let inner = rect.shrink2(vec2(6.0, 1.0));
         let first = Rect::from_min_size(inner.min, vec2(inner.width(), first_line_height(ui)));
         let shown_again = self.first_line(ui, first, texts);
+        let (lines, columns) = grid(ui, rect.width());
         let cells = Rect::from_min_max(pos2(inner.left(), first.bottom()), inner.max);
-        let (lines, columns) = grid(ui, room);
         self.cells(ui, cells, lines, columns);
         shown_again
     }
@@ -96,34 +99,27 @@ impl Status {
         shown_again
     }
 
-    fn cells(&self, ui: &mut Ui, rect: Rect, lines: usize, columns: usize) {
-        let builder = UiBuilder::new().id_salt("probe").max_rect(rect);
+    fn cells(&self, ui: &mut Ui, rect: Rect, lines: u8, columns: u8) {
         let response = ui
-            .scope_builder(builder, |ui| {
+            .scope_builder(UiBuilder::new().id_salt("probe").max_rect(rect), |ui| {
                 ui.expand_to_include_rect(rect);
-                ui.spacing_mut().item_spacing = Vec2::ZERO;
-                let columns = columns.min(self.cells.len().max(1));
-                #[expect(clippy::cast_precision_loss, reason = "at most 7")]
-                let width = if self.cells.is_empty() { rect.width() } else { rect.width() / columns as f32 };
-                let height = line_height(ui);
-                let mut place = Rect::from_min_size(rect.min, vec2(width, height));
-                for line in self.cells.chunks(columns).take(lines) {
-                    place.set_left(rect.left());
-                    place.set_width(width);
-                    for cell in line {
-                        self.cell(ui, place, cell);
-                        place = place.translate(vec2(width, 0.0));
+                let slot = vec2(rect.width() / f32::from(columns), line_height(ui));
+                let all = self.cells.iter().map(|cell| cell.slots).sum::<u8>() <= lines * columns;
+                let (mut line, mut column) = (0, 0);
+                for cell in self.cells.iter().filter(|cell| all || cell.wanted) {
+                    if column + cell.slots > columns {
+                        (line, column) = (line + 1, 0);
                     }
-                    place = place.translate(vec2(0.0, height));
+                    if line == lines {
+                        break;
+                    }
+                    let corner = rect.min + slot * vec2(f32::from(column), f32::from(line));
+                    show_cell(ui, Rect::from_min_size(corner, slot * vec2(f32::from(cell.slots), 1.0)), cell);
+                    column += cell.slots;
                 }
                 if self.cells.is_empty() {
                     let text = RichText::new(self.note).small().weak();
-                    ui.put(place, |ui: &mut Ui| {
-                        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                            ui.add(Label::new(text).truncate().selectable(false))
-                        })
-                        .inner
-                    });
+                    line_of_text(ui, Rect::from_min_size(rect.min, vec2(rect.width(), slot.y)), text);
                 }
             })
             .response;
@@ -131,22 +127,25 @@ impl Status {
             response.on_hover_ui(|ui| table(ui, &self.exact));
         }
     }
+}
 
-    fn cell(&self, ui: &mut Ui, place: Rect, cell: &Cell) {
-        let weak = ui.visuals().weak_text_color();
-        let strong = ui.visuals().text_color();
-        let font = font(ui);
-        let mut job = egui::text::LayoutJob::default();
-        let format = |color: Color32| egui::TextFormat::simple(font.clone(), color);
-        job.append(&format!("{} ", cell.space), 0.0, format(weak));
-        job.append(&cell.value, 0.0, format(strong));
-        ui.put(place.shrink2(vec2(0.0, 0.0)), |ui: &mut Ui| {
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                ui.add(Label::new(job).truncate().selectable(false))
-            })
+fn show_cell(ui: &mut Ui, place: Rect, cell: &Cell) {
+    let (weak, strong) = (ui.visuals().weak_text_color(), ui.visuals().text_color());
+    let font = font(ui);
+    let mut job = egui::text::LayoutJob::default();
+    let format = |color: Color32| egui::TextFormat::simple(font.clone(), color);
+    job.append(&format!("{} ", cell.space), 0.0, format(weak));
+    job.append(&cell.value, 0.0, format(strong));
+    line_of_text(ui, place, job);
+}
+
+/// A text that is cut off where its place ends.
+fn line_of_text(ui: &mut Ui, place: Rect, text: impl Into<egui::WidgetText>) {
+    let text = text.into();
+    ui.put(place, |ui: &mut Ui| {
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| ui.add(Label::new(text).truncate().selectable(false)))
             .inner
-        });
-    }
+    });
 }
 
 /// The coordinates, one space in a line.
