@@ -66,6 +66,7 @@ fn main() {
                         continue;
                     }
                     let drawing = Drawing {
+                        painted_in_order: false,
                         width,
                         height,
                         background: Rgba::rgb(255, 255, 255),

@@ -4,7 +4,7 @@
 //! (i + ½, j + ½). Depth: **1 at the near plane, 0 at the far plane** (reversed, so that `f32` keeps its resolution where
 //! perspective crowds the depths), affine in the picture's plane; the greater depth is nearer.
 //!
-//! Order, the same for every output: opaque surfaces (the nearest wins; of equal depths the first drawn stays), then
+//! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal depths the first drawn stays), then
 //! translucent surfaces from back to front (hidden by what is opaque and nearer), then strokes and marks (the hidden parts of
 //! them as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a face counts as visible), then labels.
 
@@ -24,6 +24,9 @@ pub struct Drawing {
     pub background: Rgba,
     /// Samples per pixel for surfaces: 1, 4 or 16. Strokes and labels are always smooth.
     pub antialias: u8,
+    /// The surfaces are listed from back to front: each triangle, opaque or translucent, is painted over those before it,
+    /// whatever their depths. The last opaque one painted still leaves its depth, for what strokes and labels ask.
+    pub painted_in_order: bool,
     /// Faces.
     pub surfaces: Vec<Surface>,
     /// Lines.

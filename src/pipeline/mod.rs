@@ -24,11 +24,12 @@ pub mod project;
 pub mod report;
 mod shade;
 mod transform;
+mod visibility;
 
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
 
-use crate::appearance::{Rgba, Shading, Style};
+use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::geometry::Aabb;
@@ -83,9 +84,8 @@ impl Pipeline {
         let bounds = self.bounds(scene);
         let plan = Plan::new(scene, &projector, style, &bounds, options.force_all_stages);
         let lights = Lights::new(&scene.lights, &projector, style.shading);
-        let hidden_surfaces = plan.runs(Stage::HiddenSurfaces);
         let mut strokes = Strokes::new(&projector, &screen, target);
-        let mut surfaces = Vec::new();
+        let (mut surfaces, mut layers) = (Vec::new(), Vec::new());
         meter.lap(Stage::CullObjects);
 
         for (object, todo) in scene.objects.iter().zip(&plan.objects).filter(|(_, todo)| todo.drawn) {
@@ -101,7 +101,7 @@ impl Pipeline {
                 let task = FaceTask {
                     cull_back: todo.cull_back && !cut_open,
                     mirrored: view_from_object.mirrored(),
-                    watch_turning: !hidden_surfaces,
+                    watch_turning: !plan.depth,
                 };
                 self.faces.cull(&projector, &self.vertices, &object.mesh.triangles, task);
                 meter.lap(Stage::CullFaces);
@@ -120,14 +120,24 @@ impl Pipeline {
                     lit: todo.lit,
                     both_sides: object.two_sided || cut_open || (object.mesh.closed && todo.translucent),
                 };
-                surfaces.extend(shaded.surfaces(hidden_surfaces || self.faces.turned_over > 0));
+                if plan.order() == Visibility::DepthBuffer {
+                    surfaces.extend(shaded.surfaces(plan.depth || self.faces.turned_over > 0));
+                } else {
+                    let convex = object.mesh.convex && object.mesh.closed && task.cull_back;
+                    layers.extend(shaded.layers(plan.depth, convex && self.faces.turned_over == 0));
+                }
                 meter.lap(Stage::Light);
             }
             strokes.edges(object, &self.vertices, style);
         }
-        if style.shading == Shading::Wireframe {
-            surfaces.clear();
+        match plan.order() {
+            // Forced to be made, but only edges were asked for.
+            _ if style.shading == Shading::Wireframe => surfaces.clear(),
+            Visibility::DepthBuffer => {}
+            Visibility::Painter => surfaces = visibility::by_centroid(&layers, &projector, &screen),
+            Visibility::Bsp => surfaces = visibility::by_splitting(&layers, &projector, &screen),
         }
+        meter.lap(Stage::HiddenSurfaces);
         strokes.lines(scene);
         let marks = strokes.marks(scene, target.background);
         let labels = strokes.labels(scene, target.background);
@@ -137,6 +147,7 @@ impl Pipeline {
             height: target.height,
             background: target.background,
             antialias: style.antialias,
+            painted_in_order: plan.order() != Visibility::DepthBuffer,
             surfaces,
             strokes: strokes.sets,
             marks,

@@ -281,6 +281,8 @@ pub struct Plan {
     pub objects: Vec<ObjectPlan>,
     /// One entry for each stage, in order.
     pub stages: Vec<StagePlan>,
+    /// The depth of faces is recorded.
+    pub depth: bool,
 }
 
 /// How a picture is made, other than by what is in it.
@@ -317,7 +319,12 @@ impl Plan {
                 StagePlan { stage, runs: runs || force, reason }
             })
             .to_vec();
-        Self { objects, stages }
+        let mut plan = Self { objects, stages, depth: true };
+        plan.depth = match plan.order() {
+            Visibility::DepthBuffer => plan.runs(Stage::HiddenSurfaces),
+            Visibility::Painter | Visibility::Bsp => survey.lines_ask || force,
+        };
+        plan
     }
 
     /// What is said of one stage.
@@ -325,6 +332,16 @@ impl Plan {
     pub fn stage(&self, stage: Stage) -> StagePlan {
         // `stages` holds all of them in the order of the enumeration.
         self.stages[stage as usize]
+    }
+
+    /// What decides which face is seen: the style's choice, where faces may hide each other at all.
+    #[must_use]
+    pub fn order(&self) -> Visibility {
+        match self.stage(Stage::HiddenSurfaces).reason {
+            Reason::PaintedByCentroid => Visibility::Painter,
+            Reason::PaintedBySplitting => Visibility::Bsp,
+            _ => Visibility::DepthBuffer,
+        }
     }
 
     /// True where `stage` runs.
@@ -504,13 +521,17 @@ impl Survey {
     }
 
     fn hidden_surfaces(&self, style: &Style) -> (bool, Reason) {
-        match style.visibility {
-            Visibility::Painter => (true, Reason::PaintedByCentroid),
-            Visibility::Bsp => (true, Reason::PaintedBySplitting),
-            Visibility::DepthBuffer if self.faces > 1 => (true, Reason::SeveralObjects { objects: self.faces }),
-            Visibility::DepthBuffer if self.hides_itself => (true, Reason::HidesItself),
-            Visibility::DepthBuffer if self.lines_ask => (true, Reason::LinesAskForDepth),
-            Visibility::DepthBuffer => (false, Reason::ConvexAlone),
+        if self.faces > 1 || self.hides_itself {
+            return (
+                true,
+                match style.visibility {
+                    Visibility::Painter => Reason::PaintedByCentroid,
+                    Visibility::Bsp => Reason::PaintedBySplitting,
+                    Visibility::DepthBuffer if self.faces > 1 => Reason::SeveralObjects { objects: self.faces },
+                    Visibility::DepthBuffer => Reason::HidesItself,
+                },
+            );
         }
+        if self.lines_ask { (true, Reason::LinesAskForDepth) } else { (false, Reason::ConvexAlone) }
     }
 }

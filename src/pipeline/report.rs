@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::faces::Faces;
 use super::plan::{Options, Plan, Reason, Stage};
 use super::transform::ViewVertices;
+use crate::appearance::Visibility;
 use crate::drawing::Drawing;
 use crate::scene::Object;
 
@@ -91,12 +92,10 @@ impl Meter {
                     Stage::CullFaces => (Some((self.triangles, self.front)), true),
                     Stage::Clip => (Some((self.front, self.drawn)), true),
                     Stage::Light => (Some((self.drawn, self.drawn)), true),
-                    Stage::Fill
-                    | Stage::Interpolate
-                    | Stage::HiddenSurfaces
-                    | Stage::Texture
-                    | Stage::Blend
-                    | Stage::Antialias => (None, false),
+                    Stage::HiddenSurfaces => (None, plan.order() != Visibility::DepthBuffer),
+                    Stage::Fill | Stage::Interpolate | Stage::Texture | Stage::Blend | Stage::Antialias => {
+                        (None, false)
+                    }
                 };
                 StageReport {
                     stage: planned.stage,

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::faces::Faces;
 use super::plan::LitAt;
 use super::transform::{Projector, ViewFromObject, ViewVertices};
+use super::visibility::Layer;
 use crate::appearance::{Rgba, Shading};
 use crate::drawing::{Lighting, Paint, Phong, Surface, ViewLight};
 use crate::geometry::try_unit;
@@ -88,6 +89,23 @@ pub(super) struct Shaded<'a> {
 }
 
 impl Shaded<'_> {
+    /// The surfaces, with what their order can be found by.
+    pub(super) fn layers(&self, depth_test: bool, never_hides_itself: bool) -> Vec<Layer> {
+        let own = (0..self.vertices.len()).map(|i| self.vertices.at(i));
+        let cuts = self.faces.cuts.iter().map(|cut| cut.mean(|i| self.vertices.point(i)));
+        let mut view: Vec<DVec3> = own.chain(cuts).collect();
+        if self.shares_no_vertex() {
+            view = self.faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
+        }
+        let layer = |surface| Layer { surface, view: view.clone(), never_hides_itself };
+        self.surfaces(depth_test).into_iter().map(layer).collect()
+    }
+
+    /// True where [`unshared`](Self::unshared) makes the surface.
+    fn shares_no_vertex(&self) -> bool {
+        matches!((self.lit, &self.object.paint), (LitAt::Vertices, ObjectPaint::Faces(_)))
+    }
+
     /// The surfaces of the object: one, or with Phong shading one for each colour of its faces.
     pub(super) fn surfaces(&self, depth_test: bool) -> Vec<Surface> {
         if self.faces.triangles.is_empty() {
@@ -124,11 +142,9 @@ impl Shaded<'_> {
         }
     }
 
-    /// F/w rather than 1/w, so that it fits in single precision in worlds of any size.
-    #[expect(clippy::cast_possible_truncation, reason = "a ratio between 0 and 1, for the display list")]
     fn inverse_w(&self) -> Vec<f32> {
         let cuts = self.faces.cuts.iter().map(|cut| cut.w);
-        self.vertices.depth.iter().copied().chain(cuts).map(|w| (self.projector.near / w) as f32).collect()
+        self.vertices.depth.iter().copied().chain(cuts).map(|w| self.projector.relative_inverse_w(w)).collect()
     }
 
     /// The object's colours as they are.

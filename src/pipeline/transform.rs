@@ -103,6 +103,13 @@ impl Projector {
         }
     }
 
+    /// F/w rather than 1/w, so that it fits in single precision in worlds of any size.
+    #[expect(clippy::cast_possible_truncation, reason = "a ratio between 0 and 1, for the display list")]
+    #[inline]
+    pub(super) fn relative_inverse_w(&self, w: f64) -> f32 {
+        (self.near / w) as f32
+    }
+
     /// The depth of the display list, 1 at F and 0 at B, straight from the distance: no difference of nearly equal numbers.
     #[inline]
     pub(super) fn picture_depth(&self, depth: f64) -> f64 {

@@ -11,7 +11,8 @@ use super::shade::pick;
 /// Triangles that are sorted into bands as one piece of work.
 const CHUNK: usize = 8192;
 
-/// The opaque triangles of a picture by band, and the translucent ones from back to front. Kept between pictures.
+/// The opaque triangles of a picture by band, and the translucent ones from back to front. In a drawing that is painted in
+/// order, all triangles are treated as the opaque ones here. Kept between pictures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bins {
     chunks: Vec<Chunk>,
@@ -19,7 +20,7 @@ pub(super) struct Bins {
     translucent: Vec<Translucent>,
 }
 
-/// A stretch of the triangles of one opaque surface.
+/// A stretch of the triangles of one surface.
 #[derive(Clone, Debug, Default)]
 struct Chunk {
     surface: usize,
@@ -44,7 +45,8 @@ impl Bins {
     /// Sorts all triangles of a drawing. `S`: samples per pixel; `height`: rows of a band.
     pub(super) fn sort<const S: usize>(&mut self, drawing: &Drawing, size: Size, height: usize, bands: usize) {
         self.used = 0;
-        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| !s.translucent) {
+        let listed = |s: &Surface| drawing.painted_in_order || !s.translucent;
+        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| listed(s)) {
             for first in (0..s.triangles.len()).step_by(CHUNK) {
                 if self.used == self.chunks.len() {
                     self.chunks.push(Chunk::default());
@@ -67,7 +69,8 @@ impl Bins {
 
     fn sort_translucent<const S: usize>(&mut self, drawing: &Drawing, size: Size, height: usize) {
         self.translucent.clear();
-        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| s.translucent) {
+        let sorted = |s: &Surface| !drawing.painted_in_order && s.translucent;
+        for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| sorted(s)) {
             for triangle in 0..number(s.triangles.len()) {
                 let Some((pixels, depth)) = pixels::<S>(s, triangle, size) else { continue };
                 self.translucent.push(Translucent {

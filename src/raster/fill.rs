@@ -35,6 +35,8 @@ pub(super) struct Band<'a> {
     pub(super) depths: &'a mut [f32],
     /// The slope of the face whose depth was written at the first sample (packed), where someone wants to know.
     pub(super) slopes: Option<&'a mut [u32]>,
+    /// Each triangle is painted over those before it, whatever their depths.
+    pub(super) in_order: bool,
 }
 
 /// Distance of the samples from the centre, in steps.
@@ -139,6 +141,7 @@ impl One {
             row: 0.0,
             slope: pack_slope(self.z.dx, self.z.dy),
             depth_test: surface.depth_test && !band.depths.is_empty(),
+            in_order: band.in_order,
             translucent: surface.translucent,
             shader,
         };
@@ -232,6 +235,7 @@ struct Painter<const S: usize, P> {
     row: f32,
     slope: u32,
     depth_test: bool,
+    in_order: bool,
     translucent: bool,
     shader: P,
 }
@@ -255,7 +259,7 @@ impl<const S: usize, P: Shader> Painter<S, P> {
                 let Some(depths) = eight(band.depths, s * band.plane + start) else { return };
                 for l in 0..LANES {
                     let z = self.z.hold(center[l] + self.depth_steps[s]);
-                    let pass = covered[s][l] & (z > depths[l]);
+                    let pass = covered[s][l] & ((z > depths[l]) | self.in_order);
                     covered[s][l] = pass;
                     if !self.translucent {
                         depths[l] = if pass { z } else { depths[l] };

@@ -132,6 +132,7 @@ impl Scratch {
             colors: &mut self.colors,
             depths: if frame.depth_test { &mut self.depths } else { &mut [] },
             slopes: frame.want_slopes.then_some(&mut self.slopes),
+            in_order: drawing.painted_in_order,
         };
         for (surface, triangles) in bins.opaque(job.band) {
             fill::<S>(&mut band, &drawing.surfaces[surface], triangles.iter().copied());

@@ -179,6 +179,7 @@ mod tests {
             height: 100,
             background: Rgba::rgb(255, 255, 255),
             antialias: 1,
+            painted_in_order: false,
             surfaces: Vec::new(),
             strokes: Vec::new(),
             marks: Vec::new(),

@@ -18,6 +18,7 @@ mod meshes;
 mod pipeline;
 mod pipeline_plan;
 mod pipeline_project;
+mod pipeline_visibility;
 mod raster_fill;
 mod raster_pictures;
 mod scene;

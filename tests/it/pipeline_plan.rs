@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::pipeline::plan::{Options, Reason, Stage};
 use camera_lab::pipeline::{Frame, Pipeline, Place, Target};
@@ -149,7 +149,7 @@ fn any_line_style() -> impl Strategy<Value = LineStyle> {
     })
 }
 
-fn any_object() -> impl Strategy<Value = Object> {
+pub(crate) fn any_object() -> impl Strategy<Value = Object> {
     let scale = prop_oneof![4 => any_vec(2.0), 1 => Just(DVec3::ONE), 1 => Just(DVec3::new(1.0, 0.0, 1.0))];
     let place = (scale, any_vec(3.2), any_vec(3.0)).prop_map(|(scale, angles, at)| {
         let turn = DQuat::from_euler(EulerRot::XYZ, angles.x, angles.y, angles.z);
@@ -174,7 +174,7 @@ fn any_object() -> impl Strategy<Value = Object> {
     )
 }
 
-fn any_scene() -> impl Strategy<Value = Scene> {
+pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
     let light = prop_oneof![
         any_vec(1.0).prop_map(|direction| Light::Directional { direction }),
         any_vec(5.0).prop_map(|position| Light::Point { position }),
@@ -197,7 +197,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
         .prop_map(|(objects, lights, lines, marks)| Scene { objects, lights, lines, marks, texts: Vec::new() })
 }
 
-fn any_camera() -> impl Strategy<Value = Camera> {
+pub(crate) fn any_camera() -> impl Strategy<Value = Camera> {
     let window = proptest::option::weighted(
         0.3,
         (-0.3..-0.01, 0.02..0.4, -0.2..0.1, 0.11..0.3).prop_map(|(left, right, bottom, top)| ViewWindow {
@@ -237,10 +237,15 @@ proptest! {
     fn the_plan_changes_no_pixel(
         scene in any_scene(),
         camera in any_camera(),
+        visibility in prop_oneof![
+            4 => Just(Visibility::DepthBuffer),
+            1 => Just(Visibility::Painter),
+            1 => Just(Visibility::Bsp),
+        ],
         shading in prop_oneof![Just(Shading::Wireframe), Just(Shading::Flat), Just(Shading::Gouraud), Just(Shading::Phong)],
     ) {
         let target = Target { width: 48, height: 36, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
-        let style = Style { shading, antialias: 1, ..Style::default() };
+        let style = Style { shading, visibility, antialias: 1, ..Style::default() };
         let mut pipeline = Pipeline::default();
         let planned = pipeline.frame(&scene, &camera, target, &style, Options::default());
         let forced = pipeline.frame(&scene, &camera, target, &style, FORCED);

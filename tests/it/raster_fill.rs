@@ -39,6 +39,7 @@ fn drawing(width: u32, height: u32, antialias: u8, surfaces: Vec<Surface>) -> Dr
         height,
         background: WHITE,
         antialias,
+        painted_in_order: false,
         surfaces,
         strokes: Vec::new(),
         marks: Vec::new(),

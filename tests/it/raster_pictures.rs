@@ -17,6 +17,7 @@ fn drawing(width: u32, height: u32) -> Drawing {
         height,
         background: WHITE,
         antialias: 4,
+        painted_in_order: false,
         surfaces: Vec::new(),
         strokes: Vec::new(),
         marks: Vec::new(),

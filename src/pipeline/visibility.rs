@@ -1,0 +1,341 @@
+//! The order of faces where no depth buffer decides: painter's algorithm by centroids, and by a BSP tree that splits.
+//!
+//! Both take the surfaces as they were shaded, and give them back in the order in which they are to be painted, one over the
+//! other. Translucent faces blend as they come.
+
+use glam::DVec3;
+
+use super::shade::{mean_of_colors, mean_of_uv};
+use super::transform::{Projector, Screen, on_grid};
+use crate::appearance::Rgba;
+use crate::drawing::{Paint, Phong, Surface};
+
+/// A surface with what its order is found by.
+#[derive(Clone, Debug)]
+pub(super) struct Layer {
+    /// As it was shaded.
+    pub(super) surface: Surface,
+    /// Its vertices in view space.
+    pub(super) view: Vec<DVec3>,
+    /// No face of it can hide another: front faces of something convex.
+    pub(super) never_hides_itself: bool,
+}
+
+/// A corner of a face that may have been split.
+#[derive(Clone, Copy, Debug)]
+struct Corner {
+    view: DVec3,
+    /// Share of each corner of the whole face.
+    weights: [f64; 3],
+    /// A corner of the whole face.
+    original: bool,
+}
+
+/// A face or a piece of one: convex, plane.
+#[derive(Clone, Debug)]
+struct Piece {
+    layer: usize,
+    triangle: usize,
+    corners: Vec<Corner>,
+}
+
+/// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and there to
+/// be seen failing.
+pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Screen) -> Vec<Surface> {
+    let distance = |piece: &Piece| piece.corners.iter().map(|c| -c.view.z).sum::<f64>();
+    let mut pieces: Vec<(f64, Piece)> = pieces(layers).into_iter().map(|piece| (distance(&piece), piece)).collect();
+    // Of equal distances the first listed is painted last: it stays, as in a depth buffer.
+    pieces.reverse();
+    pieces.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut painter = Painter { layers, projector, screen, surfaces: Vec::new(), last_layer: usize::MAX };
+    for (_, piece) in &pieces {
+        painter.paint(piece);
+    }
+    painter.surfaces
+}
+
+/// In an order that is right for each two faces: a tree of planes of faces; what crosses a plane is split (Fuchs, Kedem and
+/// Naylor 1980).
+pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Screen) -> Vec<Surface> {
+    enum Task {
+        Order(Vec<Piece>),
+        Paint(Vec<Piece>),
+    }
+    let all = pieces(layers);
+    let extent = all.iter().flat_map(|p| &p.corners).fold(0.0, |most: f64, c| most.max(c.view.abs().max_element()));
+    let tolerance = extent * 1e-10;
+    let mut painter = Painter { layers, projector, screen, surfaces: Vec::new(), last_layer: usize::MAX };
+    // A tree that is one long branch must not exhaust the stack: the tasks wait here, the next at the end.
+    let mut tasks = vec![Task::Order(all)];
+    while let Some(task) = tasks.pop() {
+        match task {
+            Task::Paint(pieces) => pieces.iter().rev().for_each(|piece| painter.paint(piece)),
+            Task::Order(set) => {
+                let alone = set.first().is_none_or(|first| {
+                    layers[first.layer].never_hides_itself && set.iter().all(|piece| piece.layer == first.layer)
+                });
+                let plane = if alone || set.len() < 2 { None } else { best_plane(&set, tolerance) };
+                let Some(plane) = plane else {
+                    tasks.push(Task::Paint(set));
+                    continue;
+                };
+                let parts = plane.divide(set, tolerance);
+                let (near, far) =
+                    if plane.faces_eye(projector) { (parts.front, parts.back) } else { (parts.back, parts.front) };
+                tasks.extend([Task::Order(near), Task::Paint(parts.on), Task::Order(far)]);
+            }
+        }
+    }
+    painter.surfaces
+}
+
+fn pieces(layers: &[Layer]) -> Vec<Piece> {
+    let own = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut all = Vec::new();
+    for (k, layer) in layers.iter().enumerate() {
+        for (triangle, corners) in layer.surface.triangles.iter().enumerate() {
+            let corner = |i: usize| Corner { view: layer.view[corners[i] as usize], weights: own[i], original: true };
+            all.push(Piece { layer: k, triangle, corners: (0..3).map(corner).collect() });
+        }
+    }
+    all
+}
+
+/// A plane in view space.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    point: DVec3,
+    normal: DVec3,
+}
+
+#[derive(Default)]
+struct Parts {
+    front: Vec<Piece>,
+    on: Vec<Piece>,
+    back: Vec<Piece>,
+}
+
+impl Plane {
+    /// The plane of a face; `None` for one without area.
+    fn of(piece: &Piece) -> Option<Self> {
+        let [a, b, c] = [0, 1, 2].map(|i| piece.corners[i].view);
+        let normal = crate::geometry::try_unit((b - a).cross(c - a))?;
+        Some(Self { point: a, normal })
+    }
+
+    fn distance(&self, p: DVec3, tolerance: f64) -> f64 {
+        let distance = self.normal.dot(p - self.point);
+        if distance.abs() <= tolerance { 0.0 } else { distance }
+    }
+
+    /// True where the eye is in front of the plane.
+    fn faces_eye(&self, projector: &Projector) -> bool {
+        if projector.perspective { self.normal.dot(self.point) <= 0.0 } else { self.normal.z >= 0.0 }
+    }
+
+    /// How many of `set` it splits, and how unevenly it divides the rest.
+    fn cost(&self, set: &[Piece], tolerance: f64) -> usize {
+        let (mut front, mut back, mut split) = (0_usize, 0_usize, 0_usize);
+        for piece in set {
+            let (before, behind) = self.sides(piece, tolerance);
+            match (before, behind) {
+                (true, true) => split += 1,
+                (true, false) => front += 1,
+                (false, true) => back += 1,
+                (false, false) => {}
+            }
+        }
+        8 * split + front.abs_diff(back)
+    }
+
+    /// Whether any corner is in front, and whether any is behind.
+    fn sides(&self, piece: &Piece, tolerance: f64) -> (bool, bool) {
+        piece.corners.iter().fold((false, false), |(before, behind), corner| {
+            let distance = self.distance(corner.view, tolerance);
+            (before || distance > 0.0, behind || distance < 0.0)
+        })
+    }
+
+    fn divide(&self, set: Vec<Piece>, tolerance: f64) -> Parts {
+        let mut parts = Parts::default();
+        for piece in set {
+            match self.sides(&piece, tolerance) {
+                (false, false) => parts.on.push(piece),
+                (true, false) => parts.front.push(piece),
+                (false, true) => parts.back.push(piece),
+                (true, true) => {
+                    let (front, back) = self.split(&piece, tolerance);
+                    parts.front.push(front);
+                    parts.back.push(back);
+                }
+            }
+        }
+        parts
+    }
+
+    /// The two pieces of one that crosses the plane.
+    fn split(&self, piece: &Piece, tolerance: f64) -> (Piece, Piece) {
+        let (mut front, mut back) = (Vec::new(), Vec::new());
+        for (i, a) in piece.corners.iter().enumerate() {
+            let b = &piece.corners[(i + 1) % piece.corners.len()];
+            let (da, db) = (self.distance(a.view, tolerance), self.distance(b.view, tolerance));
+            if da >= 0.0 {
+                front.push(*a);
+            }
+            if da <= 0.0 {
+                back.push(*a);
+            }
+            if da * db < 0.0 {
+                // The mean of the ends weighted by the distances, as in clipping.
+                let (wa, wb) = (db.abs() / (da.abs() + db.abs()), da.abs() / (da.abs() + db.abs()));
+                let cut = Corner {
+                    view: a.view * wa + b.view * wb,
+                    weights: std::array::from_fn(|k| a.weights[k] * wa + b.weights[k] * wb),
+                    original: false,
+                };
+                front.push(cut);
+                back.push(cut);
+            }
+        }
+        (Piece { corners: front, ..piece.clone() }, Piece { corners: back, ..piece.clone() })
+    }
+}
+
+/// Of some planes of faces, and in large sets of some upright planes through the middle too, the one that splits least and
+/// divides most evenly; `None` where no face has an area.
+fn best_plane(set: &[Piece], tolerance: f64) -> Option<Plane> {
+    const TRIED: usize = 6;
+    const LARGE: usize = 128;
+    let step = set.len().div_ceil(TRIED);
+    let mut candidates: Vec<Plane> = set.iter().step_by(step).filter_map(Plane::of).collect();
+    if candidates.is_empty() {
+        candidates.extend(set.iter().find_map(Plane::of));
+    }
+    if set.len() > LARGE && !candidates.is_empty() {
+        for axis in DVec3::AXES {
+            let mut along: Vec<f64> = set.iter().map(|piece| axis.dot(piece.corners[0].view)).collect();
+            let middle = along.len() / 2;
+            let (_, median, _) = along.select_nth_unstable_by(middle, f64::total_cmp);
+            candidates.push(Plane { point: axis * *median, normal: axis });
+        }
+    }
+    let useful = |plane: &Plane| {
+        // A plane that leaves the whole set on one side would go on for ever.
+        let (before, behind) = set.iter().fold((0, 0), |(before, behind), piece| {
+            let (b, h) = plane.sides(piece, tolerance);
+            (before + usize::from(b), behind + usize::from(h))
+        });
+        before < set.len() && behind < set.len()
+    };
+    candidates.into_iter().filter(useful).min_by_key(|plane| plane.cost(set, tolerance))
+}
+
+/// Puts pieces one after the other into as few surfaces as their paints allow.
+struct Painter<'a> {
+    layers: &'a [Layer],
+    projector: &'a Projector,
+    screen: &'a Screen,
+    surfaces: Vec<Surface>,
+    last_layer: usize,
+}
+
+impl Painter<'_> {
+    fn paint(&mut self, piece: &Piece) {
+        let layer = &self.layers[piece.layer];
+        let old = &layer.surface;
+        let of = old.triangles[piece.triangle].map(|i| i as usize);
+        let same_layer = self.last_layer == piece.layer;
+        self.last_layer = piece.layer;
+        if !self.surfaces.last().is_some_and(|last| takes(last, old, same_layer)) {
+            self.surfaces.push(empty_like(old));
+        }
+        let Some(surface) = self.surfaces.last_mut() else { return };
+        let first = u32::try_from(surface.positions.len()).unwrap_or(u32::MAX);
+        for corner in &piece.corners {
+            let whole = (0..3).find(|&k| corner.original && corner.weights[k] == 1.0).map(|k| of[k]);
+            surface.positions.push(match whole {
+                Some(i) => old.positions[i],
+                None => on_grid(self.screen.project(self.projector, self.projector.clip(corner.view))),
+            });
+            if !old.inverse_w.is_empty() {
+                surface.inverse_w.push(match whole {
+                    Some(i) => old.inverse_w[i],
+                    None => self.projector.relative_inverse_w(-corner.view.z),
+                });
+            }
+            paint_corner(&mut surface.paint, &old.paint, of, corner.weights);
+        }
+        let last = first + u32::try_from(piece.corners.len()).unwrap_or(0);
+        for k in first + 1..last.saturating_sub(1) {
+            surface.triangles.push([first, k, k + 1]);
+            if let Paint::Faces(colors) = &mut surface.paint {
+                colors.push(match &old.paint {
+                    Paint::Faces(old) => old[piece.triangle],
+                    Paint::Solid(color) => *color,
+                    _ => continue,
+                });
+            }
+        }
+    }
+}
+
+/// A surface without triangles that takes the pieces of `old`; one colour becomes a colour for each face, so that surfaces of
+/// different objects can be one.
+fn empty_like(old: &Surface) -> Surface {
+    let paint = match &old.paint {
+        Paint::Solid(_) | Paint::Faces(_) => Paint::Faces(Vec::new()),
+        Paint::Vertices(_) => Paint::Vertices(Vec::new()),
+        Paint::Phong(phong) => Paint::Phong(Phong {
+            normals: Vec::new(),
+            positions: Vec::new(),
+            color: phong.color,
+            lighting: phong.lighting.clone(),
+        }),
+        Paint::Texture { image, opacity, .. } => {
+            Paint::Texture { image: image.clone(), uv: Vec::new(), opacity: *opacity }
+        }
+    };
+    Surface {
+        positions: Vec::new(),
+        inverse_w: Vec::new(),
+        triangles: Vec::new(),
+        paint,
+        translucent: old.translucent,
+        depth_test: old.depth_test,
+    }
+}
+
+/// True where `last` can take pieces of `old`.
+fn takes(last: &Surface, old: &Surface, same_layer: bool) -> bool {
+    let alike = match (&last.paint, &old.paint) {
+        (Paint::Faces(_), Paint::Faces(_) | Paint::Solid(_)) => true,
+        (Paint::Vertices(_), Paint::Vertices(_)) => true,
+        _ => same_layer,
+    };
+    alike && last.translucent == old.translucent && last.inverse_w.is_empty() == old.inverse_w.is_empty()
+}
+
+/// Gives a new corner its share of the paint of three vertices.
+fn paint_corner(paint: &mut Paint, old: &Paint, of: [usize; 3], weights: [f64; 3]) {
+    let mean = |values: &[[f32; 3]]| {
+        let sum = (0..3).fold(DVec3::ZERO, |sum, k| {
+            let [x, y, z] = values[of[k]].map(f64::from);
+            sum + DVec3::new(x, y, z) * weights[k]
+        });
+        sum.as_vec3().to_array()
+    };
+    match (paint, old) {
+        (Paint::Vertices(colors), Paint::Vertices(old)) => {
+            let three: [Rgba; 3] = of.map(|i| old[i]);
+            colors.push(mean_of_colors(three, weights));
+        }
+        (Paint::Phong(phong), Paint::Phong(old)) => {
+            phong.normals.push(mean(&old.normals));
+            phong.positions.push(mean(&old.positions));
+        }
+        (Paint::Texture { uv, .. }, Paint::Texture { uv: old, .. }) => {
+            uv.push(mean_of_uv(of.map(|i| old[i]), weights));
+        }
+        _ => {}
+    }
+}
