@@ -3,6 +3,8 @@
 //! Both take the surfaces as they were shaded, and give them back in the order in which they are to be painted, one over the
 //! other. Translucent faces blend as they come.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
 use super::shade::{mean_of_colors, mean_of_uv};
@@ -29,6 +31,59 @@ struct Corner {
     weights: [f64; 3],
     /// A corner of the whole face.
     original: bool,
+    /// The line that the side from here to the next corner lies on.
+    side: usize,
+}
+
+/// The sides of faces, with the points at which any face was split there. A face keeps its neighbour's points in its own
+/// border: both sides of the border have the same corners on the grid of the image, and no gap opens between them.
+#[derive(Clone, Debug, Default)]
+struct Sides {
+    known: HashMap<[u64; 6], usize>,
+    cuts: Vec<Vec<DVec3>>,
+}
+
+impl Sides {
+    /// The side between two corners of whole faces; the same for both faces that have it.
+    fn between(&mut self, a: DVec3, b: DVec3) -> usize {
+        let bits = |p: DVec3| p.to_array().map(f64::to_bits);
+        let (a, b) = (bits(a).min(bits(b)), bits(a).max(bits(b)));
+        let next = self.cuts.len();
+        let side = *self.known.entry([a[0], a[1], a[2], b[0], b[1], b[2]]).or_insert(next);
+        if side == next {
+            self.cuts.push(Vec::new());
+        }
+        side
+    }
+
+    /// A side that splitting makes.
+    fn new_side(&mut self) -> usize {
+        self.cuts.push(Vec::new());
+        self.cuts.len() - 1
+    }
+
+    /// All corners of a piece, with those that its neighbours' pieces have in its border.
+    fn complete(&self, piece: &Piece) -> Vec<Corner> {
+        let mut all = Vec::new();
+        for (i, a) in piece.corners.iter().enumerate() {
+            all.push(*a);
+            let b = &piece.corners[(i + 1) % piece.corners.len()];
+            let along = b.view - a.view;
+            let place = |p: DVec3| (p - a.view).dot(along) / along.length_squared();
+            let cuts = self.cuts[a.side].iter().filter(|&&p| p != a.view && p != b.view);
+            let mut cuts: Vec<(f64, DVec3)> =
+                cuts.map(|&p| (place(p), p)).filter(|(t, _)| *t > 0.0 && *t < 1.0).collect();
+            cuts.sort_by(|p, q| p.0.total_cmp(&q.0));
+            cuts.dedup_by_key(|cut| cut.1);
+            all.extend(cuts.iter().map(|&(t, view)| Corner {
+                view,
+                weights: std::array::from_fn(|k| a.weights[k] * (1.0 - t) + b.weights[k] * t),
+                original: false,
+                side: a.side,
+            }));
+        }
+        all
+    }
 }
 
 /// A face or a piece of one: convex, plane.
@@ -42,14 +97,15 @@ struct Piece {
 /// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and there to
 /// be seen failing.
 pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Screen) -> Vec<Surface> {
+    let (all, _) = pieces(layers);
     let distance = |piece: &Piece| piece.corners.iter().map(|c| -c.view.z).sum::<f64>();
-    let mut pieces: Vec<(f64, Piece)> = pieces(layers).into_iter().map(|piece| (distance(&piece), piece)).collect();
+    let mut pieces: Vec<(f64, Piece)> = all.into_iter().map(|piece| (distance(&piece), piece)).collect();
     // Of equal distances the first listed is painted last: it stays, as in a depth buffer.
     pieces.reverse();
     pieces.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut painter = Painter { layers, projector, screen, surfaces: Vec::new(), last_layer: usize::MAX };
     for (_, piece) in &pieces {
-        painter.paint(piece);
+        painter.paint(piece, &piece.corners);
     }
     painter.surfaces
 }
@@ -61,15 +117,16 @@ pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Scr
         Order(Vec<Piece>),
         Paint(Vec<Piece>),
     }
-    let all = pieces(layers);
+    let (all, mut sides) = pieces(layers);
     let extent = all.iter().flat_map(|p| &p.corners).fold(0.0, |most: f64, c| most.max(c.view.abs().max_element()));
     let tolerance = extent * 1e-10;
-    let mut painter = Painter { layers, projector, screen, surfaces: Vec::new(), last_layer: usize::MAX };
+    let mut ordered: Vec<Piece> = Vec::new();
     // A tree that is one long branch must not exhaust the stack: the tasks wait here, the next at the end.
     let mut tasks = vec![Task::Order(all)];
     while let Some(task) = tasks.pop() {
         match task {
-            Task::Paint(pieces) => pieces.iter().rev().for_each(|piece| painter.paint(piece)),
+            // Of faces in one plane the first listed is painted last: it stays, as in a depth buffer.
+            Task::Paint(pieces) => ordered.extend(pieces.into_iter().rev()),
             Task::Order(set) => {
                 let alone = set.first().is_none_or(|first| {
                     layers[first.layer].never_hides_itself && set.iter().all(|piece| piece.layer == first.layer)
@@ -79,26 +136,36 @@ pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Scr
                     tasks.push(Task::Paint(set));
                     continue;
                 };
-                let parts = plane.divide(set, tolerance);
+                let parts = plane.divide(set, tolerance, &mut sides);
                 let (near, far) =
                     if plane.faces_eye(projector) { (parts.front, parts.back) } else { (parts.back, parts.front) };
                 tasks.extend([Task::Order(near), Task::Paint(parts.on), Task::Order(far)]);
             }
         }
     }
+    let mut painter = Painter { layers, projector, screen, surfaces: Vec::new(), last_layer: usize::MAX };
+    for piece in &ordered {
+        painter.paint(piece, &sides.complete(piece));
+    }
     painter.surfaces
 }
 
-fn pieces(layers: &[Layer]) -> Vec<Piece> {
+fn pieces(layers: &[Layer]) -> (Vec<Piece>, Sides) {
     let own = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let mut all = Vec::new();
+    let (mut all, mut sides) = (Vec::new(), Sides::default());
     for (k, layer) in layers.iter().enumerate() {
         for (triangle, corners) in layer.surface.triangles.iter().enumerate() {
-            let corner = |i: usize| Corner { view: layer.view[corners[i] as usize], weights: own[i], original: true };
+            let view = corners.map(|i| layer.view[i as usize]);
+            let corner = |i: usize| Corner {
+                view: view[i],
+                weights: own[i],
+                original: true,
+                side: sides.between(view[i], view[(i + 1) % 3]),
+            };
             all.push(Piece { layer: k, triangle, corners: (0..3).map(corner).collect() });
         }
     }
-    all
+    (all, sides)
 }
 
 /// A plane in view space.
@@ -156,7 +223,7 @@ impl Plane {
         })
     }
 
-    fn divide(&self, set: Vec<Piece>, tolerance: f64) -> Parts {
+    fn divide(&self, set: Vec<Piece>, tolerance: f64, sides: &mut Sides) -> Parts {
         let mut parts = Parts::default();
         for piece in set {
             match self.sides(&piece, tolerance) {
@@ -164,7 +231,7 @@ impl Plane {
                 (true, false) => parts.front.push(piece),
                 (false, true) => parts.back.push(piece),
                 (true, true) => {
-                    let (front, back) = self.split(&piece, tolerance);
+                    let (front, back) = self.split(&piece, tolerance, sides);
                     parts.front.push(front);
                     parts.back.push(back);
                 }
@@ -174,16 +241,18 @@ impl Plane {
     }
 
     /// The two pieces of one that crosses the plane.
-    fn split(&self, piece: &Piece, tolerance: f64) -> (Piece, Piece) {
+    fn split(&self, piece: &Piece, tolerance: f64, sides: &mut Sides) -> (Piece, Piece) {
         let (mut front, mut back) = (Vec::new(), Vec::new());
+        let new_side = sides.new_side();
         for (i, a) in piece.corners.iter().enumerate() {
             let b = &piece.corners[(i + 1) % piece.corners.len()];
             let (da, db) = (self.distance(a.view, tolerance), self.distance(b.view, tolerance));
+            // From a corner in the plane, the piece on the side that the border leaves goes on along the plane.
             if da >= 0.0 {
-                front.push(*a);
+                front.push(Corner { side: if da == 0.0 && db < 0.0 { new_side } else { a.side }, ..*a });
             }
             if da <= 0.0 {
-                back.push(*a);
+                back.push(Corner { side: if da == 0.0 && db > 0.0 { new_side } else { a.side }, ..*a });
             }
             if da * db < 0.0 {
                 // The mean of the ends weighted by the distances, as in clipping.
@@ -192,9 +261,11 @@ impl Plane {
                     view: a.view * wa + b.view * wb,
                     weights: std::array::from_fn(|k| a.weights[k] * wa + b.weights[k] * wb),
                     original: false,
+                    side: a.side,
                 };
-                front.push(cut);
-                back.push(cut);
+                sides.cuts[a.side].push(cut.view);
+                front.push(Corner { side: if db < 0.0 { new_side } else { a.side }, ..cut });
+                back.push(Corner { side: if db > 0.0 { new_side } else { a.side }, ..cut });
             }
         }
         (Piece { corners: front, ..piece.clone() }, Piece { corners: back, ..piece.clone() })
@@ -240,7 +311,8 @@ struct Painter<'a> {
 }
 
 impl Painter<'_> {
-    fn paint(&mut self, piece: &Piece) {
+    /// Paints a piece, whose border has these corners.
+    fn paint(&mut self, piece: &Piece, corners: &[Corner]) {
         let layer = &self.layers[piece.layer];
         let old = &layer.surface;
         let of = old.triangles[piece.triangle].map(|i| i as usize);
@@ -251,7 +323,7 @@ impl Painter<'_> {
         }
         let Some(surface) = self.surfaces.last_mut() else { return };
         let first = u32::try_from(surface.positions.len()).unwrap_or(u32::MAX);
-        for corner in &piece.corners {
+        for corner in corners {
             let whole = (0..3).find(|&k| corner.original && corner.weights[k] == 1.0).map(|k| of[k]);
             surface.positions.push(match whole {
                 Some(i) => old.positions[i],
@@ -265,7 +337,7 @@ impl Painter<'_> {
             }
             paint_corner(&mut surface.paint, &old.paint, of, corner.weights);
         }
-        let last = first + u32::try_from(piece.corners.len()).unwrap_or(0);
+        let last = first + u32::try_from(corners.len()).unwrap_or(0);
         for k in first + 1..last.saturating_sub(1) {
             surface.triangles.push([first, k, k + 1]);
             if let Paint::Faces(colors) = &mut surface.paint {

@@ -14,7 +14,7 @@ use tiny_skia::Pixmap;
 
 use super::common::picture::assert_picture;
 use super::pipeline::{object, only};
-use super::pipeline_plan::{any_camera, any_object};
+use super::pipeline_plan::{any_camera, any_object, reproducible};
 
 const SMALL: Target = Target { width: 96, height: 72, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
 
@@ -111,7 +111,7 @@ fn a_line_behind_painted_faces_is_hidden() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(reproducible(1))]
 
     #[test]
     fn splitting_gives_the_picture_of_the_depth_buffer(
@@ -119,16 +119,19 @@ proptest! {
         camera in any_camera(),
     ) {
         let colors = [Rgba::rgb(0, 114, 178), Rgba::rgb(230, 159, 0), Rgba::rgb(0, 158, 115), Rgba::rgb(204, 121, 167)];
-        let objects = objects.into_iter().zip(colors).map(|(thing, color)| Object {
+        let apart = |k: usize| DMat4::from_translation(DVec3::new(0.3, 0.21, 0.13) * f64::from(u32::try_from(k).unwrap()));
+        let objects = objects.into_iter().zip(colors).enumerate().map(|(k, (thing, color))| Object {
             paint: ObjectPaint::Solid(color),
             edges: None,
             faces: true,
+            // Nothing that is pressed flat: a face seen on edge is nothing but edge.
+            world_from_object: match thing.world_from_object.determinant().abs() {
+                1e-3.. => thing.world_from_object,
+                _ => apart(k),
+            },
             ..thing
         });
         let scene = Scene { objects: objects.collect(), ..Scene::default() };
-        // A face seen on edge is nothing but edge.
-        let solid = |o: &Object| o.world_from_object.determinant().abs() > 1e-3;
-        prop_assume!(scene.objects.iter().all(solid));
         let depth = paint(&draw(&scene, &camera, SMALL, &style(Visibility::DepthBuffer)));
         let bsp = paint(&draw(&scene, &camera, SMALL, &style(Visibility::Bsp)));
         let (differ, inside) = difference(&depth, &bsp);
