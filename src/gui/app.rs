@@ -69,11 +69,13 @@ impl App {
                 .default_size(256.0)
                 .size_range(220.0..=420.0)
                 .show(ui, |ui| panels::parameters::ui(ui, &mut self.state));
+            name_handle(ui, "parameters", window::texts(self.state.settings.lang).panel_width);
         }
         if sides.is_shown(Side::Right) {
             egui::Panel::right("numbers").default_size(300.0).size_range(260.0..=520.0).show(ui, |ui| {
                 self.right(ui);
             });
+            name_handle(ui, "numbers", window::texts(self.state.settings.lang).panel_width);
         }
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
@@ -109,14 +111,17 @@ impl App {
     /// The command whose keys were pressed.
     fn keyboard(&self, ctx: &egui::Context) -> Option<Command> {
         let typing = ctx.text_edit_focused();
-        Command::all().filter(|command| !(typing && command.is_for_text_too()) && command.is_enabled(&self.state)).find(
-            |command| {
-                [Some(command.shortcut()), command.second_shortcut()]
-                    .into_iter()
-                    .flatten()
-                    .any(|keys| ctx.input_mut(|input| input.consume_shortcut(&keys)))
-            },
-        )
+        let mut keys: Vec<_> = Command::all()
+            .filter(|command| !(typing && command.is_for_text_too()) && command.is_enabled(&self.state))
+            .flat_map(|command| {
+                [Some(command.shortcut()), command.second_shortcut()].map(|keys| Some((keys?, command)))
+            })
+            .flatten()
+            .collect();
+        // Ctrl+Shift+S is Ctrl+S as well: what needs more keys is asked first.
+        keys.sort_by_key(|(keys, _)| !keys.modifiers.shift);
+        let pressed = keys.iter().find(|(keys, _)| ctx.input_mut(|input| input.consume_shortcut(keys)));
+        pressed.map(|(_, command)| *command)
     }
 
     /// Does what a menu or the keyboard asks for.
@@ -182,6 +187,12 @@ impl App {
             ctx.set_zoom_factor(zoom);
         }
     }
+}
+
+/// Names the handle of a panel in the language of the window: egui's own name for it is English.
+fn name_handle(ui: &egui::Ui, panel: &str, name: &str) {
+    let handle = ui.scope_id().with_salt(egui::IdSalt::new(panel)).with("__resize");
+    ui.ctx().accesskit_node_builder(handle, |node| node.set_label(name));
 }
 
 /// Says what happens with a file that is held over the window.

@@ -1,5 +1,6 @@
 //! The questions that are asked in the window.
 
+use std::mem::{Discriminant, discriminant};
 use std::path::PathBuf;
 
 use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
@@ -15,7 +16,14 @@ use crate::picture::View;
 
 /// Shows the question that is open, if any, and acts on the answer.
 pub fn show(ctx: &egui::Context, state: &mut State) {
-    let Some(dialog) = state.filing.dialog.take() else { return };
+    let shown = Id::unique("dialog shown");
+    let Some(dialog) = state.filing.dialog.take() else {
+        ctx.data_mut(|data| data.remove::<Option<Discriminant<Dialog>>>(shown));
+        return;
+    };
+    let kind = Some(discriminant(&dialog));
+    let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
+    ctx.data_mut(|data| data.insert_temp(shown, kind));
     let t = window::texts(state.settings.lang);
     let modal = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
         ui.set_width(380.0_f32.min(ui.ctx().content_rect().width() - 40.0));
@@ -23,7 +31,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             Dialog::Unsaved(wish) => {
                 let name = state.document.name().unwrap_or_else(|| t.untitled.to_owned());
                 text(ui, t.unsaved_title, &format!("{} {name}", t.unsaved_text));
-                match buttons(ui, t.cancel, &[t.dont_save, t.save_first]) {
+                match buttons(ui, t.cancel, &[t.dont_save, t.save_first], first.then_some(1)) {
                     Answer::Yes(1) => filing::save(ctx, state, Some(wish)),
                     Answer::Yes(_) => filing::fulfil(ctx, state, wish),
                     Answer::No => {}
@@ -32,14 +40,14 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             }
             Dialog::Overwrite(purpose, path) => {
                 text(ui, t.overwrite_title, &format!("{} {}", path.display(), t.overwrite_text));
-                match buttons(ui, t.cancel, &[t.replace]) {
+                match buttons(ui, t.cancel, &[t.replace], first.then_some(CANCEL)) {
                     Answer::Yes(_) => filing::confirmed(ctx, state, purpose, &path),
                     Answer::No => {}
                     Answer::Open => state.filing.dialog = Some(Dialog::Overwrite(purpose, path)),
                 }
             }
-            Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path),
-            Dialog::Export(export) => ask_export(ui, t, state, export),
+            Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
+            Dialog::Export(export) => ask_export(ui, t, state, export, first),
         }
     });
     if modal.should_close() {
@@ -62,30 +70,39 @@ enum Answer {
     Open,
 }
 
-/// Buttons at the lower right; the last of `actions` is the one that Enter presses.
-fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str]) -> Answer {
+/// The number of the button that changes nothing.
+const CANCEL: usize = usize::MAX;
+
+/// Buttons at the lower right, the one that is most wanted last. `focus` is the one that Enter presses.
+fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usize>) -> Answer {
     let mut answer = Answer::Open;
+    let size = egui::vec2(80.0, 26.0);
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         for (index, action) in actions.iter().enumerate().rev() {
-            let main = index + 1 == actions.len();
-            let mut button = egui::Button::new(*action).min_size(egui::vec2(80.0, 26.0));
-            if main {
+            let mut button = egui::Button::new(*action).min_size(size);
+            if index + 1 == actions.len() {
                 button = button.fill(ui.visuals().selection.bg_fill);
             }
             let response = ui.add(button);
-            let enter = main && ui.memory(|m| m.focused().is_none()) && ui.input(|i| i.key_pressed(Key::Enter));
-            if response.clicked() || enter {
+            if focus == Some(index) {
+                response.request_focus();
+            }
+            if response.clicked() {
                 answer = Answer::Yes(index);
             }
         }
-        if ui.add(egui::Button::new(cancel).min_size(egui::vec2(80.0, 26.0))).clicked() {
+        let response = ui.add(egui::Button::new(cancel).min_size(size));
+        if focus == Some(CANCEL) {
+            response.request_focus();
+        }
+        if response.clicked() {
             answer = Answer::No;
         }
     });
     answer
 }
 
-fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Purpose, mut path: String) {
+fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Purpose, mut path: String, first: bool) {
     let (title, action) = match &purpose {
         Purpose::Open => (t.open_title, t.open_action),
         Purpose::Save(_) => (t.save_title, t.save_action),
@@ -96,7 +113,6 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     ui.label(t.path_text);
     let field = egui::TextEdit::singleline(&mut path).desired_width(f32::INFINITY).hint_text(t.path_hint);
     let response = ui.add(field).accessible_name(t.path_name);
-    let first = ui.data_mut(|data| !std::mem::replace(data.get_temp_mut_or_default::<bool>(response.id), true));
     if first {
         response.request_focus();
     }
@@ -105,21 +121,15 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         super::panels::complaint(ui, &error.text);
     }
     ui.add_space(10.0);
-    let answer = buttons(ui, t.cancel, &[action]);
-    let empty = path.trim().is_empty();
-    match answer {
-        Answer::Yes(_) if !empty => {}
-        Answer::Open if enter && !empty => {}
-        Answer::No => {
-            ui.data_mut(|data| data.remove::<bool>(response.id));
-            return;
-        }
-        _ => {
-            state.filing.dialog = Some(Dialog::Path(purpose, path));
-            return;
-        }
+    let answer = buttons(ui, t.cancel, &[action], None);
+    let go = (enter || matches!(answer, Answer::Yes(_))) && !path.trim().is_empty();
+    if matches!(answer, Answer::No) {
+        return;
     }
-    ui.data_mut(|data| data.remove::<bool>(response.id));
+    if !go {
+        state.filing.dialog = Some(Dialog::Path(purpose, path));
+        return;
+    }
     state.message = None;
     filing::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
     // What went wrong is shown where it was typed.
@@ -128,7 +138,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     }
 }
 
-fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export) {
+fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
     ui.heading(t.export_heading);
     ui.add_space(6.0);
     let what = [
@@ -153,7 +163,7 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
     ui.add_space(4.0);
     ui.label(RichText::new(t.export_note).small().weak());
     ui.add_space(10.0);
-    match buttons(ui, t.cancel, &[t.export_action]) {
+    match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
         Answer::Yes(_) => filing::ask(ui.ctx(), state, Purpose::Export(export)),
         Answer::No => {}
         Answer::Open => state.filing.dialog = Some(Dialog::Export(export)),

@@ -3,6 +3,8 @@
 #![expect(clippy::expect_used, clippy::cast_possible_truncation, reason = "tests may fail")]
 
 mod canvas;
+mod files;
+mod language;
 mod painter;
 mod panels;
 mod window;

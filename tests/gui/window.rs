@@ -77,6 +77,11 @@ impl Window {
         &self.harness.state().as_ref().expect("it has been shown").state
     }
 
+    /// The program itself.
+    pub(crate) fn app_mut(&mut self) -> &mut App {
+        self.harness.state_mut().as_mut().expect("it has been shown")
+    }
+
     /// Frames until nothing changes any more.
     pub(crate) fn run(&mut self) {
         self.harness.run();

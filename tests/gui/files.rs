@@ -1,0 +1,214 @@
+//! Opening, saving, exporting and closing, with the questions that are asked in the window.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use camera_lab::export::png;
+use camera_lab::gui::filing::Dialog;
+use camera_lab::i18n::Lang;
+use camera_lab::{files, gui};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
+use egui_kittest::kittest::Queryable;
+
+use super::window::Window;
+
+/// A folder that is there for one test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("camera-lab-gui-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).expect("a folder for temporary files");
+        Self(path)
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+impl Window {
+    /// Types a path into the dialog that asks for one.
+    fn choose(&mut self, path: &Path) {
+        self.harness.get_by_role_and_label(Role::TextInput, "file").focus();
+        self.run();
+        self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        self.harness.event(Event::Text(path.display().to_string()));
+        self.run();
+        self.key(Key::Enter);
+    }
+
+    /// Presses the window's own close button; true where the window closes.
+    fn ask_to_close(&mut self) -> bool {
+        let events = |window: &mut Self| {
+            std::mem::take(&mut window.harness.input_mut().viewports.entry(ViewportId::ROOT).or_default().events)
+        };
+        events(self);
+        self.harness.input_mut().viewports.entry(ViewportId::ROOT).or_default().events.push(ViewportEvent::Close);
+        self.harness.step();
+        events(self);
+        let commands = &self.harness.output().viewport_output[&ViewportId::ROOT].commands;
+        let cancelled = commands.contains(&ViewportCommand::CancelClose);
+        self.run();
+        !cancelled
+    }
+}
+
+#[test]
+fn a_figure_goes_to_its_file_and_comes_back_with_its_comments() {
+    let folder = Folder::new("round-trip");
+    let path = folder.file("house.toml");
+    fs::write(&path, "# For the lecture.\n[camera]\nfar = 50.0 # metres\n\n[scene]\npreset = \"empty\"\n")
+        .expect("written");
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::O);
+    window.choose(&path);
+    assert_eq!(window.state().document.name().as_deref(), Some("house.toml"));
+    assert_eq!(window.state().document.figure().camera.far, 50.0);
+    window.enter("B", "75");
+    assert!(window.state().document.is_changed());
+    window.command_key(Key::S);
+    assert!(!window.state().document.is_changed());
+    let text = fs::read_to_string(&path).expect("there");
+    assert!(text.starts_with("# For the lecture.\n") && text.contains("far = 75.0 # metres"), "{text}");
+    let again = files::open_figure(&path).expect("readable").figure;
+    assert_eq!(&again, window.state().document.figure());
+}
+
+#[test]
+fn save_as_appends_the_ending_and_asks_before_it_replaces() {
+    let folder = Folder::new("save-as");
+    let mut window = Window::new(Lang::En);
+    window.enter("B", "40");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run();
+    window.choose(&folder.file("a"));
+    assert!(folder.file("a.toml").exists());
+    fs::write(folder.file("b.toml"), "precious").expect("written");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run();
+    window.choose(&folder.file("b.toml"));
+    assert!(matches!(window.state().filing.dialog, Some(Dialog::Overwrite(..))));
+    assert_eq!(fs::read_to_string(folder.file("b.toml")).expect("there"), "precious");
+    window.click("Cancel");
+    assert_eq!(fs::read_to_string(folder.file("b.toml")).expect("there"), "precious");
+    assert_eq!(window.state().document.name().as_deref(), Some("a.toml"));
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run();
+    window.choose(&folder.file("b.toml"));
+    window.click("Replace");
+    assert_eq!(files::open_figure(&folder.file("b.toml")).expect("a figure").figure.camera.far, 40.0);
+}
+
+#[test]
+fn a_faulty_file_is_explained_and_changes_nothing() {
+    let folder = Folder::new("faulty");
+    let path = folder.file("broken.toml");
+    fs::write(&path, "[camera]\nnear = 5\nfar = 2\n").expect("written");
+    let mut window = Window::new(Lang::PtBr);
+    let before = window.state().document.figure().clone();
+    window.command_key(Key::O);
+    window.harness.get_by_role_and_label(Role::TextInput, "arquivo").focus();
+    window.run();
+    window.harness.event(Event::Text(path.display().to_string()));
+    window.run();
+    window.key(Key::Enter);
+    // The field is still open, with the reason below it.
+    assert!(matches!(window.state().filing.dialog, Some(Dialog::Path(..))));
+    assert!(window.says("permitido: 0 < near < far"));
+    window.key(Key::Escape);
+    assert!(window.state().filing.dialog.is_none());
+    assert_eq!(window.state().document.figure(), &before);
+}
+
+#[test]
+fn changes_are_asked_about_before_they_are_lost() {
+    let folder = Folder::new("unsaved");
+    let mut window = Window::new(Lang::En);
+    assert!(window.ask_to_close(), "nothing has been changed");
+    let mut window = Window::new(Lang::En);
+    window.enter("C x", "1");
+    assert!(!window.ask_to_close());
+    assert!(window.says("Save the changes?"));
+    window.click("Cancel");
+    assert!(!window.says("Save the changes?"));
+    window.command_key(Key::N);
+    window.click("Don't save");
+    assert_eq!(window.state().document.figure(), &gui::fresh());
+    window.enter("C x", "2");
+    assert!(!window.ask_to_close());
+    window.click("Save");
+    window.choose(&folder.file("kept.toml"));
+    assert_eq!(files::open_figure(&folder.file("kept.toml")).expect("a figure").figure.camera.position.x, 2.0);
+    assert!(window.state().filing.may_close);
+}
+
+#[test]
+fn an_undone_change_is_no_change() {
+    let mut window = Window::new(Lang::En);
+    window.enter("C x", "1");
+    window.command_key(Key::Z);
+    assert!(!window.state().document.is_changed());
+    assert!(window.ask_to_close());
+}
+
+#[test]
+fn an_exported_picture_holds_its_figure_and_brings_it_back() {
+    let folder = Folder::new("export");
+    let path = folder.file("view.png");
+    let mut window = Window::new(Lang::En);
+    window.enter("C x", "1.5");
+    window.command_key(Key::E);
+    assert!(window.says("Export pictures"));
+    window.harness.get_by_role_and_label(Role::ComboBox, "pictures").click();
+    window.run();
+    window.harness.query_all_by_label("Image").last().expect("an entry").click();
+    window.run();
+    window.harness.get_by_role_and_label(Role::ComboBox, "size").click();
+    window.run();
+    window.click("typed");
+    window.enter("picture width", "64");
+    window.enter("picture height", "48");
+    window.click("Export…");
+    window.choose(&path);
+    let since = Instant::now();
+    while !window.says("Saved:") {
+        assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
+        std::thread::sleep(Duration::from_millis(20));
+        window.run();
+    }
+    let bytes = fs::read(&path).expect("there");
+    let text = png::figure_text(&bytes).expect("a PNG").expect("with a figure");
+    assert!(text.contains("theme = \"print\"") && text.contains("1.5"));
+
+    let mut other = Window::new(Lang::En);
+    other.command_key(Key::O);
+    other.choose(&path);
+    assert_eq!(other.state().document.figure().camera.position.x, 1.5);
+    // Saving must not write a figure file over the picture.
+    assert!(other.state().document.path().is_none());
+}
+
+#[test]
+fn a_crashed_session_is_back_at_the_next_start() {
+    let folder = Folder::new("session");
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.0, true);
+    window.enter("C x", "1.25");
+    drop(window);
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.0, true);
+    window.run();
+    assert_eq!(window.state().document.draft().position.x, 1.25);
+    assert!(window.says("The last session is back"));
+    assert!(window.state().document.is_changed());
+}

@@ -1,0 +1,58 @@
+//! Both languages, while the window runs.
+
+use std::collections::BTreeSet;
+
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::window::texts;
+use eframe::egui::Key;
+use egui_kittest::kittest::{By, NodeT, Queryable};
+
+use super::window::Window;
+
+/// Every word in the window.
+fn words(window: &Window) -> BTreeSet<String> {
+    let nodes = window.harness.query_all(By::new().predicate(|_| true));
+    nodes.flat_map(|node| [node.accesskit_node().label(), node.accesskit_node().value()]).flatten().collect()
+}
+
+/// What is the same in both languages: symbols, numbers, names.
+fn is_international(word: &str, both: &BTreeSet<&str>) -> bool {
+    both.contains(word.trim().trim_start_matches("✔ "))
+        || !word.chars().any(char::is_alphabetic)
+        || word.split(|c: char| !c.is_alphabetic()).all(|part| part.chars().count() <= 3 || part == "Zoom")
+}
+
+#[test]
+fn switching_leaves_no_word_of_the_other_language() {
+    let mut window = Window::new(Lang::En);
+    window.enter("F", "20");
+    window.click("Viewport");
+    window.click("Style");
+    window.click("Edit");
+    let english = words(&window);
+    assert!(english.iter().any(|word| word.contains("must be less than")));
+    window.key(Key::Escape);
+    window.command_key(Key::L);
+    window.click("Editar");
+    let portuguese = words(&window);
+    assert!(portuguese.iter().any(|word| word.contains("tem de ser menor que")));
+    let (en, pt) = (texts(Lang::En).entries(), texts(Lang::PtBr).entries());
+    let both: BTreeSet<&str> = en.iter().zip(&pt).filter(|(a, b)| a.1 == b.1).map(|(a, _)| a.1).collect();
+    let left: Vec<_> = english.intersection(&portuguese).filter(|word| !is_international(word, &both)).collect();
+    assert!(left.is_empty(), "{left:#?}");
+}
+
+#[test]
+fn no_text_is_missing_and_few_are_the_same() {
+    let (en, pt) = (texts(Lang::En).entries(), texts(Lang::PtBr).entries());
+    let mut same = Vec::new();
+    for ((name, english), (_, portuguese)) in en.into_iter().zip(pt) {
+        assert!(!english.trim().is_empty() && !portuguese.trim().is_empty(), "{name}");
+        if english == portuguese {
+            same.push(english);
+        }
+    }
+    let names = ["pixels", "Viewport", "faces", "Gouraud", "Phong", "Zoom"];
+    same.retain(|text| !names.contains(text) && !is_international(text, &BTreeSet::new()));
+    assert_eq!(same, ["θ, vertical: H = 2 F tan(θ/2). [0] (5.5)", "m × n pixels. [0] (5.22)"]);
+}
