@@ -22,6 +22,7 @@ pub struct App {
     /// The pictures.
     pub canvas: Canvas,
     session: Option<Session>,
+    title: String,
 }
 
 /// What the presentation enlarges everything by.
@@ -36,7 +37,7 @@ impl App {
     pub fn new(ctx: &egui::Context, state: State) -> Self {
         theme::install_fonts(ctx);
         theme::install_style(ctx);
-        let app = Self { state, canvas: Canvas::default(), session: None };
+        let app = Self { state, canvas: Canvas::default(), session: None, title: String::new() };
         app.apply_settings(ctx);
         app
     }
@@ -85,6 +86,7 @@ impl App {
         dialogs::show(&ctx, &mut self.state);
         drop_hint(&ctx, &self.state);
         self.apply_settings(&ctx);
+        self.update_title(&ctx);
         if ctx.input(|i| !i.pointer.any_down() && i.keys_down.is_empty()) {
             self.state.document.commit();
             if let Some(session) = &mut self.session {
@@ -167,7 +169,19 @@ impl App {
             Command::NumbersPanel => state.settings.panels_mut().toggle(Side::Right),
             Command::Show(picture) => state.layout.toggle(picture),
             Command::Look(look) => state.look = Some(look),
+            Command::Help => state.filing.dialog = Some(Dialog::Help),
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,
+        }
+    }
+
+    /// The name of the figure in the title of the window.
+    fn update_title(&mut self, ctx: &egui::Context) {
+        let document = &self.state.document;
+        let name = document.name().unwrap_or_else(|| window::texts(self.state.settings.lang).untitled.to_owned());
+        let title = format!("{name}{} – Camera Lab", if document.is_changed() { " •" } else { "" });
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
         }
     }
 

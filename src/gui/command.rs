@@ -51,6 +51,8 @@ pub enum Command {
     Look(Look),
     /// Turning one 3D picture turns the other.
     LinkOrbits,
+    /// Mouse and keyboard at a glance.
+    Help,
 }
 
 /// Shift on top of the platform's command key.
@@ -62,7 +64,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 18] = [
+    pub const VIEW: [Self; 17] = [
         Self::Show(Picture::World),
         Self::Show(Picture::Canonical),
         Self::Show(Picture::Image),
@@ -80,12 +82,13 @@ impl Command {
         Self::ZoomOut,
         Self::ZoomReset,
         Self::Language,
-        Self::Quit,
     ];
+    /// The menu of what one may ask.
+    pub const HELP: [Self; 1] = [Self::Help];
 
     /// All commands, each once.
     pub fn all() -> impl Iterator<Item = Self> {
-        Self::FILE.into_iter().chain(Self::EDIT).chain(Self::VIEW.into_iter().filter(|c| *c != Self::Quit))
+        Self::FILE.into_iter().chain(Self::EDIT).chain(Self::VIEW).chain(Self::HELP)
     }
 
     /// Its name.
@@ -129,6 +132,7 @@ impl Command {
             Self::Look(Look::Iso) => (t.look_iso, t.look_iso_hint),
             Self::Look(Look::Fit) => (t.look_fit, t.look_fit_hint),
             Self::LinkOrbits => (t.link_orbits, t.link_orbits_hint),
+            Self::Help => (t.help, t.help_hint),
         }
     }
 
@@ -163,6 +167,7 @@ impl Command {
             Self::Look(Look::Iso) => (Modifiers::ALT, Key::Num4),
             Self::Look(Look::Fit) => (Modifiers::ALT, Key::Num0),
             Self::LinkOrbits => (Modifiers::ALT, Key::L),
+            Self::Help => (Modifiers::NONE, Key::F1),
         };
         KeyboardShortcut::new(modifiers, key)
     }

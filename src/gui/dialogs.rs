@@ -5,12 +5,14 @@ use std::path::PathBuf;
 
 use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
 
+use super::command::Command;
 use super::export::{Export, MAX_SIDE};
 use super::filing::{self, Dialog, Purpose};
 use super::number_field::{NumberField, Step};
 use super::panels::{choice, row};
 use super::state::State;
 use crate::appearance::Theme;
+use crate::i18n::canvas::canvas;
 use crate::i18n::window::{self, Texts};
 use crate::picture::View;
 
@@ -25,8 +27,10 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
     let first = ctx.data_mut(|data| data.get_temp(shown)) != Some(kind);
     ctx.data_mut(|data| data.insert_temp(shown, kind));
     let t = window::texts(state.settings.lang);
-    let modal = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
-        ui.set_width(380.0_f32.min(ui.ctx().content_rect().width() - 40.0));
+    let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
+    let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| {
+        let width = if dialog == Dialog::Help { 520.0 } else { 380.0_f32 };
+        ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
             Dialog::Unsaved(wish) => {
                 let name = state.document.name().unwrap_or_else(|| t.untitled.to_owned());
@@ -48,6 +52,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
             Dialog::Export(export) => ask_export(ui, t, state, export, first),
+            Dialog::Help => help(ui, t, state, first),
         }
     });
     if modal.should_close() {
@@ -180,4 +185,42 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
     let side = |v: f64| v.round().clamp(1.0, f64::from(MAX_SIDE)) as u32;
     (export.width, export.height) = (side(width), side(height));
+}
+
+fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
+    let pictures = canvas(state.settings.lang);
+    let keys = [
+        (t.show_world, pictures.keys_in_world),
+        (t.show_canonical, pictures.keys_in_canonical),
+        (t.show_image, pictures.keys_in_image),
+    ];
+    ui.heading(t.help);
+    let height = ui.ctx().content_rect().height() - 160.0;
+    egui::ScrollArea::vertical().max_height(height.max(120.0)).show(ui, |ui| {
+        let title = |ui: &mut egui::Ui, text: &str| {
+            ui.add_space(6.0);
+            ui.label(RichText::new(text).strong().color(ui.visuals().hyperlink_color));
+        };
+        title(ui, t.help_pictures);
+        ui.label(t.help_pictures_text);
+        ui.label(pictures.pointer_in_space);
+        for (name, text) in keys {
+            ui.label(format!("{name}: {text}"));
+        }
+        title(ui, t.help_numbers);
+        ui.label(t.help_numbers_text);
+        title(ui, t.help_commands);
+        egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
+            for command in Command::all() {
+                ui.monospace(ui.ctx().format_shortcut(&command.shortcut()));
+                ui.label(command.label(t)).on_hover_text(command.hint(t));
+                ui.end_row();
+            }
+        });
+    });
+    ui.add_space(8.0);
+    match buttons(ui, t.close, &[], first.then_some(CANCEL)) {
+        Answer::Open => state.filing.dialog = Some(Dialog::Help),
+        Answer::Yes(_) | Answer::No => {}
+    }
 }

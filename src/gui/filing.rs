@@ -54,6 +54,8 @@ pub enum Dialog {
     Overwrite(Purpose, PathBuf),
     /// What to export.
     Export(Export),
+    /// What the pointer and the keys do.
+    Help,
 }
 
 /// What is going on with files.

@@ -11,9 +11,13 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     let t = window::texts(state.settings.lang);
     let mut chosen = None;
     egui::MenuBar::new().ui(ui, |ui| {
-        let view = &Command::VIEW[..Command::VIEW.len() - 1];
-        for (title, commands) in [(t.menu_file, &Command::FILE[..]), (t.menu_edit, &Command::EDIT), (t.menu_view, view)]
-        {
+        let menus = [
+            (t.menu_file, &Command::FILE[..]),
+            (t.menu_edit, &Command::EDIT),
+            (t.menu_view, &Command::VIEW),
+            (t.menu_help, &Command::HELP),
+        ];
+        for (title, commands) in menus {
             ui.menu_button(title, |ui| {
                 ui.set_min_width(220.0);
                 for command in commands {

@@ -37,6 +37,7 @@ texts! {
     menu_file: "File", "Arquivo";
     menu_edit: "Edit", "Editar";
     menu_view: "View", "Ver";
+    menu_help: "Help", "Ajuda";
     new: "New", "Novo";
     new_hint: "The default figure", "A figura padrão";
     open: "Open…", "Abrir…";
@@ -85,6 +86,14 @@ texts! {
     look_fit_hint: "Everything of interest in both pictures", "Tudo o que interessa nas duas imagens";
     link_orbits: "Link the orbits", "Ligar as órbitas";
     link_orbits_hint: "Turning one 3D picture turns the other", "Girar uma imagem 3D gira a outra";
+    help: "Mouse and keyboard", "Mouse e teclado";
+    help_hint: "What the pointer and the keys do", "O que o ponteiro e as teclas fazem";
+    help_numbers: "Number fields", "Campos numéricos";
+    help_numbers_text: "Drag to the side (Shift: slowly). Click and type a number or an expression: 1/3, sqrt(2)/2, 45°, pi/3. Enter: done · Esc: as before · ↑ ↓: one step · Page ↑ ↓: ten steps", "Arraste para o lado (Shift: devagar). Clique e digite um número ou uma expressão: 1/3, sqrt(2)/2, 45°, pi/3. Enter: pronto · Esc: como antes · ↑ ↓: um passo · Page ↑ ↓: dez passos";
+    help_pictures: "Pictures", "Imagens";
+    help_pictures_text: "Double-click: maximise. Drag C, PF, VUP and the planes F and B in the world. Click: pin what is pointed at.", "Duplo clique: maximizar. Arraste C, PF, VUP e os planos F e B no mundo. Clique: fixar o que se aponta.";
+    help_commands: "Commands", "Comandos";
+    close: "Close", "Fechar";
     show_world: "World", "Mundo";
     show_canonical: "Canonical volume", "Volume canônico";
     show_image: "Image", "Imagem";

@@ -164,9 +164,11 @@ fn an_undone_change_is_no_change() {
 #[test]
 fn an_exported_picture_holds_its_figure_and_brings_it_back() {
     let folder = Folder::new("export");
-    let path = folder.file("view.png");
+    let (path, figure) = (folder.file("view.png"), folder.file("view.toml"));
     let mut window = Window::new(Lang::En);
     window.enter("C x", "1.5");
+    window.command_key(Key::S);
+    window.choose(&figure);
     window.command_key(Key::E);
     assert!(window.says("Export pictures"));
     window.harness.get_by_role_and_label(Role::ComboBox, "pictures").click();
@@ -181,7 +183,7 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
     window.click("Export…");
     window.choose(&path);
     let since = Instant::now();
-    while !window.says("Saved:") {
+    while !path.exists() {
         assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
         std::thread::sleep(Duration::from_millis(20));
         window.run();
@@ -189,6 +191,12 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
     let bytes = fs::read(&path).expect("there");
     let text = png::figure_text(&bytes).expect("a PNG").expect("with a figure");
     assert!(text.contains("theme = \"print\"") && text.contains("1.5"));
+    // The command line gives the same bytes.
+    let rendered = folder.file("rendered.png");
+    let [figure, rendered_name] = [&figure, &rendered].map(|path| path.display().to_string());
+    let arguments = ["camera-lab", "render", &figure, "--view", "image", "--size", "64x48", "--theme", "print", "-o"];
+    camera_lab::cli::run(arguments.into_iter().chain([rendered_name.as_str()]).map(Into::into));
+    assert_eq!(bytes, fs::read(&rendered).expect("rendered"));
 
     let mut other = Window::new(Lang::En);
     other.command_key(Key::O);

@@ -2,7 +2,6 @@
 
 use std::time::Duration;
 
-use camera_lab::figure::Figure;
 use camera_lab::gui::state::Picture;
 use camera_lab::gui::{App, Start, State, theme};
 use camera_lab::i18n::Lang;
@@ -31,13 +30,6 @@ impl Window {
         state.filing.native = false;
         state.layout.maximized = Some(Picture::Image);
         Self::with_state(state, [1280.0, 800.0])
-    }
-
-    /// A window with a figure.
-    pub(crate) fn of(figure: Figure, lang: Lang, size: [f32; 2]) -> Self {
-        let mut state = State::new(Start { figure, file: None, lang }).expect("a possible camera");
-        state.filing.native = false;
-        Self::with_state(state, size)
     }
 
     /// A window with a state.
