@@ -174,8 +174,6 @@ impl Canvas {
             .show(ui, title);
             self.take_action(ui, state, picture, action);
             let place = Place::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
-            state.picture_sizes[picture.index()] = [place.size.width, place.size.height];
-            state.screen_scale = place.size.scale;
             let response = ui.interact(place.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
             let description = describe(state, picture);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));

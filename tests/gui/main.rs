@@ -7,5 +7,4 @@ mod files;
 mod language;
 mod painter;
 mod panels;
-mod pictures;
 mod window;
