@@ -11,7 +11,7 @@ use super::{
     Light, LightSpec, Line, Mesh, MeshError, MeshFiles, Object, ObjectPaint, ObjectSpec, PointMark, Scene, SceneSpec,
     Shape, Text, presets, primitives,
 };
-use crate::appearance::{LineStyle, MarkShape, Rgba, Theme};
+use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
 use crate::geometry::{Angle, try_unit};
 
 /// Where the default light goes: it comes from above, behind the usual viewer at (3, 4, 5) and a little to his left, so that
@@ -127,7 +127,8 @@ impl SceneError {
 /// sentence why not.
 pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
 
-/// Makes the scene that `spec` describes: the preset's objects, then its own.
+/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with hidden
+/// edges as it wants them.
 ///
 /// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`; an object without a colour
 /// has its nearest ancestor's, else the next one of [`PALETTE`]. A single point carries its object's name
@@ -137,8 +138,8 @@ pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
 ///
 /// # Errors
 /// [`SceneError`] names the object and what is wrong with it.
-pub fn build(spec: &SceneSpec, theme: Theme, read_file: &mut ReadFile<'_>) -> Result<Scene, SceneError> {
-    build_with(spec, theme, read_file, &mut MeshFiles::default())
+pub fn build(spec: &SceneSpec, style: &Style, read_file: &mut ReadFile<'_>) -> Result<Scene, SceneError> {
+    build_with(spec, style, read_file, &mut MeshFiles::default())
 }
 
 /// As [`build`], for scenes that are built again and again: `files` keeps the mesh files that `spec` uses.
@@ -147,11 +148,11 @@ pub fn build(spec: &SceneSpec, theme: Theme, read_file: &mut ReadFile<'_>) -> Re
 /// [`SceneError`] names the object and what is wrong with it.
 pub fn build_with(
     spec: &SceneSpec,
-    theme: Theme,
+    style: &Style,
     read_file: &mut ReadFile<'_>,
     files: &mut MeshFiles,
 ) -> Result<Scene, SceneError> {
-    let colors = SceneColors::of(theme);
+    let colors = SceneColors { hidden: style.hidden_lines, ..SceneColors::of(style.theme) };
     let preset = presets::objects(spec.preset, &colors);
     let placed_preset = place(&preset, &[])?;
     let placed_own = place(&spec.objects, &placed_preset)?;

@@ -33,7 +33,7 @@ pub const YELLOW: Rgba = PALETTE[6];
 /// Dark blue of [`PALETTE`].
 pub const NAVY: Rgba = PALETTE[7];
 
-/// What a theme decides about a scene.
+/// What a style decides about a scene: the colours of its theme, and what is done with hidden edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneColors {
     /// Letters, marks and lines that stand free.
@@ -48,10 +48,12 @@ pub struct SceneColors {
     pub ground_other: Rgba,
     /// Walls, columns: what is there but not meant.
     pub stone: Rgba,
+    /// What is done with the hidden parts of edges.
+    pub hidden: HiddenLines,
 }
 
 impl SceneColors {
-    /// The colours of a theme.
+    /// The colours of a theme; hidden edges as they are by default.
     #[must_use]
     pub const fn of(theme: Theme) -> Self {
         match theme {
@@ -62,6 +64,7 @@ impl SceneColors {
                 ground: Rgba::rgb(0xdf, 0xe3, 0xe8),
                 ground_other: Rgba::rgb(0xb9, 0xc1, 0xcb),
                 stone: Rgba::rgb(0xd8, 0xd2, 0xc4),
+                hidden: HiddenLines::Dashed,
             },
             Theme::Dark => Self {
                 ink: Rgba::rgb(0xe8, 0xec, 0xf1),
@@ -70,6 +73,7 @@ impl SceneColors {
                 ground: Rgba::rgb(0x4a, 0x53, 0x60),
                 ground_other: Rgba::rgb(0x35, 0x3d, 0x48),
                 stone: Rgba::rgb(0x9c, 0x96, 0x8a),
+                hidden: HiddenLines::Dashed,
             },
             Theme::Print => Self {
                 ink: Rgba::rgb(0, 0, 0),
@@ -78,21 +82,21 @@ impl SceneColors {
                 ground: Rgba::rgb(0xf2, 0xf2, 0xf2),
                 ground_other: Rgba::rgb(0xd0, 0xd0, 0xd0),
                 stone: Rgba::rgb(0xe2, 0xde, 0xd6),
+                hidden: HiddenLines::Dashed,
             },
         }
     }
 
-    /// How the edges of a faceted object look. Their hidden parts are left out: what hides them is most often their own
-    /// object.
+    /// How the edges of a faceted object look.
     #[must_use]
     pub const fn edge_style(&self) -> LineStyle {
-        LineStyle { color: self.edge, width: 1.0, dash: Dash::Solid, hidden: HiddenLines::Hidden, arrow: false }
+        LineStyle { color: self.edge, width: 1.0, dash: Dash::Solid, hidden: self.hidden, arrow: false }
     }
 
     /// How free segments look.
     #[must_use]
     pub const fn segment_style(&self, color: Rgba) -> LineStyle {
-        LineStyle { color, width: 1.75, dash: Dash::Solid, hidden: HiddenLines::Dashed, arrow: false }
+        LineStyle { color, width: 1.75, dash: Dash::Solid, hidden: self.hidden, arrow: false }
     }
 
     /// How a grid looks.

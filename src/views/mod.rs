@@ -137,10 +137,10 @@ fn drawn(setup: &Setup, scene: &Scene, camera: &Camera, target: Target, style: &
     Pipeline::default().frame(scene, camera, target, style, options).drawing
 }
 
-/// The scene of a figure in the colours of its theme.
+/// The scene of a figure in the colours of its theme, with hidden edges as its style wants them.
 ///
 /// # Errors
 /// [`SceneError`] names the object and what is wrong with it.
 pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>) -> Result<Scene, SceneError> {
-    scene::build(&figure.scene, figure.style.theme, read_file)
+    scene::build(&figure.scene, &figure.style, read_file)
 }

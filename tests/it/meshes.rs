@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use base64::Engine as _;
-use camera_lab::appearance::{Rgba, Theme};
+use camera_lab::appearance::{Rgba, Style, Theme};
 use camera_lab::scene::{
     GltfFault, Mesh, MeshError, MeshFiles, ObjFault, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError,
     SceneSpec, Shape, build_with, primitives,
@@ -26,7 +26,7 @@ fn spec(path: &str) -> SceneSpec {
 
 fn load_spec(spec: &SceneSpec, files: &Folder) -> Result<Scene, SceneError> {
     let mut read = |path: &str| files.get(path).cloned().ok_or_else(|| format!("no file {path}"));
-    build_with(spec, Theme::Light, &mut read, &mut MeshFiles::default())
+    build_with(spec, &Style::default(), &mut read, &mut MeshFiles::default())
 }
 
 fn load(path: &str, files: &Folder) -> Result<Scene, MeshError> {
@@ -364,13 +364,14 @@ fn a_file_that_many_objects_use_is_read_once_and_kept_between_builds() {
         reads += 1;
         Ok(CUBE.as_bytes().to_vec())
     };
+    let dark = Style { theme: Theme::Dark, ..Style::default() };
     let mut files = MeshFiles::default();
-    let first = build_with(&two, Theme::Light, &mut read, &mut files).unwrap();
-    let second = build_with(&two, Theme::Dark, &mut read, &mut files).unwrap();
+    let first = build_with(&two, &Style::default(), &mut read, &mut files).unwrap();
+    let second = build_with(&two, &dark, &mut read, &mut files).unwrap();
     assert!(std::sync::Arc::ptr_eq(&first.objects[0].mesh, &second.objects[1].mesh));
     // Once the scene does without it, it is forgotten.
-    build_with(&SceneSpec::default(), Theme::Dark, &mut read, &mut files).unwrap();
-    build_with(&two, Theme::Dark, &mut read, &mut files).unwrap();
+    build_with(&SceneSpec::default(), &dark, &mut read, &mut files).unwrap();
+    build_with(&two, &dark, &mut read, &mut files).unwrap();
     assert_eq!(reads, 2);
 }
 

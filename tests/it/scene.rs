@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
-use camera_lab::appearance::{Rgba, Theme};
+use camera_lab::appearance::{HiddenLines, Rgba, Style, Theme};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::read;
 use camera_lab::figure::write::to_toml;
@@ -21,7 +21,7 @@ fn no_files(path: &str) -> Result<Vec<u8>, String> {
 }
 
 fn build_objects(objects: Vec<ObjectSpec>) -> Result<Scene, SceneError> {
-    build(&SceneSpec { preset: Preset::Empty, objects, lights: Vec::new() }, Theme::Light, &mut no_files)
+    build(&SceneSpec { preset: Preset::Empty, objects, lights: Vec::new() }, &Style::default(), &mut no_files)
 }
 
 fn object<'a>(scene: &'a Scene, name: &str) -> &'a Object {
@@ -298,7 +298,7 @@ fn a_tree_of_ten_thousand_generations_is_built() {
 #[test]
 fn lights_are_the_figures_or_one_from_above() {
     let lit =
-        |lights| build(&SceneSpec { preset: Preset::Empty, objects: vec![], lights }, Theme::Light, &mut no_files);
+        |lights| build(&SceneSpec { preset: Preset::Empty, objects: vec![], lights }, &Style::default(), &mut no_files);
     let [Light::Directional { direction }] = lit(vec![]).unwrap().lights[..] else { panic!("one directional light") };
     assert!(direction.y < 0.0 && direction.dot(DVec3::new(3.0, 4.0, 5.0)) < 0.0, "from above, from the viewer's side");
     let lamp = DVec3::new(1.0, 2.0, 3.0);
@@ -329,7 +329,7 @@ fn points_and_segments_can_be_probed_and_a_single_point_has_its_name() {
 // ---- presets ------------------------------------------------------------------------------------------------------
 
 fn preset(preset: Preset) -> Scene {
-    build(&SceneSpec { preset, ..SceneSpec::default() }, Theme::Light, &mut no_files).unwrap()
+    build(&SceneSpec { preset, ..SceneSpec::default() }, &Style::default(), &mut no_files).unwrap()
 }
 
 #[test]
@@ -337,7 +337,12 @@ fn presets_have_names_that_read_back_and_can_be_built_in_every_theme() {
     for p in Preset::ALL {
         assert_eq!(p.name().parse(), Ok(p));
         for theme in [Theme::Light, Theme::Dark, Theme::Print] {
-            let scene = build(&SceneSpec { preset: p, ..SceneSpec::default() }, theme, &mut no_files).unwrap();
+            let scene = build(
+                &SceneSpec { preset: p, ..SceneSpec::default() },
+                &Style { theme, ..Style::default() },
+                &mut no_files,
+            )
+            .unwrap();
             assert_eq!(scene.bounds().is_none(), p == Preset::Empty, "{p}");
             for o in &scene.objects {
                 if let ObjectPaint::Faces(colors) = &o.paint {
@@ -347,6 +352,21 @@ fn presets_have_names_that_read_back_and_can_be_built_in_every_theme() {
         }
     }
     assert!("Cube".parse::<Preset>().is_err());
+}
+
+#[test]
+fn hidden_lines_follow_the_style_but_for_what_is_painted_on_faces() {
+    for hidden_lines in [HiddenLines::Shown, HiddenLines::Hidden, HiddenLines::Dashed] {
+        let style = Style { hidden_lines, ..Style::default() };
+        let hidden = |preset, name| {
+            let scene = build(&SceneSpec { preset, ..SceneSpec::default() }, &style, &mut no_files).unwrap();
+            object(&scene, name).edges.map(|e| e.hidden)
+        };
+        assert_eq!(hidden(Preset::Cube, "cube"), Some(hidden_lines));
+        assert_eq!(hidden(Preset::Primitives, "segments"), Some(hidden_lines));
+        assert_eq!(hidden(Preset::Exercise53, "cube"), Some(hidden_lines));
+        assert_eq!(hidden(Preset::Cube, "6"), Some(HiddenLines::Hidden));
+    }
 }
 
 #[test]
@@ -388,7 +408,7 @@ fn own_objects_can_hang_on_a_presets_objects_and_share_their_names() {
     let flag = ObjectSpec::new("flag", Shape::Box).under("house");
     let walls = ObjectSpec::new("walls", Shape::Box);
     let spec = SceneSpec { preset: Preset::House, objects: vec![flag, walls], lights: vec![] };
-    let scene = build(&spec, Theme::Light, &mut no_files).unwrap();
+    let scene = build(&spec, &Style::default(), &mut no_files).unwrap();
     let house = object(&scene, "walls").world_from_object.w_axis;
     let flag = object(&scene, "flag").world_from_object.w_axis;
     assert_eq!((flag.x, flag.z), (house.x, house.z));
@@ -424,7 +444,7 @@ fn every_example_figure_can_be_drawn() {
         let path = entry.unwrap().path();
         let figure = open_figure(&path).unwrap().figure;
         let mut read = |file: &str| std::fs::read(folder.join(file)).map_err(|e| e.to_string());
-        let scene = build(&figure.scene, figure.style.theme, &mut read).unwrap();
+        let scene = build(&figure.scene, &figure.style, &mut read).unwrap();
         Camera::new(&figure.camera).unwrap();
         let is_empty = scene.objects.is_empty();
         assert_eq!(is_empty, path.ends_with("empty.toml"), "{}", path.display());
@@ -439,7 +459,7 @@ fn the_sample_mesh_is_whole() {
     let mut read = |file: &str| std::fs::read(folder.join(file)).map_err(|e| e.to_string());
     let teapot = ObjectSpec::new("t", Shape::Mesh { path: "teapot.obj".to_owned() });
     let spec = SceneSpec { preset: Preset::Empty, objects: vec![teapot], lights: vec![] };
-    let scene = build(&spec, Theme::Light, &mut read).unwrap();
+    let scene = build(&spec, &Style::default(), &mut read).unwrap();
     let names: Vec<_> = scene.objects.iter().map(|o| o.name.as_str()).collect();
     assert_eq!(names, ["t/body", "t/lid", "t/spout", "t/handle"]);
     for o in &scene.objects {
