@@ -60,7 +60,7 @@ fn one_of_each(colors: &SceneColors) -> Vec<ObjectSpec> {
     ];
     let sides = [[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]];
     let step = 1.65;
-    vec![
+    let things = vec![
         ObjectSpec::new("ground", Shape::Box).at(0.0, -0.05, 0.0).scaled(2.5, 0.05, 2.5).colored(colors.ground),
         ObjectSpec::new("grid", Shape::Grid).scaled(2.5, 1.0, 2.5),
         ObjectSpec::new("cylinder", Shape::Cylinder).at(-step, 0.0, -step).scaled(0.55, 0.75, 0.55).colored(BLUE),
@@ -75,7 +75,10 @@ fn one_of_each(colors: &SceneColors) -> Vec<ObjectSpec> {
             .at(step, 0.0, step)
             .colored(colors.ink),
         ObjectSpec::new("points", Shape::Points(corners.to_vec())).under("segments").colored(VERMILION),
-    ]
+    ];
+    // What stands on the table moves with it, and a figure can put more on it.
+    let on_table = things.into_iter().map(|o| if o.parent.is_none() { o.under("table") } else { o });
+    std::iter::once(ObjectSpec::group("table")).chain(on_table).collect()
 }
 
 /// A house 2.6 wide with its door to the left and its window to the right of the front, chimney at the back right, and a tree:

@@ -68,6 +68,16 @@ fn the_comments_of_a_documented_file_survive_an_edit() {
 }
 
 #[test]
+fn a_lamp_hangs_on_the_table_of_the_primitives() {
+    let lamp = "[scene]\npreset = \"primitives\"\n[[scene.objects]]\nname = \"lamp\"\nshape = \"cone\"\n\
+                parent = \"table\"\ntranslate = [0.0, 1.0, 0.0]\n";
+    let figure = read::parse(lamp).unwrap();
+    let scene = camera_lab::views::scene_of(&figure, &mut |_| Err(String::new())).unwrap();
+    let lamp = scene.objects.iter().find(|object| object.name == "lamp").unwrap();
+    assert_eq!(lamp.world_from_object, glam::DMat4::from_translation(glam::DVec3::Y));
+}
+
+#[test]
 fn figures_in_the_assets_and_in_the_texts_can_be_read() {
     for path in files("assets/figures", "toml") {
         let read = read::parse(&fs::read_to_string(&path).unwrap());
