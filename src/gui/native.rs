@@ -6,8 +6,9 @@ use std::time::{Duration, Instant};
 
 use eframe::egui;
 
-/// Where no portal and no zenity runs, the answer comes at once and looks like a cancellation. Nobody cancels this fast.
-const TOO_FAST: Duration = Duration::from_millis(50);
+/// Where no portal and no zenity runs, the answer comes at once (10 ms, on a busy machine some hundreds) and looks like a
+/// cancellation. Nobody reads a dialog and closes it this fast; if somebody does, the question for a path does no harm.
+const TOO_FAST: Duration = Duration::from_millis(600);
 
 /// What to ask for.
 #[derive(Clone, Debug)]
@@ -40,8 +41,7 @@ pub enum Answer {
 /// A dialog that is open.
 #[derive(Debug)]
 pub struct Asking {
-    answer: Receiver<Option<PathBuf>>,
-    since: Instant,
+    answer: Receiver<(Option<PathBuf>, Duration)>,
 }
 
 impl Asking {
@@ -60,22 +60,23 @@ impl Asking {
         // The future is made here: some systems insist on the main thread for that.
         type Chosen = std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
         let chosen: Chosen = if question.save { Box::pin(dialog.save_file()) } else { Box::pin(dialog.pick_file()) };
+        let since = Instant::now();
         std::thread::spawn(move || {
             let path = pollster::block_on(chosen).map(|file| file.path().to_owned());
             // Nobody waits any more when the window has been closed.
-            let _ = send.send(path);
+            let _ = send.send((path, since.elapsed()));
             ctx.request_repaint();
         });
-        Self { answer, since: Instant::now() }
+        Self { answer }
     }
 
     /// The answer, once there is one.
     #[must_use]
     pub fn poll(&self) -> Option<Answer> {
         match self.answer.try_recv() {
-            Ok(Some(path)) => Some(Answer::Chosen(path)),
-            Ok(None) if self.since.elapsed() < TOO_FAST => Some(Answer::Unavailable),
-            Ok(None) => Some(Answer::Cancelled),
+            Ok((Some(path), _)) => Some(Answer::Chosen(path)),
+            Ok((None, took)) if took < TOO_FAST => Some(Answer::Unavailable),
+            Ok((None, _)) => Some(Answer::Cancelled),
             Err(TryRecvError::Empty) => None,
             Err(TryRecvError::Disconnected) => Some(Answer::Unavailable),
         }
