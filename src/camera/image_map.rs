@@ -49,6 +49,15 @@ impl ImageSize {
 
     /// The window point at image coordinates, `[0]` Eq. (5.23): whole numbers are the upper left corners of pixels,
     /// (i + 1/2, j + 1/2) is the centre of one.
+    ///
+    /// ```
+    /// # use camera_lab::camera::{ImageSize, ViewWindow};
+    /// # use glam::DVec2;
+    /// let window = ViewWindow { left: -4.0, right: 4.0, bottom: -3.0, top: 3.0 };
+    /// let image = ImageSize { width: 8, height: 6 };
+    /// assert_eq!(image.window_from_image(&window, DVec2::new(0.0, 0.0)), DVec2::new(-4.0, 3.0));
+    /// assert_eq!(image.window_from_image(&window, DVec2::new(0.5, 0.5)), DVec2::new(-3.5, 2.5));
+    /// ```
     #[must_use]
     pub fn window_from_image(self, window: &ViewWindow, image: DVec2) -> DVec2 {
         DVec2::new(

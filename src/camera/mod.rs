@@ -47,6 +47,19 @@ impl Camera {
     /// precision of `f64`. VUP and DOP are collinear when they are so exactly, or when what is left of their cross
     /// product could come from rounding their components; an angle of 1e-10 rad between them is none of both.
     ///
+    /// ```
+    /// use camera_lab::camera::{Camera, Parameters};
+    /// use glam::DVec3;
+    ///
+    /// // [0] Exercise 5.1. The (0, 1, 0) that it calls v is not perpendicular to n: it can only be VUP.
+    /// let camera = Camera::new(&Parameters { position: DVec3::new(3.0, 4.0, 0.0), ..Parameters::default() })?;
+    /// assert_eq!(camera.distance(), 5.0);
+    /// assert_eq!(camera.basis().n, DVec3::new(0.6, 0.8, 0.0));
+    /// assert_eq!(camera.basis().u, DVec3::new(0.0, 0.0, -1.0));
+    /// assert_eq!(camera.basis().v, DVec3::new(-0.8, 0.6, 0.0));
+    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`CameraError`] names what is impossible, with the values and what is allowed.
     pub fn new(parameters: &Parameters) -> Result<Self, CameraError> {
@@ -170,7 +183,18 @@ impl Camera {
         self.basis
     }
 
-    /// l, r, b, t on the plane z_c = −F.
+    /// l, r, b, t on the plane z_c = −F: as given, or H = 2 F tan(θ/2) high, `[0]` Eq. (5.5), and A times as wide.
+    ///
+    /// *Guarantees*: rounded once. Near 180° the tangent comes from the complement 180° − θ, and whatever the angle, its
+    /// half is reduced in degrees: tan 45° is 1.
+    ///
+    /// ```
+    /// # use camera_lab::camera::{Camera, Parameters};
+    /// let right_angle = Parameters { view_angle: 90.0, near: 7.0, aspect: 2.0, ..Parameters::default() };
+    /// let window = Camera::new(&right_angle)?.window();
+    /// assert_eq!((window.left, window.right, window.bottom, window.top), (-14.0, 14.0, -7.0, 7.0));
+    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// ```
     #[must_use]
     pub fn window(&self) -> ViewWindow {
         self.wide_window.value()
@@ -194,7 +218,7 @@ impl Camera {
         (self.wide_window.width() / self.wide_window.height()).value()
     }
 
-    /// The vertical angle that the window spans seen from C.
+    /// The vertical angle that the window spans seen from C: θ, `[0]` Eq. (5.4), when the window is symmetric.
     #[must_use]
     pub fn view_angle(&self) -> Angle {
         Angle::from_degrees(self.wide_window.vertical_angle(self.near()))

@@ -10,8 +10,7 @@ use std::str::FromStr;
 
 use super::basis::{Frame, Pose};
 use super::parameters::check_range;
-use super::window::WideWindow;
-use super::{Camera, CameraError, Parameters, Projection, Range};
+use super::{Camera, CameraError, Parameters, Range};
 use crate::geometry::double_double::{Dd, Dd3, sin_cos_degrees};
 use crate::geometry::{Angle, Ray};
 
@@ -137,6 +136,19 @@ impl Operation {
     /// *Guarantees*: the result keeps what does not fit the `f64`s of its parameters, so a chain of operations rounds
     /// once, at its end: twelve steps of 30° lead back to the same parameters, bit for bit.
     ///
+    /// ```
+    /// # use camera_lab::camera::{Camera, Convention, Operation, Parameters};
+    /// # use glam::DVec3;
+    /// let position = DVec3::new(0.0, 0.0, 5.0);
+    /// let camera = Camera::new(&Parameters { position, ..Parameters::default() })?;
+    /// let elevation: Operation = "elevation=90".parse()?;
+    /// let below = elevation.apply(&camera, Convention::RightHand)?;
+    /// assert_eq!((below.position(), below.view_up()), (DVec3::new(0.0, -5.0, 0.0), DVec3::Z));
+    /// let above = elevation.apply(&camera, Convention::Vtk)?;
+    /// assert_eq!((above.position(), above.view_up()), (DVec3::new(0.0, 5.0, 0.0), DVec3::NEG_Z));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`CameraError`] for a value out of its range, and where the result is no camera: numbers that overflow, or C so
     /// near PF that they are the same `f64`s.
@@ -159,7 +171,7 @@ impl Operation {
                 pose.focal_point = pose.position.plus(-frame.to_viewer);
             }
             Self::Zoom(factor) => {
-                window = window.divided(Dd::new(factor));
+                window = window.map(|side| side / Dd::new(factor));
                 window.write(&mut parameters);
             }
             Self::Dolly(factor) => {
@@ -251,63 +263,6 @@ impl Turn {
     }
 }
 
-impl Camera {
-    /// The same camera with the other kind of projection; what is seen at the focal point keeps its size: the window
-    /// is as high in parallel projection as the frustum is at distance D.
-    ///
-    /// *Guarantees*: without drift. There and back again gives the same parameters: the angle (or the height) that the
-    /// parameters still hold is taken where it says the same, and a given window returns within one rounding, and from
-    /// then on exactly.
-    ///
-    /// # Errors
-    /// [`CameraError`] where the new window overflows, or its angle is so near to 180° that no `f64` is nearer.
-    pub fn with_projection(&self, projection: Projection) -> Result<Self, CameraError> {
-        if projection == self.projection() {
-            return Ok(self.clone());
-        }
-        let near = Dd::new(self.near());
-        let ratio = match projection {
-            Projection::Parallel => self.frame.distance / near,
-            Projection::Perspective => near / self.frame.distance,
-        };
-        let mut parameters = Parameters { projection, ..*self.parameters() };
-        let mut window = self.wide_window.scaled(ratio);
-        if parameters.window.is_some() {
-            parameters.window = Some(window.value());
-        } else {
-            let kept = WideWindow::new(&parameters);
-            let back = kept.divided(ratio);
-            if back.size_parameter(self.parameters()) == self.wide_window.size_parameter(self.parameters()) {
-                window = kept;
-            } else {
-                window.write(&mut parameters);
-            }
-        }
-        Self::derive(parameters, self.pose.clone(), self.frame.clone(), window)
-    }
-}
-
-impl WideWindow {
-    /// Writes the window where the parameters keep it: θ, H or l, r, b, t.
-    fn write(&self, parameters: &mut Parameters) {
-        if parameters.window.is_some() {
-            parameters.window = Some(self.value());
-        } else if parameters.projection == Projection::Perspective {
-            parameters.view_angle = self.size_parameter(parameters);
-        } else {
-            parameters.height = self.size_parameter(parameters);
-        }
-    }
-
-    /// θ in degrees in perspective, H in parallel projection.
-    fn size_parameter(&self, parameters: &Parameters) -> f64 {
-        match parameters.projection {
-            Projection::Perspective => self.view_angle(Dd::new(parameters.near)),
-            Projection::Parallel => self.height().value(),
-        }
-    }
-}
-
 /// Why a text is no operation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OperationError {
@@ -389,14 +344,18 @@ impl fmt::Display for Operation {
     /// Writes `NAME=VALUE`, which [`Operation::from_str`] reads back.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.name();
+        // `2`, not `2.0`; but `1e-120`, not a hundred zeros.
+        let short = |x: f64| {
+            if x == 0.0 || (1e-5..1e16).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+        };
         match *self {
-            Self::Zoom(factor) | Self::Dolly(factor) => write!(f, "{name}={factor}"),
-            Self::Pan { dx, dy } => write!(f, "{name}={dx},{dy}"),
+            Self::Zoom(factor) | Self::Dolly(factor) => write!(f, "{name}={}", short(factor)),
+            Self::Pan { dx, dy } => write!(f, "{name}={},{}", short(dx), short(dy)),
             Self::Elevation(angle)
             | Self::Azimuth(angle)
             | Self::Roll(angle)
             | Self::Yaw(angle)
-            | Self::Pitch(angle) => write!(f, "{name}={}", angle.degrees()),
+            | Self::Pitch(angle) => write!(f, "{name}={}", short(angle.degrees())),
         }
     }
 }

@@ -23,6 +23,17 @@ pub(super) struct Lens {
 
 impl Camera {
     /// M_v, `[0]` Eq. (5.7).
+    ///
+    /// *Guarantees*: −**u** · **c** and its neighbours are rounded once, from unrounded **u**, **v**, **n**: what cancels
+    /// costs no digits, and a zero is a zero.
+    ///
+    /// ```
+    /// # use camera_lab::camera::{Camera, Parameters};
+    /// # use glam::{DVec3, DVec4};
+    /// let camera = Camera::new(&Parameters { position: DVec3::new(3.0, 4.0, 0.0), ..Parameters::default() })?;
+    /// assert_eq!(camera.view_from_world().row(2), DVec4::new(0.6, 0.8, 0.0, -5.0));
+    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// ```
     #[must_use]
     pub fn view_from_world(&self) -> DMat4 {
         let [u, v, n] = self.view_rows().map(rounded);
@@ -36,7 +47,19 @@ impl Camera {
         DMat4::from_cols(basis.u.extend(0.0), basis.v.extend(0.0), basis.n.extend(0.0), self.position().extend(1.0))
     }
 
-    /// M_p, `[0]` Eqs. (5.13) to (5.16). (The notes print 0 0 0 0 as the last row of (5.15) and (5.16); it is 0 0 0 1.)
+    /// M_p, `[0]` Eqs. (5.13) to (5.16). The notes print 0 0 0 0 as the last row of (5.15)
+    /// and (5.16), which is 0 0 0 1, and 2n/(r − l) for 2F/(r − l) in (5.11).
+    ///
+    /// ```
+    /// # use camera_lab::camera::{Camera, Parameters, ViewWindow};
+    /// # use glam::DVec4;
+    /// let window = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
+    /// let camera = Camera::new(&Parameters { window, near: 2.0, far: 6.0, ..Parameters::default() })?;
+    /// let m = camera.clip_from_view();
+    /// assert_eq!(m.row(0), DVec4::new(1.0, 0.0, 0.5, 0.0)); // 2F/(r−l)  0  (r+l)/(r−l)  0
+    /// assert_eq!(m.row(2), DVec4::new(0.0, 0.0, -2.0, -6.0)); // 0  0  −(B+F)/(B−F)  −2BF/(B−F)
+    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// ```
     #[must_use]
     pub fn clip_from_view(&self) -> DMat4 {
         let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;

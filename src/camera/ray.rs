@@ -9,6 +9,18 @@ use crate::geometry::double_double::{Dd, Dd3};
 impl Camera {
     /// The ray through a point of the view window, `[0]` Eqs. (5.17) to (5.21). In parallel projection it starts on
     /// the plane through C, as (5.21) has it, not on the window.
+    ///
+    /// ```
+    /// # use camera_lab::camera::{Camera, Parameters, Projection};
+    /// # use glam::{DVec2, DVec3};
+    /// // [0] Exercise 5.1, parallel projection: the ray through (1, 1).
+    /// let position = DVec3::new(3.0, 4.0, 0.0);
+    /// let parallel = Parameters { position, projection: Projection::Parallel, ..Parameters::default() };
+    /// let ray = Camera::new(&parallel)?.ray_through_window(DVec2::ONE);
+    /// assert_eq!(ray.origin, DVec3::new(2.2, 4.6, -1.0));
+    /// assert_eq!(ray.direction, DVec3::new(-0.6, -0.8, 0.0));
+    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// ```
     #[must_use]
     pub fn ray_through_window(&self, point: DVec2) -> Ray {
         self.ray(Dd::new(point.x), Dd::new(point.y))

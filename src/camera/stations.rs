@@ -37,6 +37,23 @@ pub struct Projected {
 impl Camera {
     /// A world point in every space.
     ///
+    /// ```
+    /// # use camera_lab::camera::{Camera, ImageSize, Parameters, Viewport};
+    /// # use glam::{DVec2, DVec3, DVec4};
+    /// let position = DVec3::new(0.0, 0.0, 5.0);
+    /// let p = Parameters { position, view_angle: 90.0, near: 1.0, far: 3.0, aspect: 1.0, ..Parameters::default() };
+    /// let image = ImageSize { width: 100, height: 100 };
+    /// let s = Camera::new(&p)?.stations(DVec3::new(1.0, -1.0, 3.0), image, &Viewport::whole(image));
+    /// assert_eq!(s.view, DVec3::new(1.0, -1.0, -2.0));
+    /// assert_eq!(s.clip, DVec4::new(1.0, -1.0, 1.0, 2.0));
+    /// let projected = s.projected.expect("W is not 0");
+    /// assert_eq!(projected.ndc, DVec3::new(0.5, -0.5, 0.5)); // (5.6)
+    /// assert_eq!(projected.window, DVec2::new(0.5, -0.5)); // (5.9), (5.10)
+    /// assert_eq!(projected.pixel, DVec2::new(75.0, 75.0)); // (5.22): j grows downwards
+    /// assert_eq!(projected.viewport, DVec3::new(75.0, 25.0, 0.75)); // (5.24), (5.25): Y grows upwards
+    /// # Ok::<(), camera_lab::camera::CameraError>(())
+    /// ```
+    ///
     /// *Guarantees*: computed in double-double and rounded at the end. W = 0 is recognised, (p − C) · **n** being an exact
     /// sum of products, of which only what lies below 2⁻⁹⁶ of the summands counts as zero.
     /// Floors are those of the exact numbers: what differs from a whole number by no more than the noise of 106 bits is

@@ -1,6 +1,7 @@
-//! The view window on the plane z_c = −F: from angle, height and aspect, or given as l, r, b, t.
+//! The view window on the plane z_c = −F: from angle, height and aspect, or given as l, r, b, t; and the change of the
+//! projection, which keeps what is seen at the focal point as large as it is.
 
-use super::{Parameters, Projection};
+use super::{Camera, CameraError, Parameters, Projection};
 use crate::geometry::double_double::{Dd, atan_degrees, tan_half_degrees};
 
 /// The view window on the plane z_c = −F, in scene units.
@@ -85,24 +86,9 @@ impl WideWindow {
         }
     }
 
-    /// Every side times `factor`.
-    pub(super) fn scaled(&self, factor: Dd) -> Self {
-        Self {
-            left: self.left * factor,
-            right: self.right * factor,
-            bottom: self.bottom * factor,
-            top: self.top * factor,
-        }
-    }
-
-    /// Every side divided by `divisor`.
-    pub(super) fn divided(&self, divisor: Dd) -> Self {
-        Self {
-            left: self.left / divisor,
-            right: self.right / divisor,
-            bottom: self.bottom / divisor,
-            top: self.top / divisor,
-        }
+    /// The window with `f` of each side.
+    pub(super) fn map(&self, f: impl Fn(Dd) -> Dd) -> Self {
+        Self { left: f(self.left), right: f(self.right), bottom: f(self.bottom), top: f(self.top) }
     }
 
     /// θ in degrees of a window that is symmetric, seen from a distance: `[0]` Eq. (5.4) solved for θ.
@@ -114,5 +100,60 @@ impl WideWindow {
     pub(super) fn vertical_angle(&self, distance: f64) -> f64 {
         let distance = Dd::new(distance);
         (atan_degrees(self.top / distance) - atan_degrees(self.bottom / distance)).value()
+    }
+
+    /// Writes the window where the parameters keep it: θ, H or l, r, b, t.
+    pub(super) fn write(&self, parameters: &mut Parameters) {
+        if parameters.window.is_some() {
+            parameters.window = Some(self.value());
+        } else if parameters.projection == Projection::Perspective {
+            parameters.view_angle = self.size_parameter(parameters);
+        } else {
+            parameters.height = self.size_parameter(parameters);
+        }
+    }
+
+    /// θ in degrees in perspective, H in parallel projection.
+    fn size_parameter(&self, parameters: &Parameters) -> f64 {
+        match parameters.projection {
+            Projection::Perspective => self.view_angle(Dd::new(parameters.near)),
+            Projection::Parallel => self.height().value(),
+        }
+    }
+}
+
+impl Camera {
+    /// The same camera with the other kind of projection; what is seen at the focal point keeps its size: the window
+    /// is as high in parallel projection as the frustum is at distance D.
+    ///
+    /// *Guarantees*: without drift. There and back again gives the same parameters: the angle (or the height) that the
+    /// parameters still hold is taken where it says the same, and a given window returns within one rounding, and from
+    /// then on exactly.
+    ///
+    /// # Errors
+    /// [`CameraError`] where the new window overflows, or its angle is so near to 180° that no `f64` is nearer.
+    pub fn with_projection(&self, projection: Projection) -> Result<Self, CameraError> {
+        if projection == self.projection() {
+            return Ok(self.clone());
+        }
+        let near = Dd::new(self.near());
+        let ratio = match projection {
+            Projection::Parallel => self.frame.distance / near,
+            Projection::Perspective => near / self.frame.distance,
+        };
+        let mut parameters = Parameters { projection, ..*self.parameters() };
+        let mut window = self.wide_window.map(|side| side * ratio);
+        if parameters.window.is_some() {
+            parameters.window = Some(window.value());
+        } else {
+            let kept = WideWindow::new(&parameters);
+            let back = kept.map(|side| side / ratio);
+            if back.size_parameter(self.parameters()) == self.wide_window.size_parameter(self.parameters()) {
+                window = kept;
+            } else {
+                window.write(&mut parameters);
+            }
+        }
+        Self::derive(parameters, self.pose.clone(), self.frame.clone(), window)
     }
 }

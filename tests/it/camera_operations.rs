@@ -212,6 +212,38 @@ fn switching_there_and_back_does_not_drift() {
 }
 
 #[test]
+fn switching_a_given_window_there_and_back_does_not_drift() {
+    let other = |p: Projection| if p == Projection::Parallel { Projection::Perspective } else { Projection::Parallel };
+    let mut unchanged = 0;
+    for i in 0..200 {
+        let i = f64::from(i);
+        let start = camera(|p| {
+            p.position = DVec3::new(3.0 + i * 0.37, 4.0 - i * 0.11, 5.0);
+            p.near = 0.1 + i * 0.01;
+            p.window =
+                Some(ViewWindow { left: -0.3 - i * 0.017, right: 0.1 + i * 0.03, bottom: 0.2, top: 0.9 + i * 0.7 });
+        });
+        let mut parameters = *start.parameters();
+        let mut first_round = None;
+        for _ in 0..5 {
+            for _ in 0..2 {
+                let camera = Camera::new(&parameters).unwrap();
+                parameters = *camera.with_projection(other(parameters.projection)).unwrap().parameters();
+            }
+            assert_eq!(*first_round.get_or_insert(parameters), parameters);
+        }
+        let (found, given) = (parameters.window.unwrap(), start.window());
+        for (x, y) in [(found.left, given.left), (found.right, given.right), (found.top, given.top)] {
+            assert!((x / y - 1.0).abs() <= f64::EPSILON, "{x} {y}");
+        }
+        unchanged += u32::from(found == given);
+        let chained = start.with_projection(Projection::Parallel).unwrap().with_projection(Projection::Perspective);
+        assert_eq!(chained.unwrap().parameters(), start.parameters(), "nothing is rounded between");
+    }
+    assert!(unchanged > 50, "{unchanged}");
+}
+
+#[test]
 fn operations_are_read_and_written() {
     for text in
         ["elevation=30", "azimuth=-12.5", "roll=1e-7", "yaw=720", "pitch=0", "zoom=1.5", "dolly=0.25", "pan=1,-2.5"]
@@ -221,6 +253,8 @@ fn operations_are_read_and_written() {
         assert!(text.starts_with(operation.name()));
     }
     assert_eq!(Operation::Pan { dx: 1.0, dy: -2.5 }.to_string(), "pan=1,-2.5");
+    assert_eq!(Operation::Pan { dx: 0.0, dy: -2e-120 }.to_string(), "pan=0,-2e-120");
+    assert_eq!(Operation::Zoom(1e300).to_string().parse(), Ok(Operation::Zoom(1e300)));
     let error = |text: &str| text.parse::<Operation>().map_err(|error| error.to_string());
     for name in Operation::NAMES {
         assert!(error("spin=3").is_err_and(|e| e.contains("\"spin\"") && e.contains(name)));
