@@ -1,5 +1,7 @@
 //! The equations of the notes, one by one, against numbers that were worked out by hand.
 
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
@@ -338,5 +340,29 @@ fn pyramid_of_the_exercises_on_spaces() {
     // Two corners of the base stand beside and in the eye: W = 0, and nothing follows.
     for corner in [at(8.0, 0.0, 8.0), at(0.0, 0.0, 8.0)] {
         assert_eq!((corner.clip.w, corner.projected, corner.inside), (0.0, None, false));
+    }
+}
+
+#[test]
+fn the_table_of_equations_names_what_exists() {
+    let folder = |path: &str| std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/").to_owned() + path).unwrap();
+    let sources: String = folder("src/camera")
+        .chain(folder("tests/it"))
+        .map(|entry| std::fs::read_to_string(entry.unwrap().path()).unwrap())
+        .collect();
+    let table = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/equations.md")).unwrap();
+    let mut names = 0;
+    for word in table.split('`').skip(1).step_by(2) {
+        let name = word.rsplit("::").next().unwrap_or(word).trim_end_matches('…');
+        let is_function =
+            name.contains('_') && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+        if is_function {
+            names += 1;
+            assert!(sources.contains(&format!("fn {name}")), "docs/equations.md: {word}");
+        }
+    }
+    assert!(names > 60, "{names}");
+    for number in 1..=25 {
+        assert!(table.contains(&format!("(5.{number})")), "(5.{number}) is missing");
     }
 }
