@@ -1,6 +1,21 @@
 //! The camera of the notes `[0]`: pure values in `f64`.
 //!
-//! [`Parameters`] may be nonsense; a [`Camera`] is not.
+//! [`Parameters`] may be nonsense; a [`Camera`] is not: it is made by [`Camera::new`] or by an [`Operation`], and never
+//! changed. A point goes through these spaces, and [`Camera::stations`] shows them all:
+//!
+//! | space | unit | axes | reached by |
+//! | --- | --- | --- | --- |
+//! | world | scene units | right-handed, y up | [`Camera::world_from_view`] |
+//! | view (VRC) | scene units | right-handed: x along **u**, y along **v**, z along **n**, towards the viewer | [`Camera::view_from_world`] (5.7) |
+//! | clip | homogeneous | x, y, z in \[−w, w\] inside the volume | [`Camera::clip_from_view`] (5.13) to (5.16) |
+//! | ndc | 1 | left-handed: −1 … 1, z into the screen | division by w (5.6) |
+//! | window | scene units | on the plane z_c = −F: x right, y up | (5.9), (5.10) |
+//! | image | pixels | (0, 0) is the top left corner, y down | [`ImageSize::image_from_window`] (5.22) |
+//! | viewport | pixels, depth | (0, 0) is the bottom left corner, y up | (5.24), (5.25) |
+//!
+//! The model computes in double-double (106 bits) and rounds once, so that numbers are right to the last digit also where
+//! the formulas cancel, overflow or nearly divide by zero. `docs/equations.md` has each equation with its function and
+//! its test.
 
 mod basis;
 mod image_map;
