@@ -28,7 +28,7 @@ use self::easel::Job;
 use self::look::Auto;
 use self::paint::Painter;
 use self::screen::{Place, Screen};
-use self::status::Status;
+use self::status::{Status, StatusAction};
 use self::title::{Title, TitleAction, picture_name};
 use super::handles::point;
 use super::state::{Look, Picture, State};
@@ -136,8 +136,11 @@ impl Canvas {
         } else {
             Vec::new()
         };
-        if let Some(picture) = status.show(ui, lines, texts) {
-            state.layout.shown[picture.index()] = true;
+        status.arrangement = (panes.len() > 1).then_some(state.layout.arrangement);
+        match status.show(ui, lines, texts) {
+            None => {}
+            Some(StatusAction::ShowAgain(picture)) => state.layout.shown[picture.index()] = true,
+            Some(StatusAction::Arrange(arrangement)) => state.layout.arrangement = arrangement,
         }
     }
 
@@ -147,7 +150,7 @@ impl Canvas {
             Some(picture) => vec![picture],
             None => Picture::ALL.into_iter().filter(|p| state.layout.shown[p.index()]).collect(),
         };
-        let (rects, bars) = arrange(room, &visible, &self.shares);
+        let (rects, bars) = arrange(room, &visible, state.layout.arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
             let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);
             let cursor = if bar.axis == Axis::X { CursorIcon::ResizeHorizontal } else { CursorIcon::ResizeVertical };

@@ -51,6 +51,24 @@ pub enum Look {
     Fit,
 }
 
+/// How several pictures share the room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Arrangement {
+    /// Side by side.
+    Row,
+    /// One above the other.
+    Column,
+    /// The first above the two others.
+    Above,
+    /// The first to the left of the two others.
+    Beside,
+}
+
+impl Arrangement {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
+}
+
 /// Which pictures are shown, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
@@ -58,13 +76,15 @@ pub struct Layout {
     pub shown: [bool; 3],
     /// The picture that has all the room, whatever `shown` says.
     pub maximized: Option<Picture>,
+    /// How the pictures share the room; `None`: as suits the room.
+    pub arrangement: Option<Arrangement>,
     /// Orbiting one three-dimensional picture turns the other too.
     pub linked: bool,
 }
 
 impl Default for Layout {
     fn default() -> Self {
-        Self { shown: [true; 3], maximized: None, linked: false }
+        Self { shown: [true; 3], maximized: None, arrangement: None, linked: false }
     }
 }
 

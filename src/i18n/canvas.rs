@@ -31,6 +31,18 @@ pub struct CanvasTexts {
     pub side: &'static str,
     /// From where to look.
     pub iso: &'static str,
+    /// Tooltip of a menu.
+    pub arrange: &'static str,
+    /// How the pictures share the room.
+    pub arrange_auto: &'static str,
+    /// How the pictures share the room.
+    pub arrange_row: &'static str,
+    /// How the pictures share the room.
+    pub arrange_column: &'static str,
+    /// How the pictures share the room.
+    pub arrange_above: &'static str,
+    /// How the pictures share the room.
+    pub arrange_beside: &'static str,
     /// Before the names of the pictures that can be shown again.
     pub hidden: &'static str,
     /// What pointer and wheel do in the world and in the canonical volume.
@@ -105,6 +117,12 @@ static EN: CanvasTexts = CanvasTexts {
     top: "From the top (+y)",
     side: "From the side (+x)",
     iso: "From a corner",
+    arrange: "Arrange the pictures",
+    arrange_auto: "As suits the room",
+    arrange_row: "Side by side",
+    arrange_column: "One above the other",
+    arrange_above: "The world above the others",
+    arrange_beside: "The world beside the others",
     hidden: "Hidden:",
     pointer_in_space: "Drag: turn · Shift or right button: move · wheel: zoom",
     pointer_in_image: "Click: pin the probe",
@@ -150,6 +168,12 @@ static PT_BR: CanvasTexts = CanvasTexts {
     top: "De cima (+y)",
     side: "De lado (+x)",
     iso: "De um canto",
+    arrange: "Arrumar as imagens",
+    arrange_auto: "Conforme o espaço",
+    arrange_row: "Lado a lado",
+    arrange_column: "Uma sobre a outra",
+    arrange_above: "O mundo acima das outras",
+    arrange_beside: "O mundo ao lado das outras",
     hidden: "Escondidas:",
     pointer_in_space: "Arrastar: girar · Shift ou botão direito: mover · roda: zoom",
     pointer_in_image: "Clique: fixar a sonda",

@@ -432,3 +432,16 @@ fn two_bars_divide_the_pictures() {
     drag_primary(&mut h, bar, vec2(-80.0, 0.0));
     assert!((place(&h, WORLD).width() - (world.width() - 80.0)).abs() <= 2.0);
 }
+
+#[test]
+fn pictures_are_arranged_as_asked() {
+    let mut h = stage(|_| ());
+    assert!(place(&h, IMAGE).left() > place(&h, CANONICAL).right(), "side by side where there is room");
+    h.get_by_label("Arrange the pictures").click();
+    h.run_steps(4);
+    h.get_by_label("The world above the others").click();
+    h.run_steps(4);
+    let (world, canonical, image) = (place(&h, WORLD), place(&h, CANONICAL), place(&h, IMAGE));
+    assert!(canonical.top() > world.bottom() && image.top() == canonical.top() && image.left() > canonical.right());
+    assert!(world.width() > canonical.width() + image.width());
+}

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-use crate::gui::state::Picture;
+use crate::gui::state::{Arrangement, Picture};
 
 /// Room between two pictures, in points: the bar that is dragged.
 pub(super) const GAP: f32 = 5.0;
@@ -12,19 +12,6 @@ const SIDE_BY_SIDE: f32 = 360.0;
 
 /// The share of the room that a picture keeps when a bar is dragged.
 const LEAST_SHARE: f32 = 0.15;
-
-/// How several pictures share the room.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Arrangement {
-    /// Side by side.
-    Row,
-    /// One above the other.
-    Column,
-    /// The first above the two others.
-    Above,
-    /// The first to the left of the two others.
-    Beside,
-}
 
 /// Which way a bar moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,8 +76,18 @@ impl Shares {
 }
 
 /// The pictures' places and the bars between them.
-pub(super) fn arrange(room: Rect, pictures: &[Picture], shares: &Shares) -> (Vec<(Picture, Rect)>, Vec<Bar>) {
-    let arrangement = best(room.size(), pictures.len());
+pub(super) fn arrange(
+    room: Rect,
+    pictures: &[Picture],
+    wanted: Option<Arrangement>,
+    shares: &Shares,
+) -> (Vec<(Picture, Rect)>, Vec<Bar>) {
+    let arrangement = match (wanted, pictures.len()) {
+        (None, count) => best(room.size(), count),
+        (Some(Arrangement::Above), 0..=2) => Arrangement::Column,
+        (Some(Arrangement::Beside), 0..=2) => Arrangement::Row,
+        (Some(wanted), _) => wanted,
+    };
     let place = Shares::place(arrangement, pictures.len());
     let [first, second] = shares.0[place];
     let cut = |span, axis, level, share| divide(span, axis, share, (place, level));
@@ -182,9 +179,10 @@ mod tests {
     #[test]
     fn pictures_fill_the_room_without_overlap() {
         for size in [(1320.0, 950.0), (700.0, 600.0), (240.0, 800.0), (600.0, 240.0)] {
-            for count in 1..=3 {
+            let wishes = [None].into_iter().chain(Arrangement::ALL.map(Some));
+            for (count, wanted) in wishes.flat_map(|wanted| [1, 2, 3].map(|count| (count, wanted))) {
                 let room = room(size.0, size.1);
-                let (panes, bars) = arrange(room, &Picture::ALL[..count], &Shares::default());
+                let (panes, bars) = arrange(room, &Picture::ALL[..count], wanted, &Shares::default());
                 assert_eq!((panes.len(), bars.len()), (count, count - 1));
                 let mut area = bars.iter().map(|b| b.rect.area()).sum::<f32>();
                 for (i, (_, rect)) in panes.iter().enumerate() {
@@ -203,12 +201,12 @@ mod tests {
     fn a_bar_follows_the_pointer_and_stops_before_a_picture_vanishes() {
         let room = room(1320.0, 950.0);
         let mut shares = Shares::default();
-        let (_, bars) = arrange(room, &Picture::ALL, &shares);
+        let (_, bars) = arrange(room, &Picture::ALL, None, &shares);
         shares.drag(&bars[0], pos2(10.0 + 660.0, 100.0));
-        let (panes, bars) = arrange(room, &Picture::ALL, &shares);
+        let (panes, bars) = arrange(room, &Picture::ALL, None, &shares);
         assert_eq!(panes[0].1.right(), 10.0 + 660.0 - GAP / 2.0);
         shares.drag(&bars[0], pos2(-500.0, 100.0));
-        let (panes, bars) = arrange(room, &Picture::ALL, &shares);
+        let (panes, bars) = arrange(room, &Picture::ALL, None, &shares);
         assert!(panes[0].1.width() > 190.0);
         shares.reset(&bars[0]);
         assert_eq!(shares, Shares::default());

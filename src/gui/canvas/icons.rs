@@ -22,8 +22,10 @@ pub(super) enum Icon {
     Maximize,
     /// A small frame before another.
     Restore,
-    /// An eye.
+    /// An eye, crossed out.
     Hide,
+    /// Three frames.
+    Arrange,
 }
 
 /// A square button as high as other buttons; `name` is its tooltip and what screen readers say. `on`: it is switched on.
@@ -90,6 +92,11 @@ fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {
         Icon::Restore => {
             frame(at(-5.0, -1.0), at(1.0, 5.0));
             line(&[at(-2.0, -1.0), at(-2.0, -5.0), at(5.0, -5.0), at(5.0, 2.0), at(1.0, 2.0)]);
+        }
+        Icon::Arrange => {
+            frame(at(-6.0, -5.0), at(6.0, 0.0));
+            frame(at(-6.0, 0.0), at(0.0, 5.0));
+            frame(at(0.0, 0.0), at(6.0, 5.0));
         }
         Icon::Hide => {
             let lid = |sign: f32| -> Vec<Pos2> {

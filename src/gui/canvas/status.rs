@@ -1,14 +1,26 @@
 //! The lines under the pictures: what the pointer does and where it is, and the coordinates of the probe.
 
-use eframe::egui::{self, Align, Color32, FontId, Label, Layout, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2};
+use eframe::egui::{
+    self, Align, Color32, FontId, Label, Layout, Popup, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2,
+};
 
+use super::icons::{Icon, icon_button};
 use super::probe::Cell;
 use super::title::picture_name;
-use crate::gui::state::Picture;
+use crate::gui::state::{Arrangement, Picture};
 use crate::i18n::canvas::CanvasTexts;
 
 /// A cell is as wide as its space's name and three numbers of four digits, in heights of a line.
 const CELL_WIDTH: f32 = 11.5;
+
+/// What the buttons under the pictures ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum StatusAction {
+    /// Show a hidden picture.
+    ShowAgain(Picture),
+    /// Share the room in another way; `None`: as suits the room.
+    Arrange(Option<Arrangement>),
+}
 
 /// What is said under the pictures.
 #[derive(Default)]
@@ -19,6 +31,8 @@ pub(super) struct Status {
     pub(super) warning: bool,
     /// At the right end of the first line.
     pub(super) aside: String,
+    /// How the pictures share the room, where there is a choice.
+    pub(super) arrangement: Option<Option<Arrangement>>,
     /// The pictures that can be shown again.
     pub(super) hidden: Vec<Picture>,
     /// The coordinates of the probe.
@@ -62,27 +76,30 @@ pub(super) fn height(ui: &Ui, width: f32) -> f32 {
 }
 
 impl Status {
-    /// Draws the lines. The result is a picture that is to be shown again.
-    pub(super) fn show(&self, ui: &mut Ui, rect: Rect, texts: &CanvasTexts) -> Option<Picture> {
+    /// Draws the lines, with their buttons.
+    pub(super) fn show(&self, ui: &mut Ui, rect: Rect, texts: &CanvasTexts) -> Option<StatusAction> {
         let inner = rect.shrink2(vec2(6.0, 1.0));
         let first = Rect::from_min_size(inner.min, vec2(inner.width(), first_line_height(ui)));
-        let shown_again = self.first_line(ui, first, texts);
+        let action = self.first_line(ui, first, texts);
         let (lines, columns) = grid(ui, rect.width());
         let cells = Rect::from_min_max(pos2(inner.left(), first.bottom()), inner.max);
         self.cells(ui, cells, lines, columns);
-        shown_again
+        action
     }
 
-    fn first_line(&self, ui: &mut Ui, rect: Rect, texts: &CanvasTexts) -> Option<Picture> {
-        let mut shown_again = None;
+    fn first_line(&self, ui: &mut Ui, rect: Rect, texts: &CanvasTexts) -> Option<StatusAction> {
+        let mut action = None;
         let builder = UiBuilder::new().id_salt("status").max_rect(rect).layout(Layout::right_to_left(Align::Center));
         ui.scope_builder(builder, |ui| {
+            if let Some(now) = self.arrangement {
+                action = arrangement_menu(ui, now, texts);
+            }
             if !self.aside.is_empty() {
                 ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));
             }
             for &picture in self.hidden.iter().rev() {
                 if ui.small_button(picture_name(texts, picture)).clicked() {
-                    shown_again = Some(picture);
+                    action = Some(StatusAction::ShowAgain(picture));
                 }
             }
             if !self.hidden.is_empty() {
@@ -96,7 +113,7 @@ impl Status {
                 ui.add(Label::new(text).truncate().selectable(false));
             });
         });
-        shown_again
+        action
     }
 
     fn cells(&self, ui: &mut Ui, rect: Rect, lines: u8, columns: u8) {
@@ -127,6 +144,27 @@ impl Status {
             response.on_hover_ui(|ui| table(ui, &self.exact));
         }
     }
+}
+
+fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) -> Option<StatusAction> {
+    let mut action = None;
+    let button = icon_button(ui, Icon::Arrange, texts.arrange, false);
+    Popup::menu(&button).show(|ui| {
+        for choice in [None].into_iter().chain(Arrangement::ALL.map(Some)) {
+            let name = match choice {
+                None => texts.arrange_auto,
+                Some(Arrangement::Row) => texts.arrange_row,
+                Some(Arrangement::Column) => texts.arrange_column,
+                Some(Arrangement::Above) => texts.arrange_above,
+                Some(Arrangement::Beside) => texts.arrange_beside,
+            };
+            if ui.radio(choice == now, name).clicked() {
+                action = Some(StatusAction::Arrange(choice));
+                ui.close();
+            }
+        }
+    });
+    action
 }
 
 fn show_cell(ui: &mut Ui, place: Rect, cell: &Cell) {
