@@ -1,7 +1,8 @@
 //! What the pointer and the keys do in the pictures.
 
 use eframe::egui::{
-    CursorIcon, Event, EventFilter, Key, Modifiers, PointerButton, PopupAnchor, Pos2, RichText, Tooltip, Ui, Vec2,
+    CursorIcon, Event, EventFilter, Key, Modifiers, PointerButton, PopupAnchor, Pos2, RichText, TextWrapMode, Tooltip,
+    Ui, Vec2,
 };
 use glam::DVec2;
 
@@ -377,6 +378,7 @@ fn keys_hint(picture: Picture, texts: &CanvasTexts) -> &'static str {
 fn tooltip(ui: &Ui, lines: &[String]) {
     let id = ui.scope_id().with("handle");
     Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, PopupAnchor::Pointer).gap(16.0).show(|ui| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         for (i, line) in lines.iter().enumerate() {
             let text = RichText::new(line);
             ui.label(if i == 0 { text.strong() } else { text.small() });

@@ -33,26 +33,27 @@ struct Kept {
 }
 
 impl Auto {
-    /// The observer for the picture of `setup`. With `steady` (while something is dragged) it does not move at all.
+    /// The observer for the picture of `setup`. With `steady` (while something is dragged) it does not move, except to fit
+    /// a picture of another shape. It looks in the same direction until there is another scene.
     pub(super) fn observer(&mut self, picture: Picture, setup: &Setup, scene: &Arc<Scene>, steady: bool) -> Observer {
         let aspect = setup.size.aspect();
-        if let Some(kept) = &mut self.kept
-            && Arc::ptr_eq(&kept.scene, scene)
-            && kept.aspect == aspect
-        {
-            if kept.camera != *setup.camera {
-                kept.camera = setup.camera.clone();
-                kept.fitted = fitted(picture, setup);
-            }
-            if !steady && !still_fits(&kept.observer, &kept.fitted) {
-                kept.observer = kept.fitted;
-            }
-            return kept.observer;
+        let same_scene = |kept: &&mut Kept| Arc::ptr_eq(&kept.scene, scene);
+        let Some(kept) = self.kept.as_mut().filter(same_scene) else {
+            let fitted = preset(picture, setup, Preset::default());
+            let (camera, scene) = (setup.camera.clone(), Arc::clone(scene));
+            self.kept = Some(Kept { observer: fitted, fitted, camera, scene, aspect });
+            return fitted;
+        };
+        let reshaped = kept.aspect != aspect;
+        if reshaped || kept.camera != *setup.camera {
+            kept.aspect = aspect;
+            kept.camera = setup.camera.clone();
+            kept.fitted = fit(picture, setup, &kept.observer);
         }
-        let fitted = fitted(picture, setup);
-        let (camera, scene) = (setup.camera.clone(), Arc::clone(scene));
-        self.kept = Some(Kept { observer: fitted, fitted, camera, scene, aspect });
-        fitted
+        if reshaped || !(steady || still_fits(&kept.observer, &kept.fitted)) {
+            kept.observer = kept.fitted;
+        }
+        kept.observer
     }
 
     /// Fits again in the next frame.
@@ -61,8 +62,12 @@ impl Auto {
     }
 }
 
-fn fitted(picture: Picture, setup: &Setup) -> Observer {
-    preset(picture, setup, Preset::default())
+/// The observer that looks in the same direction and has everything in the picture.
+fn fit(picture: Picture, setup: &Setup, observer: &Observer) -> Observer {
+    match picture {
+        Picture::Canonical => views::canonical::fit(setup, observer),
+        Picture::World | Picture::Image => views::world::fit(setup, observer),
+    }
 }
 
 /// The observer that looks from a side and has everything in the picture.
@@ -77,7 +82,7 @@ fn preset(picture: Picture, setup: &Setup, preset: Preset) -> Observer {
 fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
     let offset = observer.target.distance(fitted.target) / (2.0 * (VIEW_ANGLE.radians() / 2.0).tan());
     let needed = fitted.distance + 2.0 * offset;
-    needed <= 1.15 * observer.distance && fitted.distance >= 0.4 * observer.distance
+    needed <= 1.3 * observer.distance && fitted.distance >= 0.4 * observer.distance
 }
 
 /// What a button of the toolbar or a key asks for. `None`: the figure says nothing any more, and [`Auto`] looks.
@@ -87,10 +92,7 @@ pub(super) fn looked(picture: Picture, setup: &Setup, look: Look, now: &Observer
         Look::Front => Some(preset(picture, setup, Preset::Front)),
         Look::Top => Some(preset(picture, setup, Preset::Top)),
         Look::Side => Some(preset(picture, setup, Preset::Side)),
-        Look::Fit => Some(match picture {
-            Picture::Canonical => views::canonical::fit(setup, now),
-            Picture::World | Picture::Image => views::world::fit(setup, now),
-        }),
+        Look::Fit => Some(fit(picture, setup, now)),
     }
 }
 
@@ -126,7 +128,13 @@ pub(super) fn told(observers: &Observers, picture: Picture) -> Option<Observer> 
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
     use super::*;
+    use crate::camera::Parameters;
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures::labels};
+    use crate::views::Extras;
     use eframe::egui::vec2;
     use glam::DVec3;
 
@@ -161,8 +169,38 @@ mod tests {
         let fits = |fitted: Observer| still_fits(&observer(), &fitted);
         assert!(fits(observer()));
         assert!(fits(Observer { distance: 12.0, ..observer() }));
+        assert!(fits(Observer { distance: 24.0, ..observer() }));
         assert!(!fits(Observer { distance: 30.0, ..observer() }));
         assert!(!fits(Observer { distance: 5.0, ..observer() }));
         assert!(!fits(Observer { target: DVec3::new(9.0, 2.0, 3.0), ..observer() }));
+    }
+
+    #[test]
+    fn an_untold_observer_keeps_its_direction_and_waits_until_nothing_is_held() {
+        let figure = Figure::default();
+        let (scene, extras) = (Arc::new(Scene::default()), Extras::default());
+        let mut auto = Auto::default();
+        let mut seen = |position: DVec3, width: u32, steady: bool| {
+            let camera = Camera::new(&Parameters { position, far: 12.0, ..figure.camera }).unwrap();
+            let setup = Setup {
+                figure: &figure,
+                camera: &camera,
+                scene: &scene,
+                labels: labels(Lang::En),
+                size: views::Size { width, height: 300, scale: 1.0 },
+                extras: &extras,
+            };
+            auto.observer(Picture::World, &setup, &scene, steady)
+        };
+        let near = DVec3::new(3.0, 4.0, 5.0);
+        let first = seen(near, 400, false);
+        assert_eq!(seen(near * 1.02, 400, false), first);
+        assert_eq!(seen(near * 9.0, 400, true), first, "something is held");
+        let later = seen(near * 9.0, 400, false);
+        assert!(later.distance > 2.0 * first.distance);
+        assert_eq!((later.azimuth, later.elevation), (first.azimuth, first.elevation));
+        let narrow = seen(near * 9.0, 150, true);
+        assert!(narrow.distance > later.distance, "another shape is fitted at once");
+        assert_eq!(narrow.azimuth, first.azimuth);
     }
 }
