@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use ::gltf::accessor::{DataType, Dimensions};
-use ::gltf::json::validation::Error as Rule;
+use ::gltf::json::validation::{Checked, Error as Rule};
 use ::gltf::material::AlphaMode;
 use ::gltf::mesh::Mode;
 use ::gltf::{Accessor, Document, Gltf, Primitive, Semantic};
@@ -69,6 +69,19 @@ fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
         let length = bytes.get(8..12).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         if length.is_none_or(|length| length < 12) {
             return Err(container("the header is cut off or its length is wrong".to_owned()));
+        }
+    }
+    // The crate's check of positions indexes the list of accessors without looking.
+    if let Ok(unchecked) = Gltf::from_slice_without_validation(bytes) {
+        let root = unchecked.document.as_json();
+        for (i, mesh) in root.meshes.iter().enumerate() {
+            for (j, primitive) in mesh.primitives.iter().enumerate() {
+                let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions));
+                if positions.is_some_and(|accessor| accessor.value() >= root.accessors.len()) {
+                    let place = format!("meshes[{i}].primitives[{j}].attributes[\"POSITION\"]");
+                    return Err(fault(place, GltfFault::Reference));
+                }
+            }
         }
     }
     Gltf::from_slice(bytes).map_err(|error| match error {

@@ -322,6 +322,8 @@ fn broken_gltf_files_are_refused_with_the_place() {
     };
     let at = |place: &str, fault| (place.to_owned(), fault);
     assert_eq!(edited(r#""mesh": 0"#, r#""mesh": 7"#), at("nodes[1].mesh", GltfFault::Reference));
+    let place = r#"meshes[0].primitives[0].attributes["POSITION"]"#;
+    assert_eq!(edited(r#""POSITION": 0"#, r#""POSITION": 99"#), at(place, GltfFault::Reference));
     assert_eq!(edited(r#""byteOffset": 312"#, r#""byteOffset": 900"#), at("accessors[1]", GltfFault::OutOfBuffer));
     assert_eq!(edited("5126", "5123"), at("accessors[0]", GltfFault::Unsupported { what: "Vec3 U16".into() }));
     assert_eq!(edited("base64,", "base64,*"), at("buffers[0]", GltfFault::DataUri));
