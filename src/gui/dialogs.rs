@@ -210,6 +210,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         title(ui, t.help_numbers);
         ui.label(t.help_numbers_text);
         title(ui, t.help_commands);
+        ui.spacing_mut().interact_size.y = 0.0;
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
             for command in Command::all() {
                 ui.monospace(ui.ctx().format_shortcut(&command.shortcut()));

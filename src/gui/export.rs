@@ -52,15 +52,23 @@ impl Export {
         let sizes = state.picture_sizes;
         let [width, height] = match self.what {
             Some(view) => sizes[view as usize],
-            None => {
-                let widest = sizes.iter().map(|s| s[0]).max().unwrap_or(0);
-                [3 * widest, sizes.iter().map(|s| s[1]).max().unwrap_or(0)]
-            }
+            None => together(sizes),
         };
         let side = |pixels: u32| (pixels.max(1) * times).min(MAX_SIDE);
         (self.width, self.height) = (side(width), side(height));
         self.scale = times as f32 * state.screen_scale;
     }
+}
+
+/// Room for three pictures side by side: as on the screen, or, where they are stacked there, as large as the largest, 4 by 3.
+fn together(sizes: [[u32; 2]; 3]) -> [u32; 2] {
+    if sizes.iter().all(|size| size[1] == sizes[0][1]) {
+        return [sizes.iter().map(|size| size[0]).sum(), sizes[0][1]];
+    }
+    let area = sizes.iter().map(|[width, height]| f64::from(*width) * f64::from(*height)).fold(1.0, f64::max);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sides of a screen")]
+    let side = |v: f64| v.round() as u32;
+    [3 * side((area * 4.0 / 3.0).sqrt()), side((area * 0.75).sqrt())]
 }
 
 /// The word for a choice of pictures, as on the command line.
@@ -109,4 +117,15 @@ fn picture(figure: &Figure, source: &str, folder: &Path, export: Export, lang: L
     };
     let pixmap = pixmap.ok_or_else(|| crate::i18n::window::texts(lang).picture_too_large.to_owned())?;
     png::encode(&pixmap, &update(source, figure)).map_err(|error| messages::png(lang, &error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_pictures_have_room_side_by_side() {
+        assert_eq!(together([[400, 600], [300, 600], [300, 600]]), [1000, 600]);
+        assert_eq!(together([[800, 300], [395, 300], [395, 301]]), [3 * 566, 424]);
+    }
 }

@@ -3,6 +3,7 @@
 use eframe::egui::{self, Align, Button, Layout, RichText};
 
 use super::command::Command;
+use super::panels;
 use super::state::State;
 use crate::i18n::window::{self, Texts};
 
@@ -50,7 +51,10 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
                     chosen = Some(command);
                 }
             }
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| title(ui, t, state));
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                title(ui, t, state);
+                panels::status::news(ui, state);
+            });
         });
     });
     chosen

@@ -89,7 +89,13 @@ fn sizes(style: &mut Style) {
     spacing.interact_size = egui::vec2(32.0, 22.0);
     spacing.icon_width = 15.0;
     spacing.tooltip_width = 340.0;
-    spacing.scroll = egui::style::ScrollStyle::thin();
+    spacing.scroll = egui::style::ScrollStyle {
+        foreground_color: true,
+        dormant_background_opacity: 0.0,
+        dormant_handle_opacity: 0.35,
+        active_background_opacity: 0.3,
+        ..egui::style::ScrollStyle::thin()
+    };
     style.animation_time = 0.0;
     style.interaction.tooltip_delay = 0.4;
 }

@@ -106,7 +106,6 @@ texts! {
 
     panel_width: "Width of the panel", "Largura do painel";
     presentation_keys: "F8: parameters · F9: operations and numbers · F11: leave the presentation", "F8: parâmetros · F9: operações e números · F11: sair da apresentação";
-    welcome: "Drag a number, or click it and type. Every control says what it does when the pointer rests on it.", "Arraste um número, ou clique nele e digite. Cada controle diz o que faz quando o ponteiro repousa nele.";
 
     // The parameters.
     camera: "Camera", "Câmera";

@@ -1,32 +1,38 @@
-//! The line at the bottom: what was said last, and how many warnings there are.
+//! What was said last: news in the bar at the top, errors in full at the bottom until they are closed.
 
-use eframe::egui::{self, Align, Layout, RichText};
+use eframe::egui::{self, Align, Button, Label, Layout, RichText};
 
 use crate::gui::state::State;
 use crate::i18n::window;
 
-/// Shows the line.
-pub fn ui(ui: &mut egui::Ui, state: &mut State) {
+/// The news, as much of it as there is room for, and how many warnings there are.
+pub fn news(ui: &mut egui::Ui, state: &State) {
     let t = window::texts(state.settings.lang);
     let warnings = state.warnings();
-    ui.horizontal(|ui| {
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        if !warnings.is_empty() {
+            let text = RichText::new(format!("⚠ {}", warnings.len())).color(ui.visuals().warn_fg_color);
+            ui.label(text).on_hover_text(format!("{}:\n{}", t.warnings, warnings.join("\n")));
+        }
+        if let Some(message) = state.message.as_ref().filter(|message| !message.is_error) {
+            let label = Label::new(RichText::new(&message.text).weak()).truncate();
+            ui.add(label).on_hover_text(&message.text);
+        }
+    });
+}
+
+/// What went wrong, with a button that closes it.
+pub fn error(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let Some(message) = state.message.as_ref().filter(|message| message.is_error) else { return };
+    let mut closed = false;
+    egui::Panel::bottom("error").show(ui, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if !warnings.is_empty() {
-                let text =
-                    RichText::new(format!("⚠ {}: {}", t.warnings, warnings.len())).color(ui.visuals().warn_fg_color);
-                ui.label(text).on_hover_text(warnings.join("\n"));
-                ui.separator();
-            }
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let text = match &state.message {
-                    Some(message) if message.is_error => {
-                        RichText::new(format!("⚠ {}", message.text)).color(ui.visuals().error_fg_color)
-                    }
-                    Some(message) => RichText::new(&message.text),
-                    None => RichText::new(t.welcome).weak(),
-                };
-                ui.add(egui::Label::new(text).truncate());
-            });
+            closed = ui.add(Button::new("✕")).on_hover_text(t.close).accessible_name(t.close).clicked();
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| super::complaint(ui, &message.text));
         });
     });
+    if closed {
+        state.message = None;
+    }
 }
