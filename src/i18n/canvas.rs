@@ -49,6 +49,8 @@ pub struct CanvasTexts {
     pub pointer_in_space: &'static str,
     /// What the pointer does in the image.
     pub pointer_in_image: &'static str,
+    /// Where nothing is pointed at: what can be done.
+    pub idle: &'static str,
     /// What the keys do in the world.
     pub keys_in_world: &'static str,
     /// What the keys do in the canonical volume.
@@ -126,6 +128,7 @@ static EN: CanvasTexts = CanvasTexts {
     hidden: "Hidden:",
     pointer_in_space: "Drag: turn · Shift or right button: move · wheel: zoom",
     pointer_in_image: "Click: pin the probe",
+    idle: "In the world C, PF, VUP and the planes can be dragged. Elsewhere a drag turns the view.",
     keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: turn the view · + −: zoom the view · Home: fit all",
     keys_in_canonical: "Arrows: turn the view · + −: zoom the view · Home: fit all",
     keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther",
@@ -177,6 +180,7 @@ static PT_BR: CanvasTexts = CanvasTexts {
     hidden: "Escondidas:",
     pointer_in_space: "Arrastar: girar · Shift ou botão direito: mover · roda: zoom",
     pointer_in_image: "Clique: fixar a sonda",
+    idle: "No mundo, C, PF, VUP e os planos podem ser arrastados. Fora deles, arrastar gira a vista.",
     keys_in_world: "Setas: erguer e girar a câmera · Shift + setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo",
     keys_in_canonical: "Setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo",
     keys_in_image: "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe",

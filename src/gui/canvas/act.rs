@@ -74,6 +74,9 @@ impl Canvas {
         if self.drag.is_some() {
             self.say_drag(ui, state, &mut status, texts);
         }
+        if status.message.is_empty() {
+            texts.idle.clone_into(&mut status.message);
+        }
         self.extras.probe = self.pinned.or(hovered);
         status
     }
