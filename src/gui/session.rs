@@ -86,7 +86,11 @@ impl Session {
 fn read(file: &Path) -> Option<Document> {
     let kept: Kept = serde_json::from_slice(&files::read_file(file).ok()?).ok()?;
     let changed = files::figure_from(kept.figure.as_bytes()).ok()?.figure;
-    let saved = files::figure_from(kept.source.as_bytes()).ok()?.figure;
+    // Without a file, the window had begun with its own first figure, not with that of an empty file.
+    let saved = match &kept.path {
+        Some(_) => files::figure_from(kept.source.as_bytes()).ok()?.figure,
+        None => super::fresh(),
+    };
     let mut document = Document::new(saved, kept.path.map(|path| (path, kept.source))).ok()?;
     document.replace(changed).ok()?;
     Some(document)
@@ -106,7 +110,7 @@ mod tests {
     }
 
     fn changed() -> Document {
-        let mut document = Document::new(Figure::default(), None).unwrap();
+        let mut document = Document::new(crate::gui::fresh(), None).unwrap();
         document.set_parameters(crate::camera::Parameters { far: 42.0, ..*document.draft() });
         document
     }

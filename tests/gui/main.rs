@@ -7,4 +7,5 @@ mod files;
 mod language;
 mod painter;
 mod panels;
+mod pictures;
 mod window;
