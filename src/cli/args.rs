@@ -34,7 +34,7 @@ pub(super) enum Command {
 /// Without a command the window opens.
 #[derive(Debug, Args)]
 pub(super) struct WindowArgs {
-    /// Figure file, or a PNG that camera-lab wrote; without it, the default figure
+    /// Figure file, or a PNG that camera-lab wrote; without it, the window shows the primitives from their best side
     pub(super) figure: Option<PathBuf>,
     #[command(flatten)]
     pub(super) common: FigureArgs,

@@ -39,7 +39,7 @@ texts! {
     menu_view: "View", "Ver";
     menu_help: "Help", "Ajuda";
     new: "New", "Novo";
-    new_hint: "The default figure", "A figura padrão";
+    new_hint: "The primitives from their best side", "As primitivas vistas do seu melhor lado";
     open: "Open…", "Abrir…";
     open_hint: "A figure file, or a picture that was exported", "Um arquivo de figura, ou uma imagem exportada";
     save: "Save", "Salvar";
