@@ -28,7 +28,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
     ctx.data_mut(|data| data.insert_temp(shown, kind));
     let t = window::texts(state.settings.lang);
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
-    let modal = Modal::new(Id::unique("dialog")).frame(frame).show(ctx, |ui| {
+    let modal = Modal::new(Id::unique("dialog").with(kind)).frame(frame).show(ctx, |ui| {
         let width = if dialog == Dialog::Help { 520.0 } else { 380.0_f32 };
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {

@@ -161,6 +161,11 @@ impl<'a> NumberField<'a> {
         if !editing && state.as_ref().is_some_and(|s| s.error.is_none()) {
             state = self.finish(ui, state, value);
         }
+        // Enter has left a faulty text standing with its reason: Escape still drops it.
+        let idle = !editing && ui.memory(|memory| memory.focused().is_none());
+        if idle && state.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
+            state = None;
+        }
         let mut response = if editing {
             let response = self.text_edit(ui, id, texts, &mut state, *value);
             if response.lost_focus() {

@@ -61,6 +61,17 @@ fn escape_leaves_the_value_and_a_look_at_it_does_not_round_it() {
 }
 
 #[test]
+fn a_faulty_text_that_stands_with_its_reason_goes_with_escape() {
+    let mut window = Window::new(Lang::En);
+    window.enter("F", "sqrt(");
+    assert!(window.says("the expression is not finished"));
+    window.key(Key::Escape);
+    window.run();
+    assert!(!window.says("the expression is not finished"));
+    assert_eq!(window.state().document.draft().near, 3.0);
+}
+
+#[test]
 fn a_faulty_text_stays_with_its_reason_until_it_is_mended() {
     let mut window = Window::new(Lang::En);
     window.enter("F", "1/0");
