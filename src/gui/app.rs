@@ -47,7 +47,7 @@ impl App {
         let Some((session, left)) = Session::begin(folder, restore) else { return };
         self.session = Some(session);
         if let Some(document) = left {
-            self.state.document = document;
+            filing::take_over(&mut self.state, document);
             self.state.say(window::texts(self.state.settings.lang).restored);
         }
     }

@@ -222,7 +222,7 @@ fn open(state: &mut State, path: &Path) {
     }
 }
 
-fn take_over(state: &mut State, document: Document) {
+pub(super) fn take_over(state: &mut State, document: Document) {
     let image = document.figure().image;
     state.settings.aspect_follows_image = document.draft().aspect == f64::from(image.width) / f64::from(image.height);
     state.document = document;

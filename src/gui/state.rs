@@ -1,6 +1,9 @@
 //! What the panels and the pictures share.
 
+use std::path::PathBuf;
+
 use crate::camera::CameraError;
+use crate::figure::Figure;
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Probe};
 
@@ -231,6 +234,18 @@ pub struct State {
     pub probe: Option<Probe>,
 }
 
+/// The document at the start. What the command line has done to the camera is a change of the figure in the file: it can be
+/// undone, and is asked about when the window is closed.
+fn begin(figure: Figure, file: Option<(PathBuf, String)>) -> Result<Document, CameraError> {
+    let in_file = file.as_ref().and_then(|(_, text)| crate::files::figure_from(text.as_bytes()).ok());
+    let Some(in_file) = in_file.map(|opened| opened.figure).filter(|saved| *saved != figure) else {
+        return Document::new(figure, file);
+    };
+    let mut document = Document::new(in_file, file)?;
+    document.replace(figure)?;
+    Ok(document)
+}
+
 impl State {
     /// The state in which the window opens.
     ///
@@ -240,7 +255,7 @@ impl State {
         let image = start.figure.image;
         let square = start.figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
         Ok(Self {
-            document: Document::new(start.figure, start.file)?,
+            document: begin(start.figure, start.file)?,
             scenery: Scenery::default(),
             settings: Settings {
                 lang: start.lang,

@@ -220,3 +220,15 @@ fn a_crashed_session_is_back_at_the_next_start() {
     assert!(window.says("The last session is back"));
     assert!(window.state().document.is_changed());
 }
+
+#[test]
+fn operations_of_the_command_line_are_a_change_of_the_file() {
+    let text = "[camera]\nnear = 0.5\n";
+    let mut figure = camera_lab::figure::read::parse(text).expect("a figure");
+    let start = |figure| gui::Start { figure, file: Some(("f.toml".into(), text.to_owned())), lang: Lang::En };
+    assert!(!gui::State::new(start(figure.clone())).expect("a camera").document.is_changed());
+    figure.camera.position.y = 7.0;
+    let state = gui::State::new(start(figure)).expect("a camera");
+    assert!(state.document.is_changed());
+    assert_eq!(state.document.figure().camera.position.y, 7.0);
+}
