@@ -141,9 +141,13 @@ impl<'a> NumberField<'a> {
 
     /// Shows the field and changes `value`.
     pub fn show(self, ui: &mut egui::Ui, texts: &Texts, value: &mut f64) -> FieldOutput {
-        let size = egui::vec2(self.width, ui.spacing().interact_size.y);
-        let layout = egui::Layout::centered_and_justified(egui::Direction::LeftToRight);
-        ui.allocate_ui_with_layout(size, layout, |ui| self.show_in(ui, texts, value)).inner
+        let (_, rect) = ui.allocate_space(egui::vec2(self.width, ui.spacing().interact_size.y));
+        // The id comes from the name: a complaint that comes or goes above must not take the focus away.
+        let place = egui::UiBuilder::new()
+            .scope_id(egui::Id::unique(("number field", &self.name)))
+            .max_rect(rect)
+            .layout(egui::Layout::centered_and_justified(egui::Direction::LeftToRight));
+        self.show_in(&mut ui.new_child(place), texts, value)
     }
 
     /// As [`Self::show`], in a place of its own: button and text field must have one and the same id.

@@ -239,9 +239,9 @@ texts! {
     pitch: "Pitch", "Arfagem";
     pitch_effect: "PF, VUP about u through C", "PF, VUP em torno de u por C";
     zoom: "Zoom", "Zoom";
-    zoom_effect: "window divided by s", "janela dividida por s";
+    zoom_effect: "l, r, b, t divided by s", "l, r, b, t divididos por s";
     dolly: "Dolly", "Aproximação";
-    dolly_effect: "C towards PF: D divided", "C vai a PF: D dividida";
+    dolly_effect: "C towards PF: D divided by s", "C rumo a PF: D dividida por s";
     pan_u: "Pan along u", "Pan em u";
     pan_u_effect: "C, PF along u", "C, PF ao longo de u";
     pan_v: "Pan along v", "Pan em v";

@@ -32,6 +32,19 @@ fn tab_goes_from_field_to_field_and_commits() {
 }
 
 #[test]
+fn a_complaint_does_not_take_the_focus_away() {
+    let mut window = Window::new(Lang::En);
+    window.type_into("F", "20");
+    window.key(Key::Tab);
+    assert!(window.says("F must be less than B"));
+    window.harness.event(eframe::egui::Event::Text("30".to_owned()));
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!((window.state().document.draft().near, window.state().document.draft().far), (20.0, 30.0));
+    assert!(window.state().document.problem().is_none());
+}
+
+#[test]
 fn expressions_are_evaluated_and_angles_are_degrees() {
     let mut window = Window::new(Lang::PtBr);
     window.enter("C y", "sqrt(2)/2");
