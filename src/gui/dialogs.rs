@@ -195,8 +195,10 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         (t.show_image, pictures.keys_in_image),
     ];
     ui.heading(t.help);
-    let height = ui.ctx().content_rect().height() - 160.0;
-    egui::ScrollArea::vertical().max_height(height.max(120.0)).show(ui, |ui| {
+    // As high from the first frame on as it is going to be: a dialog that grows moves its buttons away from the pointer.
+    let height = (ui.ctx().content_rect().height() - 160.0).max(120.0);
+    let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
+    area.show(ui, |ui| {
         let title = |ui: &mut egui::Ui, text: &str| {
             ui.add_space(6.0);
             ui.label(RichText::new(text).strong().color(ui.visuals().hyperlink_color));
