@@ -232,3 +232,33 @@ fn operations_of_the_command_line_are_a_change_of_the_file() {
     assert!(state.document.is_changed());
     assert_eq!(state.document.figure().camera.position.y, 7.0);
 }
+
+/// A file as the system drops it on the window.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl eframe::egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+#[test]
+fn a_dropped_file_is_opened_after_the_question_about_changes() {
+    let folder = Folder::new("drop");
+    let path = folder.file("dropped.toml");
+    fs::write(&path, "[camera]\nfar = 61.0\n[scene]\npreset = \"empty\"\n").expect("written");
+    let mut window = Window::new(Lang::En);
+    window.enter("B", "40");
+    window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path)));
+    window.run();
+    assert!(window.says("Save the changes?"));
+    assert_eq!(window.state().document.draft().far, 40.0);
+    window.click("Don't save");
+    assert_eq!(window.state().document.draft().far, 61.0);
+    assert_eq!(window.state().document.name().as_deref(), Some("dropped.toml"));
+}
