@@ -99,7 +99,7 @@ pub struct Lighting {
     pub diffuse: f32,
     /// Share of the specular term, 0 … 1.
     pub specular: f32,
-    /// Exponent of the specular term.
+    /// Exponent of the specular term, a whole number.
     pub shininess: f32,
     /// True where the viewer is at infinity (parallel projection).
     pub distant_viewer: bool,
@@ -108,6 +108,9 @@ pub struct Lighting {
     /// The lights.
     pub lights: Vec<ViewLight>,
 }
+
+/// One value for each of `N` points that are lit together.
+type Lanes<const N: usize> = [f32; N];
 
 impl Lighting {
     /// The colour that the viewer gets from a point of a surface: the one formula for faces, vertices and pixels.
@@ -118,48 +121,108 @@ impl Lighting {
     /// `two_sided`, a normal that points away from the viewer is turned round. Alpha is not touched. `[2]`, `[3]` §1.8
     #[must_use]
     pub fn shade(&self, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
-        let mut n = unit(normal);
-        let to_viewer = if self.distant_viewer { [0.0, 0.0, 1.0] } else { unit(position.map(|c| -c)) };
-        if self.two_sided && dot(n, to_viewer) < 0.0 {
-            n = n.map(|c| -c);
-        }
-        let (mut diffuse, mut specular) = (0.0_f32, 0.0_f32);
-        for light in &self.lights {
-            let to_light = match *light {
-                ViewLight::Directional(direction) => direction,
-                ViewLight::Point(p) => unit([p[0] - position[0], p[1] - position[1], p[2] - position[2]]),
-            };
-            let cosine = dot(n, to_light);
-            if cosine > 0.0 {
-                diffuse += cosine;
-                if self.specular > 0.0 {
-                    let half =
-                        unit([to_light[0] + to_viewer[0], to_light[1] + to_viewer[1], to_light[2] + to_viewer[2]]);
-                    specular += dot(n, half).max(0.0).powf(self.shininess);
-                }
+        let [lit] = self.shade_each(&normal.map(|c| [c]), &position.map(|c| [c]), &[color]);
+        lit
+    }
+
+    /// [`shade`](Self::shade) for `N` points at once, for loops that the compiler can turn into vector instructions.
+    #[must_use]
+    #[inline]
+    pub fn shade_each<const N: usize>(
+        &self,
+        normals: &[Lanes<N>; 3],
+        positions: &[Lanes<N>; 3],
+        colors: &[Rgba; N],
+    ) -> [Rgba; N] {
+        let mut n = unit(normals);
+        let to_viewer = if self.distant_viewer {
+            [[0.0; N], [0.0; N], [1.0; N]]
+        } else {
+            unit(&positions.map(|axis| axis.map(|c| -c)))
+        };
+        if self.two_sided {
+            let away = dot(&n, &to_viewer).map(|cosine| cosine < 0.0);
+            for axis in &mut n {
+                *axis = std::array::from_fn(|l| if away[l] { -axis[l] } else { axis[l] });
             }
         }
-        let share = self.ambient + self.diffuse * diffuse;
-        let white = 255.0 * self.specular * specular;
-        let channel = |c: u8| to_byte(f32::from(c) * share + white);
-        Rgba::rgba(channel(color.r), channel(color.g), channel(color.b), color.a)
+        let (mut diffuse, mut specular) = ([0.0_f32; N], [0.0_f32; N]);
+        for light in &self.lights {
+            let to_light = match *light {
+                ViewLight::Directional(direction) => direction.map(|c| [c; N]),
+                ViewLight::Point(place) => unit(&std::array::from_fn(|axis| positions[axis].map(|c| place[axis] - c))),
+            };
+            let cosine = dot(&n, &to_light);
+            diffuse = std::array::from_fn(|l| diffuse[l] + at_least_zero(cosine[l]));
+            if self.specular > 0.0 {
+                let half = unit(&std::array::from_fn(|axis| sum(&to_light[axis], &to_viewer[axis])));
+                let power = power(dot(&n, &half).map(at_least_zero), self.shininess);
+                specular = std::array::from_fn(|l| specular[l] + if cosine[l] > 0.0 { power[l] } else { 0.0 });
+            }
+        }
+        std::array::from_fn(|l| {
+            let share = self.ambient + self.diffuse * diffuse[l];
+            let white = 255.0 * self.specular * specular[l];
+            let channel = |c: u8| to_byte(f32::from(c) * share + white);
+            let Rgba { r, g, b, a } = colors[l];
+            Rgba::rgba(channel(r), channel(g), channel(b), a)
+        })
+    }
+
+    /// True where the positions of the points matter.
+    #[must_use]
+    pub fn needs_positions(&self) -> bool {
+        let viewer = !self.distant_viewer && (self.two_sided || self.specular > 0.0);
+        viewer || self.lights.iter().any(|light| matches!(light, ViewLight::Point(_)))
     }
 }
 
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+#[inline(always)]
+fn sum<const N: usize>(a: &Lanes<N>, b: &Lanes<N>) -> Lanes<N> {
+    std::array::from_fn(|l| a[l] + b[l])
 }
 
-/// The unit vector along `v`; zero where there is none.
-fn unit(v: [f32; 3]) -> [f32; 3] {
-    let length = dot(v, v).sqrt();
-    if length > 0.0 { v.map(|c| c / length) } else { [0.0; 3] }
+#[inline(always)]
+fn dot<const N: usize>(a: &[Lanes<N>; 3], b: &[Lanes<N>; 3]) -> Lanes<N> {
+    std::array::from_fn(|l| a[0][l] * b[0][l] + a[1][l] * b[1][l] + a[2][l] * b[2][l])
+}
+
+/// The unit vectors along `v`; zero where there is none.
+#[inline(always)]
+fn unit<const N: usize>(v: &[Lanes<N>; 3]) -> [Lanes<N>; 3] {
+    let inverse = dot(v, v).map(|square| if square > 0.0 { 1.0 / square.sqrt() } else { 0.0 });
+    v.map(|axis| std::array::from_fn(|l| axis[l] * inverse[l]))
+}
+
+/// 0 also for what is no number.
+#[inline(always)]
+fn at_least_zero(value: f32) -> f32 {
+    if value > 0.0 { value } else { 0.0 }
+}
+
+/// Whole powers by squaring: the same on every machine, and without a call.
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates, and exponents are small")]
+fn power<const N: usize>(mut base: Lanes<N>, exponent: f32) -> Lanes<N> {
+    let mut result = [1.0; N];
+    let mut left = exponent as u32;
+    while left > 0 {
+        if left & 1 == 1 {
+            result = std::array::from_fn(|l| result[l] * base[l]);
+        }
+        left >>= 1;
+        base = base.map(|b| b * b);
+    }
+    result
 }
 
 /// Rounded to the nearest of 0 … 255; 0 for what is no number.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0 … 255 before the cast")]
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "the low byte is the number")]
 fn to_byte(value: f32) -> u8 {
-    (value.clamp(0.0, 255.0) + 0.5) as u8
+    let value = at_least_zero(value);
+    // Next to 1.5 · 2²³ single precision has no places left for fractions.
+    ((if value < 255.0 { value } else { 255.0 }) + 12_582_912.0).to_bits() as u8
 }
 
 /// One light, in view space.

@@ -1,10 +1,11 @@
-//! The faces of one object that are left to draw: culled, clipped, projected.
+//! The faces of one object that are left to draw: projected, culled, clipped.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
-use super::clip::{ALL_PLANES, Clipper, NEAR, NOT_A_NUMBER, PlaneSet, outcode};
+use super::clip::{ALL_PLANES, Clipper, NEAR, NOT_A_NUMBER, PlaneSet};
 use super::cull::{area_on_image, facing};
-use super::transform::{Projector, Screen, ViewVertices, on_grid};
+use super::transform::{OnImage, Screen, Vertices, on_grid};
 
 /// A vertex that clipping made: attributes are the sum of those of three vertices, weighted.
 #[derive(Clone, Copy, Debug)]
@@ -13,8 +14,6 @@ pub(super) struct Cut {
     pub(super) of: [u32; 3],
     /// Their shares; they add up to 1.
     pub(super) weights: [f64; 3],
-    /// Its homogeneous w.
-    pub(super) w: f64,
 }
 
 impl Cut {
@@ -24,12 +23,31 @@ impl Cut {
     }
 }
 
+/// A triangle that crosses planes of the volume.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    /// Its index in the mesh.
+    source: u32,
+    triangle: [u32; 3],
+    planes: PlaneSet,
+}
+
+/// What culling leaves of a stretch of triangles; one for each thread.
+#[derive(Clone, Debug, Default)]
+struct Part {
+    triangles: Vec<[u32; 3]>,
+    source: Vec<u32>,
+    crossing: Vec<Crossing>,
+    back: usize,
+    turned_over: usize,
+}
+
 /// What is left of the triangles of one object; keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Faces {
     /// All vertices of the mesh on the image, then the cuts.
-    pub(super) positions: Vec<[f32; 3]>,
-    /// Indices into `positions`.
+    pub(super) image: OnImage,
+    /// Indices of vertices.
     pub(super) triangles: Vec<[u32; 3]>,
     /// The triangle of the mesh that each one comes from.
     pub(super) source: Vec<u32>,
@@ -39,10 +57,7 @@ pub(super) struct Faces {
     pub(super) back: usize,
     /// Triangles that turn the other way on the grid of the image than they do in the world: thin ones, at silhouettes.
     pub(super) turned_over: usize,
-    /// Triangles that cross a plane: index in the mesh, corners, planes.
-    crossing: Vec<(u32, [u32; 3], PlaneSet)>,
-    /// Empty where the object crosses no plane.
-    outcodes: Vec<PlaneSet>,
+    parts: Vec<Part>,
     clipper: Clipper,
 }
 
@@ -51,100 +66,70 @@ pub(super) struct Faces {
 pub(super) struct FaceTask {
     /// Drop the faces that turn their back.
     pub(super) cull_back: bool,
-    /// The object is mirrored: its triangles run the other way round.
-    pub(super) mirrored: bool,
     /// Find out whether a triangle turned over.
     pub(super) watch_turning: bool,
 }
 
 impl Faces {
-    /// Takes all vertices to the image, and holds them against the planes that the object may cross.
-    pub(super) fn project(
-        &mut self,
-        projector: &Projector,
-        screen: &Screen,
-        vertices: &ViewVertices,
-        planes: PlaneSet,
-    ) {
-        self.positions.clear();
-        self.outcodes.clear();
-        for i in 0..vertices.len() {
-            let p = projector.clip(vertices.at(i));
-            self.positions.push(on_grid(screen.project(projector, p)));
-            if planes != 0 {
-                self.outcodes.push(outcode(projector, p));
-            }
-        }
-    }
-
     /// True where the near plane cuts the object, so that its inside may be seen.
     pub(super) fn cut_open(&self) -> bool {
-        self.outcodes.iter().any(|code| code & NEAR != 0)
+        self.image.outcodes.iter().any(|code| code & NEAR != 0)
     }
 
     /// Drops triangles that lie outside one plane, and those that turn their back. Those that cross a plane are left to
     /// [`clip`](Self::clip).
-    pub(super) fn cull(
-        &mut self,
-        projector: &Projector,
-        vertices: &ViewVertices,
-        triangles: &[[u32; 3]],
-        task: FaceTask,
-    ) {
+    pub(super) fn cull(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], task: FaceTask) {
+        const FEW: usize = 1 << 14;
+        let threads = if triangles.len() < FEW { 1 } else { rayon::current_num_threads() };
+        let stretch = triangles.len().div_ceil(threads).max(1);
+        let count = triangles.len().div_ceil(stretch);
+        self.parts.resize_with(count.max(self.parts.len()), Part::default);
+        let (image, parts) = (&self.image, &mut self.parts[..count]);
+        let cull = |(k, part): (usize, &mut Part)| {
+            let first = k * stretch;
+            let end = triangles.len().min(first + stretch);
+            part.cull(image, vertices, &triangles[first..end], first, task);
+        };
+        if count > 1 {
+            parts.par_iter_mut().enumerate().for_each(cull);
+        } else {
+            parts.iter_mut().enumerate().for_each(cull);
+        }
         self.triangles.clear();
         self.source.clear();
-        self.crossing.clear();
         (self.back, self.turned_over) = (0, 0);
-        let front = if task.mirrored { -1.0 } else { 1.0 };
-        for (source, &triangle) in (0_u32..).zip(triangles) {
-            let [a, b, c] = triangle.map(|i| i as usize);
-            if a.max(b).max(c) >= vertices.len() {
-                continue;
-            }
-            let codes = match self.outcodes[..] {
-                [] => [0; 3],
-                _ => [self.outcodes[a], self.outcodes[b], self.outcodes[c]],
-            };
-            let crossed = codes[0] | codes[1] | codes[2];
-            if codes[0] & codes[1] & codes[2] != 0 || crossed & NOT_A_NUMBER != 0 {
-                continue;
-            }
-            let in_world = || facing(projector, triangle.map(|i| vertices.point(i)));
-            let area = if crossed == 0 {
-                let area = area_on_image(self.positions[a], self.positions[b], self.positions[c]);
-                if task.watch_turning && area * in_world() < 0.0 {
-                    self.turned_over += 1;
-                }
-                area
+        for part in &mut self.parts[..count] {
+            self.back += part.back;
+            self.turned_over += part.turned_over;
+            if self.triangles.is_empty() {
+                std::mem::swap(&mut self.triangles, &mut part.triangles);
+                std::mem::swap(&mut self.source, &mut part.source);
             } else {
-                in_world()
-            } * front;
-            if area == 0.0 || (task.cull_back && area < 0.0) {
-                self.back += 1;
-            } else if crossed == 0 {
-                self.triangles.push(triangle);
-                self.source.push(source);
-            } else {
-                self.crossing.push((source, triangle, crossed));
+                self.triangles.extend_from_slice(&part.triangles);
+                self.source.extend_from_slice(&part.source);
             }
         }
+        self.parts[count..].iter_mut().for_each(|part| part.crossing.clear());
     }
 
     /// Cuts the triangles that cross a plane, and adds what is left of each as a fan. With `all_planes`, also against the planes
     /// that they do not cross.
-    pub(super) fn clip(&mut self, projector: &Projector, screen: &Screen, vertices: &ViewVertices, all_planes: bool) {
+    pub(super) fn clip(&mut self, vertices: &Vertices, screen: &Screen, all_planes: bool) {
         self.cuts.clear();
-        for &(source, triangle, crossed) in &self.crossing {
-            let corners = triangle.map(|i| projector.clip(vertices.point(i)));
-            let planes = if all_planes { ALL_PLANES } else { crossed };
+        for &Crossing { source, triangle, planes } in self.parts.iter().flat_map(|part| &part.crossing) {
+            let corners = triangle.map(|i| vertices.clip(i));
+            let planes = if all_planes { ALL_PLANES } else { planes };
             let mut fan = [0_u32; 2];
-            for (i, corner) in self.clipper.triangle(projector, corners, planes).iter().enumerate() {
+            for (i, corner) in self.clipper.triangle(vertices.projector, corners, planes).iter().enumerate() {
                 let index = match corner.original() {
                     Some(own) => triangle[own],
                     None => {
-                        let index = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
-                        self.positions.push(on_grid(screen.project(projector, corner.point)));
-                        self.cuts.push(Cut { of: triangle, weights: corner.weights, w: corner.point.w });
+                        let index = u32::try_from(self.image.positions.len()).unwrap_or(u32::MAX);
+                        self.image.positions.push(on_grid(screen.project(vertices.projector, corner.point)));
+                        if !self.image.inverse_w.is_empty() {
+                            self.image.inverse_w.push(vertices.projector.relative_inverse_w(corner.point.w));
+                        }
+                        self.cuts.push(Cut { of: triangle, weights: corner.weights });
                         index
                     }
                 };
@@ -157,6 +142,47 @@ impl Faces {
                         fan[1] = index;
                     }
                 }
+            }
+        }
+    }
+}
+
+impl Part {
+    fn cull(&mut self, image: &OnImage, vertices: &Vertices, triangles: &[[u32; 3]], first: usize, task: FaceTask) {
+        self.triangles.clear();
+        self.source.clear();
+        self.crossing.clear();
+        (self.back, self.turned_over) = (0, 0);
+        let positions = &image.positions[..];
+        let front = vertices.view_from_object.outward();
+        let first = u32::try_from(first).unwrap_or(u32::MAX);
+        for (source, &triangle) in (first..).zip(triangles) {
+            let [a, b, c] = triangle.map(|i| i as usize);
+            let (Some(&p), Some(&q), Some(&r)) = (positions.get(a), positions.get(b), positions.get(c)) else {
+                continue;
+            };
+            let planes = match image.outcodes[..] {
+                [] => 0,
+                _ => {
+                    let codes = [image.outcodes[a], image.outcodes[b], image.outcodes[c]];
+                    if codes[0] & codes[1] & codes[2] != 0 || (codes[0] | codes[1] | codes[2]) & NOT_A_NUMBER != 0 {
+                        continue;
+                    }
+                    codes[0] | codes[1] | codes[2]
+                }
+            };
+            let in_world = || facing(vertices.projector, triangle.map(|i| vertices.view(i)));
+            let area = if planes == 0 { area_on_image(p, q, r) } else { in_world() };
+            if task.watch_turning && planes == 0 && area * in_world() < 0.0 {
+                self.turned_over += 1;
+            }
+            if area == 0.0 || (task.cull_back && area * front < 0.0) {
+                self.back += 1;
+            } else if planes == 0 {
+                self.triangles.push(triangle);
+                self.source.push(source);
+            } else {
+                self.crossing.push(Crossing { source, triangle, planes });
             }
         }
     }

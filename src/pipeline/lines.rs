@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::Target;
 use super::clip::{outcode, segment};
-use super::transform::{ClipPoint, Projector, Screen, ViewVertices, single};
+use super::transform::{ClipPoint, Projector, Screen, Vertices, single};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Anchor, Label, Mark, StrokeSet};
 use crate::scene::{Object, ObjectPaint, Scene};
@@ -50,12 +50,12 @@ impl<'a> Strokes<'a> {
         self.flush(&mut run, style, false);
     }
 
-    /// The edges of an object, whose vertices have been transformed.
-    pub(super) fn edges(&mut self, object: &Object, vertices: &ViewVertices, style: &Style) {
+    /// The edges of an object.
+    pub(super) fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) {
         let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe, self.background) else { return };
         for edge in &object.mesh.edges {
             if edge.iter().all(|&i| (i as usize) < vertices.len()) {
-                self.polyline(edge.map(|i| vertices.point(i)), line_style);
+                self.polyline(edge.map(|i| vertices.view(i)), line_style);
             }
         }
     }

@@ -4,11 +4,10 @@
 //! | --- | --- | --- |
 //! | plan: which of these are needed | – | [`plan`] |
 //! | objects outside the volume dropped | object | `cull` |
-//! | each vertex transformed once | object → world → view | `transform` |
-//! | divide and viewport | view → clip → ndc → pixels | `transform` |
+//! | each vertex transformed once | object → world → view → clip → ndc → pixels | `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
-//! | light on what is left | view | `shade` |
+//! | light on what is left | view | `light`, `shade` |
 //! | order of faces, where no depth buffer decides | view | `visibility` |
 //! | edges, lines, marks, texts | world → pixels | `lines` |
 //!
@@ -18,6 +17,7 @@
 mod clip;
 mod cull;
 mod faces;
+mod light;
 mod lines;
 pub mod plan;
 pub mod project;
@@ -37,12 +37,13 @@ use crate::scene::{Mesh, Scene};
 pub use clip::PlaneSet;
 pub use cull::Place;
 use faces::{FaceTask, Faces};
+use light::Lights;
 use lines::Strokes;
 pub use plan::{Options, Plan, Reason, Stage};
 pub use report::Frame;
 use report::Meter;
-use shade::{Lights, Shaded};
-use transform::{Projector, Screen, ViewVertices};
+use shade::Shaded;
+use transform::{Projector, Screen, Vertices};
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +68,6 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
 /// Draws pictures one after the other; keeps its buffers, and what it found out about meshes.
 #[derive(Clone, Debug, Default)]
 pub struct Pipeline {
-    vertices: ViewVertices,
     faces: Faces,
     /// Bounding boxes of the meshes that were drawn last, by the address of the mesh: nobody else gets it as long as the weak
     /// pointer is kept, and the mesh does not change as long as it is shared.
@@ -85,50 +85,46 @@ impl Pipeline {
         let plan = Plan::new(scene, &projector, style, &bounds, options.force_all_stages);
         let lights = Lights::new(&scene.lights, &projector, style.shading);
         let mut strokes = Strokes::new(&projector, &screen, target);
+        let faces = &mut self.faces;
         let (mut surfaces, mut layers) = (Vec::new(), Vec::new());
         meter.lap(Stage::CullObjects);
 
         for (object, todo) in scene.objects.iter().zip(&plan.objects).filter(|(_, todo)| todo.drawn) {
             let view_from_object = projector.view_from_object(object.world_from_object);
-            self.vertices.fill(&object.mesh.positions, &view_from_object);
-            meter.lap(Stage::Transform);
-
+            let mesh = &object.mesh;
+            let vertices =
+                Vertices { projector: &projector, view_from_object: &view_from_object, positions: &mesh.positions };
             if todo.faces {
-                self.faces.project(&projector, &screen, &self.vertices, todo.clip_planes);
-                meter.lap(Stage::Viewport);
+                let interpolates = projector.perspective && Shaded::interpolates(object, todo.lit);
+                faces.image.fill(&vertices, &screen, todo.clip_planes != 0, interpolates);
+                meter.lap(Stage::Transform);
 
-                let cut_open = object.mesh.closed && self.faces.cut_open();
-                let task = FaceTask {
-                    cull_back: todo.cull_back && !cut_open,
-                    mirrored: view_from_object.mirrored(),
-                    watch_turning: !plan.depth,
-                };
-                self.faces.cull(&projector, &self.vertices, &object.mesh.triangles, task);
+                let cut_open = mesh.closed && faces.cut_open();
+                let cull_back = todo.cull_back && !cut_open;
+                faces.cull(&vertices, &mesh.triangles, FaceTask { cull_back, watch_turning: !plan.depth });
                 meter.lap(Stage::CullFaces);
 
-                self.faces.clip(&projector, &screen, &self.vertices, options.force_all_stages);
+                faces.clip(&vertices, &screen, options.force_all_stages);
                 meter.lap(Stage::Clip);
-                meter.count(&self.vertices, &self.faces, object);
+                meter.count(&vertices, faces, object);
 
                 let shaded = Shaded {
                     object,
-                    projector: &projector,
-                    view_from_object: &view_from_object,
-                    vertices: &self.vertices,
-                    faces: &self.faces,
+                    vertices,
                     lights: &lights,
                     lit: todo.lit,
-                    both_sides: object.two_sided || cut_open || (object.mesh.closed && todo.translucent),
+                    both_sides: object.two_sided || cut_open || (mesh.closed && todo.translucent),
+                    depth_test: plan.depth || (faces.turned_over > 0 && plan.order() == Visibility::DepthBuffer),
                 };
                 if plan.order() == Visibility::DepthBuffer {
-                    surfaces.extend(shaded.surfaces(plan.depth || self.faces.turned_over > 0));
+                    surfaces.extend(shaded.surfaces(faces));
                 } else {
-                    let convex = object.mesh.convex && object.mesh.closed && task.cull_back;
-                    layers.extend(shaded.layers(plan.depth, convex && self.faces.turned_over == 0));
+                    let never_hides_itself = mesh.convex && mesh.closed && cull_back && faces.turned_over == 0;
+                    layers.extend(shaded.layers(faces, never_hides_itself));
                 }
                 meter.lap(Stage::Light);
             }
-            strokes.edges(object, &self.vertices, style);
+            strokes.edges(object, &vertices, style);
         }
         match plan.order() {
             // Forced to be made, but only edges were asked for.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::clip::{ALL_PLANES, NEAR, PlaneSet};
 use super::cull::{Place, place};
-use super::shade::translucent;
+use super::shade::{Shaded, translucent};
 use super::transform::Projector;
 use crate::appearance::{HiddenLines, Shading, Style, Visibility};
 use crate::geometry::Aabb;
@@ -429,11 +429,6 @@ impl Survey {
             Place::Crosses(planes) => planes,
             Place::Outside(_) | Place::Empty => 0,
         };
-        let varies = |object: &Object, plan: &ObjectPlan| match plan.lit {
-            LitAt::Vertices | LitAt::Pixels => true,
-            LitAt::Faces => false,
-            LitAt::Nowhere => matches!(object.paint, ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. }),
-        };
         let asks = |hidden: HiddenLines| hidden != HiddenLines::Shown;
         // The inside of an object that the near plane may cut open is hidden by its outside.
         let hides_itself = |object: &Object, plan: &ObjectPlan| {
@@ -450,7 +445,7 @@ impl Survey {
             lit: lit.first().map_or(LitAt::Nowhere, |(_, plan)| plan.lit),
             lit_objects: lit.len(),
             dark: scene.lights.is_empty(),
-            varies: faces.iter().filter(|(object, plan)| varies(object, plan)).count(),
+            varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan.lit)).count(),
             textured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture { .. })).count(),
             translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
             hides_itself: faces.iter().any(|(object, plan)| hides_itself(object, plan)),

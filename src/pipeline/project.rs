@@ -6,8 +6,9 @@ use glam::{DMat4, DVec3};
 
 use super::clip::{Clipper, NEAR, NOT_A_NUMBER, outcode, segment};
 use super::faces::Cut;
-use super::shade::{Lights, color_at, mean_color, mean_of_colors, mean_of_uv, translucent};
-use super::transform::{ClipPoint, Projector, ViewFromObject, ViewVertices};
+use super::light::{Lights, ObjectLight};
+use super::shade::{color_at, mean_color, mean_of_colors, mean_of_uv, translucent};
+use super::transform::{ClipPoint, Projector, Vertices, each_chunk};
 use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
@@ -86,7 +87,7 @@ fn clipped_line(line: &Line, projector: &Projector) -> Vec<Line> {
 /// An object on its way into the volume.
 struct Projected<'a> {
     projector: &'a Projector,
-    vertices: ViewVertices,
+    vertices: Vertices<'a>,
     outcodes: Vec<u8>,
     /// The new index of each vertex of the mesh that is still used.
     index: Vec<Option<u32>>,
@@ -100,9 +101,13 @@ struct Projected<'a> {
 
 fn clipped_object(object: &Object, projector: &Projector, lights: Option<&Lights>, shading: Shading) -> Option<Object> {
     let view_from_object = projector.view_from_object(object.world_from_object);
-    let mut vertices = ViewVertices::default();
-    vertices.fill(&object.mesh.positions, &view_from_object);
-    let outcodes = (0..vertices.len()).map(|i| outcode(projector, projector.clip(vertices.at(i)))).collect();
+    let vertices = Vertices { projector, view_from_object: &view_from_object, positions: &object.mesh.positions };
+    let mut outcodes = vec![0; vertices.len()];
+    each_chunk(&mut outcodes, |codes, first| {
+        for (code, &p) in codes.iter_mut().zip(&vertices.positions[first..]) {
+            *code = outcode(projector, projector.clip(view_from_object.point(p)));
+        }
+    });
     let mut projected = Projected {
         projector,
         index: vec![None; vertices.len()],
@@ -121,7 +126,7 @@ fn clipped_object(object: &Object, projector: &Projector, lights: Option<&Lights
     let whole = !projected.cut && projected.source.len() == object.mesh.triangles.len();
     projected.mesh.closed = whole && object.mesh.closed;
     projected.mesh.convex = whole && object.mesh.convex;
-    let paint = projected.paint(object, &view_from_object, lights.filter(|_| object.lit), shading);
+    let paint = projected.paint(object, lights.filter(|_| object.lit), shading);
     Some(Object {
         name: object.name.clone(),
         mesh: Arc::new(projected.mesh),
@@ -151,14 +156,12 @@ impl Projected<'_> {
                 continue;
             }
             self.cut = true;
-            let corners = triangle.map(|i| self.projector.clip(self.vertices.point(i)));
+            let corners = triangle.map(|i| self.vertices.clip(i));
             let mut fan: Vec<u32> = Vec::new();
             for corner in clipper.triangle(self.projector, corners, either) {
                 fan.push(match corner.original() {
                     Some(own) => self.own_vertex(triangle[own]),
-                    None => {
-                        self.new_vertex(corner.point, Cut { of: triangle, weights: corner.weights, w: corner.point.w })
-                    }
+                    None => self.new_vertex(corner.point, Cut { of: triangle, weights: corner.weights }),
                 });
             }
             for k in 1..fan.len().saturating_sub(1) {
@@ -173,13 +176,13 @@ impl Projected<'_> {
             if self.codes([a, b, b]).is_none() {
                 continue;
             }
-            let ends = [a, b].map(|i| self.projector.clip(self.vertices.point(i)));
+            let ends = [a, b].map(|i| self.vertices.clip(i));
             let Some(kept) = segment(self.projector, ends) else { continue };
             let index: [u32; 2] = std::array::from_fn(|k| {
                 let (point, cut) = kept[k];
                 let own = [a, b][k];
                 // An edge has no colour: what its new ends are made of does not matter.
-                let of = Cut { of: [own; 3], weights: [1.0, 0.0, 0.0], w: point.w };
+                let of = Cut { of: [own; 3], weights: [1.0, 0.0, 0.0] };
                 if cut { self.new_vertex(point, of) } else { self.own_vertex(own) }
             });
             self.mesh.edges.push(index);
@@ -196,8 +199,8 @@ impl Projected<'_> {
         if let Some(index) = self.index[i as usize] {
             return index;
         }
-        let point = self.projector.clip(self.vertices.point(i));
-        let index = self.new_vertex(point, Cut { of: [i; 3], weights: [1.0, 0.0, 0.0], w: point.w });
+        let point = self.vertices.clip(i);
+        let index = self.new_vertex(point, Cut { of: [i; 3], weights: [1.0, 0.0, 0.0] });
         self.index[i as usize] = Some(index);
         index
     }
@@ -210,40 +213,24 @@ impl Projected<'_> {
     }
 
     /// The colours, as they are seen in the world.
-    fn paint(
-        &self,
-        object: &Object,
-        view_from_object: &ViewFromObject,
-        lights: Option<&Lights>,
-        shading: Shading,
-    ) -> ObjectPaint {
+    fn paint(&self, object: &Object, lights: Option<&Lights>, shading: Shading) -> ObjectPaint {
         let smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
         let old = &object.mesh;
         let cut_open = old.closed && self.outcodes.iter().any(|code| code & NEAR != 0);
         let both_sides = object.two_sided || cut_open || (old.closed && translucent(&object.paint));
-        let lights = lights.map(|lights| (lights, lights.lighting(both_sides)));
-        let face_light = |face: u32, color: Rgba| match &lights {
-            None => color,
-            Some((lights, lighting)) => {
-                let corners = old.triangles[face as usize].map(|i| self.vertices.point(i));
-                lights.face(lighting, corners, view_from_object.outward(), color)
-            }
-        };
-        let faces = |color: &dyn Fn(u32) -> Rgba| {
-            ObjectPaint::Faces(Arc::new(self.source.iter().map(|&face| face_light(face, color(face))).collect()))
-        };
-        let normals = view_from_object.normal_matrix();
-        let vertex_light = |i: u32, color: Rgba| match &lights {
-            None => color,
-            Some((lights, lighting)) => {
-                let normal = normals * old.normals.get(i as usize).copied().unwrap_or_default();
-                lights.vertex(lighting, self.vertices.point(i), normal, color)
-            }
+        let light = lights.map(|lights| ObjectLight::new(lights, old, self.vertices, both_sides));
+        let faces = |color: &(dyn Fn(u32) -> Rgba + Sync)| {
+            let face = |k: usize| (old.triangles[self.source[k] as usize], color(self.source[k]));
+            ObjectPaint::Faces(Arc::new(match &light {
+                Some(light) => light.faces(self.source.len(), face),
+                None => self.source.iter().map(|&face| color(face)).collect(),
+            }))
         };
         let vertices = |color: &dyn Fn(u32) -> Rgba| {
+            let lit = |i: u32| light.as_ref().map_or(color(i), |light| light.vertex(i, color(i)));
             let colors = self.origin.iter().map(|origin| match origin.of {
-                [a, b, c] if a == b && b == c => vertex_light(a, color(a)),
-                of => mean_of_colors(of.map(|i| vertex_light(i, color(i))), origin.weights),
+                [a, b, c] if a == b && b == c => lit(a),
+                of => mean_of_colors(of.map(lit), origin.weights),
             });
             ObjectPaint::Vertices(Arc::new(colors.collect()))
         };
@@ -253,11 +240,11 @@ impl Projected<'_> {
                 let uv = self.origin.iter().map(|origin| mean_of_uv(origin.of.map(at), origin.weights)).collect();
                 ObjectPaint::Texture { image: image.clone(), uv: Arc::new(uv), opacity: *opacity }
             }
-            ObjectPaint::Solid(color) if lights.is_none() => ObjectPaint::Solid(*color),
+            ObjectPaint::Solid(color) if light.is_none() => ObjectPaint::Solid(*color),
             ObjectPaint::Solid(color) if smooth => vertices(&|_| *color),
             ObjectPaint::Solid(color) => faces(&|_| *color),
             ObjectPaint::Faces(colors) => faces(&|face| color_at(colors, face)),
-            ObjectPaint::Vertices(colors) if smooth || lights.is_none() => vertices(&|i| color_at(colors, i)),
+            ObjectPaint::Vertices(colors) if smooth || light.is_none() => vertices(&|i| color_at(colors, i)),
             ObjectPaint::Vertices(colors) => faces(&|face| mean_color(colors, old.triangles[face as usize])),
         }
     }

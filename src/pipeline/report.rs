@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::faces::Faces;
 use super::plan::{Options, Plan, Reason, Stage};
-use super::transform::ViewVertices;
+use super::transform::Vertices;
 use crate::appearance::Visibility;
 use crate::drawing::Drawing;
 use crate::scene::Object;
@@ -70,7 +70,7 @@ impl Meter {
     }
 
     /// Counts what was done for the faces of one object.
-    pub(super) fn count(&mut self, vertices: &ViewVertices, faces: &Faces, object: &Object) {
+    pub(super) fn count(&mut self, vertices: &Vertices, faces: &Faces, object: &Object) {
         self.vertices += vertices.len();
         self.triangles += object.mesh.triangles.len();
         self.front += object.mesh.triangles.len() - faces.back;
@@ -87,8 +87,8 @@ impl Meter {
                     Stage::Traverse => (Some((plan.objects.len(), plan.objects.len())), false),
                     Stage::CullObjects => (Some((plan.objects.len(), drawn)), true),
                     Stage::Transform => (vertices, true),
-                    Stage::Viewport => (vertices, true),
-                    Stage::Divide | Stage::Oblique | Stage::Normals => (vertices, false),
+                    // One loop takes a vertex through all spaces: its time is booked to the first of them.
+                    Stage::Divide | Stage::Oblique | Stage::Viewport | Stage::Normals => (vertices, false),
                     Stage::CullFaces => (Some((self.triangles, self.front)), true),
                     Stage::Clip => (Some((self.front, self.drawn)), true),
                     Stage::Light => (Some((self.drawn, self.drawn)), true),

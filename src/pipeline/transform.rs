@@ -1,8 +1,10 @@
 //! Object → world → view → clip → image, in `f64` up to the image.
 
 use glam::{DMat3, DMat4, DVec3};
+use rayon::prelude::*;
 
 use super::Target;
+use super::clip::{PlaneSet, outcode};
 use crate::camera::{Basis, Camera, Projection};
 
 /// A point of clip space, with the distance from the eye instead of z: clip z crowds the far depths together, the distance
@@ -173,40 +175,100 @@ impl ViewFromObject {
     }
 }
 
-/// Vertices in view space, one array per coordinate, so that each stage runs over plain arrays.
-#[derive(Clone, Debug, Default)]
-pub(super) struct ViewVertices {
-    pub(super) x: Vec<f64>,
-    pub(super) y: Vec<f64>,
-    /// −z.
-    pub(super) depth: Vec<f64>,
+/// The vertices of an object, and the way that they go.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vertices<'a> {
+    pub(super) projector: &'a Projector,
+    pub(super) view_from_object: &'a ViewFromObject,
+    /// In object space.
+    pub(super) positions: &'a [DVec3],
 }
 
-impl ViewVertices {
-    /// Transforms each of `positions` once.
-    pub(super) fn fill(&mut self, positions: &[DVec3], view_from_object: &ViewFromObject) {
-        self.x.clear();
-        self.y.clear();
-        self.depth.clear();
-        for &p in positions {
-            let q = view_from_object.point(p);
-            self.x.push(q.x);
-            self.y.push(q.y);
-            self.depth.push(-q.z);
+impl Vertices<'_> {
+    pub(super) fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// A vertex in view space.
+    pub(super) fn view(&self, index: u32) -> DVec3 {
+        self.view_from_object.point(self.positions[index as usize])
+    }
+
+    /// A vertex in clip space.
+    pub(super) fn clip(&self, index: u32) -> ClipPoint {
+        self.projector.clip(self.view(index))
+    }
+}
+
+/// The vertices of an object on the image, in the order of the mesh; keeps its buffers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct OnImage {
+    /// Pixels on the grid, and depth. What lies outside the volume is anywhere in the picture.
+    pub(super) positions: Vec<[f32; 3]>,
+    /// See [`Projector::relative_inverse_w`]; empty where nobody wants it.
+    pub(super) inverse_w: Vec<f32>,
+    /// Empty where the object crosses no plane.
+    pub(super) outcodes: Vec<PlaneSet>,
+}
+
+/// Vertices or triangles that are worked on as one piece.
+pub(super) const CHUNK: usize = 4096;
+
+/// Some vertices on their way; the last two are empty where nobody wants them.
+struct Stretch<'a> {
+    given: &'a [DVec3],
+    positions: &'a mut [[f32; 3]],
+    inverse_w: &'a mut [f32],
+    outcodes: &'a mut [PlaneSet],
+}
+
+impl OnImage {
+    /// Takes each vertex once through all spaces, and holds it against the planes, if the object may cross any.
+    pub(super) fn fill(&mut self, vertices: &Vertices, screen: &Screen, crosses: bool, want_inverse_w: bool) {
+        let n = vertices.len();
+        self.positions.resize(n, [0.0; 3]);
+        self.inverse_w.resize(if want_inverse_w { n } else { 0 }, 0.0);
+        self.outcodes.resize(if crosses { n } else { 0 }, 0);
+        let (mut inverse_w, mut outcodes) = (self.inverse_w.chunks_mut(CHUNK), self.outcodes.chunks_mut(CHUNK));
+        let stretches = vertices.positions.chunks(CHUNK).zip(self.positions.chunks_mut(CHUNK));
+        let mut stretches: Vec<Stretch> = stretches
+            .map(|(given, positions)| Stretch {
+                given,
+                positions,
+                inverse_w: inverse_w.next().unwrap_or_default(),
+                outcodes: outcodes.next().unwrap_or_default(),
+            })
+            .collect();
+        if stretches.len() > 2 {
+            stretches.par_iter_mut().for_each(|stretch| stretch.fill(vertices, screen));
+        } else {
+            stretches.iter_mut().for_each(|stretch| stretch.fill(vertices, screen));
         }
     }
+}
 
-    /// The vertex with an index of the mesh.
-    pub(super) fn point(&self, index: u32) -> DVec3 {
-        self.at(index as usize)
+impl Stretch<'_> {
+    fn fill(&mut self, vertices: &Vertices, screen: &Screen) {
+        let Vertices { projector, view_from_object, .. } = *vertices;
+        for (k, &p) in self.given.iter().enumerate() {
+            let p = projector.clip(view_from_object.point(p));
+            self.positions[k] = on_grid(screen.project(projector, p));
+            if let Some(inverse_w) = self.inverse_w.get_mut(k) {
+                *inverse_w = projector.relative_inverse_w(p.w);
+            }
+            if let Some(code) = self.outcodes.get_mut(k) {
+                *code = outcode(projector, p);
+            }
+        }
     }
+}
 
-    pub(super) fn at(&self, i: usize) -> DVec3 {
-        DVec3::new(self.x[i], self.y[i], -self.depth[i])
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.x.len()
+/// Calls `work` for all stretches of `values`, with the index of the first value; long ones over all threads.
+pub(super) fn each_chunk<T: Send>(values: &mut [T], work: impl Fn(&mut [T], usize) + Sync + Send) {
+    if values.len() > 2 * CHUNK {
+        values.par_chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| work(chunk, k * CHUNK));
+    } else {
+        work(values, 0);
     }
 }
 
