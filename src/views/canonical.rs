@@ -9,14 +9,14 @@ use crate::appearance::{Dash, HiddenLines};
 use crate::drawing::Drawing;
 use crate::figure::Observer;
 use crate::geometry::Aabb;
-use crate::pipeline;
+use crate::pipeline::{self, Frame};
 use crate::scene::Scene;
 
 use super::gizmos::{self, SMALL_TYPE, Sheet};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
 use super::screen::Screen;
-use super::{Palette, Setup, drawn, placing, probe};
+use super::{Engine, Palette, Setup, placing, probe};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -57,20 +57,26 @@ pub(super) fn contents(setup: &Setup) -> Scene {
 /// Draws the canonical volume as `observer` sees it; an observer that is no camera sees nothing.
 #[must_use]
 pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
+    frame_of(setup, observer, &mut Engine::default()).drawing
+}
+
+/// Draws the canonical volume as [`draw`] does, and tells what was done.
+#[must_use]
+pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Frame {
     let style = &setup.figure.style;
     let palette = Palette::of(style.theme);
     let target = setup.size.target(palette.paper);
     let Some(screen) = screen(setup, observer) else {
-        return drawn(setup, &Scene::default(), setup.camera, target, style);
+        return engine.frame(setup, &Scene::default(), setup.camera, target, style);
     };
     let (scene, style) = gizmos::wired(contents(setup), style);
     let mut sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
     axes(&mut sheet, palette);
     probe::in_canonical(&mut sheet, setup, palette);
     cube(&mut sheet, setup, palette);
-    let mut drawing = drawn(setup, &sheet.scene, screen.camera(), target, &style);
-    placing::settle(&mut drawing, &[]);
-    drawing
+    let mut drawn = engine.frame(setup, &sheet.scene, screen.camera(), target, &style);
+    placing::settle(&mut drawn.drawing, &[]);
+    drawn
 }
 
 fn axes(sheet: &mut Sheet, palette: Palette) {

@@ -3,11 +3,11 @@
 use crate::appearance::{Dash, HiddenLines, Rgba};
 use crate::camera::ViewWindow;
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
-use crate::pipeline;
+use crate::pipeline::{Frame, Target};
 
 use super::gizmos::{Sheet, stroke};
 use super::screen::Screen;
-use super::{Palette, Setup, Size, drawn, placing, probe};
+use super::{Engine, Palette, Setup, Size, placing, probe};
 
 /// A rectangle of a picture, in pixels; (0, 0) is the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,16 +55,25 @@ pub(super) fn screen(setup: &Setup) -> Screen {
 /// Draws the image.
 #[must_use]
 pub fn draw(setup: &Setup) -> Drawing {
+    frame_of(setup, &mut Engine::default()).drawing
+}
+
+/// Draws the image as [`draw`] does, and tells what was done.
+#[must_use]
+pub fn frame_of(setup: &Setup, engine: &mut Engine) -> Frame {
     let style = &setup.figure.style;
     let palette = Palette::of(style.theme);
     let (whole, screen) = (setup.size.target(palette.paper), screen(setup));
     let mut sheet = Sheet { scene: setup.scene.clone(), screen: &screen, hidden: style.hidden_lines };
     probe::in_image(&mut sheet, setup, palette);
     let rect = frame(setup.size, setup.camera.window());
-    let target = pipeline::Target { width: rect.width, height: rect.height, ..whole };
-    let mut drawing = drawn(setup, &sheet.scene, setup.camera, target, style);
-    placing::settle(&mut drawing, &[]);
-    if rect == PixelRect::whole(setup.size) { drawing } else { mounted(drawing, rect, setup.size, palette) }
+    let target = Target { width: rect.width, height: rect.height, ..whole };
+    let mut drawn = engine.frame(setup, &sheet.scene, setup.camera, target, style);
+    placing::settle(&mut drawn.drawing, &[]);
+    if rect != PixelRect::whole(setup.size) {
+        drawn.drawing = mounted(drawn.drawing, rect, setup.size, palette);
+    }
+    drawn
 }
 
 /// The image in the middle of a larger picture, with a thin border.

@@ -25,14 +25,14 @@ mod screen;
 pub mod world;
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
 use crate::appearance::{Rgba, Style, Texture};
 use crate::camera::{Camera, Convention, Operation};
-use crate::drawing::Drawing;
 use crate::figure::Figure;
-use crate::pipeline::{Options, Pipeline, Target};
+use crate::pipeline::{Frame, Options, Pipeline, Target};
 use crate::scene::{self, ReadFile, Scene, SceneError};
 pub use handles::Handle;
 pub use palette::Palette;
@@ -131,10 +131,22 @@ pub struct Ghost {
     pub convention: Convention,
 }
 
-/// Sends what a picture shows through the pipeline.
-fn drawn(setup: &Setup, scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Drawing {
-    let options = Options { force_all_stages: setup.extras.force_all_stages, ..Options::default() };
-    Pipeline::default().frame(scene, camera, target, style, options).drawing
+/// What draws: the pipeline, with buffers that serve one picture after the other, and a clock for who wants to know how long
+/// each stage takes.
+#[derive(Clone, Debug, Default)]
+pub struct Engine {
+    /// The stages.
+    pub pipeline: Pipeline,
+    /// The time since any moment that stays the same. Without it nothing is timed.
+    pub clock: Option<fn() -> Duration>,
+}
+
+impl Engine {
+    /// Sends what a picture shows through the pipeline.
+    fn frame(&mut self, setup: &Setup, scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Frame {
+        let options = Options { force_all_stages: setup.extras.force_all_stages, clock: self.clock };
+        self.pipeline.frame(scene, camera, target, style, options)
+    }
 }
 
 /// The scene of a figure in the colours of its theme, with hidden edges as its style wants them.

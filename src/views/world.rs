@@ -8,6 +8,7 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
 use crate::camera::{Camera, Projection};
 use crate::drawing::Drawing;
 use crate::figure::Observer;
+use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
 use super::content::{Content, iso_direction};
@@ -15,7 +16,7 @@ use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
 use super::screen::Screen;
-use super::{Handle, Palette, Setup, drawn, ghost, handles, placing, probe};
+use super::{Engine, Handle, Palette, Setup, ghost, handles, placing, probe};
 
 /// The observer that a button gives: it looks from the preset's side and has everything of interest in the picture.
 #[must_use]
@@ -54,12 +55,18 @@ fn screen_of(setup: &Setup, observer: &Observer, content: &Content) -> Option<Sc
 /// Draws the world as `observer` sees it; an observer that is no camera sees nothing.
 #[must_use]
 pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
+    frame_of(setup, observer, &mut Engine::default()).drawing
+}
+
+/// Draws the world as [`draw`] does, and tells what was done.
+#[must_use]
+pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Frame {
     let style = &setup.figure.style;
     let palette = Palette::of(style.theme);
     let target = setup.size.target(palette.paper);
     let content = Content::of(setup);
     let Some(screen) = screen_of(setup, observer, &content) else {
-        return drawn(setup, &Scene::default(), setup.camera, target, style);
+        return engine.frame(setup, &Scene::default(), setup.camera, target, style);
     };
     let (scene, style) = gizmos::wired(setup.scene.clone(), style);
     let sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
@@ -74,9 +81,9 @@ pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
     world.hot_handle();
     ghost::in_world(&mut world.sheet, setup, palette, world.gear);
     probe::in_world(&mut world.sheet, setup, palette);
-    let mut drawing = drawn(setup, &world.sheet.scene, screen.camera(), target, &style);
-    placing::settle(&mut drawing, &[palette.grid]);
-    drawing
+    let mut drawn = engine.frame(setup, &world.sheet.scene, screen.camera(), target, &style);
+    placing::settle(&mut drawn.drawing, &[palette.grid]);
+    drawn
 }
 
 /// The sizes of the camera's gear in scene units: fixed on the screen, so that the camera is found in any scene.
