@@ -1,6 +1,7 @@
 //! A figure → the pixels of one of its pictures: what the command line writes and the window exports.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 use tiny_skia::Pixmap;
 
@@ -8,10 +9,11 @@ use crate::appearance::Texture;
 use crate::camera::Camera;
 use crate::export::sheet;
 use crate::figure::Figure;
-use crate::raster::Rasterizer;
+use crate::pipeline::{Frame, Stage, StageReport};
+use crate::raster::{Rasterizer, Work};
 use crate::scene::Scene;
 use crate::views::observer::Preset;
-use crate::views::{self, Extras, Labels, Palette, Setup, Size, image::frame};
+use crate::views::{self, Engine, Extras, Labels, Palette, Setup, Size, image::frame};
 
 /// One of the three pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -27,6 +29,23 @@ pub enum View {
 impl View {
     /// All three, from left to right.
     pub const ALL: [Self; 3] = [Self::World, Self::Canonical, Self::Image];
+
+    /// The word for it on the command line and in data that programs read.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::World => "world",
+            Self::Canonical => "canonical",
+            Self::Image => "image",
+        }
+    }
+}
+
+/// The time since the first call: what stages are timed by.
+#[must_use]
+pub fn clock() -> Duration {
+    static START: OnceLock<Instant> = OnceLock::new();
+    START.get_or_init(Instant::now).elapsed()
 }
 
 /// What pictures are made from.
@@ -47,43 +66,122 @@ pub struct Source<'a> {
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
 
-/// Paints one picture. `None` where a side is 0 or there is no memory for so many pixels.
-///
-/// *Guarantees*: equal sources and sizes give equal pixels.
-#[must_use]
-pub fn paint(rasterizer: &mut Rasterizer, source: Source<'_>, view: View, size: Size) -> Option<Pixmap> {
-    let extras = match view {
-        View::World => Extras { painted_image: Some(painted_image(rasterizer, source, size)?), ..plain(source) },
-        View::Canonical | View::Image => plain(source),
-    };
-    let setup = setup(source, size, &extras);
-    let observers = source.figure.observers;
-    let drawing = match view {
-        View::World => {
-            let observer = observers.world.unwrap_or_else(|| views::world::observer(&setup, Preset::Iso));
-            views::world::draw(&setup, &observer)
-        }
-        View::Canonical => {
-            let observer = observers.canonical.unwrap_or_else(|| views::canonical::observer(&setup, Preset::Iso));
-            views::canonical::draw(&setup, &observer)
-        }
-        View::Image => views::image::draw(&setup),
-    };
-    rasterizer.paint(&drawing)
+/// Paints pictures; keeps its buffers from one to the next.
+#[derive(Clone, Debug, Default)]
+pub struct Studio {
+    /// One for each picture, and one for the image on the view window in the world: each finds its own buffers again.
+    engines: [Engine; 4],
+    rasterizer: Rasterizer,
+    /// What [`redraw`](Studio::redraw) paints on, one for each picture.
+    kept: [Option<Pixmap>; 3],
 }
 
-/// Paints all three side by side, together of this size. `None` as for [`paint`].
-#[must_use]
-pub fn paint_all(rasterizer: &mut Rasterizer, source: Source<'_>, size: Size) -> Option<Pixmap> {
-    let gap = gap(size.scale);
-    let room = size.width.checked_sub(2 * gap)?;
-    // What does not divide by three goes to the first ones, a pixel each.
-    let widths = [room.div_ceil(3), (room + 1) / 3, room / 3];
-    let mut pictures = Vec::new();
-    for (view, width) in View::ALL.into_iter().zip(widths) {
-        pictures.push(paint(rasterizer, source, view, Size { width, ..size })?);
+/// How a picture came about.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Account {
+    /// Every stage, in order.
+    pub stages: Vec<StageReport>,
+    /// From the scene to the last pixel; zero without a clock.
+    pub total: Duration,
+}
+
+impl Studio {
+    /// Times every stage from now on. The clock gives the time since any moment that stays the same.
+    #[must_use]
+    pub fn with_clock(mut self, clock: fn() -> Duration) -> Self {
+        self.engines.iter_mut().for_each(|engine| engine.clock = Some(clock));
+        self.rasterizer.measure(Some(clock));
+        self
     }
-    sheet::side_by_side(&pictures, gap, Palette::of(source.figure.style.theme).surround)
+
+    /// Paints one picture. `None` where a side is 0 or there is no memory for so many pixels.
+    ///
+    /// *Guarantees*: equal sources and sizes give equal pixels.
+    pub fn paint(&mut self, source: Source<'_>, view: View, size: Size) -> Option<Pixmap> {
+        let mut pixmap = Pixmap::new(1, 1)?;
+        self.paint_into(source, view, size, &mut pixmap).map(|_| pixmap)
+    }
+
+    /// Paints one picture as [`paint`](Self::paint) does, over the last one, and tells how it came about.
+    pub fn redraw(&mut self, source: Source<'_>, view: View, size: Size) -> Option<Account> {
+        let mut pixmap = self.kept[view as usize].take().or_else(|| Pixmap::new(1, 1))?;
+        let account = self.paint_into(source, view, size, &mut pixmap);
+        self.kept[view as usize] = Some(pixmap);
+        account
+    }
+
+    /// On pixels that are there already if they have the picture's size.
+    fn paint_into(&mut self, source: Source<'_>, view: View, size: Size, pixmap: &mut Pixmap) -> Option<Account> {
+        let extras = match view {
+            View::World => Extras { painted_image: Some(self.painted_image(source, size)?), ..plain(source) },
+            View::Canonical | View::Image => plain(source),
+        };
+        let setup = setup(source, size, &extras);
+        let observers = source.figure.observers;
+        let engine = &mut self.engines[view as usize];
+        let start = engine.clock.map(|now| now());
+        let frame = match view {
+            View::World => {
+                let observer = observers.world.unwrap_or_else(|| views::world::observer(&setup, Preset::Iso));
+                views::world::frame_of(&setup, &observer, engine)
+            }
+            View::Canonical => {
+                let observer = observers.canonical.unwrap_or_else(|| views::canonical::observer(&setup, Preset::Iso));
+                views::canonical::frame_of(&setup, &observer, engine)
+            }
+            View::Image => views::image::frame_of(&setup, engine),
+        };
+        if !self.rasterizer.paint_into(&frame.drawing, pixmap) {
+            return None;
+        }
+        let clock = engine.clock;
+        let total = clock.zip(start).map_or(Duration::ZERO, |(now, start)| now().saturating_sub(start));
+        Some(Account { stages: account(&frame, self.rasterizer.work()), total })
+    }
+
+    /// Paints all three side by side, together of this size. `None` as for [`paint`](Self::paint).
+    pub fn paint_all(&mut self, source: Source<'_>, size: Size) -> Option<Pixmap> {
+        let mut pictures = Vec::new();
+        for (view, width) in View::ALL.into_iter().zip(widths(size)?) {
+            pictures.push(self.paint(source, view, Size { width, ..size })?);
+        }
+        sheet::side_by_side(&pictures, gap(size.scale), Palette::of(source.figure.style.theme).surround)
+    }
+
+    /// The image, without margins, for the view window in the world: half as large as the picture, within reason.
+    fn painted_image(&mut self, source: Source<'_>, size: Size) -> Option<Arc<Texture>> {
+        let side = (size.width.max(size.height) / 2).clamp(256, 1024);
+        let rect = frame(Size { width: side, height: side, scale: 1.0 }, source.camera.window());
+        let extras = plain(source);
+        let size = Size { width: rect.width, height: rect.height, scale: 1.0 };
+        let drawn = views::image::frame_of(&setup(source, size, &extras), &mut self.engines[3]);
+        let pixmap = self.rasterizer.paint(&drawn.drawing)?;
+        let (width, height) = (pixmap.width(), pixmap.height());
+        Some(Arc::new(Texture { width, height, rgba: pixmap.take() }))
+    }
+}
+
+/// The widths of three pictures side by side; `None` where there is no room for them. What does not divide by three goes to the
+/// first ones, a pixel each.
+#[must_use]
+pub fn widths(sheet: Size) -> Option<[u32; 3]> {
+    let room = sheet.width.checked_sub(2 * gap(sheet.scale))?;
+    Some([room.div_ceil(3), (room + 1) / 3, room / 3])
+}
+
+/// The report of the pipeline, completed with what was done to pixels.
+#[must_use]
+pub fn account(frame: &Frame, work: Work) -> Vec<StageReport> {
+    let mut stages = frame.report.clone();
+    for report in stages.iter_mut().filter(|report| report.ran) {
+        let own = |time: Duration| Some(report.time.unwrap_or_default() + time);
+        match report.stage {
+            Stage::Fill => report.time = own(work.surfaces),
+            Stage::Lines => report.time = own(work.strokes),
+            _ => {}
+        }
+    }
+    stages
 }
 
 /// Room between two pictures on a sheet, in pixels.
@@ -92,17 +190,6 @@ pub fn gap(scale: f32) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
     let gap = (GAP * scale).round().clamp(1.0, 100.0) as u32;
     gap
-}
-
-/// The image, without margins, for the view window in the world: half as large as the picture, within reason.
-fn painted_image(rasterizer: &mut Rasterizer, source: Source<'_>, size: Size) -> Option<Arc<Texture>> {
-    let side = (size.width.max(size.height) / 2).clamp(256, 1024);
-    let rect = frame(Size { width: side, height: side, scale: 1.0 }, source.camera.window());
-    let extras = plain(source);
-    let size = Size { width: rect.width, height: rect.height, scale: 1.0 };
-    let pixmap = rasterizer.paint(&views::image::draw(&setup(source, size, &extras)))?;
-    let (width, height) = (pixmap.width(), pixmap.height());
-    Some(Arc::new(Texture { width, height, rgba: pixmap.take() }))
 }
 
 /// Nothing is pointed at.

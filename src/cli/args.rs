@@ -29,6 +29,10 @@ pub(super) enum Command {
     Inspect(InspectArgs),
     /// Write a picture of a figure
     Render(RenderArgs),
+    /// Tell which stages of the pipeline a picture needs, which are left out, and why
+    Explain(ExplainArgs),
+    /// Redraw a picture many times from scratch and tell how long it takes
+    Bench(BenchArgs),
 }
 
 /// Without a command the window opens.
@@ -83,6 +87,49 @@ pub(super) struct RenderArgs {
     pub(super) output: PathBuf,
 }
 
+#[derive(Debug, Args)]
+pub(super) struct ExplainArgs {
+    /// Figure file, or a PNG that camera-lab wrote
+    pub(super) figure: PathBuf,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// Which picture
+    #[arg(long, value_enum, default_value_t)]
+    view: OneViewArg,
+    /// Width and height in pixels; without it, the figure's image size
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    size: Option<String>,
+    /// Run every stage of the pipeline, needed or not; the picture is the same
+    #[arg(long)]
+    pub(super) force_all_stages: bool,
+    /// A table to read, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TableFormat,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct BenchArgs {
+    /// Figure file, or a PNG that camera-lab wrote
+    pub(super) figure: PathBuf,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// Which picture; `all` draws the three, side by side in the given size
+    #[arg(long, value_enum, default_value_t)]
+    view: ViewArg,
+    /// Width and height in pixels; without it, the figure's image size
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    size: Option<String>,
+    /// How often it is drawn, 1 to 1000000
+    #[arg(long, value_name = "N", default_value = "100", allow_hyphen_values = true)]
+    frames: String,
+    /// Run every stage of the pipeline, needed or not: what the plan saves
+    #[arg(long)]
+    pub(super) force_all_stages: bool,
+    /// A line to read, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TableFormat,
+}
+
 /// What every command that takes a figure understands.
 #[derive(Debug, Args)]
 pub(super) struct FigureArgs {
@@ -102,6 +149,21 @@ pub(super) struct FigureArgs {
 enum Format {
     #[default]
     Json,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum TableFormat {
+    #[default]
+    Text,
+    Json,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum OneViewArg {
+    World,
+    Canonical,
+    #[default]
+    Image,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -221,21 +283,12 @@ impl RenderArgs {
     }
 
     pub(super) fn view(&self) -> Option<picture::View> {
-        match self.view {
-            ViewArg::World => Some(picture::View::World),
-            ViewArg::Canonical => Some(picture::View::Canonical),
-            ViewArg::Image => Some(picture::View::Image),
-            ViewArg::All => None,
-        }
+        self.view.view()
     }
 
     /// Width and height before scaling, if they are given.
     pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
-        let Some(text) = &self.size else { return Ok(None) };
-        let side = |text: &str| text.trim().parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
-        text.split_once(['x', 'X', '×'])
-            .and_then(|(width, height)| Some(Some(ImageSize { width: side(width)?, height: side(height)? })))
-            .ok_or_else(|| Failure::BadInput(texts::size(lang, text)))
+        size(self.size.as_deref(), lang)
     }
 
     pub(super) fn scale(&self, lang: Lang) -> Result<f32, Failure> {
@@ -246,6 +299,59 @@ impl RenderArgs {
             .filter(|scale| (0.1..=16.0).contains(scale))
             .ok_or_else(|| Failure::BadInput(texts::scale(lang, text)))
     }
+}
+
+impl ViewArg {
+    /// One picture; `None`: all three.
+    fn view(self) -> Option<picture::View> {
+        match self {
+            Self::World => Some(picture::View::World),
+            Self::Canonical => Some(picture::View::Canonical),
+            Self::Image => Some(picture::View::Image),
+            Self::All => None,
+        }
+    }
+}
+
+impl ExplainArgs {
+    pub(super) fn view(&self) -> picture::View {
+        match self.view {
+            OneViewArg::World => picture::View::World,
+            OneViewArg::Canonical => picture::View::Canonical,
+            OneViewArg::Image => picture::View::Image,
+        }
+    }
+
+    /// Width and height, if they are given.
+    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+        size(self.size.as_deref(), lang)
+    }
+}
+
+impl BenchArgs {
+    /// One picture; `None`: all three.
+    pub(super) fn view(&self) -> Option<picture::View> {
+        self.view.view()
+    }
+
+    /// Width and height, if they are given.
+    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+        size(self.size.as_deref(), lang)
+    }
+
+    pub(super) fn frames(&self, lang: Lang) -> Result<usize, Failure> {
+        let frames = self.frames.trim().parse().ok().filter(|frames| (1..=1_000_000).contains(frames));
+        frames.ok_or_else(|| Failure::BadInput(texts::frames(lang, &self.frames)))
+    }
+}
+
+/// Width and height, if they are given.
+fn size(text: Option<&str>, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+    let Some(text) = text else { return Ok(None) };
+    let side = |text: &str| text.trim().parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
+    text.split_once(['x', 'X', '×'])
+        .and_then(|(width, height)| Some(Some(ImageSize { width: side(width)?, height: side(height)? })))
+        .ok_or_else(|| Failure::BadInput(texts::size(lang, text)))
 }
 
 /// A finite number.

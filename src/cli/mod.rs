@@ -4,6 +4,8 @@
 //! language of `--lang` or of the system; what is written to standard output or into a picture never depends on the system.
 
 mod args;
+mod bench;
+mod explain;
 mod inspect;
 mod render;
 mod window;
@@ -17,9 +19,12 @@ use clap::Parser;
 
 use crate::camera::{Camera, Convention, Operation};
 use crate::figure::Figure;
+use crate::figure::read::line_of_object;
 use crate::files::{self, FileError, Opened};
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::inspect::{InspectError, camera_after};
+use crate::scene::Scene;
+use crate::views::scene_of;
 use args::{Command, CommandLine, FigureArgs};
 
 /// Why a command ends early.
@@ -41,6 +46,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(line) => match line.command {
             Some(Command::Inspect(args)) => inspect::run(&args, lang),
             Some(Command::Render(args)) => render::run(&args, lang),
+            Some(Command::Explain(args)) => explain::run(&args, lang),
+            Some(Command::Bench(args)) => bench::run(&args, lang),
             None => window::run(&line.window, lang),
         },
         Err(error) if error.use_stderr() => Err(Failure::BadInput(match args::unknown_command(&args) {
@@ -87,6 +94,18 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
     let camera = operate(&mut figure, &operations, args.convention())
         .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::inspect(lang, &error))))?;
     Ok((Opened { figure, text }, camera))
+}
+
+/// The scene of a figure; its meshes are looked for beside the figure file.
+fn scene(path: &Path, opened: &Opened, lang: Lang) -> Result<Scene, Failure> {
+    let mut read_file = |mesh: &str| {
+        let beside = path.with_file_name(mesh);
+        files::read_file(&beside).map_err(|error| messages::file(lang, &beside.display().to_string(), &error))
+    };
+    scene_of(&opened.figure, &mut read_file).map_err(|error| {
+        let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
+        Failure::BadInput(texts::in_file(lang, &path.display().to_string(), line, &messages::scene(lang, &error)))
+    })
 }
 
 /// Applies operations to the camera of a figure.

@@ -1,19 +1,14 @@
 //! `camera-lab render`: a picture of a figure.
 
-use std::path::Path;
-
 use super::args::{LangArg, RenderArgs};
-use super::{Failure, open};
+use super::{Failure, open, scene};
 use crate::camera::ImageSize;
 use crate::export::png;
-use crate::figure::read::line_of_object;
 use crate::figure::write::update;
-use crate::files::{self, Opened};
+use crate::files;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
-use crate::picture::{Source, gap, paint, paint_all};
-use crate::raster::Rasterizer;
-use crate::scene::Scene;
-use crate::views::{Size, scene_of};
+use crate::picture::{Source, Studio, gap};
+use crate::views::Size;
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let name = args.output.display().to_string();
@@ -38,27 +33,15 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         labels: pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang)),
         force_all_stages: args.force_all_stages,
     };
-    let mut rasterizer = Rasterizer::default();
+    let mut studio = Studio::default();
     let pixmap = match args.view() {
-        Some(view) => paint(&mut rasterizer, source, view, size),
-        None => paint_all(&mut rasterizer, source, size),
+        Some(view) => studio.paint(source, view, size),
+        None => studio.paint_all(source, size),
     }
     .ok_or_else(too_large)?;
     let bytes = png::encode(&pixmap, &update(&opened.text, &opened.figure))
         .map_err(|error| Failure::Failed(format!("{name}: {}", messages::png(lang, &error))))?;
     files::save(&args.output, &bytes).map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
-}
-
-/// The scene of a figure; its meshes are looked for beside the figure file.
-fn scene(path: &Path, opened: &Opened, lang: Lang) -> Result<Scene, Failure> {
-    let mut read_file = |mesh: &str| {
-        let beside = path.with_file_name(mesh);
-        files::read_file(&beside).map_err(|error| messages::file(lang, &beside.display().to_string(), &error))
-    };
-    scene_of(&opened.figure, &mut read_file).map_err(|error| {
-        let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
-        Failure::BadInput(texts::in_file(lang, &path.display().to_string(), line, &messages::scene(lang, &error)))
-    })
 }
 
 /// Width and height in pixels.

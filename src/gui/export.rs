@@ -13,8 +13,7 @@ use crate::figure::Figure;
 use crate::figure::write::update;
 use crate::files;
 use crate::i18n::{Lang, messages, pictures};
-use crate::picture::{Source, View, paint, paint_all};
-use crate::raster::Rasterizer;
+use crate::picture::{Source, Studio, View};
 use crate::views::{Size, scene_of};
 
 /// Which picture, how large, in which theme.
@@ -74,12 +73,7 @@ fn together(sizes: [[u32; 2]; 3]) -> [u32; 2] {
 /// The word for a choice of pictures, as on the command line.
 #[must_use]
 pub fn word(what: Option<View>) -> &'static str {
-    match what {
-        Some(View::World) => "world",
-        Some(View::Canonical) => "canonical",
-        Some(View::Image) => "image",
-        None => "all",
-    }
+    what.map_or("all", View::name)
 }
 
 /// Paints and writes on a thread; sends the path, or a sentence that says what went wrong.
@@ -110,10 +104,10 @@ fn picture(figure: &Figure, source: &str, folder: &Path, export: Export, lang: L
     let from =
         Source { figure, camera: &camera, scene: &scene, labels: pictures::labels(lang), force_all_stages: false };
     let size = Size { width: export.width, height: export.height, scale: export.scale };
-    let mut rasterizer = Rasterizer::default();
+    let mut studio = Studio::default();
     let pixmap = match export.what {
-        Some(view) => paint(&mut rasterizer, from, view, size),
-        None => paint_all(&mut rasterizer, from, size),
+        Some(view) => studio.paint(from, view, size),
+        None => studio.paint_all(from, size),
     };
     let pixmap = pixmap.ok_or_else(|| crate::i18n::window::texts(lang).picture_too_large.to_owned())?;
     png::encode(&pixmap, &update(source, figure)).map_err(|error| messages::png(lang, &error))

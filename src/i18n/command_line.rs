@@ -132,6 +132,62 @@ pub fn scale(lang: Lang, text: &str) -> String {
     )
 }
 
+/// A text that is no number of frames.
+#[must_use]
+pub fn frames(lang: Lang, text: &str) -> String {
+    pick(
+        lang,
+        format!("--frames is {text:?}; allowed: an integer from 1 to 1000000, such as --frames 100"),
+        format!("--frames é {text:?}; permitido: um inteiro de 1 a 1000000, como --frames 100"),
+    )
+}
+
+/// The words around the table of stages.
+#[derive(Debug)]
+pub struct ExplainTexts {
+    /// Heads of its columns.
+    pub columns: [&'static str; 5],
+    /// The time of all.
+    pub total: &'static str,
+    /// What the mark for "timed with another stage" means.
+    pub together: &'static str,
+}
+
+/// The words around the table of stages.
+#[must_use]
+pub const fn explain(lang: Lang) -> &'static ExplainTexts {
+    const EN: ExplainTexts = ExplainTexts {
+        columns: ["stage", "in", "out", "µs", "why"],
+        total: "from the scene to the last pixel",
+        together: "(″: in the time of the stage that it runs with)",
+    };
+    const PT_BR: ExplainTexts = ExplainTexts {
+        columns: ["etapa", "entra", "sai", "µs", "por quê"],
+        total: "da cena ao último pixel",
+        together: "(″: no tempo da etapa com que é executada)",
+    };
+    match lang {
+        Lang::En => &EN,
+        Lang::PtBr => &PT_BR,
+    }
+}
+
+/// A measurement: what was drawn, how many triangles and frames, and median, least and 95 % of the times in ms.
+#[must_use]
+pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, min, p95]: [f64; 3]) -> String {
+    let times = |p95_name: &str, least: &str, middle: &str| {
+        format!("{middle} {median:.3} ms, {least} {min:.3} ms, {p95_name} {p95:.3} ms\n")
+    };
+    match lang {
+        Lang::En => {
+            format!("{what}: {triangles} triangles, {frames} frames\n{}", times("95 % within", "least", "median"))
+        }
+        Lang::PtBr => {
+            format!("{what}: {triangles} triângulos, {frames} quadros\n{}", times("95 % em até", "mínimo", "mediana"))
+        }
+    }
+}
+
 /// A picture that is larger than pictures can be.
 #[must_use]
 pub fn too_large(lang: Lang, width: u64, height: u64) -> String {

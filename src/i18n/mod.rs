@@ -7,6 +7,7 @@ mod figure_files;
 mod meshes;
 pub mod messages;
 pub mod pictures;
+pub mod pipeline;
 pub mod window;
 
 /// A language of the interface.

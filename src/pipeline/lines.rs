@@ -18,11 +18,13 @@ pub(super) struct Strokes<'a> {
     scale: f32,
     background: Rgba,
     pub(super) sets: Vec<StrokeSet>,
+    /// How many edges, lines, marks and texts were to be drawn.
+    pub(super) asked: usize,
 }
 
 impl<'a> Strokes<'a> {
     pub(super) fn new(projector: &'a Projector, screen: &'a Screen, target: Target) -> Self {
-        Self { projector, screen, scale: target.scale, background: target.background, sets: Vec::new() }
+        Self { projector, screen, scale: target.scale, background: target.background, sets: Vec::new(), asked: 0 }
     }
 
     /// A polyline through points of view space. Where it leaves the volume it ends, and where it comes back another begins; an
@@ -53,6 +55,7 @@ impl<'a> Strokes<'a> {
     /// The edges of an object.
     pub(super) fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) {
         let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe, self.background) else { return };
+        self.asked += object.mesh.edges.len();
         for edge in &object.mesh.edges {
             if edge.iter().all(|&i| (i as usize) < vertices.len()) {
                 self.polyline(edge.map(|i| vertices.view(i)), line_style);
@@ -63,9 +66,15 @@ impl<'a> Strokes<'a> {
     /// The lines that stand in the world.
     pub(super) fn lines(&mut self, scene: &Scene) {
         let projector = self.projector;
+        self.asked += scene.lines.len() + scene.marks.len() + scene.texts.len();
         for line in &scene.lines {
             self.polyline(line.points.iter().map(|&p| projector.view(p)), line.style);
         }
+    }
+
+    /// How many strokes there are.
+    pub(super) fn drawn(&self) -> usize {
+        self.sets.iter().map(|set| set.polylines.len()).sum()
     }
 
     /// The marks inside the volume.

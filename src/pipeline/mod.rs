@@ -40,8 +40,8 @@ use faces::{FaceTask, Faces};
 use light::Lights;
 use lines::Strokes;
 pub use plan::{Options, Plan, Reason, Stage};
-pub use report::Frame;
 use report::Meter;
+pub use report::{Frame, StageReport};
 use shade::Shaded;
 use transform::{Projector, Screen, Vertices};
 
@@ -87,7 +87,7 @@ impl Pipeline {
         let mut strokes = Strokes::new(&projector, &screen, target);
         let faces = &mut self.faces;
         let (mut surfaces, mut layers) = (Vec::new(), Vec::new());
-        meter.lap(Stage::CullObjects);
+        meter.lap(Stage::Traverse);
 
         for (object, todo) in scene.objects.iter().zip(&plan.objects).filter(|(_, todo)| todo.drawn) {
             let view_from_object = projector.view_from_object(object.world_from_object);
@@ -125,6 +125,7 @@ impl Pipeline {
                 meter.lap(Stage::Light);
             }
             strokes.edges(object, &vertices, style);
+            meter.lap(Stage::Lines);
         }
         match plan.order() {
             // Forced to be made, but only edges were asked for.
@@ -137,6 +138,8 @@ impl Pipeline {
         strokes.lines(scene);
         let marks = strokes.marks(scene, target.background);
         let labels = strokes.labels(scene, target.background);
+        meter.lines = (strokes.asked, strokes.drawn() + marks.len() + labels.len());
+        meter.lap(Stage::Lines);
 
         let drawing = Drawing {
             width: target.width,

@@ -48,11 +48,15 @@ pub enum Stage {
     Blend,
     /// Several samples for a pixel.
     Antialias,
+    /// Edges, lines, marks and texts, over the finished surfaces.
+    Lines,
+    /// Colours go to the memory of the image.
+    Write,
 }
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::Traverse,
         Self::CullObjects,
         Self::Normals,
@@ -69,6 +73,8 @@ impl Stage {
         Self::Texture,
         Self::Blend,
         Self::Antialias,
+        Self::Lines,
+        Self::Write,
     ];
 
     /// The name in data that programs read.
@@ -91,6 +97,23 @@ impl Stage {
             Self::Texture => "texture",
             Self::Blend => "blend",
             Self::Antialias => "antialias",
+            Self::Lines => "lines",
+            Self::Write => "write",
+        }
+    }
+
+    /// The stage in whose loop this one runs, so that it has no time of its own: what is done to a number while it is at hand
+    /// costs less than a walk over all numbers for each stage.
+    #[must_use]
+    pub fn timed_with(self) -> Option<Self> {
+        match self {
+            Self::CullObjects => Some(Self::Traverse),
+            Self::Normals => Some(Self::Light),
+            Self::Oblique | Self::Divide => Some(Self::Viewport),
+            Self::Interpolate | Self::HiddenSurfaces | Self::Texture | Self::Blend | Self::Antialias | Self::Write => {
+                Some(Self::Fill)
+            }
+            _ => None,
         }
     }
 }
@@ -229,6 +252,11 @@ pub enum Reason {
         /// For each pixel.
         samples: u8,
     },
+
+    /// Left out: nothing but faces is in view.
+    NoLines,
+    /// Runs.
+    LinesInView,
 }
 
 /// What the plan says of one stage.
@@ -416,6 +444,7 @@ struct Survey {
     translucent: usize,
     hides_itself: bool,
     lines_ask: bool,
+    lines: bool,
 }
 
 impl Survey {
@@ -453,6 +482,8 @@ impl Survey {
                 || scene.lines.iter().any(|line| asks(line.style.hidden))
                 || scene.marks.iter().any(|mark| mark.fade_if_hidden)
                 || scene.texts.iter().any(|text| text.fade_if_hidden),
+            lines: in_view.iter().any(|(object, _)| wireframe || object.edges.is_some())
+                || !(scene.lines.is_empty() && scene.marks.is_empty() && scene.texts.is_empty()),
         }
     }
 
@@ -466,7 +497,7 @@ impl Survey {
         };
         let with_faces = |otherwise: (bool, Reason)| no_faces.unwrap_or(otherwise);
         match stage {
-            Stage::Traverse | Stage::Viewport | Stage::Transform => (true, Reason::Always),
+            Stage::Traverse | Stage::Viewport | Stage::Transform | Stage::Write => (true, Reason::Always),
             Stage::CullObjects if self.outside == 0 => (false, Reason::NoneOutside { of: self.objects }),
             Stage::CullObjects => (true, Reason::Outside { outside: self.outside, of: self.objects }),
             Stage::Normals | Stage::Light => with_faces(self.light(stage)),
@@ -499,6 +530,8 @@ impl Survey {
                 0 | 1 => (false, Reason::OneSample),
                 samples => (true, Reason::Samples { samples }),
             }),
+            Stage::Lines if self.lines => (true, Reason::LinesInView),
+            Stage::Lines => (false, Reason::NoLines),
         }
     }
 

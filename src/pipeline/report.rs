@@ -45,6 +45,8 @@ pub(super) struct Meter {
     triangles: usize,
     front: usize,
     drawn: usize,
+    /// Edges, lines, marks and texts of the scene, and strokes, marks and texts of the picture.
+    pub(super) lines: (usize, usize),
 }
 
 impl Meter {
@@ -57,6 +59,7 @@ impl Meter {
             triangles: 0,
             front: 0,
             drawn: 0,
+            lines: (0, 0),
         }
     }
 
@@ -84,8 +87,8 @@ impl Meter {
             .iter()
             .map(|planned| {
                 let (counts, timed) = match planned.stage {
-                    Stage::Traverse => (Some((plan.objects.len(), plan.objects.len())), false),
-                    Stage::CullObjects => (Some((plan.objects.len(), drawn)), true),
+                    Stage::Traverse => (Some((plan.objects.len(), plan.objects.len())), true),
+                    Stage::CullObjects => (Some((plan.objects.len(), drawn)), false),
                     Stage::Transform => (vertices, true),
                     // One loop takes a vertex through all spaces: its time is booked to the first of them.
                     Stage::Divide | Stage::Oblique | Stage::Viewport | Stage::Normals => (vertices, false),
@@ -93,9 +96,13 @@ impl Meter {
                     Stage::Clip => (Some((self.front, self.drawn)), true),
                     Stage::Light => (Some((self.drawn, self.drawn)), true),
                     Stage::HiddenSurfaces => (None, plan.order() != Visibility::DepthBuffer),
-                    Stage::Fill | Stage::Interpolate | Stage::Texture | Stage::Blend | Stage::Antialias => {
-                        (None, false)
-                    }
+                    Stage::Lines => (Some(self.lines), true),
+                    Stage::Fill
+                    | Stage::Interpolate
+                    | Stage::Texture
+                    | Stage::Blend
+                    | Stage::Antialias
+                    | Stage::Write => (None, false),
                 };
                 StageReport {
                     stage: planned.stage,

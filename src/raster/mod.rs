@@ -16,6 +16,8 @@ mod shade;
 mod surfaces;
 pub mod text;
 
+use std::time::Duration;
+
 use tiny_skia::{Color, Pixmap};
 
 use crate::appearance::Rgba;
@@ -33,6 +35,19 @@ pub struct Rasterizer {
     surfaces: surfaces::Surfaces,
     depth: DepthBuffer,
     strokes: line::Strokes,
+    clock: Option<fn() -> Duration>,
+    work: Work,
+}
+
+/// What was done for a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Triangles that came in.
+    pub triangles: usize,
+    /// How long the surfaces took; zero without a clock.
+    pub surfaces: Duration,
+    /// How long strokes, marks and texts took; zero without a clock.
+    pub strokes: Duration,
 }
 
 impl Rasterizer {
@@ -55,6 +70,17 @@ impl Rasterizer {
         true
     }
 
+    /// Measures pictures from now on, by a clock that gives the time since any moment that stays the same; `None`: no more.
+    pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
+        self.clock = clock;
+    }
+
+    /// What was done for the last picture.
+    #[must_use]
+    pub fn work(&self) -> Work {
+        self.work
+    }
+
     /// The depth buffer of the last picture.
     #[must_use]
     pub fn depth(&self) -> &DepthBuffer {
@@ -62,11 +88,14 @@ impl Rasterizer {
     }
 
     fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
+        let now = self.clock.unwrap_or(|| Duration::ZERO);
+        let start = now();
         match drawing.antialias {
             0..=1 => self.surfaces.paint::<1>(drawing, pixmap, &mut self.depth),
             2..=4 => self.surfaces.paint::<4>(drawing, pixmap, &mut self.depth),
             _ => self.surfaces.paint::<16>(drawing, pixmap, &mut self.depth),
         }
+        let middle = now();
         for set in &drawing.strokes {
             self.strokes.draw(pixmap, &self.depth, set);
         }
@@ -76,6 +105,11 @@ impl Rasterizer {
         for text in &drawing.labels {
             label::label(pixmap, &self.depth, text);
         }
+        self.work = Work {
+            triangles: drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum(),
+            surfaces: middle.saturating_sub(start),
+            strokes: now().saturating_sub(middle),
+        };
     }
 }
 

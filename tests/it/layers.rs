@@ -20,10 +20,10 @@ const TABLE: &[(&str, &[&str])] = &[
     ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing"]),
     ("export", &["drawing", "raster", "inspect"]),
     ("files", &["figure", "export"]),
-    ("picture", &["camera", "scene", "figure", "views", "raster", "export"]),
+    ("picture", &["camera", "scene", "figure", "pipeline", "views", "raster", "export"]),
     ("numerics", &["camera", "geometry", "scene", "pipeline", "raster"]),
-    // The enums of errors, warnings and labels.
-    ("i18n", &["camera", "scene", "figure", "inspect", "export", "files", "views", "numerics"]),
+    // The enums of errors, warnings, labels and stages.
+    ("i18n", &["camera", "scene", "figure", "inspect", "export", "files", "views", "numerics", "pipeline"]),
     ("exercises", &["camera", "figure", "inspect", "numerics"]),
     ("cli", EVERYTHING),
     ("gui", EVERYTHING),

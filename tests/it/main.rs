@@ -10,6 +10,7 @@ mod camera_parameters;
 mod camera_properties;
 mod cli;
 mod contract;
+mod explain;
 mod export;
 mod figure;
 mod inspect_report;

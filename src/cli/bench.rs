@@ -1,0 +1,127 @@
+//! `camera-lab bench`: how long a picture takes.
+
+use std::time::Duration;
+
+use serde::Serialize;
+
+use super::args::{BenchArgs, LangArg, TableFormat};
+use super::{Failure, open, print, scene};
+use crate::i18n::{Lang, command_line as texts, pictures};
+use crate::picture::{self, Source, Studio, View};
+use crate::views::Size;
+
+/// Pictures that are drawn before the clock starts, so that buffers have their size.
+const WARM_UP: usize = 3;
+
+/// What programs read.
+#[derive(Serialize)]
+struct Measurement<'a> {
+    view: &'a str,
+    width: u32,
+    height: u32,
+    triangles: usize,
+    frames: usize,
+    median_ms: f64,
+    min_ms: f64,
+    p95_ms: f64,
+}
+
+pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
+    let (given, frames) = (args.size(lang)?, args.frames(lang)?);
+    let (opened, camera) = open(&args.figure, &args.common, lang)?;
+    let scene = scene(&args.figure, &opened, lang)?;
+    let lang = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let source = Source {
+        figure: &opened.figure,
+        camera: &camera,
+        scene: &scene,
+        labels: pictures::labels(lang),
+        force_all_stages: args.force_all_stages,
+    };
+    let size = given.unwrap_or(opened.figure.image);
+    let size = Size { width: size.width, height: size.height, scale: 1.0 };
+    let times = measure(source, args.view(), size, frames)
+        .ok_or_else(|| Failure::BadInput(texts::too_large(lang, u64::from(size.width), u64::from(size.height))))?;
+    let measurement = Measurement {
+        view: args.view().map_or("all", View::name),
+        width: size.width,
+        height: size.height,
+        triangles: scene.objects.iter().map(|object| object.mesh.triangles.len()).sum(),
+        frames,
+        median_ms: millis(median(&times)),
+        min_ms: times.first().copied().map_or(0.0, millis),
+        p95_ms: millis(share(&times, 0.95)),
+    };
+    let text = match args.format {
+        TableFormat::Json => {
+            serde_json::to_string_pretty(&measurement).map_err(|error| Failure::Failed(error.to_string()))? + "\n"
+        }
+        TableFormat::Text => {
+            let Measurement { view, width, height, triangles, median_ms, min_ms, p95_ms, .. } = measurement;
+            texts::bench(lang, &format!("{view}, {width} × {height}"), triangles, frames, [median_ms, min_ms, p95_ms])
+        }
+    };
+    print(text.as_bytes(), lang)
+}
+
+/// The times of the frames, shortest first. `None` where pictures cannot be so large.
+fn measure(source: Source<'_>, view: Option<View>, size: Size, frames: usize) -> Option<Vec<Duration>> {
+    let pictures: Vec<(View, Size)> = match view {
+        Some(view) => vec![(view, size)],
+        None => {
+            let widths = picture::widths(size)?;
+            View::ALL.into_iter().zip(widths).map(|(view, width)| (view, Size { width, ..size })).collect()
+        }
+    };
+    let mut studio = Studio::default();
+    let mut times = Vec::with_capacity(frames);
+    for frame in 0..WARM_UP + frames {
+        let start = picture::clock();
+        for &(view, size) in &pictures {
+            studio.redraw(source, view, size)?;
+        }
+        if frame >= WARM_UP {
+            times.push(picture::clock().saturating_sub(start));
+        }
+    }
+    times.sort();
+    Some(times)
+}
+
+/// The middle of sorted times, or the mean of the two in the middle.
+fn median(times: &[Duration]) -> Duration {
+    let middle = |i: usize| times.get(i).copied().unwrap_or_default();
+    (middle(times.len().saturating_sub(1) / 2) + middle(times.len() / 2)) / 2
+}
+
+/// The time that this share of sorted times does not exceed: the nearest rank.
+fn share(times: &[Duration], share: f64) -> Duration {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "a rank in the list, which has a million entries at most"
+    )]
+    let rank = (share * times.len() as f64).ceil() as usize;
+    times.get(rank.saturating_sub(1)).copied().unwrap_or_default()
+}
+
+fn millis(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_middle_and_the_slow_end_of_a_list() {
+        let times = |n: u64| (1..=n).map(Duration::from_millis).collect::<Vec<_>>();
+        assert_eq!(median(&times(1)), Duration::from_millis(1));
+        assert_eq!(median(&times(5)), Duration::from_millis(3));
+        assert_eq!(median(&times(4)), Duration::from_micros(2500));
+        assert_eq!(share(&times(100), 0.95), Duration::from_millis(95));
+        assert_eq!(share(&times(3), 0.95), Duration::from_millis(3));
+        assert_eq!(share(&times(1), 0.95), Duration::from_millis(1));
+    }
+}

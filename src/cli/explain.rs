@@ -1,0 +1,127 @@
+//! `camera-lab explain`: the stages of the pipeline that a picture needs, and why each other one is left out.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+
+use super::args::{ExplainArgs, LangArg, TableFormat};
+use super::{Failure, open, print, scene};
+use crate::i18n::{Lang, canvas, command_line as texts, pictures, pipeline};
+use crate::picture::{self, Account, Source, Studio};
+use crate::pipeline::StageReport;
+use crate::views::Size;
+
+/// What programs read.
+#[derive(Serialize)]
+struct Explanation<'a> {
+    view: &'a str,
+    stages: Vec<StageLine>,
+    total_micros: f64,
+}
+
+#[derive(Serialize)]
+struct StageLine {
+    stage: &'static str,
+    ran: bool,
+    reason: String,
+    #[serde(rename = "in")]
+    entering: usize,
+    #[serde(rename = "out")]
+    leaving: usize,
+    micros: f64,
+    /// The stage in whose time this one's is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    timed_with: Option<&'static str>,
+}
+
+pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
+    let given = args.size(lang)?;
+    let (opened, camera) = open(&args.figure, &args.common, lang)?;
+    let scene = scene(&args.figure, &opened, lang)?;
+    // What goes to standard output does not depend on the system.
+    let lang = args.common.lang.map_or(Lang::En, LangArg::lang);
+    let source = Source {
+        figure: &opened.figure,
+        camera: &camera,
+        scene: &scene,
+        labels: pictures::labels(lang),
+        force_all_stages: args.force_all_stages,
+    };
+    let size = given.unwrap_or(opened.figure.image);
+    let size = Size { width: size.width, height: size.height, scale: 1.0 };
+    let account = account(source, args.view(), size)
+        .ok_or_else(|| Failure::BadInput(texts::too_large(lang, u64::from(size.width), u64::from(size.height))))?;
+    let view = args.view().name();
+    let text = match args.format {
+        TableFormat::Text => table(&account, title(lang, args.view()), size, lang),
+        TableFormat::Json => {
+            let stages = account.stages.iter().map(|report| line(report, lang)).collect();
+            let explanation = Explanation { view, stages, total_micros: micros(account.total) };
+            let json = serde_json::to_string_pretty(&explanation).map_err(|e| Failure::Failed(e.to_string()))?;
+            json + "\n"
+        }
+    };
+    print(text.as_bytes(), lang)
+}
+
+fn title(lang: Lang, view: picture::View) -> &'static str {
+    let titles = canvas::canvas(lang);
+    match view {
+        picture::View::World => titles.world,
+        picture::View::Canonical => titles.canonical,
+        picture::View::Image => titles.image,
+    }
+}
+
+/// The picture is drawn twice: the first time, memory that is new to the process would be most of what is measured.
+fn account(source: Source<'_>, view: picture::View, size: Size) -> Option<Account> {
+    let mut studio = Studio::default().with_clock(picture::clock);
+    studio.redraw(source, view, size)?;
+    studio.redraw(source, view, size)
+}
+
+fn line(report: &StageReport, lang: Lang) -> StageLine {
+    let (entering, leaving) = report.counts.unwrap_or_default();
+    StageLine {
+        stage: report.stage.name(),
+        ran: report.ran,
+        reason: pipeline::reason(lang, report.reason),
+        entering,
+        leaving,
+        micros: report.time.map_or(0.0, micros),
+        timed_with: report.stage.timed_with().filter(|_| report.ran && report.time.is_none()).map(|stage| stage.name()),
+    }
+}
+
+/// Rounded to a nanosecond, the unit of the clock.
+fn micros(time: std::time::Duration) -> f64 {
+    (time.as_secs_f64() * 1e9).round() / 1e3
+}
+
+/// A table: stage, in → out, microseconds, reason.
+fn table(account: &Account, view: &str, size: Size, lang: Lang) -> String {
+    let words = texts::explain(lang);
+    let mut text = format!("{view}, {} × {}\n\n", size.width, size.height);
+    let mut row = |[stage, entering, leaving, micros, why]: [&str; 5]| {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{stage:<18} {entering:>9} {leaving:>9} {micros:>9}  {why}");
+    };
+    row(words.columns);
+    for report in &account.stages {
+        let name = pipeline::stage(lang, report.stage);
+        let reason = pipeline::reason(lang, report.reason);
+        if !report.ran {
+            row([name, "–", "–", "–", &format!("{}: {reason}", pipeline::left_out(lang))]);
+            continue;
+        }
+        let [entering, leaving] = report.counts.map_or_else(Default::default, |(i, o)| [i.to_string(), o.to_string()]);
+        let time = match (report.time, report.stage.timed_with()) {
+            (Some(time), _) => format!("{:.1}", micros(time)),
+            (None, Some(_)) => "″".to_owned(),
+            (None, None) => String::new(),
+        };
+        row([name, &entering, &leaving, &time, &reason]);
+    }
+    let _ = writeln!(text, "\n{:<38} {:>9.1}  {}", words.total, micros(account.total), words.together);
+    text
+}

@@ -1,0 +1,337 @@
+//! The stages of the pipeline, and why each runs or is left out.
+
+use super::Lang;
+use super::messages::pick;
+use crate::pipeline::{PlaneSet, Reason, Stage};
+
+/// The name of a stage, short enough for a column.
+#[must_use]
+pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
+    match (lang, stage) {
+        (Lang::En, Stage::Traverse) => "traversal",
+        (Lang::PtBr, Stage::Traverse) => "percurso",
+        (Lang::En, Stage::CullObjects) => "trivial rejection",
+        (Lang::PtBr, Stage::CullObjects) => "rejeição trivial",
+        (Lang::En, Stage::Normals) => "normals",
+        (Lang::PtBr, Stage::Normals) => "normais",
+        (Lang::En, Stage::Light) => "lighting",
+        (Lang::PtBr, Stage::Light) => "iluminação",
+        (Lang::En, Stage::Transform) => "view transform",
+        (Lang::PtBr, Stage::Transform) => "transf. de visão",
+        (Lang::En, Stage::CullFaces) => "back faces",
+        (Lang::PtBr, Stage::CullFaces) => "faces de trás",
+        (Lang::En | Lang::PtBr, Stage::Clip) => pick_name(lang, "clipping", "recorte"),
+        (Lang::En, Stage::Oblique) => "oblique window",
+        (Lang::PtBr, Stage::Oblique) => "janela oblíqua",
+        (Lang::En, Stage::Divide) => "divide by w",
+        (Lang::PtBr, Stage::Divide) => "divisão por w",
+        (Lang::En | Lang::PtBr, Stage::Viewport) => "viewport",
+        (Lang::En, Stage::Fill) => "fill",
+        (Lang::PtBr, Stage::Fill) => "preenchimento",
+        (Lang::En, Stage::Interpolate) => "interpolation",
+        (Lang::PtBr, Stage::Interpolate) => "interpolação",
+        (Lang::En, Stage::HiddenSurfaces) => "hidden surfaces",
+        (Lang::PtBr, Stage::HiddenSurfaces) => "faces ocultas",
+        (Lang::En, Stage::Texture) => "texture",
+        (Lang::PtBr, Stage::Texture) => "textura",
+        (Lang::En, Stage::Blend) => "blending",
+        (Lang::PtBr, Stage::Blend) => "mistura",
+        (Lang::En | Lang::PtBr, Stage::Antialias) => "antialiasing",
+        (Lang::En, Stage::Lines) => "lines and texts",
+        (Lang::PtBr, Stage::Lines) => "linhas e textos",
+        (Lang::En, Stage::Write) => "write",
+        (Lang::PtBr, Stage::Write) => "escrita",
+    }
+}
+
+const fn pick_name(lang: Lang, en: &'static str, pt_br: &'static str) -> &'static str {
+    match lang {
+        Lang::En => en,
+        Lang::PtBr => pt_br,
+    }
+}
+
+/// What a stage does, in a sentence, with the place in the notes.
+#[must_use]
+pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
+    match (lang, stage) {
+        (Lang::En, Stage::Traverse) => {
+            "Walks through the tree of the scene and multiplies the transforms. [3] §1.1, step 1"
+        }
+        (Lang::PtBr, Stage::Traverse) => "Percorre a árvore da cena e multiplica as transformações. [3] §1.1, passo 1",
+        (Lang::En, Stage::CullObjects) => {
+            "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1"
+        }
+        (Lang::PtBr, Stage::CullObjects) => {
+            "Descarta os objetos cuja caixa envolvente está fora de um plano do volume de visão. [3] §1.1"
+        }
+        (Lang::En, Stage::Normals) => {
+            "Takes the normals of vertices to view space, for the light. [3] §1.8; §1.1, step 2"
+        }
+        (Lang::PtBr, Stage::Normals) => {
+            "Leva as normais dos vértices ao espaço de visão, para a luz. [3] §1.8; §1.1, passo 2"
+        }
+        (Lang::En, Stage::Light) => {
+            "The reflection model: ambient, diffuse and specular light. [2]; [3] §1.8; §1.1, step 2"
+        }
+        (Lang::PtBr, Stage::Light) => {
+            "O modelo de reflexão: luz ambiente, difusa e especular. [2]; [3] §1.8; §1.1, passo 2"
+        }
+        (Lang::En, Stage::Transform) => "World → view, each vertex once. [0] Eq. (5.7); [3] §1.1, step 3",
+        (Lang::PtBr, Stage::Transform) => "Mundo → visão, cada vértice uma vez. [0] Eq. (5.7); [3] §1.1, passo 3",
+        (Lang::En, Stage::CullFaces) => "Drops faces that turn their back to the eye. [3] §1.1, step 4",
+        (Lang::PtBr, Stage::CullFaces) => "Descarta as faces que dão as costas ao olho. [3] §1.1, passo 4",
+        (Lang::En, Stage::Clip) => "Cuts what crosses a plane of the volume, before the divide. [2]; [3] §1.1, step 5",
+        (Lang::PtBr, Stage::Clip) => "Corta o que cruza um plano do volume, antes da divisão. [2]; [3] §1.1, passo 5",
+        (Lang::En, Stage::Oblique) => {
+            "The terms (r + l)/(r − l) and (t + b)/(t − b) of an asymmetric window. [0] Eq. (5.13)"
+        }
+        (Lang::PtBr, Stage::Oblique) => {
+            "Os termos (r + l)/(r − l) e (t + b)/(t − b) de uma janela assimétrica. [0] Eq. (5.13)"
+        }
+        (Lang::En, Stage::Divide) => "Clip → NDC: x, y and z are divided by w. [0] §5.4; [3] §1.1, step 5",
+        (Lang::PtBr, Stage::Divide) => "Recorte → NDC: x, y e z são divididos por w. [0] §5.4; [3] §1.1, passo 5",
+        (Lang::En, Stage::Viewport) => "NDC → pixels. [0] Eqs. (5.24), (5.25)",
+        (Lang::PtBr, Stage::Viewport) => "NDC → pixels. [0] Eqs. (5.24), (5.25)",
+        (Lang::En, Stage::Fill) => "Finds the pixels of each face. [3] §1.1, step 6",
+        (Lang::PtBr, Stage::Fill) => "Encontra os pixels de cada face. [3] §1.1, passo 6",
+        (Lang::En, Stage::Interpolate) => {
+            "Colours or normals between the vertices of a face, correct in perspective. [2]; [3] §1.1, step 7"
+        }
+        (Lang::PtBr, Stage::Interpolate) => {
+            "Cores ou normais entre os vértices de uma face, corretas em perspectiva. [2]; [3] §1.1, passo 7"
+        }
+        (Lang::En, Stage::HiddenSurfaces) => "Decides which face is seen at a pixel. [2]; [3] §1.1, step 8",
+        (Lang::PtBr, Stage::HiddenSurfaces) => "Decide qual face é vista em cada pixel. [2]; [3] §1.1, passo 8",
+        (Lang::En, Stage::Texture) => "Pictures on surfaces. [3] §1.1, step 9",
+        (Lang::PtBr, Stage::Texture) => "Imagens sobre superfícies. [3] §1.1, passo 9",
+        (Lang::En, Stage::Blend) => "Mixes translucent colours with what is behind them. [3] §1.1, step 9",
+        (Lang::PtBr, Stage::Blend) => "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9",
+        (Lang::En, Stage::Antialias) => "Takes several samples for each pixel and their mean. [3] §1.1, step 10",
+        (Lang::PtBr, Stage::Antialias) => "Toma várias amostras de cada pixel e a média delas. [3] §1.1, passo 10",
+        (Lang::En, Stage::Lines) => "Edges, lines, marks and texts, over the finished surfaces.",
+        (Lang::PtBr, Stage::Lines) => "Arestas, linhas, marcas e textos, sobre as superfícies prontas.",
+        (Lang::En, Stage::Write) => {
+            "Colours go to the memory of the image: only here z is left behind. [3] §1.1, step 11"
+        }
+        (Lang::PtBr, Stage::Write) => {
+            "As cores vão para a memória de imagem: só aqui z fica para trás. [3] §1.1, passo 11"
+        }
+    }
+}
+
+/// What the counts of a stage are of, where it has any.
+#[must_use]
+pub const fn unit(lang: Lang, stage: Stage) -> &'static str {
+    match (lang, stage) {
+        (Lang::En, Stage::Traverse | Stage::CullObjects) => "objects",
+        (Lang::PtBr, Stage::Traverse | Stage::CullObjects) => "objetos",
+        (Lang::En, Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals) => "vertices",
+        (Lang::PtBr, Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals) => {
+            "vértices"
+        }
+        (Lang::En, Stage::CullFaces | Stage::Clip | Stage::Light | Stage::HiddenSurfaces) => "triangles",
+        (Lang::PtBr, Stage::CullFaces | Stage::Clip | Stage::Light | Stage::HiddenSurfaces) => "triângulos",
+        (Lang::En, Stage::Fill) => "triangles → pixels",
+        (Lang::PtBr, Stage::Fill) => "triângulos → pixels",
+        (
+            Lang::En | Lang::PtBr,
+            Stage::Interpolate | Stage::Texture | Stage::Blend | Stage::Antialias | Stage::Write,
+        ) => "pixels",
+        (Lang::En, Stage::Lines) => "lines, marks, texts",
+        (Lang::PtBr, Stage::Lines) => "linhas, marcas, textos",
+    }
+}
+
+/// "left out": what is said of a stage that does not run.
+#[must_use]
+pub const fn left_out(lang: Lang) -> &'static str {
+    pick_name(lang, "left out", "omitida")
+}
+
+/// Why a stage runs, or why it is left out.
+#[must_use]
+pub fn reason(lang: Lang, reason: Reason) -> String {
+    let text = |en: &str, pt_br: &str| pick(lang, en, pt_br);
+    let objects = |n: usize| match (lang, n) {
+        (Lang::En, 1) => "1 object".to_owned(),
+        (Lang::En, n) => format!("{n} objects"),
+        (Lang::PtBr, 1) => "1 objeto".to_owned(),
+        (Lang::PtBr, n) => format!("{n} objetos"),
+    };
+    let n_of = |n: usize, of: usize| pick(lang, format!("{n} of {}", objects(of)), format!("{n} de {}", objects(of)));
+    match reason {
+        Reason::Always => text("every picture needs it", "toda imagem precisa dela"),
+        Reason::NothingInView => text("nothing is in view", "não há nada no campo de visão"),
+        Reason::Forced => text(
+            "not needed; it runs because all stages were asked for",
+            "desnecessária; é executada porque todas foram pedidas",
+        ),
+        Reason::Outside { outside, of } => pick(
+            lang,
+            format!("{}: all of the bounding box is outside one plane of the volume", n_of(outside, of)),
+            format!("{}: toda a caixa envolvente está fora de um plano do volume", n_of(outside, of)),
+        ),
+        Reason::NoneOutside { of } => pick(
+            lang,
+            format!("none of {} is wholly outside the volume", objects(of)),
+            format!("nenhum de {} está totalmente fora do volume", objects(of)),
+        ),
+        Reason::Wireframe => text("wireframe: only edges are drawn", "aramado: só as arestas são desenhadas"),
+        Reason::NoFaces => text("no object in view has faces", "nenhum objeto visível tem faces"),
+        Reason::NoLight => {
+            text("there is no light: faces show their own colour", "não há luz: as faces mostram a própria cor")
+        }
+        Reason::Unlit { .. } => text("no object in view takes light", "nenhum objeto visível recebe luz"),
+        Reason::FlatShading => text(
+            "flat shading: one light for each face needs no normals of vertices",
+            "sombreamento constante: uma luz por face dispensa as normais dos vértices",
+        ),
+        Reason::LitFaces { objects: n } => pick(
+            lang,
+            format!("one colour for each face of {}", objects(n)),
+            format!("uma cor para cada face de {}", objects(n)),
+        ),
+        Reason::LitVertices { objects: n } => pick(
+            lang,
+            format!("one colour for each vertex of {}", objects(n)),
+            format!("uma cor para cada vértice de {}", objects(n)),
+        ),
+        Reason::LitPixels { objects: n } => pick(
+            lang,
+            format!("Phong: light is computed at each pixel of {}", objects(n)),
+            format!("Phong: a luz é calculada em cada pixel de {}", objects(n)),
+        ),
+        Reason::BackFaces { objects: n, of } => pick(
+            lang,
+            format!("{}: closed or one-sided, so back faces cannot be seen", n_of(n, of)),
+            format!("{}: por ser fechado ou de um só lado, as faces de trás não se veem", n_of(n, of)),
+        ),
+        Reason::BothSidesSeen { .. } => text(
+            "both sides of all faces may be seen: they are two-sided or translucent",
+            "os dois lados das faces podem ser vistos: são de dois lados ou translúcidas",
+        ),
+        Reason::AllInside { objects: n } => pick(
+            lang,
+            format!("{}: wholly inside the volume, so there is nothing to cut", objects(n)),
+            format!("{}: por inteiro dentro do volume, logo não há o que cortar", objects(n)),
+        ),
+        Reason::Crossing { objects: n, of, planes: crossed } => pick(
+            lang,
+            format!("{} may cross {}; only they are cut, and only there", n_of(n, of), planes(lang, crossed)),
+            match n {
+                1 => format!("{} pode cruzar {}; só ele é cortado, e só ali", n_of(n, of), planes(lang, crossed)),
+                _ => format!("{} podem cruzar {}; só eles são cortados, e só ali", n_of(n, of), planes(lang, crossed)),
+            },
+        ),
+        Reason::SymmetricWindow => text(
+            "symmetric window: l = −r and b = −t, so these terms are 0",
+            "janela simétrica: l = −r e b = −t, logo esses termos são 0",
+        ),
+        Reason::ObliqueWindow => text(
+            "the axis of projection does not go through the middle of the window",
+            "o eixo de projeção não passa pelo meio da janela",
+        ),
+        Reason::ParallelProjection => {
+            text("parallel projection: w is 1 everywhere", "projeção paralela: w vale 1 em toda parte")
+        }
+        Reason::PerspectiveProjection => {
+            text("perspective: w is the distance from the eye", "perspectiva: w é a distância ao olho")
+        }
+        Reason::OneColorAFace => text("every face has one colour", "cada face tem uma só cor"),
+        Reason::VariesOverFaces { objects: n } => pick(
+            lang,
+            format!("colours vary over the faces of {}", objects(n)),
+            format!("as cores variam sobre as faces de {}", objects(n)),
+        ),
+        Reason::ConvexAlone => text(
+            "a single convex closed object hides nothing of itself once its back faces are gone",
+            "um só objeto convexo e fechado não esconde nada de si sem as faces de trás",
+        ),
+        Reason::SeveralObjects { objects: n } => pick(
+            lang,
+            format!("depth buffer: faces of {} may hide each other", objects(n)),
+            format!("buffer de profundidade: faces de {} podem se esconder", objects(n)),
+        ),
+        Reason::HidesItself => text(
+            "depth buffer: an object that is not convex, or open, may hide itself",
+            "buffer de profundidade: um objeto não convexo, ou aberto, pode se esconder",
+        ),
+        Reason::LinesAskForDepth => text(
+            "depth buffer: hidden parts of lines, marks or texts are drawn otherwise",
+            "buffer de profundidade: as partes ocultas de linhas, marcas ou textos são desenhadas de outro modo",
+        ),
+        Reason::PaintedByCentroid => {
+            text("painter: from back to front by centroid", "pintor: de trás para a frente, pelo centroide")
+        }
+        Reason::PaintedBySplitting => text(
+            "BSP: from back to front, split where faces cross each other's planes",
+            "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras",
+        ),
+        Reason::NoTexture => text("no object has a picture on it", "nenhum objeto tem imagem sobre ele"),
+        Reason::Textured { objects: n } => {
+            pick(lang, format!("a picture on {}", objects(n)), format!("uma imagem sobre {}", objects(n)))
+        }
+        Reason::AllOpaque => text("everything in view is opaque", "tudo que se vê é opaco"),
+        Reason::Translucent { objects: n } => pick(
+            lang,
+            format!("something shows through {}", objects(n)),
+            format!("algo se vê através de {}", objects(n)),
+        ),
+        Reason::OneSample => text("one sample for each pixel", "uma amostra por pixel"),
+        Reason::Samples { samples } => {
+            pick(lang, format!("{samples} samples for each pixel"), format!("{samples} amostras por pixel"))
+        }
+        Reason::LinesInView => {
+            text("edges, lines, marks or texts are to be drawn", "há arestas, linhas, marcas ou textos a desenhar")
+        }
+        Reason::NoLines => text("nothing but faces is in view", "só há faces no campo de visão"),
+    }
+}
+
+/// The names of planes: "left and near".
+#[must_use]
+pub fn planes(lang: Lang, planes: PlaneSet) -> String {
+    let names = match lang {
+        Lang::En => ["left", "right", "bottom", "top", "near", "far"],
+        Lang::PtBr => ["esquerda", "direita", "baixo", "cima", "frente", "fundo"],
+    };
+    let names: Vec<&str> =
+        names.into_iter().enumerate().filter(|(i, _)| planes & (1 << i) != 0).map(|(_, name)| name).collect();
+    match names.as_slice() {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{}{}{last}", first.join(", "), pick_name(lang, " and ", " e ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn planes_are_named_in_their_order() {
+        assert_eq!(planes(Lang::En, 0b01_0001), "left and near");
+        assert_eq!(planes(Lang::PtBr, 0b11_1110), "direita, baixo, cima, frente e fundo");
+        assert_eq!(planes(Lang::En, 0b10_0000), "far");
+    }
+
+    #[test]
+    fn one_is_not_many() {
+        assert_eq!(
+            reason(Lang::En, Reason::Outside { outside: 1, of: 1 }),
+            "1 of 1 object: all of the bounding box is outside one plane of the volume"
+        );
+        assert_eq!(reason(Lang::PtBr, Reason::LitFaces { objects: 2 }), "uma cor para cada face de 2 objetos");
+    }
+
+    #[test]
+    fn stages_have_names_and_purposes_of_their_own() {
+        for lang in [Lang::En, Lang::PtBr] {
+            for texts in [Stage::ALL.map(|s| stage(lang, s)), Stage::ALL.map(|s| purpose(lang, s))] {
+                let different: std::collections::BTreeSet<_> = texts.into_iter().collect();
+                assert_eq!(different.len(), Stage::ALL.len());
+            }
+        }
+    }
+}
