@@ -1,12 +1,15 @@
 //! Which triangles touch which band of rows, in the order in which they are to be drawn.
 
+use std::ops::Range;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd, dispatch};
 use rayon::prelude::*;
 
 use crate::drawing::{Drawing, Surface};
 
-use super::fill::{Size, reach};
-use super::setup::{Pixels, snap};
-use super::shade::pick;
+use super::batch::{BATCH, Batch, corners_of, gather};
+use super::fill::Size;
 
 /// Triangles that are sorted into bands as one piece of work.
 const CHUNK: usize = 8192;
@@ -42,8 +45,8 @@ struct Translucent {
 }
 
 impl Bins {
-    /// Sorts all triangles of a drawing. `S`: samples per pixel; `height`: rows of a band.
-    pub(super) fn sort<const S: usize>(&mut self, drawing: &Drawing, size: Size, height: usize, bands: usize) {
+    /// Sorts all triangles of a drawing. `many`: several samples per pixel; `height`: rows of a band, a power of two.
+    pub(super) fn sort(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize, bands: usize) {
         self.used = 0;
         let listed = |s: &Surface| drawing.painted_in_order || !s.translucent;
         for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| listed(s)) {
@@ -57,75 +60,90 @@ impl Bins {
                 self.used += 1;
             }
         }
-        let fill = |chunk: &mut Chunk| chunk.fill::<S>(&drawing.surfaces[chunk.surface], size, height, bands);
+        let fill = |chunk: &mut Chunk| chunk.fill(&drawing.surfaces[chunk.surface], many, size, height, bands);
         let chunks = &mut self.chunks[..self.used];
         if chunks.len() > 1 && rayon::current_num_threads() > 1 {
             chunks.par_iter_mut().for_each(fill);
         } else {
             chunks.iter_mut().for_each(fill);
         }
-        self.sort_translucent::<S>(drawing, size, height);
+        self.sort_translucent(drawing, many, size, height);
     }
 
-    fn sort_translucent<const S: usize>(&mut self, drawing: &Drawing, size: Size, height: usize) {
+    fn sort_translucent(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize) {
         self.translucent.clear();
         let sorted = |s: &Surface| !drawing.painted_in_order && s.translucent;
         for (surface, s) in drawing.surfaces.iter().enumerate().filter(|(_, s)| sorted(s)) {
-            for triangle in 0..number(s.triangles.len()) {
-                let Some((pixels, depth)) = pixels::<S>(s, triangle, size) else { continue };
+            boxes(s, 0..s.triangles.len(), many, size, |triangle, rows| {
+                let depth = |k: usize| s.positions[s.triangles[triangle as usize][k] as usize][2];
                 self.translucent.push(Translucent {
-                    depth,
+                    depth: depth(0) + depth(1) + depth(2),
                     surface,
                     triangle,
-                    first_band: pixels.rows.start.unsigned_abs() as usize / height,
-                    last_band: (pixels.rows.end - 1).unsigned_abs() as usize / height,
+                    first_band: rows.start as usize / height,
+                    last_band: (rows.end - 1) as usize / height,
                 });
-            }
+            });
         }
         // Stable: of equal depths the first in the drawing is drawn first.
         self.translucent.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     }
 
-    /// The opaque triangles that touch a band, in the order of the drawing: surface and numbers.
-    pub(super) fn opaque(&self, band: usize) -> impl Iterator<Item = (usize, &[u32])> {
-        self.chunks[..self.used]
-            .iter()
-            .map(move |chunk| (chunk.surface, chunk.bands[band].as_slice()))
-            .filter(|(_, triangles)| !triangles.is_empty())
-    }
-
-    /// The translucent triangles that touch a band, from back to front: surface and number.
-    pub(super) fn translucent(&self, band: usize) -> impl Iterator<Item = (usize, u32)> {
-        self.translucent
-            .iter()
-            .filter(move |t| (t.first_band..=t.last_band).contains(&band))
-            .map(|t| (t.surface, t.triangle))
+    /// The triangles that touch a band, surface and numbers: the opaque ones in the order of the drawing, then the
+    /// translucent ones from back to front.
+    pub(super) fn band(&self, band: usize) -> impl Iterator<Item = (usize, &[u32])> {
+        let opaque = self.chunks[..self.used].iter().map(move |chunk| (chunk.surface, chunk.bands[band].as_slice()));
+        let translucent = self.translucent.iter().filter(move |t| (t.first_band..=t.last_band).contains(&band));
+        let translucent = translucent.map(|t| (t.surface, std::slice::from_ref(&t.triangle)));
+        opaque.filter(|(_, triangles)| !triangles.is_empty()).chain(translucent)
     }
 }
 
 impl Chunk {
-    fn fill<const S: usize>(&mut self, surface: &Surface, size: Size, height: usize, bands: usize) {
+    fn fill(&mut self, surface: &Surface, many: bool, size: Size, height: usize, bands: usize) {
         self.bands.resize_with(bands, Vec::new);
         self.bands.iter_mut().for_each(Vec::clear);
-        for triangle in self.first..self.end {
-            let Some((pixels, _)) = pixels::<S>(surface, triangle, size) else { continue };
-            let first = pixels.rows.start.unsigned_abs() as usize / height;
-            let last = (pixels.rows.end - 1).unsigned_abs() as usize / height;
-            for band in &mut self.bands[first..=last] {
-                band.push(triangle);
+        // Heights of bands are powers of two.
+        let shift = height.trailing_zeros();
+        boxes(surface, self.first as usize..self.end as usize, many, size, |triangle, rows| {
+            for band in rows.start >> shift..=(rows.end - 1) >> shift {
+                if let Some(band) = self.bands.get_mut(band as usize) {
+                    band.push(triangle);
+                }
             }
+        });
+    }
+}
+
+/// Calls `found` for each triangle that may own a sample, in order, with the rows of the picture that it touches.
+fn boxes(surface: &Surface, range: Range<usize>, many: bool, size: Size, mut found: impl FnMut(u32, Range<i32>)) {
+    let level = Level::new();
+    let triangles = surface.triangles.get(range.clone()).unwrap_or_default();
+    for (first, triangles) in (range.start..).step_by(BATCH).zip(triangles.chunks(BATCH)) {
+        let rows = dispatch!(level, simd => rows(simd, surface, triangles, many, size));
+        for (l, rows) in rows.into_iter().enumerate().filter(|(_, [top, bottom])| top < bottom) {
+            found(number(first + l), rows[0]..rows[1]);
         }
     }
 }
 
-/// The pixels that a triangle may own and the sum of its depths; `None` where there are none.
+/// The rows that eight triangles touch: first and end; (0, 0) for those that own no sample.
 #[inline(always)]
-fn pixels<const S: usize>(surface: &Surface, triangle: u32, size: Size) -> Option<(Pixels, f32)> {
-    let corners = surface.triangles.get(triangle as usize)?.map(|v| v as usize);
-    let p = pick(&surface.positions, corners)?;
-    let v = [snap(p[0])?, snap(p[1])?, snap(p[2])?];
-    let pixels = Pixels::around(&v, reach::<S>(), size.width, size.height);
-    (!pixels.is_empty()).then_some((pixels, p[0][2] + p[1][2] + p[2][2]))
+fn rows<K: Simd>(simd: K, surface: &Surface, triangles: &[[u32; 3]], many: bool, size: Size) -> [[i32; 2]; BATCH] {
+    let [x, y, _] = gather(simd, &surface.positions, &corners_of(triangles));
+    let batch = Batch::new(simd, &x, &y, many, size);
+    let mut some = batch.some;
+    if !many && (batch.one & some).any_true() {
+        // Of the triangles of a fine mesh most have one pixel in their box and do not own it: dropped here, once for all.
+        some &= !batch.one | batch.set_up(0).own_first();
+    }
+    let mut result = [[0; 2]; BATCH];
+    for (l, rows) in result.iter_mut().enumerate() {
+        if some[l] != 0 {
+            *rows = [batch.top[l], batch.bottom[l]];
+        }
+    }
+    result
 }
 
 /// Numbers of triangles are 32 bits wide: their vertices' are, too, and 2³² triangles would fill 48 GB.

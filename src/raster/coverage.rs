@@ -3,34 +3,38 @@
 //! All pieces of a set meet in one mask, each pixel keeping the greatest share, and the mask is laid on the picture at once:
 //! pieces may overlap (joints, crossings, arrow heads) without a translucent colour growing darker there.
 
-use tiny_skia::Pixmap;
+use std::ops::Range;
 
 use crate::appearance::Rgba;
 
 use super::pixel::{over, premultiply, scale};
 
-/// A mask of a picture's size, cleared where it was used.
+/// A mask for some rows of a picture, cleared where it was used.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Coverage {
     width: usize,
-    height: usize,
+    /// The rows of the picture.
+    first: usize,
+    end: usize,
     shares: Vec<u8>,
     /// For each row the columns that were touched: first and end.
     rows: Vec<(u32, u32)>,
+    /// The rows that were touched, counted from `first`.
+    touched: Range<usize>,
 }
 
 const UNTOUCHED: (u32, u32) = (u32::MAX, 0);
 
 impl Coverage {
-    /// Makes the mask fit a picture.
-    pub(super) fn resize(&mut self, width: usize, height: usize) {
-        if (self.width, self.height) != (width, height) {
-            (self.width, self.height) = (width, height);
+    /// Makes the mask fit some rows of a picture.
+    pub(super) fn fit(&mut self, width: usize, rows: Range<usize>) {
+        if (self.width, self.rows.len()) != (width, rows.len()) {
             self.shares.clear();
-            self.shares.resize(width * height, 0);
+            self.shares.resize(width * rows.len(), 0);
             self.rows.clear();
-            self.rows.resize(height, UNTOUCHED);
+            self.rows.resize(rows.len(), UNTOUCHED);
         }
+        (self.width, self.first, self.end) = (width, rows.start, rows.end);
     }
 
     /// Covers what lies within `radius` of the segment a–b: a stroke with round ends. A stroke thinner than a pixel covers it
@@ -44,7 +48,7 @@ impl Coverage {
         }
         let (ux, uy) = if length > 1e-6 { (dx / length, dy / length) } else { (1.0, 0.0) };
         let (left, right) = (a[0].min(b[0]) - reach, a[0].max(b[0]) + reach);
-        for j in pixels(a[1].min(b[1]) - reach, a[1].max(b[1]) + reach, self.height) {
+        for j in pixels(a[1].min(b[1]) - reach, a[1].max(b[1]) + reach, self.first..self.end) {
             let y = center(j) - a[1];
             // Along the row the distance to the line grows by |uy| a pixel.
             let (mut from, mut to) = (left, right);
@@ -76,7 +80,7 @@ impl Coverage {
         });
         let low = |k: usize| a[k].min(b[k]).min(c[k]) - 0.5;
         let high = |k: usize| a[k].max(b[k]).max(c[k]) + 0.5;
-        for j in pixels(low(1), high(1), self.height) {
+        for j in pixels(low(1), high(1), self.first..self.end) {
             let y = center(j);
             self.row(j, low(0), high(0), |x| {
                 let inside = |(p, dx, dy): ([f32; 2], f32, f32)| dx * (y - p[1]) - dy * (x - p[0]);
@@ -88,11 +92,14 @@ impl Coverage {
 
     /// Raises the shares of a row between two abscissae to what `share` says for each pixel centre.
     fn row(&mut self, j: usize, from: f32, to: f32, share: impl Fn(f32) -> f32) {
-        let columns = pixels(from, to, self.width);
+        let columns = pixels(from, to, 0..self.width);
         if columns.is_empty() {
             return;
         }
+        let j = j - self.first;
         let touched = &mut self.rows[j];
+        self.touched =
+            if self.touched.is_empty() { j..j + 1 } else { self.touched.start.min(j)..self.touched.end.max(j + 1) };
         #[expect(clippy::cast_possible_truncation, reason = "sides are at most 16384")]
         let (first, end) = (columns.start as u32, columns.end as u32);
         *touched = (touched.0.min(first), touched.1.max(end));
@@ -104,12 +111,11 @@ impl Coverage {
         }
     }
 
-    /// Lays the colour on `pixmap` wherever the mask covers it, and clears the mask.
-    pub(super) fn lay(&mut self, pixmap: &mut Pixmap, color: Rgba) {
+    /// Lays the colour on `pixels` (the rows of the mask) wherever the mask covers them, and clears the mask.
+    pub(super) fn lay(&mut self, pixels: &mut [[u8; 4]], color: Rgba) {
         let source = premultiply(color);
-        let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
-        for (j, touched) in self.rows.iter_mut().enumerate() {
-            let (first, end) = std::mem::replace(touched, UNTOUCHED);
+        for j in std::mem::take(&mut self.touched) {
+            let (first, end) = std::mem::replace(&mut self.rows[j], UNTOUCHED);
             if first >= end {
                 continue;
             }
@@ -133,12 +139,12 @@ fn center(i: usize) -> f32 {
     i as f32 + 0.5
 }
 
-/// The pixels of 0 … size whose centres lie between two abscissae.
+/// The pixels of a range whose centres lie between two abscissae.
 #[expect(clippy::cast_possible_truncation, reason = "`as` saturates; NaN gives nothing")]
-fn pixels(from: f32, to: f32, size: usize) -> std::ops::Range<usize> {
+fn pixels(from: f32, to: f32, range: Range<usize>) -> Range<usize> {
     let first = (from - 0.5).ceil().max(0.0) as usize;
-    let end = ((to + 0.5).floor().max(0.0) as usize).min(size);
-    first.min(end)..end
+    let end = (to + 0.5).floor().max(0.0) as usize;
+    first.max(range.start)..end.min(range.end)
 }
 
 #[cfg(test)]
@@ -155,7 +161,7 @@ mod tests {
             (3.75, 1.0, [0, 191, 64]),
         ] {
             let mut mask = Coverage::default();
-            mask.resize(20, 8);
+            mask.fit(20, 0..8);
             mask.capsule([3.0, y], [17.0, y], width / 2.0);
             let column: [u8; 3] = std::array::from_fn(|j| mask.shares[(j + 2) * 20 + 10]);
             assert_eq!(column, expected, "y = {y}, width = {width}");
@@ -166,7 +172,7 @@ mod tests {
     fn a_stroke_covers_its_area_at_any_angle() {
         for degrees in [0.0_f32, 10.0, 30.0, 45.0, 77.0, 90.0] {
             let mut mask = Coverage::default();
-            mask.resize(100, 100);
+            mask.fit(100, 0..100);
             let (s, c) = degrees.to_radians().sin_cos();
             mask.capsule([50.3 - 40.0 * c, 50.1 - 40.0 * s], [50.3 + 40.0 * c, 50.1 + 40.0 * s], 1.25);
             let area = mask.shares.iter().map(|&s| f64::from(s) / 255.0).sum::<f64>();
@@ -179,7 +185,7 @@ mod tests {
     fn a_triangle_covers_its_area() {
         for corners in [[[5.0, 5.0], [60.0, 12.0], [20.0, 50.0]], [[5.0, 5.0], [20.0, 50.0], [60.0, 12.0]]] {
             let mut mask = Coverage::default();
-            mask.resize(70, 60);
+            mask.fit(70, 0..60);
             mask.triangle(corners);
             let area = mask.shares.iter().map(|&s| f64::from(s) / 255.0).sum::<f64>();
             assert!((area - 1185.0).abs() < 12.0, "{area}");
@@ -189,7 +195,7 @@ mod tests {
     #[test]
     fn what_is_outside_or_no_number_leaves_no_trace() {
         let mut mask = Coverage::default();
-        mask.resize(10, 10);
+        mask.fit(10, 0..10);
         mask.capsule([-50.0, -50.0], [-20.0, 70.0], 2.0);
         mask.capsule([f32::NAN, 1.0], [5.0, 5.0], 2.0);
         mask.capsule([1.0, 1.0], [5.0, f32::INFINITY], 2.0);
@@ -201,14 +207,29 @@ mod tests {
 
     #[test]
     fn overlapping_pieces_darken_nothing() {
-        let mut pixmap = Pixmap::new(20, 5).expect("a size");
+        let mut pixels = [[0; 4]; 20 * 5];
         let mut mask = Coverage::default();
-        mask.resize(20, 5);
+        mask.fit(20, 0..5);
         mask.capsule([2.0, 2.5], [12.0, 2.5], 1.0);
         mask.capsule([8.0, 2.5], [18.0, 2.5], 1.0);
-        mask.lay(&mut pixmap, Rgba::rgba(255, 255, 255, 128));
-        let alpha = |i| pixmap.pixel(i, 2).map(|p| p.alpha());
-        assert_eq!((alpha(5), alpha(10), alpha(15)), (Some(128), Some(128), Some(128)));
+        mask.lay(&mut pixels, Rgba::rgba(255, 255, 255, 128));
+        let alpha = |i: usize| pixels[2 * 20 + i][3];
+        assert_eq!((alpha(5), alpha(10), alpha(15)), (128, 128, 128));
         assert!(mask.shares.iter().all(|&s| s == 0));
+    }
+
+    #[test]
+    fn some_rows_get_what_all_rows_would() {
+        let draw = |mask: &mut Coverage| {
+            mask.capsule([2.3, 1.7], [17.1, 18.9], 1.3);
+            mask.triangle([[3.0, 15.0], [9.0, 2.0], [18.0, 12.0]]);
+        };
+        let mut whole = Coverage::default();
+        whole.fit(20, 0..20);
+        draw(&mut whole);
+        let mut part = Coverage::default();
+        part.fit(20, 7..12);
+        draw(&mut part);
+        assert_eq!(part.shares, whole.shares[7 * 20..12 * 20]);
     }
 }

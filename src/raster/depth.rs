@@ -3,7 +3,7 @@
 use super::fill::unpack_slope;
 use super::setup::STEPS;
 
-/// Depth per pixel, greater is nearer; −∞ where no surface was drawn.
+/// Depth per pixel, greater is nearer.
 ///
 /// A pixel with several samples is represented by its first; [`offset`](Self::offset) tells where that lies.
 #[derive(Clone, Debug, Default)]
@@ -12,35 +12,21 @@ pub struct DepthBuffer {
     height: usize,
     /// Place of the values relative to the pixel centres, in pixels.
     offset: [f32; 2],
-    /// Rows of a band.
+    /// Rows of a band, and values from one row to the next.
     rows: usize,
-    /// For each band whether anything was drawn in it; where not, what the other arrays hold is of an older picture.
-    used: Vec<bool>,
-    values: Vec<f32>,
+    pitch: usize,
+    bands: Vec<BandDepth>,
+}
+
+/// The part of a depth buffer that belongs to one band of rows.
+#[derive(Clone, Debug, Default)]
+pub(super) struct BandDepth {
+    /// Whether anything was drawn; if not, what the arrays hold is of an older picture.
+    pub(super) used: bool,
+    /// −∞ where there is no surface.
+    pub(super) values: Vec<f32>,
     /// Change of the depth per pixel to the right and down on the face that is seen, packed; empty where nobody asked.
-    slopes: Vec<u32>,
-}
-
-/// The part of a depth buffer that belongs to one band.
-pub(super) struct BandDepth<'a> {
-    width: usize,
-    used: &'a mut bool,
-    values: &'a mut [f32],
-    slopes: &'a mut [u32],
-}
-
-impl BandDepth<'_> {
-    /// Copies the depths of the band, which stand `pitch` apart from row to row.
-    pub(super) fn keep(&mut self, pitch: usize, depths: &[f32], slopes: Option<&Vec<u32>>) {
-        *self.used = true;
-        for (to, from) in self.values.chunks_exact_mut(self.width).zip(depths.chunks_exact(pitch)) {
-            to.copy_from_slice(&from[..self.width]);
-        }
-        let slopes = slopes.map_or(&[][..], Vec::as_slice);
-        for (to, from) in self.slopes.chunks_exact_mut(self.width).zip(slopes.chunks_exact(pitch)) {
-            to.copy_from_slice(&from[..self.width]);
-        }
-    }
+    pub(super) slopes: Vec<u32>,
 }
 
 /// The face that is seen at a pixel: its plane.
@@ -54,35 +40,33 @@ struct Face {
 
 impl DepthBuffer {
     /// Makes the buffer fit a picture in bands of `rows`, and empties it.
-    pub(super) fn reset(&mut self, width: usize, height: usize, offset: [i32; 2], rows: usize, slopes: bool) {
-        (self.width, self.height, self.rows) = (width, height, rows);
-        let pixels = |v: i32| v as f32 / STEPS as f32;
-        self.offset = offset.map(pixels);
-        self.values.resize(width * height, f32::NEG_INFINITY);
-        self.slopes.resize(if slopes { width * height } else { 0 }, 0);
-        self.used.clear();
-        self.used.resize(height.div_ceil(rows), false);
+    pub(super) fn reset(&mut self, [width, height]: [usize; 2], offset: [i32; 2], rows: usize, pitch: usize) {
+        (self.width, self.height, self.rows, self.pitch) = (width, height, rows, pitch);
+        self.offset = offset.map(|v| v as f32 / STEPS as f32);
+        self.bands.resize_with(height.div_ceil(rows), BandDepth::default);
+        for band in &mut self.bands {
+            band.used = false;
+        }
     }
 
     /// The parts of the bands, from above.
-    pub(super) fn bands(&mut self) -> impl Iterator<Item = BandDepth<'_>> {
-        let (width, length) = (self.width, self.rows * self.width);
-        let mut slopes = self.slopes.chunks_mut(length);
-        self.values.chunks_mut(length).zip(&mut self.used).map(move |(values, used)| {
-            let slopes = slopes.next().unwrap_or_default();
-            BandDepth { width, used, values, slopes }
-        })
+    pub(super) fn bands_mut(&mut self) -> &mut [BandDepth] {
+        &mut self.bands
     }
 
-    /// The depth at a pixel of the picture, −∞ where there is nothing.
-    fn value(&self, x: usize, y: usize) -> f32 {
-        if self.used[y / self.rows] { self.values[y * self.width + x] } else { f32::NEG_INFINITY }
+    /// The depth at a pixel and the slope of the face there.
+    fn value(&self, x: usize, y: usize) -> Option<(f32, [f32; 2])> {
+        let band = self.bands.get(y / self.rows).filter(|band| band.used && x < self.width)?;
+        let index = (y % self.rows) * self.pitch + x;
+        let depth = *band.values.get(index)?;
+        let slope = band.slopes.get(index).map_or([0.0; 2], |&packed| unpack_slope(packed));
+        (depth > f32::NEG_INFINITY).then_some((depth, slope))
     }
 
     /// True where no surface was drawn.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        !self.used.contains(&true)
+        !self.bands.iter().any(|band| band.used)
     }
 
     /// Where in its pixel a depth was taken, relative to the pixel's centre, in pixels: (0, 0) without antialiasing.
@@ -95,7 +79,7 @@ impl DepthBuffer {
     #[must_use]
     pub fn at(&self, x: u32, y: u32) -> Option<f32> {
         let (x, y) = (x as usize, y as usize);
-        (x < self.width && y < self.height).then(|| self.value(x, y)).filter(|z| z.is_finite())
+        (y < self.height).then(|| self.value(x, y))?.map(|(depth, _)| depth)
     }
 
     /// True where a point (pixels and depth) can be seen: no face stands before it. A point **on** a face can be seen.
@@ -135,12 +119,7 @@ impl DepthBuffer {
             return None;
         }
         #[expect(clippy::cast_possible_truncation, reason = "checked just above")]
-        let (column, row) = (i as usize, j as usize);
-        let depth = self.value(column, row);
-        if depth == f32::NEG_INFINITY {
-            return Some(None);
-        }
-        let [dx, dy] = self.slopes.get(row * self.width + column).map_or([0.0; 2], |&packed| unpack_slope(packed));
+        let Some((depth, [dx, dy])) = self.value(i as usize, j as usize) else { return Some(None) };
         Some(Some(Face { depth: depth + dx * (x - i - 0.5) + dy * (y - j - 0.5), slope: dx.abs() + dy.abs() }))
     }
 }

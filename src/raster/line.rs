@@ -5,10 +5,11 @@
 
 use std::ops::Range;
 
+use rayon::prelude::*;
 use tiny_skia::Pixmap;
 
 use crate::appearance::{HiddenLines, LineStyle};
-use crate::drawing::StrokeSet;
+use crate::drawing::{Drawing, StrokeSet};
 
 use super::coverage::Coverage;
 use super::depth::DepthBuffer;
@@ -17,69 +18,160 @@ use super::depth::DepthBuffer;
 const STEP: f32 = 0.5;
 /// A visible or hidden part shorter than this (pixels) between two of the other kind is taken for rounding.
 const SHORTEST: f32 = 1.25;
+/// Polylines longer than this (pixels) are no part of a picture.
+const LONGEST: f32 = 1e6;
 /// The most points that are tried on one segment: enough for the longest diagonal.
 const MOST_STEPS: f32 = 60_000.0;
+/// Polylines that are held against the depth buffer as one piece of work.
+const CHUNK: usize = 256;
+/// Fewer polylines than this are not worth a second thread.
+const FEW: usize = 512;
 
-/// Draws strokes; keeps its buffers from one to the next.
+/// Draws strokes; keeps its buffers from one picture to the next.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Strokes {
-    pub(super) coverage: Coverage,
-    /// Arc length at each point of the polyline at hand.
-    arcs: Vec<f32>,
+    chunks: Vec<Chunk>,
+    /// For as many strips of rows as there are threads.
+    strips: Vec<Strip>,
+}
+
+/// Some polylines of a set.
+#[derive(Clone, Debug, Default)]
+struct Chunk {
+    set: usize,
+    polylines: Range<usize>,
     parts: Vec<Part>,
+    line: Polyline,
 }
 
 /// A part of a polyline, by arc length.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 struct Part {
+    polyline: usize,
     range: Range<f32>,
     visible: bool,
 }
 
+/// What draws some rows of the picture.
+#[derive(Clone, Debug, Default)]
+struct Strip {
+    coverage: Coverage,
+    line: Polyline,
+}
+
+/// The arc length at each point of a polyline.
+#[derive(Clone, Debug, Default)]
+struct Polyline {
+    arcs: Vec<f32>,
+}
+
 impl Strokes {
-    /// Draws a set: first what is hidden of it, then what can be seen.
-    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, depth: &DepthBuffer, set: &StrokeSet) {
-        self.coverage.resize(pixmap.width() as usize, pixmap.height() as usize);
+    /// Draws all strokes of a drawing over its surfaces: of each set first what is hidden, then what can be seen.
+    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, depth: &DepthBuffer, drawing: &Drawing) {
+        let sets = &drawing.strokes;
+        let mut used = 0;
+        for (set, polylines) in sets.iter().map(|s| s.polylines.len()).enumerate() {
+            for first in (0..polylines).step_by(CHUNK) {
+                self.chunks.resize_with(self.chunks.len().max(used + 1), Chunk::default);
+                (self.chunks[used].set, self.chunks[used].polylines) = (set, first..polylines.min(first + CHUNK));
+                used += 1;
+            }
+        }
+        let chunks = &mut self.chunks[..used];
+        let count: usize = sets.iter().map(|s| s.polylines.len()).sum();
+        if count == 0 {
+            return;
+        }
+        let threads = if count < FEW { 1 } else { rayon::current_num_threads() };
+        let split = |chunk: &mut Chunk| chunk.split(&sets[chunk.set], depth);
+        if threads > 1 {
+            chunks.par_iter_mut().for_each(split);
+        } else {
+            chunks.iter_mut().for_each(split);
+        }
+
+        let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
+        let rows = height.div_ceil(threads);
+        self.strips.resize_with(self.strips.len().max(threads), Strip::default);
+        let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
+        let work = |(k, (strip, pixels)): (usize, (&mut Strip, &mut [[u8; 4]]))| {
+            strip.coverage.fit(width, k * rows..k * rows + pixels.len() / width);
+            strip.draw(pixels, sets, chunks);
+        };
+        if threads > 1 {
+            self.strips.par_iter_mut().zip(pixels.par_chunks_mut(rows * width)).enumerate().for_each(work);
+        } else {
+            self.strips.iter_mut().zip(pixels.chunks_mut(rows * width)).enumerate().for_each(work);
+        }
+    }
+}
+
+/// The points of a polyline, where they are two or more, all of them numbers and not too far apart.
+fn points<'a>(set: &'a StrokeSet, polyline: usize, line: &mut Polyline) -> Option<&'a [[f32; 3]]> {
+    let range = set.polylines.get(polyline)?;
+    let points = set.points.get(range.start as usize..range.end as usize)?;
+    let fits = points.len() >= 2 && points.iter().all(|p| p.iter().all(|v| v.is_finite()));
+    (fits && line.measure(points) < LONGEST).then_some(points)
+}
+
+impl Chunk {
+    /// Finds the visible and the hidden parts of the chunk's polylines.
+    fn split(&mut self, set: &StrokeSet, depth: &DepthBuffer) {
+        self.parts.clear();
         let test = set.style.hidden != HiddenLines::Shown && !depth.is_empty();
-        if test && let Some(style) = set.style.behind_a_face() {
-            self.cover(depth, set, style, test, false);
-            self.coverage.lay(pixmap, style.color);
-        }
-        self.cover(depth, set, set.style, test, true);
-        self.coverage.lay(pixmap, set.style.color);
-    }
-
-    /// Covers the visible or the hidden parts of all polylines of a set.
-    fn cover(&mut self, depth: &DepthBuffer, set: &StrokeSet, style: LineStyle, test: bool, visible: bool) {
-        for polyline in &set.polylines {
-            let Some(points) = set.points.get(polyline.start as usize..polyline.end as usize) else { continue };
-            // Strokes with a coordinate that is no number, and points alone, cannot be drawn.
-            if points.len() < 2 || points.iter().any(|p| !p.iter().all(|v| v.is_finite())) {
-                continue;
-            }
-            self.measure(points);
-            self.split(points, depth, test);
-            let length = self.arcs.last().copied().unwrap_or(0.0);
-            let head = if set.style.arrow { head_length(style.width, length) } else { 0.0 };
-            // The shaft ends a little inside the head, whose point would be blunt otherwise.
-            let shaft = length - 0.8 * head;
-            for part in self.parts.iter().filter(|p| p.visible == visible) {
-                let end = part.range.end.min(shaft);
-                dashes(part.range.start..end, style, |from, to| {
-                    cover_part(&mut self.coverage, points, &self.arcs, from..to, 0.5 * style.width);
+        for polyline in self.polylines.clone() {
+            let Some(points) = points(set, polyline, &mut self.line) else { continue };
+            let first = self.parts.len();
+            if test {
+                self.line.split(points, depth, |range, visible| {
+                    push(&mut self.parts, first, Part { polyline, range, visible });
                 });
+                smooth(&mut self.parts, first);
+            } else {
+                self.parts.push(Part { polyline, range: 0.0..self.line.length(), visible: true });
             }
-            if head > 0.0 {
-                let middle = length - 0.5 * head;
-                if self.parts.iter().find(|p| p.range.end >= middle).is_some_and(|p| p.visible == visible) {
-                    let (tip, base) = (at(points, &self.arcs, length), at(points, &self.arcs, length - head));
-                    self.cover_head(tip, base);
+        }
+    }
+}
+
+impl Strip {
+    fn draw(&mut self, pixels: &mut [[u8; 4]], sets: &[StrokeSet], chunks: &[Chunk]) {
+        for (index, set) in sets.iter().enumerate() {
+            let first = chunks.partition_point(|c| c.set < index);
+            let chunks = &chunks[first..][..chunks[first..].partition_point(|c| c.set == index)];
+            for (style, visible) in [(set.style.behind_a_face(), false), (Some(set.style), true)] {
+                let Some(style) = style else { continue };
+                for part in chunks.iter().flat_map(|c| &c.parts).filter(|p| p.visible == visible) {
+                    self.cover(set, part, style);
                 }
+                self.coverage.lay(pixels, style.color);
             }
         }
     }
 
-    fn measure(&mut self, points: &[[f32; 3]]) {
+    /// Covers a part of a polyline, with the arrow head if that is in it.
+    fn cover(&mut self, set: &StrokeSet, part: &Part, style: LineStyle) {
+        let Some(points) = points(set, part.polyline, &mut self.line) else { return };
+        let length = self.line.length();
+        let head = if set.style.arrow { head_length(style.width, length) } else { 0.0 };
+        // The shaft ends a little inside the head, whose point would be blunt otherwise.
+        let shaft = length - 0.8 * head;
+        dashes(part.range.start..part.range.end.min(shaft), style, |from, to| {
+            self.line.cover(points, from..to, &mut self.coverage, 0.5 * style.width);
+        });
+        let middle = length - 0.5 * head;
+        if head > 0.0 && part.range.start < middle && middle <= part.range.end {
+            let (tip, base) = (self.line.at(points, length), self.line.at(points, length - head));
+            let (dx, dy) = (tip[0] - base[0], tip[1] - base[1]);
+            let (nx, ny) = (-0.38 * dy, 0.38 * dx);
+            self.coverage.triangle([tip, [base[0] + nx, base[1] + ny], [base[0] - nx, base[1] - ny]]);
+        }
+    }
+}
+
+impl Polyline {
+    /// Measures a polyline; its length.
+    fn measure(&mut self, points: &[[f32; 3]]) -> f32 {
         self.arcs.clear();
         let mut arc = 0.0;
         self.arcs.push(arc);
@@ -87,16 +179,15 @@ impl Strokes {
             arc += (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
             self.arcs.push(arc);
         }
+        arc
     }
 
-    /// Splits the polyline into its visible and its hidden parts.
-    fn split(&mut self, points: &[[f32; 3]], depth: &DepthBuffer, test: bool) {
-        self.parts.clear();
-        let length = self.arcs.last().copied().unwrap_or(0.0);
-        if !test {
-            self.parts.push(Part { range: 0.0..length, visible: true });
-            return;
-        }
+    fn length(&self) -> f32 {
+        self.arcs.last().copied().unwrap_or(0.0)
+    }
+
+    /// Calls `part` for each stretch of the polyline that is visible or hidden throughout.
+    fn split(&self, points: &[[f32; 3]], depth: &DepthBuffer, mut part: impl FnMut(Range<f32>, bool)) {
         for (k, pair) in points.windows(2).enumerate() {
             let (start, end) = (self.arcs[k], self.arcs[k + 1]);
             let point = |t: f32| -> [f32; 3] { std::array::from_fn(|c| pair[0][c] + t * (pair[1][c] - pair[0][c])) };
@@ -114,21 +205,34 @@ impl Strokes {
                         if depth.shows(point(middle)) == before { low = middle } else { high = middle }
                     }
                     let change = start + high * (end - start);
-                    push(&mut self.parts, from..change, before);
+                    part(from..change, before);
                     (from, before) = (change, now);
                 }
                 step += 1.0;
             }
-            push(&mut self.parts, from..end, before);
+            part(from..end, before);
         }
-        smooth(&mut self.parts);
     }
 
-    /// An arrow head from the middle of its base to its tip.
-    fn cover_head(&mut self, tip: [f32; 2], base: [f32; 2]) {
-        let (dx, dy) = (tip[0] - base[0], tip[1] - base[1]);
-        let (nx, ny) = (-0.38 * dy, 0.38 * dx);
-        self.coverage.triangle([tip, [base[0] + nx, base[1] + ny], [base[0] - nx, base[1] - ny]]);
+    /// The point at an arc length.
+    fn at(&self, points: &[[f32; 3]], arc: f32) -> [f32; 2] {
+        let k = self.arcs.partition_point(|&a| a < arc).clamp(1, self.arcs.len() - 1);
+        let (start, end) = (self.arcs[k - 1], self.arcs[k]);
+        let t = if end > start { ((arc - start) / (end - start)).clamp(0.0, 1.0) } else { 0.0 };
+        let (p, q) = (points[k - 1], points[k]);
+        [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])]
+    }
+
+    /// Covers the polyline between two arc lengths.
+    fn cover(&self, points: &[[f32; 3]], range: Range<f32>, coverage: &mut Coverage, radius: f32) {
+        let mut from = self.at(points, range.start);
+        let first = self.arcs.partition_point(|&a| a <= range.start);
+        for (point, _) in points.iter().zip(&self.arcs).skip(first).take_while(|&(_, &arc)| arc < range.end) {
+            let corner = [point[0], point[1]];
+            coverage.capsule(from, corner, radius);
+            from = corner;
+        }
+        coverage.capsule(from, self.at(points, range.end), radius);
     }
 }
 
@@ -138,30 +242,29 @@ fn head_length(width: f32, stroke_length: f32) -> f32 {
     if length < 2.0 { 0.0 } else { length }
 }
 
-/// Adds a part; one that goes on as the last did makes that longer.
-fn push(parts: &mut Vec<Part>, range: Range<f32>, visible: bool) {
-    match parts.last_mut() {
-        Some(last) if last.visible == visible => last.range.end = range.end,
-        _ => parts.push(Part { range, visible }),
+/// Adds a part of the polyline whose parts begin at `first`; one that goes on as the last did makes that longer.
+fn push(parts: &mut Vec<Part>, first: usize, part: Part) {
+    match parts[first..].last_mut() {
+        Some(last) if last.visible == part.visible => last.range.end = part.range.end,
+        _ => parts.push(part),
     }
 }
 
-/// Drops parts that are too short to mean anything.
-fn smooth(parts: &mut Vec<Part>) {
-    if parts.len() < 2 {
+/// Drops parts that are too short to mean anything, of the polyline whose parts begin at `first`.
+fn smooth(parts: &mut Vec<Part>, first: usize) {
+    if parts.len() < first + 2 {
         return;
     }
-    let mut kept: Vec<Part> = Vec::with_capacity(parts.len());
-    let last = parts.len() - 1;
-    for (k, part) in parts.iter().enumerate() {
+    let all = parts.split_off(first);
+    let last = all.len() - 1;
+    for (k, part) in all.iter().enumerate() {
         let length = part.range.end - part.range.start;
         // At the ends of a line there is but one neighbour to believe: less is asked for.
         let shortest = if k == 0 || k == last { 0.5 * SHORTEST } else { SHORTEST };
-        let visible =
-            if length < shortest { kept.last().map_or(parts[1].visible, |p| p.visible) } else { part.visible };
-        push(&mut kept, part.range.clone(), visible);
+        let before = parts[first..].last().map_or(all[1].visible, |p| p.visible);
+        let visible = if length < shortest { before } else { part.visible };
+        push(parts, first, Part { visible, ..part.clone() });
     }
-    *parts = kept;
 }
 
 /// Calls `draw` with each dash in a range of arc length, from the middle of its first round end to that of its last.
@@ -190,30 +293,6 @@ fn dashes(range: Range<f32>, style: LineStyle, mut draw: impl FnMut(f32, f32)) {
         }
         start += (on + off) * width;
     }
-}
-
-/// The point at an arc length.
-fn at(points: &[[f32; 3]], arcs: &[f32], arc: f32) -> [f32; 2] {
-    let k = arcs.partition_point(|&a| a < arc).clamp(1, arcs.len() - 1);
-    let (start, end) = (arcs[k - 1], arcs[k]);
-    let t = if end > start { ((arc - start) / (end - start)).clamp(0.0, 1.0) } else { 0.0 };
-    let (p, q) = (points[k - 1], points[k]);
-    [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])]
-}
-
-/// Covers a polyline between two arc lengths.
-fn cover_part(coverage: &mut Coverage, points: &[[f32; 3]], arcs: &[f32], range: Range<f32>, radius: f32) {
-    let mut from = at(points, arcs, range.start);
-    let first = arcs.partition_point(|&a| a <= range.start);
-    for k in first..arcs.len() {
-        if arcs[k] >= range.end {
-            break;
-        }
-        let corner = [points[k][0], points[k][1]];
-        coverage.capsule(from, corner, radius);
-        from = corner;
-    }
-    coverage.capsule(from, at(points, arcs, range.end), radius);
 }
 
 #[cfg(test)]
@@ -250,24 +329,26 @@ mod tests {
 
     #[test]
     fn short_parts_are_taken_for_rounding() {
-        let mut parts = Vec::new();
+        let part = |range, visible| Part { polyline: 3, range, visible };
+        // Of another polyline: stays as it is.
+        let mut parts = vec![part(0.0..0.1, true)];
         for (range, visible) in [(0.0..10.0, true), (10.0..10.5, false), (10.5..20.0, true), (20.0..23.0, false)] {
-            push(&mut parts, range, visible);
+            push(&mut parts, 1, part(range, visible));
         }
-        smooth(&mut parts);
-        let found: Vec<_> = parts.iter().map(|p| (p.range.clone(), p.visible)).collect();
-        assert_eq!(found, [(0.0..20.0, true), (20.0..23.0, false)]);
+        assert_eq!(parts.len(), 5);
+        smooth(&mut parts, 1);
+        assert_eq!(parts, [part(0.0..0.1, true), part(0.0..20.0, true), part(20.0..23.0, false)]);
     }
 
     #[test]
     fn a_point_is_found_by_its_arc_length() {
         let points = [[0.0, 0.0, 0.0], [3.0, 4.0, 0.0], [3.0, 4.0, 0.5], [3.0, 14.0, 0.0]];
-        let mut strokes = Strokes::default();
-        strokes.measure(&points);
-        assert_eq!(strokes.arcs, [0.0, 5.0, 5.0, 15.0]);
-        assert_eq!(at(&points, &strokes.arcs, 2.5), [1.5, 2.0]);
-        assert_eq!(at(&points, &strokes.arcs, 10.0), [3.0, 9.0]);
-        assert_eq!(at(&points, &strokes.arcs, 99.0), [3.0, 14.0]);
-        assert_eq!(at(&points, &strokes.arcs, -1.0), [0.0, 0.0]);
+        let mut line = Polyline::default();
+        assert_eq!(line.measure(&points), 15.0);
+        assert_eq!(line.arcs, [0.0, 5.0, 5.0, 15.0]);
+        assert_eq!(line.at(&points, 2.5), [1.5, 2.0]);
+        assert_eq!(line.at(&points, 10.0), [3.0, 9.0]);
+        assert_eq!(line.at(&points, 99.0), [3.0, 14.0]);
+        assert_eq!(line.at(&points, -1.0), [0.0, 0.0]);
     }
 }

@@ -4,6 +4,7 @@
 //! there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and with their depth,
 //! come strokes (`line`), marks and texts (`label`, [`text`]). The bytes do not depend on the number of threads.
 
+mod batch;
 mod bins;
 mod coverage;
 mod depth;
@@ -90,15 +91,9 @@ impl Rasterizer {
     fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
-        match drawing.antialias {
-            0..=1 => self.surfaces.paint::<1>(drawing, pixmap, &mut self.depth),
-            2..=4 => self.surfaces.paint::<4>(drawing, pixmap, &mut self.depth),
-            _ => self.surfaces.paint::<16>(drawing, pixmap, &mut self.depth),
-        }
+        self.surfaces.paint(drawing, pixmap, &mut self.depth);
         let middle = now();
-        for set in &drawing.strokes {
-            self.strokes.draw(pixmap, &self.depth, set);
-        }
+        self.strokes.draw(pixmap, &self.depth, drawing);
         for mark in &drawing.marks {
             label::mark(pixmap, &self.depth, mark);
         }

@@ -1,153 +1,480 @@
-//! The colours of a triangle's pixels, eight at a time.
+//! The colours of triangles' pixels, eight at a time.
 
-use crate::appearance::Texture;
-use crate::drawing::{Phong, Surface};
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x8, mask32x8, u32x8};
 
+use crate::appearance::{Rgba, Texture};
+use crate::drawing::{Paint, Phong, Surface};
+
+use super::batch::{BATCH, Corners, Planes, SetUp, gather};
 use super::pixel::{Pixel, channels, premultiply};
-use super::setup::{Plane, Triangle, greater, lesser};
+use super::setup::{Plane, Triangle, greater};
 
 /// Pixels that are worked on together.
 pub(super) const LANES: usize = 8;
-pub(super) type Lanes<T> = [T; LANES];
 
 /// What colours one triangle.
-pub(super) trait Shader {
-    /// Goes to the row whose pixel centres are `y` below the triangle's origin.
-    fn row(&mut self, y: f32);
-    /// The colours of pixels whose centres are `x` to the right of the origin. Only those in `wanted` need be right.
-    fn colors(&self, x: Lanes<f32>, wanted: Lanes<bool>) -> Lanes<Pixel>;
+pub(super) trait Shader<K: Simd> {
+    /// Goes to a tile's columns: its pixels' centres are `x` to the right of the triangle's origin.
+    fn columns(&mut self, x: f32x8<K>);
+    /// Goes to a tile's rows: its pixels' centres are `y` below the origin.
+    fn rows(&mut self, y: f32x8<K>);
+    /// The colours of the tile's pixels. Only those wanted need be right.
+    fn colors(&self, wanted: mask32x8<K>) -> u32x8<K>;
+}
+
+/// What colours a batch of triangles.
+pub(super) trait Colors<'a, K: Simd>: Sized {
+    /// What colours one of the batch.
+    type Simple: Shader<K>;
+    /// What colours a triangle on its own.
+    type Shader: Shader<K>;
+
+    /// `outside`: the colours of centres that lie outside of their triangle will be asked for.
+    fn new(
+        simd: K,
+        surface: &'a Surface,
+        triangles: &[u32],
+        corners: &Corners,
+        set_up: &SetUp<K>,
+        outside: bool,
+    ) -> Self;
+    /// Those for which the batch will do. The others must be done on their own.
+    fn simple(&self) -> mask32x8<K>;
+    /// The colour of each at a point relative to its origin.
+    fn at(&self, x: f32x8<K>, y: f32x8<K>) -> u32x8<K>;
+    fn of(&self, lane: usize) -> Self::Simple;
+    /// What colours a triangle of any kind; `None` where the surface has no colours for it.
+    fn alone(
+        simd: K,
+        surface: &'a Surface,
+        triangle: &Triangle,
+        index: u32,
+        corners: [usize; 3],
+    ) -> Option<Self::Shader>;
 }
 
 /// One colour.
-pub(super) struct Flat(pub(super) Pixel);
+pub(super) struct Flat<K: Simd>(u32x8<K>);
 
-impl Shader for Flat {
+impl<K: Simd> Shader<K> for Flat<K> {
     #[inline(always)]
-    fn row(&mut self, _y: f32) {}
+    fn columns(&mut self, _x: f32x8<K>) {}
 
     #[inline(always)]
-    fn colors(&self, _x: Lanes<f32>, _wanted: Lanes<bool>) -> Lanes<Pixel> {
-        [self.0; LANES]
+    fn rows(&mut self, _y: f32x8<K>) {}
+
+    #[inline(always)]
+    fn colors(&self, _wanted: mask32x8<K>) -> u32x8<K> {
+        self.0
     }
 }
 
-/// The channels of premultiplied colours that are interpolated: three for what is opaque, four for what is not.
-const OPAQUE: usize = 3;
-
-/// Colours between those of the vertices: affine.
-pub(super) struct Affine<const N: usize> {
-    planes: [Plane; N],
-    rows: [f32; N],
+/// The colours of faces.
+pub(super) struct FlatColors<K: Simd> {
+    colors: u32x8<K>,
+    present: mask32x8<K>,
 }
 
-impl<const N: usize> Affine<N> {
+/// The colour of a face; the alpha of opaque surfaces does not count.
+#[inline(always)]
+fn face_color(surface: &Surface, triangle: u32) -> Option<Pixel> {
+    let color = match &surface.paint {
+        Paint::Solid(color) => *color,
+        Paint::Faces(colors) => *colors.get(triangle as usize)?,
+        _ => return None,
+    };
+    Some(if surface.translucent { premultiply(color) } else { u32::from_le_bytes([color.r, color.g, color.b, 255]) })
+}
+
+impl<'a, K: Simd> Colors<'a, K> for FlatColors<K> {
+    type Simple = Flat<K>;
+    type Shader = Flat<K>;
+
     #[inline(always)]
-    pub(super) fn new(triangle: &Triangle, colors: [Pixel; 3]) -> Self {
-        let [p, q, r] = colors.map(channels);
-        Self { planes: std::array::from_fn(|k| triangle.plane([p[k], q[k], r[k]])), rows: [0.0; N] }
+    fn new(
+        simd: K,
+        surface: &'a Surface,
+        triangles: &[u32],
+        _corners: &Corners,
+        _set_up: &SetUp<K>,
+        _outside: bool,
+    ) -> Self {
+        let (mut colors, mut present) = ([0; BATCH], [0; BATCH]);
+        for (l, &triangle) in triangles.iter().take(BATCH).enumerate() {
+            if let Some(color) = face_color(surface, triangle) {
+                (colors[l], present[l]) = (color, -1);
+            }
+        }
+        Self { colors: u32x8::from_slice(simd, &colors), present: mask32x8::from_slice(simd, &present) }
+    }
+
+    #[inline(always)]
+    fn simple(&self) -> mask32x8<K> {
+        self.present
+    }
+
+    #[inline(always)]
+    fn at(&self, _x: f32x8<K>, _y: f32x8<K>) -> u32x8<K> {
+        self.colors
+    }
+
+    #[inline(always)]
+    fn of(&self, lane: usize) -> Flat<K> {
+        Flat(u32x8::splat(self.colors.witness(), self.colors[lane]))
+    }
+
+    #[inline(always)]
+    fn alone(simd: K, surface: &'a Surface, _triangle: &Triangle, index: u32, _corners: [usize; 3]) -> Option<Flat<K>> {
+        Some(Flat(u32x8::splat(simd, face_color(surface, index)?)))
     }
 }
 
-impl<const N: usize> Shader for Affine<N> {
-    #[inline(always)]
-    fn row(&mut self, y: f32) {
-        self.rows = std::array::from_fn(|k| self.planes[k].row(y));
-    }
+/// Channels that are interpolated where colours are opaque.
+const RGB: usize = 3;
 
+/// Opaque colours between those of the vertices, affine on the picture.
+pub(super) struct Affine<K: Simd> {
+    planes: [Plane; RGB],
+    /// Each channel's change from the origin to the columns, and its value in the rows, of the tile at hand.
+    across: [f32x8<K>; RGB],
+    down: [f32x8<K>; RGB],
+    outside: bool,
+}
+
+impl<K: Simd> Affine<K> {
     #[inline(always)]
-    fn colors(&self, x: Lanes<f32>, _wanted: Lanes<bool>) -> Lanes<Pixel> {
-        pack::<N>(std::array::from_fn(|k| x.map(|x| self.planes[k].at(self.rows[k], x))))
+    fn channel(&self, k: usize) -> u32x8<K> {
+        let value = self.across[k] + self.down[k];
+        round(if self.outside { value.max(self.planes[k].low).min(self.planes[k].high) } else { value })
     }
 }
 
-/// Colours between those of the vertices: perspective-correct, as c/w and 1/w are affine on the picture.
-pub(super) struct Perspective<const N: usize> {
-    colors: Affine<N>,
-    low: [f32; N],
-    high: [f32; N],
+impl<K: Simd> Shader<K> for Affine<K> {
+    #[inline(always)]
+    fn columns(&mut self, x: f32x8<K>) {
+        for k in 0..RGB {
+            self.across[k] = x * self.planes[k].dx;
+        }
+    }
+
+    #[inline(always)]
+    fn rows(&mut self, y: f32x8<K>) {
+        for k in 0..RGB {
+            self.down[k] = y * self.planes[k].dy + self.planes[k].value;
+        }
+    }
+
+    #[inline(always)]
+    fn colors(&self, _wanted: mask32x8<K>) -> u32x8<K> {
+        pack(self.channel(0), self.channel(1), self.channel(2))
+    }
+}
+
+/// Opaque colours between those of the vertices. With regard to perspective c/w and 1/w are affine on the picture; without,
+/// or where it makes no difference, the colours are.
+pub(super) struct Gouraud<K: Simd> {
+    /// Red, green, blue, divided by w if `perspective`; their ranges are not.
+    affine: Affine<K>,
+    perspective: bool,
     inverse_w: Plane,
-    row: f32,
+    inverse_w_across: f32x8<K>,
+    inverse_w_down: f32x8<K>,
 }
 
-impl<const N: usize> Perspective<N> {
+impl<K: Simd> Gouraud<K> {
     #[inline(always)]
-    pub(super) fn new(triangle: &Triangle, colors: [Pixel; 3], inverse_w: [f32; 3]) -> Self {
-        let [p, q, r] = colors.map(channels);
-        let [u, v, w] = inverse_w;
-        Self {
-            colors: Affine {
-                planes: std::array::from_fn(|k| triangle.plane([p[k] * u, q[k] * v, r[k] * w])),
-                rows: [0.0; N],
-            },
-            low: std::array::from_fn(|k| p[k].min(q[k]).min(r[k])),
-            high: std::array::from_fn(|k| p[k].max(q[k]).max(r[k])),
-            inverse_w: triangle.plane(inverse_w),
-            row: 0.0,
+    fn channel(&self, k: usize, w: f32x8<K>) -> u32x8<K> {
+        let Plane { low, high, .. } = self.affine.planes[k];
+        round(((self.affine.across[k] + self.affine.down[k]) * w).max(low).min(high))
+    }
+}
+
+impl<K: Simd> Shader<K> for Gouraud<K> {
+    #[inline(always)]
+    fn columns(&mut self, x: f32x8<K>) {
+        self.affine.columns(x);
+        if self.perspective {
+            self.inverse_w_across = x * self.inverse_w.dx;
+        }
+    }
+
+    #[inline(always)]
+    fn rows(&mut self, y: f32x8<K>) {
+        self.affine.rows(y);
+        if self.perspective {
+            self.inverse_w_down = y * self.inverse_w.dy + self.inverse_w.value;
+        }
+    }
+
+    #[inline(always)]
+    fn colors(&self, wanted: mask32x8<K>) -> u32x8<K> {
+        if self.perspective {
+            let inverse_w = self.inverse_w_across + self.inverse_w_down;
+            let inverse_w = inverse_w.max(self.inverse_w.low).min(self.inverse_w.high);
+            let w = f32x8::splat(wanted.witness(), 1.0) / inverse_w;
+            pack(self.channel(0, w), self.channel(1, w), self.channel(2, w))
+        } else {
+            self.affine.colors(wanted)
         }
     }
 }
 
-impl<const N: usize> Shader for Perspective<N> {
-    #[inline(always)]
-    fn row(&mut self, y: f32) {
-        self.colors.row(y);
-        self.row = self.inverse_w.row(y);
-    }
-
-    #[inline(always)]
-    fn colors(&self, x: Lanes<f32>, _wanted: Lanes<bool>) -> Lanes<Pixel> {
-        let w = x.map(|x| 1.0 / self.inverse_w.at(self.row, x));
-        pack::<N>(std::array::from_fn(|k| {
-            std::array::from_fn(|l| {
-                let value = (self.colors.rows[k] + self.colors.planes[k].dx * x[l]) * w[l];
-                lesser(greater(value, self.low[k]), self.high[k])
-            })
-        }))
-    }
-}
-
-/// Channels, 0 … 255 each, to pixels; without a fourth channel they are opaque.
+/// Rounds channels, 0 … 255.
 #[inline(always)]
-fn pack<const N: usize>(channels: [Lanes<f32>; N]) -> Lanes<Pixel> {
-    std::array::from_fn(|l| {
-        let alpha = if N == OPAQUE { 0xff } else { round(channels[N - 1][l]) };
-        round(channels[0][l]) | round(channels[1][l]) << 8 | round(channels[2][l]) << 16 | alpha << 24
-    })
+fn round<K: Simd>(v: f32x8<K>) -> u32x8<K> {
+    // 1.5 · 2²³ leaves no bits for fractions, and the low bits are the integer.
+    (v + 12_582_912.0).bitcast::<u32x8<K>>() & 0xff
 }
 
-/// True where the colours of a triangle come out the same, but for less than half a step of 255, whether they are
-/// interpolated with regard to perspective or not.
+/// Channels → opaque pixels.
+#[inline(always)]
+fn pack<K: Simd>(r: u32x8<K>, g: u32x8<K>, b: u32x8<K>) -> u32x8<K> {
+    (r | (g << 8)) | ((b << 16) | 0xff00_0000)
+}
+
+/// A gradient (steps of 255 per pixel) above this comes from a sliver, and is mostly rounding. Below it, and less than a
+/// hundred pixels away, the error of a channel is far below half a step.
+const STEEPEST: f32 = 4096.0;
+
+/// The colours of vertices.
+pub(super) struct GouraudColors<K: Simd> {
+    simd: K,
+    planes: [Planes<K>; RGB],
+    simple: mask32x8<K>,
+    outside: bool,
+}
+
+impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
+    type Simple = Affine<K>;
+    type Shader = Gouraud<K>;
+
+    #[inline(always)]
+    fn new(
+        simd: K,
+        surface: &'a Surface,
+        _triangles: &[u32],
+        corners: &Corners,
+        set_up: &SetUp<K>,
+        outside: bool,
+    ) -> Self {
+        let (packed, present) = gather_colors(simd, vertex_colors(surface), corners);
+        let zero = f32x8::splat(simd, 0.0);
+        let mut planes = [Planes { value: zero, dx: zero, dy: zero, low: zero, high: zero }; RGB];
+        let mut steepest = zero;
+        for (plane, shift) in planes.iter_mut().zip([0, 8, 16]) {
+            let mut channel = [zero; 3];
+            for k in 0..3 {
+                channel[k] = ((packed[k] >> shift) & 0xff).to_float();
+            }
+            *plane = set_up.planes(&channel);
+            steepest = steepest.max(plane.dx.abs()).max(plane.dy.abs());
+        }
+        let mut simple = present & steepest.simd_lt(STEEPEST);
+        if !surface.inverse_w.is_empty() {
+            let [w] = gather(simd, surface.inverse_w.as_chunks::<1>().0, corners);
+            let spread = planes[0].spread().max(planes[1].spread()).max(planes[2].spread());
+            let (far, near) = (w[0].min(w[1]).min(w[2]), w[0].max(w[1]).max(w[2]));
+            // Not so where one is missing and thus no number.
+            simple &= !perspective_matters(spread, far, near) & near.simd_eq(near);
+        }
+        Self { simd, planes, simple, outside }
+    }
+
+    #[inline(always)]
+    fn simple(&self) -> mask32x8<K> {
+        self.simple
+    }
+
+    #[inline(always)]
+    fn at(&self, x: f32x8<K>, y: f32x8<K>) -> u32x8<K> {
+        let [r, g, b] = &self.planes;
+        pack(round(r.at(x, y)), round(g.at(x, y)), round(b.at(x, y)))
+    }
+
+    #[inline(always)]
+    fn of(&self, lane: usize) -> Affine<K> {
+        let planes = [self.planes[0].of(lane), self.planes[1].of(lane), self.planes[2].of(lane)];
+        let zero = [f32x8::splat(self.simd, 0.0); RGB];
+        Affine { planes, across: zero, down: zero, outside: self.outside }
+    }
+
+    #[inline(always)]
+    fn alone(
+        simd: K,
+        surface: &'a Surface,
+        triangle: &Triangle,
+        _index: u32,
+        corners: [usize; 3],
+    ) -> Option<Gouraud<K>> {
+        let (planes, perspective, inverse_w) = gouraud_alone(surface, triangle, corners)?;
+        let zero = f32x8::splat(simd, 0.0);
+        let affine = Affine { planes, across: [zero; RGB], down: [zero; RGB], outside: true };
+        Some(Gouraud { affine, perspective, inverse_w, inverse_w_across: zero, inverse_w_down: zero })
+    }
+}
+
+/// True where it makes a difference of half a step or more whether the colours of a triangle, which differ by up to `spread`
+/// (steps of 255), are interpolated with regard to perspective; 1/w goes from `far` to `near`.
 ///
 /// Between two vertices whose w have the ratio r, the perspective share of one differs from the affine share by at most
 /// (√r − 1)/(√r + 1) ≤ (r − 1)/4.
 #[inline(always)]
-pub(super) fn nearly_affine(colors: [Pixel; 3], inverse_w: [f32; 3]) -> bool {
-    let low = lesser(lesser(inverse_w[0], inverse_w[1]), inverse_w[2]);
-    let high = greater(greater(inverse_w[0], inverse_w[1]), inverse_w[2]);
-    let [p, q, r] = colors.map(Pixel::to_le_bytes);
-    let spread = (0..4).map(|k| p[k].max(q[k]).max(r[k]) - p[k].min(q[k]).min(r[k])).max().unwrap_or(0);
-    f32::from(spread) * (high - low) < 2.0 * low
+fn perspective_matters<K: Simd>(spread: f32x8<K>, far: f32x8<K>, near: f32x8<K>) -> mask32x8<K> {
+    (spread * (near - far)).simd_gt(far * 2.0)
 }
 
-/// The share of each vertex in the points of a triangle, perspective-correct, for what is not affine in itself.
+/// Planes of red, green, blue, whether they are divided by w, and the plane of 1/w.
+fn gouraud_alone(surface: &Surface, triangle: &Triangle, corners: [usize; 3]) -> Option<([Plane; RGB], bool, Plane)> {
+    let colors = pick(vertex_colors(surface), corners)?;
+    let colors = [colors.map(|c| f32::from(c.r)), colors.map(|c| f32::from(c.g)), colors.map(|c| f32::from(c.b))];
+    let w = inverse_w(surface, corners)?;
+    let inverse_w = triangle.plane(w);
+    let planes = colors.map(|c| triangle.plane(c));
+    let spread = planes.iter().map(|p| p.high - p.low).fold(0.0, greater);
+    // As `perspective_matters`.
+    if spread * (inverse_w.high - inverse_w.low) <= 2.0 * inverse_w.low {
+        return Some((planes, false, inverse_w));
+    }
+    let divided = |k: usize| {
+        let [p, q, r] = colors[k];
+        Plane { low: planes[k].low, high: planes[k].high, ..triangle.plane([p * w[0], q * w[1], r * w[2]]) }
+    };
+    Some(([divided(0), divided(1), divided(2)], true, inverse_w))
+}
+
+fn vertex_colors(surface: &Surface) -> &[Rgba] {
+    match &surface.paint {
+        Paint::Vertices(colors) => colors,
+        _ => &[],
+    }
+}
+
+/// The colours at each corner, red lowest, and which triangles have all three.
+#[inline(always)]
+fn gather_colors<K: Simd>(simd: K, colors: &[Rgba], corners: &Corners) -> ([u32x8<K>; 3], mask32x8<K>) {
+    let (mut packed, mut present) = ([[0; BATCH]; 3], [-1; BATCH]);
+    for k in 0..3 {
+        for l in 0..BATCH {
+            match colors.get(corners[k][l]) {
+                Some(c) => packed[k][l] = u32::from_le_bytes([c.r, c.g, c.b, c.a]),
+                None => present[l] = 0,
+            }
+        }
+    }
+    let [p, q, r] = &packed;
+    let packed = [u32x8::from_slice(simd, p), u32x8::from_slice(simd, q), u32x8::from_slice(simd, r)];
+    (packed, mask32x8::from_slice(simd, &present))
+}
+
+/// Colours of vertices as floating-point channels.
+type Channels = [f32; 4];
+
+/// What is worked out pixel by pixel: light, textures, translucent colours.
+pub(super) struct Slow<'a, K: Simd> {
+    weights: Weights,
+    x: f32x8<K>,
+    y: f32x8<K>,
+    kind: Kind<'a>,
+    /// Set in every colour.
+    alpha: Pixel,
+}
+
+enum Kind<'a> {
+    /// Premultiplied colours of the vertices.
+    Colors([Channels; 3]),
+    Phong {
+        normals: [[f32; 3]; 3],
+        positions: [[f32; 3]; 3],
+        phong: &'a Phong,
+    },
+    Texture {
+        uv: [[f32; 2]; 3],
+        image: &'a Texture,
+        opacity: f32,
+    },
+}
+
+impl<'a, K: Simd> Slow<'a, K> {
+    /// `None` where the surface's arrays have nothing for this triangle.
+    pub(super) fn new(simd: K, surface: &'a Surface, triangle: &Triangle, corners: [usize; 3]) -> Option<Self> {
+        let (weights, kind) = weights_and_kind(surface, triangle, corners)?;
+        // The alpha of opaque surfaces does not count.
+        let alpha = if surface.translucent { 0 } else { 0xff00_0000 };
+        let zero = f32x8::splat(simd, 0.0);
+        Some(Self { weights, x: zero, y: zero, kind, alpha })
+    }
+
+    fn color(&self, x: f32, y: f32) -> Pixel {
+        let w = self.weights.at(x, y);
+        let rounded = |c: Channels| {
+            Pixel::from_le_bytes(c.map(|c| {
+                #[expect(clippy::cast_possible_truncation, reason = "`as` saturates: 0 … 255, NaN is 0")]
+                let byte = (c + 0.5) as u8;
+                byte
+            }))
+        };
+        match &self.kind {
+            Kind::Colors(colors) => rounded(mix(w, colors)),
+            Kind::Phong { normals, positions, phong } => {
+                premultiply(phong.lighting.shade(mix(w, normals), mix(w, positions), phong.color))
+            }
+            Kind::Texture { uv, image, opacity } => rounded(texel(image, mix(w, uv)).map(|c| c * opacity)),
+        }
+    }
+}
+
+impl<K: Simd> Shader<K> for Slow<'_, K> {
+    #[inline(always)]
+    fn columns(&mut self, x: f32x8<K>) {
+        self.x = x;
+    }
+
+    #[inline(always)]
+    fn rows(&mut self, y: f32x8<K>) {
+        self.y = y;
+    }
+
+    #[inline(always)]
+    fn colors(&self, wanted: mask32x8<K>) -> u32x8<K> {
+        let mut colors = u32x8::splat(wanted.witness(), 0);
+        for l in 0..LANES {
+            if wanted[l] != 0 {
+                colors[l] = self.color(self.x[l], self.y[l]) | self.alpha;
+            }
+        }
+        colors
+    }
+}
+
+fn weights_and_kind<'a>(surface: &'a Surface, triangle: &Triangle, corners: [usize; 3]) -> Option<(Weights, Kind<'a>)> {
+    let kind = match &surface.paint {
+        Paint::Solid(_) | Paint::Faces(_) => return None,
+        Paint::Vertices(colors) => Kind::Colors(pick(colors, corners)?.map(|c| channels(premultiply(c)))),
+        Paint::Phong(phong) => {
+            Kind::Phong { normals: pick(&phong.normals, corners)?, positions: pick(&phong.positions, corners)?, phong }
+        }
+        Paint::Texture { image, uv, opacity } => {
+            Kind::Texture { uv: pick(uv, corners)?, image, opacity: f32::from(*opacity) / 255.0 }
+        }
+    };
+    Some((Weights::new(triangle, inverse_w(surface, corners)?), kind))
+}
+
+/// The share of each vertex in the points of a triangle, perspective-correct.
 struct Weights {
     planes: [Plane; 3],
-    rows: [f32; 3],
     inverse_w: [f32; 3],
 }
 
 impl Weights {
     fn new(triangle: &Triangle, inverse_w: [f32; 3]) -> Self {
         let planes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|q| triangle.plane(q));
-        Self { planes, rows: [0.0; 3], inverse_w }
+        Self { planes, inverse_w }
     }
 
-    fn row(&mut self, y: f32) {
-        self.rows = std::array::from_fn(|k| self.planes[k].row(y));
-    }
-
-    fn at(&self, x: f32) -> [f32; 3] {
-        let b: [f32; 3] = std::array::from_fn(|k| self.planes[k].at(self.rows[k], x) * self.inverse_w[k]);
+    fn at(&self, x: f32, y: f32) -> [f32; 3] {
+        let b: [f32; 3] = std::array::from_fn(|k| self.planes[k].at(x, y) * self.inverse_w[k]);
         let sum = b[0] + b[1] + b[2];
         b.map(|b| b / sum)
     }
@@ -157,87 +484,14 @@ fn mix<const N: usize>(weights: [f32; 3], values: &[[f32; N]; 3]) -> [f32; N] {
     std::array::from_fn(|k| weights[0] * values[0][k] + weights[1] * values[1][k] + weights[2] * values[2][k])
 }
 
-/// Light at each pixel.
-pub(super) struct PerPixel<'a> {
-    weights: Weights,
-    normals: [[f32; 3]; 3],
-    positions: [[f32; 3]; 3],
-    phong: &'a Phong,
-}
-
-impl<'a> PerPixel<'a> {
-    pub(super) fn new(triangle: &Triangle, phong: &'a Phong, corners: [usize; 3], inverse_w: [f32; 3]) -> Option<Self> {
-        Some(Self {
-            weights: Weights::new(triangle, inverse_w),
-            normals: pick(&phong.normals, corners)?,
-            positions: pick(&phong.positions, corners)?,
-            phong,
-        })
-    }
-}
-
-impl Shader for PerPixel<'_> {
-    fn row(&mut self, y: f32) {
-        self.weights.row(y);
-    }
-
-    fn colors(&self, x: Lanes<f32>, wanted: Lanes<bool>) -> Lanes<Pixel> {
-        std::array::from_fn(|k| {
-            if !wanted[k] {
-                return 0;
-            }
-            let w = self.weights.at(x[k]);
-            let (normal, position) = (mix(w, &self.normals), mix(w, &self.positions));
-            premultiply(self.phong.lighting.shade(normal, position, self.phong.color))
-        })
-    }
-}
-
-/// A picture on the face.
-pub(super) struct Textured<'a> {
-    weights: Weights,
-    uv: [[f32; 2]; 3],
-    image: &'a Texture,
-    opacity: f32,
-}
-
-impl<'a> Textured<'a> {
-    pub(super) fn new(
-        triangle: &Triangle,
-        (image, uv, opacity): (&'a Texture, &[[f32; 2]], u8),
-        corners: [usize; 3],
-        inverse_w: [f32; 3],
-    ) -> Option<Self> {
-        let opacity = f32::from(opacity) / 255.0;
-        Some(Self { weights: Weights::new(triangle, inverse_w), uv: pick(uv, corners)?, image, opacity })
-    }
-}
-
-impl Shader for Textured<'_> {
-    fn row(&mut self, y: f32) {
-        self.weights.row(y);
-    }
-
-    fn colors(&self, x: Lanes<f32>, wanted: Lanes<bool>) -> Lanes<Pixel> {
-        std::array::from_fn(|k| {
-            if !wanted[k] {
-                return 0;
-            }
-            let [r, g, b, a] = texel(self.image, mix(self.weights.at(x[k]), &self.uv)).map(|c| round(c * self.opacity));
-            r | g << 8 | b << 16 | a << 24
-        })
-    }
-}
-
 /// The texture between its four nearest texels; beyond the border the border goes on.
-fn texel(image: &Texture, uv: [f32; 2]) -> [f32; 4] {
+fn texel(image: &Texture, uv: [f32; 2]) -> Channels {
     let axis = |t: f32, size: u32| {
         let last = size.saturating_sub(1);
         let t = (t * size as f32 - 0.5).clamp(0.0, last as f32);
         #[expect(clippy::cast_possible_truncation, reason = "clamped above")]
         let low = t as u32;
-        let part = t - low as f32;
-        (low as usize, (low + 1).min(last) as usize, part)
+        (low as usize, (low + 1).min(last) as usize, t - low as f32)
     };
     let (x0, x1, s) = axis(uv[0], image.width);
     let (y0, y1, t) = axis(uv[1], image.height);
@@ -251,13 +505,6 @@ fn texel(image: &Texture, uv: [f32; 2]) -> [f32; 4] {
         let bottom = c[k] + s * (d[k] - c[k]);
         top + t * (bottom - top)
     })
-}
-
-/// Rounds a channel, 0 … 255.
-#[inline(always)]
-fn round(v: f32) -> u32 {
-    // 1.5 · 2²³ leaves no bits for fractions, and the low bits are the integer.
-    (v + 12_582_912.0).to_bits() & 0xff
 }
 
 /// The values at three indices; `None` where one is missing.

@@ -2,6 +2,7 @@
 
 use std::sync::Mutex;
 
+use fearless_simd::{Level, dispatch};
 use tiny_skia::Pixmap;
 
 use crate::drawing::Drawing;
@@ -15,7 +16,7 @@ use super::shade::LANES;
 
 /// The samples of a band should stay in a processor's own cache: this many, each with colour and depth (8 bytes).
 const BAND_SAMPLES: usize = 1 << 16;
-/// Rows of the highest and of the lowest band.
+/// Rows of the highest and of the lowest band; powers of two.
 const BAND_ROWS: (usize, usize) = (64, 8);
 
 /// Paints surfaces; keeps its buffers from one picture to the next.
@@ -30,15 +31,15 @@ pub(super) struct Surfaces {
 #[derive(Clone, Debug, Default)]
 struct Scratch {
     colors: Vec<Pixel>,
+    /// Where there is more than one sample in a pixel; else they go straight to the depth buffer.
     depths: Vec<f32>,
-    slopes: Vec<u32>,
 }
 
 /// A band on its way to the picture.
 struct Job<'a> {
     band: usize,
     pixels: &'a mut [[u8; 4]],
-    depth: BandDepth<'a>,
+    depth: &'a mut BandDepth,
 }
 
 /// What is the same for all bands.
@@ -46,40 +47,54 @@ struct Frame<'a> {
     drawing: &'a Drawing,
     bins: &'a Bins,
     size: Size,
+    samples: &'static [[i32; 2]],
     rows: usize,
+    pitch: usize,
     background: Pixel,
     depth_test: bool,
     want_slopes: bool,
+    /// The vector instructions of this machine.
+    level: Level,
 }
 
 impl Surfaces {
-    /// Paints background and surfaces over all of `pixmap`, with `S` samples per pixel, and remembers their depth.
-    pub(super) fn paint<const S: usize>(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, depth: &mut DepthBuffer) {
+    /// Paints background and surfaces over all of `pixmap`, and remembers their depth.
+    pub(super) fn paint(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, depth: &mut DepthBuffer) {
+        let per_pixel = match drawing.antialias {
+            0..=1 => 1,
+            2..=4 => 4,
+            _ => 16,
+        };
         let (width, height) = (drawing.width as usize, drawing.height as usize);
         let size = Size { width: drawing.width as i32, height: drawing.height as i32 };
-        let rows = (BAND_SAMPLES / S / (width + LANES)).clamp(BAND_ROWS.1, BAND_ROWS.0);
+        let rows = 1 << (BAND_SAMPLES / per_pixel / (width + LANES)).clamp(BAND_ROWS.1, BAND_ROWS.0).ilog2();
         let bands = height.div_ceil(rows);
-        self.bins.sort::<S>(drawing, size, rows, bands);
+        self.bins.sort(drawing, per_pixel > 1, size, rows, bands);
         let depth_test = drawing.surfaces.iter().any(|s| s.depth_test && !s.translucent);
         // Only strokes, marks and labels ask for slopes.
         let want_slopes =
             depth_test && !(drawing.strokes.is_empty() && drawing.marks.is_empty() && drawing.labels.is_empty());
-        depth.reset(width, height, samples::<S>()[0], rows, want_slopes);
+        // A tile may reach eight pixels to the right of its first.
+        let pitch = width.next_multiple_of(LANES) + LANES;
+        depth.reset([width, height], samples(per_pixel)[0], rows, pitch);
         let frame = Frame {
             drawing,
             bins: &self.bins,
             size,
+            samples: samples(per_pixel),
             rows,
+            pitch,
             background: premultiply(drawing.background),
             depth_test,
             want_slopes,
+            level: Level::new(),
         };
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
-        let jobs = pixels.chunks_mut(rows * width).zip(depth.bands()).enumerate().map(|(band, (pixels, depth))| Job {
-            band,
-            pixels,
-            depth,
-        });
+        let jobs = pixels
+            .chunks_mut(rows * width)
+            .zip(depth.bands_mut())
+            .enumerate()
+            .map(|(band, (pixels, depth))| Job { band, pixels, depth });
         let threads = rayon::current_num_threads().min(bands);
         self.scratch.resize_with(threads.max(self.scratch.len()), Scratch::default);
         if threads > 1 {
@@ -89,67 +104,85 @@ impl Surfaces {
                     let (queue, frame) = (&queue, &frame);
                     scope.spawn(move |_| {
                         while let Some(job) = queue.lock().ok().and_then(|mut jobs| jobs.next()) {
-                            scratch.paint::<S>(frame, job);
+                            scratch.paint(frame, job);
                         }
                     });
                 }
             });
         } else if let Some(scratch) = self.scratch.first_mut() {
             for job in jobs {
-                scratch.paint::<S>(&frame, job);
+                scratch.paint(&frame, job);
             }
         }
     }
 }
 
 impl Scratch {
-    fn paint<const S: usize>(&mut self, frame: &Frame, mut job: Job) {
-        let Frame { drawing, bins, size, .. } = *frame;
-        let width = size.width.unsigned_abs() as usize;
-        let rows = job.pixels.len() / width;
-        if bins.opaque(job.band).next().is_none() && bins.translucent(job.band).next().is_none() {
+    fn paint(&mut self, frame: &Frame, job: Job) {
+        let Frame { drawing, size, samples, pitch, .. } = *frame;
+        let width = size.width as usize;
+        if frame.bins.band(job.band).next().is_none() {
             job.pixels.fill(frame.background.to_le_bytes());
             return;
         }
-        let pitch = width.next_multiple_of(LANES) + LANES;
-        let plane = rows * pitch;
+        let rows = job.pixels.len() / width;
+        // One row more: a tile may reach below the last.
+        let plane = (rows + 1) * pitch;
         self.colors.clear();
-        self.colors.resize(S * plane, frame.background);
+        self.colors.resize(samples.len() * plane, frame.background);
+        let together = samples.len().min(4);
+        let BandDepth { used, values, slopes } = job.depth;
+        *used = frame.depth_test;
+        let depths = if together == 1 { &mut *values } else { &mut self.depths };
+        depths.clear();
         if frame.depth_test {
-            self.depths.clear();
-            self.depths.resize(S * plane, f32::NEG_INFINITY);
+            depths.resize(samples.len() * plane, f32::NEG_INFINITY);
         }
-        if frame.want_slopes {
-            self.slopes.resize(plane, 0);
-        }
+        slopes.resize(if frame.want_slopes { plane } else { 0 }, 0);
         #[expect(clippy::cast_possible_truncation, reason = "rows are at most 16384")]
         let (first, count) = ((job.band * frame.rows) as i32, rows as i32);
-        let mut band = Band {
-            size,
-            rows: first..first + count,
-            pitch,
-            plane,
-            colors: &mut self.colors,
-            depths: if frame.depth_test { &mut self.depths } else { &mut [] },
-            slopes: frame.want_slopes.then_some(&mut self.slopes),
-            in_order: drawing.painted_in_order,
-        };
-        for (surface, triangles) in bins.opaque(job.band) {
-            fill::<S>(&mut band, &drawing.surfaces[surface], triangles.iter().copied());
-        }
-        for (surface, triangle) in bins.translucent(job.band) {
-            fill::<S>(&mut band, &drawing.surfaces[surface], std::iter::once(triangle));
+        // Sixteen samples are four times four: one set of instructions for both.
+        for (k, samples) in samples.chunks(together).enumerate() {
+            let set = k * together * plane..(k + 1) * together * plane;
+            let mut band = Band {
+                size,
+                rows: first..first + count,
+                samples,
+                pitch,
+                plane,
+                colors: &mut self.colors[set.clone()],
+                depths: depths.get_mut(set).unwrap_or_default(),
+                slopes: if k == 0 { slopes } else { &mut [] },
+                in_order: drawing.painted_in_order,
+            };
+            for (surface, triangles) in frame.bins.band(job.band) {
+                let surface = &drawing.surfaces[surface];
+                if together == 1 {
+                    dispatch!(frame.level, simd => fill::<_, 1>(simd, &mut band, surface, triangles));
+                } else {
+                    dispatch!(frame.level, simd => fill::<_, 4>(simd, &mut band, surface, triangles));
+                }
+            }
         }
         for (row, pixels) in job.pixels.chunks_exact_mut(width).enumerate() {
             let start = row * pitch;
-            let samples: [&[Pixel]; S] =
-                std::array::from_fn(|s| &self.colors[s * plane + start..s * plane + start + width]);
-            for (i, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = mean::<S>(std::array::from_fn(|s| samples[s][i])).to_le_bytes();
+            match samples.len() {
+                1 => resolve::<1>(pixels, &self.colors[start..], plane),
+                4 => resolve::<4>(pixels, &self.colors[start..], plane),
+                _ => resolve::<16>(pixels, &self.colors[start..], plane),
             }
         }
-        if frame.depth_test {
-            job.depth.keep(pitch, &self.depths[..plane], frame.want_slopes.then_some(&self.slopes));
+        if frame.depth_test && together > 1 {
+            values.clear();
+            values.extend_from_slice(&self.depths[..plane]);
         }
+    }
+}
+
+/// Writes the means of a row's samples, whose planes lie `plane` apart.
+fn resolve<const S: usize>(pixels: &mut [[u8; 4]], colors: &[Pixel], plane: usize) {
+    let samples: [&[Pixel]; S] = std::array::from_fn(|s| &colors[s * plane..s * plane + pixels.len()]);
+    for (i, pixel) in pixels.iter_mut().enumerate() {
+        *pixel = mean::<S>(std::array::from_fn(|s| samples[s][i])).to_le_bytes();
     }
 }

@@ -1,0 +1,274 @@
+//! Eight triangles at a time: their boxes, and what makes them ready to be filled.
+//!
+//! Fine meshes are made of narrow triangles, for which most of the work is to set them up: that is done for eight at once, in
+//! 32 bits. The others go their own way, through [`Triangle`](super::setup::Triangle).
+
+use std::ops::Range;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f32x8, i32x8, mask32x8};
+
+use crate::drawing::Surface;
+
+use super::fill::Size;
+use super::setup::{FRACTION, HALF, HIGHEST, MAGIC, OFFSET, Plane, REACH, STEPS, Triangle};
+use super::shade::pick;
+
+/// Triangles in a batch.
+pub(super) const BATCH: usize = 8;
+
+/// Eight triangles by their vertices.
+pub(super) struct Batch<K: Simd> {
+    simd: K,
+    /// Vertices on the snapping grid.
+    x: [i32x8<K>; 3],
+    y: [i32x8<K>; 3],
+    /// The pixels that they may own.
+    pub(super) left: i32x8<K>,
+    pub(super) right: i32x8<K>,
+    pub(super) top: i32x8<K>,
+    pub(super) bottom: i32x8<K>,
+    /// Those that may own a pixel at all.
+    pub(super) some: mask32x8<K>,
+    /// Those whose samples lie in eight columns, and are not too high for 32 bits.
+    pub(super) narrow: mask32x8<K>,
+    /// Those that may own one pixel only.
+    pub(super) one: mask32x8<K>,
+}
+
+/// The indices of the vertices of up to eight triangles; `usize::MAX`, which leads nowhere, for those that are not there.
+pub(super) type Corners = [[usize; BATCH]; 3];
+
+#[inline(always)]
+pub(super) fn corners(surface: &Surface, triangles: &[u32]) -> Corners {
+    let mut corners = [[usize::MAX; BATCH]; 3];
+    for (l, &triangle) in triangles.iter().take(BATCH).enumerate() {
+        if let Some(triangle) = surface.triangles.get(triangle as usize) {
+            for k in 0..3 {
+                corners[k][l] = triangle[k] as usize;
+            }
+        }
+    }
+    corners
+}
+
+/// The same of eight triangles that follow one another.
+#[inline(always)]
+pub(super) fn corners_of(triangles: &[[u32; 3]]) -> Corners {
+    let mut corners = [[usize::MAX; BATCH]; 3];
+    for (l, triangle) in triangles.iter().take(BATCH).enumerate() {
+        for k in 0..3 {
+            corners[k][l] = triangle[k] as usize;
+        }
+    }
+    corners
+}
+
+/// Component `c` of the values at each corner; NaN where there is none.
+#[inline(always)]
+pub(super) fn gather<K: Simd, const N: usize>(simd: K, values: &[[f32; N]], corners: &Corners) -> [[f32x8<K>; 3]; N] {
+    let mut result = [[f32x8::splat(simd, f32::NAN); 3]; N];
+    for k in 0..3 {
+        let mut lanes = [[f32::NAN; BATCH]; N];
+        for l in 0..BATCH {
+            if let Some(value) = values.get(corners[k][l]) {
+                for c in 0..N {
+                    lanes[c][l] = value[c];
+                }
+            }
+        }
+        for c in 0..N {
+            result[c][k] = f32x8::from_slice(simd, &lanes[c]);
+        }
+    }
+    result
+}
+
+impl<K: Simd> Batch<K> {
+    /// From the coordinates of the vertices in pixels. `many`: several samples in a pixel.
+    #[inline(always)]
+    pub(super) fn new(simd: K, x: &[f32x8<K>; 3], y: &[f32x8<K>; 3], many: bool, size: Size) -> Self {
+        let zero = i32x8::splat(simd, 0);
+        let (mut grid_x, mut grid_y) = ([zero; 3], [zero; 3]);
+        let mut wrong = zero;
+        for k in 0..3 {
+            let (bits_x, bits_y) = (grid_bits(x[k]), grid_bits(y[k]));
+            wrong |= (bits_x ^ MAGIC_BITS) | (bits_y ^ MAGIC_BITS);
+            grid_x[k] = (bits_x & FRACTION_BITS) - OFFSET;
+            grid_y[k] = (bits_y & FRACTION_BITS) - OFFSET;
+        }
+        let reach = REACH[usize::from(many)];
+        let low_x = grid_x[0].min(grid_x[1]).min(grid_x[2]) - (HALF + reach);
+        let high_x = grid_x[0].max(grid_x[1]).max(grid_x[2]) - (HALF - reach);
+        let low_y = grid_y[0].min(grid_y[1]).min(grid_y[2]) - (HALF + reach);
+        let high_y = grid_y[0].max(grid_y[1]).max(grid_y[2]) - (HALF - reach);
+        // Rounded up to a whole pixel.
+        let left = ((low_x + (STEPS - 1)) >> 8).max(0);
+        let right = ((high_x + (STEPS - 1)) >> 8).min(size.width);
+        let top = ((low_y + (STEPS - 1)) >> 8).max(0);
+        let bottom = ((high_y + (STEPS - 1)) >> 8).min(size.height);
+        let valid = (wrong & !FRACTION_BITS).simd_eq(0);
+        let some = valid & left.simd_lt(right) & top.simd_lt(bottom);
+        let (width, height) = (high_x - low_x, high_y - low_y);
+        let narrow = width.simd_lt(7 * STEPS + 1) & height.simd_lt(HIGHEST);
+        let one = narrow & (right - left).simd_eq(1) & (bottom - top).simd_eq(1);
+        Self { simd, x: grid_x, y: grid_y, left, top, bottom, some, narrow, one, right }
+    }
+
+    /// The rows of one that lie in a band; none where it owns no sample.
+    #[inline(always)]
+    pub(super) fn rows(&self, lane: usize, band: &Range<i32>) -> Range<i32> {
+        let end = if self.some[lane] != 0 { self.bottom[lane].min(band.end) } else { 0 };
+        self.top[lane].max(band.start)..end
+    }
+
+    /// One of them on its own.
+    pub(super) fn alone(&self, lane: usize, positions: &[[f32; 3]], corners: [usize; 3]) -> Option<Triangle> {
+        if self.some[lane] == 0 {
+            return None;
+        }
+        Triangle::new(&pick(positions, corners)?)
+    }
+
+    /// Makes ready those that are narrow. `first_row`: where the band begins.
+    #[inline(always)]
+    pub(super) fn set_up(&self, first_row: i32) -> SetUp<K> {
+        let [mut x, mut y] = [self.x, self.y];
+        let area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+        let turned = area.simd_lt(0);
+        (x[1], x[2]) = (turned.select(x[2], x[1]), turned.select(x[1], x[2]));
+        (y[1], y[2]) = (turned.select(y[2], y[1]), turned.select(y[1], y[2]));
+        let area = turned.select(-area, area);
+        let top = self.top.max(first_row);
+        let zero = i32x8::splat(self.simd, 0);
+        let (mut a, mut b, mut edges) = ([zero; 3], [zero; 3], [zero; 3]);
+        let (center_x, center_y) = ((self.left << 8) + HALF, (top << 8) + HALF);
+        for k in 0..3 {
+            let next = (k + 1) % 3;
+            (a[k], b[k]) = (y[k] - y[next], x[next] - x[k]);
+            // An edge owns its points where it is left or top; the others are moved inwards by the least there is.
+            let owns = a[k].simd_gt(0) | (a[k].simd_eq(0) & b[k].simd_gt(0));
+            let bias = owns.select(zero, zero - 1);
+            edges[k] = a[k] * (center_x - x[k]) + b[k] * (center_y - y[k]) + bias;
+        }
+        let scale = f32x8::splat(self.simd, STEPS as f32) / area.to_float::<f32x8<K>>();
+        let [m0, m1] = [(y[2] - y[0]).to_float::<f32x8<K>>() * scale, (y[1] - y[0]).to_float::<f32x8<K>>() * scale];
+        let [m2, m3] = [(x[1] - x[0]).to_float::<f32x8<K>>() * scale, (x[2] - x[0]).to_float::<f32x8<K>>() * scale];
+        SetUp {
+            turned,
+            has_area: area.simd_gt(0),
+            left: self.left,
+            top,
+            a,
+            b,
+            edges,
+            m: [m0, m1, m2, m3],
+            origin: [x[0].to_float::<f32x8<K>>() * (1.0 / 256.0), y[0].to_float::<f32x8<K>>() * (1.0 / 256.0)],
+        }
+    }
+}
+
+/// [`MAGIC`] and [`FRACTION`] as signed numbers.
+const MAGIC_BITS: i32 = MAGIC.to_bits().cast_signed();
+const FRACTION_BITS: i32 = FRACTION.cast_signed();
+
+#[inline(always)]
+fn grid_bits<K: Simd>(v: f32x8<K>) -> i32x8<K> {
+    (v * STEPS as f32 + MAGIC).bitcast::<i32x8<K>>()
+}
+
+/// Eight narrow triangles, ready to be filled; see [`Triangle`](super::setup::Triangle).
+pub(super) struct SetUp<K: Simd> {
+    /// Vertices 1 and 2 changed places.
+    turned: mask32x8<K>,
+    pub(super) has_area: mask32x8<K>,
+    /// The first pixel to be filled.
+    left: i32x8<K>,
+    pub(super) top: i32x8<K>,
+    pub(super) a: [i32x8<K>; 3],
+    pub(super) b: [i32x8<K>; 3],
+    /// The edge functions at the centre of the first pixel, in steps².
+    pub(super) edges: [i32x8<K>; 3],
+    m: [f32x8<K>; 4],
+    pub(super) origin: [f32x8<K>; 2],
+}
+
+impl<K: Simd> SetUp<K> {
+    /// Those that own the centre of the first pixel of their box.
+    #[inline(always)]
+    pub(super) fn own_first(&self) -> mask32x8<K> {
+        (self.edges[0] | self.edges[1] | self.edges[2]).simd_gt(-1) & self.has_area
+    }
+
+    /// The centre of the first pixel, from the origin.
+    #[inline(always)]
+    pub(super) fn first(&self) -> [f32x8<K>; 2] {
+        let (left, top) = (self.left.to_float::<f32x8<K>>(), self.top.to_float::<f32x8<K>>());
+        [left + 0.5 - self.origin[0], top + 0.5 - self.origin[1]]
+    }
+
+    /// Of each edge function of one the change to the right, the change down and the value at the first pixel's centre.
+    #[inline(always)]
+    pub(super) fn edges_of(&self, lane: usize) -> [[i32; 3]; 3] {
+        let [a, b, e] = [&self.a, &self.b, &self.edges];
+        [
+            [a[0][lane], b[0][lane], e[0][lane]],
+            [a[1][lane], b[1][lane], e[1][lane]],
+            [a[2][lane], b[2][lane], e[2][lane]],
+        ]
+    }
+
+    /// The planes through values at the vertices.
+    #[inline(always)]
+    pub(super) fn planes(&self, q: &[f32x8<K>; 3]) -> Planes<K> {
+        let (q1, q2) = (self.turned.select(q[2], q[1]), self.turned.select(q[1], q[2]));
+        let (d1, d2) = (q1 - q[0], q2 - q[0]);
+        Planes {
+            value: q[0],
+            dx: d1 * self.m[0] - d2 * self.m[1],
+            dy: d2 * self.m[2] - d1 * self.m[3],
+            low: q[0].min(q1).min(q2),
+            high: q[0].max(q1).max(q2),
+        }
+    }
+}
+
+/// A [`Plane`] of each of eight triangles.
+#[derive(Clone, Copy)]
+pub(super) struct Planes<K: Simd> {
+    pub(super) value: f32x8<K>,
+    pub(super) dx: f32x8<K>,
+    pub(super) dy: f32x8<K>,
+    pub(super) low: f32x8<K>,
+    pub(super) high: f32x8<K>,
+}
+
+impl<K: Simd> Planes<K> {
+    #[inline(always)]
+    pub(super) fn of(&self, lane: usize) -> Plane {
+        Plane {
+            value: self.value[lane],
+            dx: self.dx[lane],
+            dy: self.dy[lane],
+            low: self.low[lane],
+            high: self.high[lane],
+        }
+    }
+
+    /// The greatest difference of the values.
+    #[inline(always)]
+    pub(super) fn spread(&self) -> f32x8<K> {
+        self.high - self.low
+    }
+
+    /// The value at a point of each, not held to its range.
+    #[inline(always)]
+    pub(super) fn at(&self, x: f32x8<K>, y: f32x8<K>) -> f32x8<K> {
+        x * self.dx + (y * self.dy + self.value)
+    }
+
+    #[inline(always)]
+    pub(super) fn hold(&self, value: f32x8<K>) -> f32x8<K> {
+        value.max(self.low).min(self.high)
+    }
+}
