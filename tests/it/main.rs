@@ -21,6 +21,7 @@ mod pipeline_plan;
 mod pipeline_project;
 mod pipeline_visibility;
 mod raster_fill;
+mod raster_lines;
 mod raster_pictures;
 mod scene;
 mod views;
