@@ -152,7 +152,7 @@ impl Studio {
     fn painted_image(&mut self, source: Source<'_>, size: Size) -> Option<Arc<Texture>> {
         let side = (size.width.max(size.height) / 2).clamp(256, 1024);
         let rect = frame(Size { width: side, height: side, scale: 1.0 }, source.camera.window());
-        let extras = plain(source);
+        let extras = Extras { bare: true, ..plain(source) };
         let size = Size { width: rect.width, height: rect.height, scale: 1.0 };
         let drawn = views::image::frame_of(&setup(source, size, &extras), &mut self.engines[3]);
         let pixmap = self.rasterizer.paint(&drawn.drawing)?;

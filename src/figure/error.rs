@@ -110,6 +110,10 @@ pub enum Allowed {
     Points,
     /// A list of an even number of `[x, y, z]`.
     PointPairs,
+    /// `true` or `false`.
+    Switch,
+    /// `true`, `false` or one of some words.
+    SwitchOr(Vec<&'static str>),
     /// `"#rrggbb"` or `"#rrggbbaa"`.
     Color,
     /// A text that is not empty.

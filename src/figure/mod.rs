@@ -1,10 +1,11 @@
-//! A figure: camera parameters, image, viewport, scene, style and observers. One figure file is one `Figure`.
+//! A figure: camera parameters, image, viewport, scene, style, what is revealed of the pipeline, and observers. One figure file is one `Figure`.
 
 mod edit;
 pub mod error;
 mod near;
 pub mod read;
 mod recommended;
+mod reveal;
 pub mod words;
 pub mod write;
 
@@ -13,6 +14,7 @@ use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::SceneSpec;
 pub use error::FigureError;
 use glam::DVec3;
+pub use reveal::{Depth, Outside, Reveal};
 
 /// Everything that a picture depends on.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,6 +29,8 @@ pub struct Figure {
     pub scene: SceneSpec,
     /// `[style]`
     pub style: Style,
+    /// `[reveal]`
+    pub reveal: Reveal,
     /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be seen.
     pub observers: Observers,
 }

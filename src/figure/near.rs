@@ -65,6 +65,11 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("antialiasing", "antialias"),
     ("position", "target"),
     ("focal_point", "target"),
+    ("z_buffer", "depth"),
+    ("zbuffer", "depth"),
+    ("clip", "clipping"),
+    ("culling", "culled"),
+    ("cull", "culled"),
     ("cam", "camera"),
     ("cube", "box"),
     ("ball", "sphere"),
@@ -94,6 +99,11 @@ const HOMES: &[(&str, &str)] = &[
     ("hidden_lines", "style"),
     ("antialias", "style"),
     ("theme", "style"),
+    ("depth", "reveal"),
+    ("outside", "reveal"),
+    ("clipping", "reveal"),
+    ("divide_first", "reveal"),
+    ("culled", "reveal"),
 ];
 
 /// The one of `known` that `word` probably stands for, or where the key is at home.

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::{Depth, Outside};
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::camera::Projection;
 use crate::scene::{LightSpec, Preset, Shape};
@@ -42,6 +43,12 @@ pub const HIDDEN_LINES: Words<HiddenLines> =
 
 /// `[style] theme`
 pub const THEMES: Words<Theme> = &[("light", Theme::Light), ("dark", Theme::Dark), ("print", Theme::Print)];
+
+/// `[reveal] depth`, besides `true` and `false`
+pub const DEPTHS: Words<Depth> = &[("linear", Depth::Linear)];
+
+/// `[reveal] outside`
+pub const OUTSIDES: Words<Outside> = &[("cut", Outside::Cut), ("tinted", Outside::Tinted), ("shown", Outside::Shown)];
 
 /// `[[scene.objects]] shape`; those that have data are empty here.
 pub const SHAPES: Words<Shape> = &[

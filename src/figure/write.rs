@@ -6,8 +6,8 @@ use glam::DVec3;
 
 pub use super::edit::update;
 use super::read::default_segments;
-use super::words::{self, HIDDEN_LINES, PRESETS, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
-use super::{Figure, Observer};
+use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PRESETS, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
+use super::{Depth, Figure, Observer, Outside, Reveal};
 use crate::camera::Projection;
 use crate::scene::{LightSpec, ObjectSpec, Shape};
 
@@ -61,6 +61,7 @@ pub fn to_toml(figure: &Figure) -> String {
     out.key("hidden_lines", quoted(words::name(HIDDEN_LINES, style.hidden_lines)));
     out.key("antialias", style.antialias);
     out.key("theme", quoted(words::name(THEMES, style.theme)));
+    write_reveal(&mut out, figure.reveal);
     write_observer(&mut out, "[observers.world]", figure.observers.world);
     write_observer(&mut out, "[observers.canonical]", figure.observers.canonical);
     out.text
@@ -105,6 +106,26 @@ fn write_light(out: &mut Text, light: LightSpec) {
     match light {
         LightSpec::Directional(direction) => out.key("direction", vector(direction)),
         LightSpec::Point(position) => out.key("position", vector(position)),
+    }
+}
+
+fn write_reveal(out: &mut Text, reveal: Reveal) {
+    if reveal == Reveal::default() {
+        return;
+    }
+    out.section("[reveal]");
+    match reveal.depth {
+        Depth::Off => {}
+        Depth::Stored => out.key("depth", true),
+        depth @ Depth::Linear => out.key("depth", quoted(words::name(DEPTHS, depth))),
+    }
+    if reveal.outside != Outside::Usual {
+        out.key("outside", quoted(words::name(OUTSIDES, reveal.outside)));
+    }
+    for (key, on) in [("clipping", reveal.clipping), ("divide_first", reveal.divide_first), ("culled", reveal.culled)] {
+        if on {
+            out.key(key, on);
+        }
     }
 }
 

@@ -243,6 +243,7 @@ impl Canvas {
                     image: figure.image,
                     viewport: figure.viewport,
                     style: figure.style,
+                    reveal: figure.reveal,
                     ..Figure::default()
                 },
                 camera: state.document.camera().clone(),
@@ -300,10 +301,11 @@ impl Canvas {
             status.note = texts.probe_hint;
             return;
         };
-        let (figure, camera) = (state.document.figure(), state.document.camera());
+        let setup = setup(state, &self.extras, views::Size { width: 1, height: 1, scale: 1.0 });
         let digits = state.settings.digits;
-        status.cells = probe::cells(probe, figure, camera, digits.min(4), texts);
-        status.exact = probe::cells(probe, figure, camera, digits, texts);
+        let depths = probe::depths(probe, &setup);
+        status.cells = probe::cells(probe, depths, &setup, digits.min(4), texts);
+        status.exact = probe::cells(probe, depths, &setup, digits, texts);
         if self.pinned.is_some() {
             status.aside = if status.aside.is_empty() {
                 texts.pinned.to_owned()

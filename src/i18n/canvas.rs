@@ -95,6 +95,12 @@ pub struct CanvasTexts {
     pub space_pixel: &'static str,
     /// The space.
     pub space_viewport: &'static str,
+    /// Z of a pixel.
+    pub depth: &'static str,
+    /// Where the depth buffer holds nothing.
+    pub nothing_here: &'static str,
+    /// From the eye.
+    pub distance: &'static str,
     /// Where a ray begins.
     pub ray_origin: &'static str,
     /// Where a ray goes.
@@ -151,6 +157,9 @@ static EN: CanvasTexts = CanvasTexts {
     space_window: "Window",
     space_pixel: "Pixel",
     space_viewport: "Viewport",
+    depth: "Depth",
+    nothing_here: "nothing here",
+    distance: "Distance",
     ray_origin: "Ray from",
     ray_direction: "Direction",
     near_plane: "front plane",
@@ -203,6 +212,9 @@ static PT_BR: CanvasTexts = CanvasTexts {
     space_window: "Janela",
     space_pixel: "Pixel",
     space_viewport: "Viewport",
+    depth: "Profundidade",
+    nothing_here: "nada aqui",
+    distance: "Distância",
     ray_origin: "Raio de",
     ray_direction: "Direção",
     near_plane: "plano da frente",

@@ -127,6 +127,10 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             let choice: Vec<_> = choice.iter().map(ToString::to_string).collect();
             choice.join(", ")
         }
+        Allowed::Switch => "true, false".to_owned(),
+        Allowed::SwitchOr(words) => {
+            words.iter().fold("true, false".to_owned(), |list, word| format!("{list}, \"{word}\""))
+        }
         Allowed::Vector => pick(lang, "three finite numbers, [x, y, z]", "três números finitos, [x, y, z]"),
         Allowed::NonZeroVector => {
             pick(lang, "three finite numbers, [x, y, z], not all 0", "três números finitos, [x, y, z], nem todos 0")
@@ -243,6 +247,8 @@ mod tests {
             ("[camera]\nnear = 7\nfar = 3", &["3", "near", "7.0", "far", "3.0"]),
             ("[camera]\nposition = \"abc\"", &["2", "[camera] position", "\"abc\"", "[x, y, z]"]),
             ("[scene]\npreset = \"huose\"", &["2", "[scene] preset", "\"huose\"", "\"ndc-cube\"", "house"]),
+            ("[reveal]\ndepth = 1", &["2", "[reveal] depth", "1", "true", "false", "\"linear\""]),
+            ("[reveal]\nculled = \"no\"", &["2", "[reveal] culled", "\"no\"", "true", "false"]),
             ("[image]\nwidth = 0", &["2", "[image] width", "0", "16384"]),
             ("[camera]\nnear = 1,5", &["2", "[camera] near", "1,5"]),
         ] {

@@ -186,6 +186,14 @@ texts! {
     theme_dark: "dark", "escuro";
     theme_print: "print", "impressão";
 
+    // What is revealed of the pipeline.
+    reveal: "Inside the pipeline", "Por dentro do pipeline";
+    depth_view: "image", "imagem";
+    depth_view_hint: "The depth buffer in the place of the colours: black is near, white is far. Perspective crowds Z near 1. Point at a pixel: its numbers stand below. [0] (5.25), [2] z-buffer", "O z-buffer no lugar das cores: preto é perto, branco é longe. A perspectiva comprime Z perto de 1. Aponte para um pixel: seus números aparecem embaixo. [0] (5.25), [2] z-buffer";
+    depth_off: "colours", "cores";
+    depth_stored: "depths (Z)", "profundidades (Z)";
+    depth_linear: "distances", "distâncias";
+
     // Files.
     open_title: "Open a figure", "Abrir uma figura";
     open_action: "Open", "Abrir";

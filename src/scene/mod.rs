@@ -122,6 +122,18 @@ pub enum ObjectPaint {
     },
 }
 
+impl ObjectPaint {
+    /// True where something shows through.
+    #[must_use]
+    pub fn is_translucent(&self) -> bool {
+        match self {
+            Self::Solid(color) => !color.is_opaque(),
+            Self::Faces(colors) | Self::Vertices(colors) => colors.iter().any(|c| !c.is_opaque()),
+            Self::Texture { opacity, .. } => *opacity < 255,
+        }
+    }
+}
+
 /// A source of light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {

@@ -75,7 +75,7 @@ pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Fram
     probe::in_canonical(&mut sheet, setup, palette);
     cube(&mut sheet, setup, palette);
     let mut drawn = engine.frame(setup, &sheet.scene, screen.camera(), target, &style);
-    placing::settle(&mut drawn.drawing, &[]);
+    placing::settle(&mut drawn.drawing, &[], None);
     drawn
 }
 

@@ -5,7 +5,9 @@ use crate::camera::ViewWindow;
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
 use crate::pipeline::{Frame, Target};
 
+use super::depth::{self, Greys};
 use super::gizmos::{Sheet, stroke};
+use super::legend::{Legend, Row};
 use super::screen::Screen;
 use super::{Engine, Palette, Setup, Size, placing, probe};
 
@@ -63,17 +65,39 @@ pub fn draw(setup: &Setup) -> Drawing {
 pub fn frame_of(setup: &Setup, engine: &mut Engine) -> Frame {
     let style = &setup.figure.style;
     let palette = Palette::of(style.theme);
-    let (whole, screen) = (setup.size.target(palette.paper), screen(setup));
+    let greys = Greys::of(setup);
+    let (style, paper) = match greys {
+        Some(_) => (depth::style(style), palette.nothing),
+        None => (*style, palette.paper),
+    };
+    let (whole, screen) = (setup.size.target(paper), screen(setup));
     let mut sheet = Sheet { scene: setup.scene.clone(), screen: &screen, hidden: style.hidden_lines };
+    if greys.is_some() {
+        sheet.scene.marks.clear();
+    }
     probe::in_image(&mut sheet, setup, palette);
     let rect = frame(setup.size, setup.camera.window());
     let target = Target { width: rect.width, height: rect.height, ..whole };
-    let mut drawn = engine.frame(setup, &sheet.scene, setup.camera, target, style);
-    placing::settle(&mut drawn.drawing, &[]);
+    let mut drawn = engine.frame(setup, &sheet.scene, setup.camera, target, &style);
+    let mut rows = Vec::new();
+    if let Some(greys) = greys {
+        greys.paint(&mut drawn.drawing);
+        rows = greys.legend(setup, palette);
+    }
+    placing::settle(&mut drawn.drawing, &[], None);
     if rect != PixelRect::whole(setup.size) {
         drawn.drawing = mounted(drawn.drawing, rect, setup.size, palette);
     }
+    explain(&mut drawn.drawing, setup, rows, whole.scale, palette);
     drawn
+}
+
+/// Adds a legend, where there is something to say and room to say it.
+fn explain(drawing: &mut Drawing, setup: &Setup, rows: Vec<Row>, scale: f32, palette: Palette) {
+    let size = [drawing.width, drawing.height];
+    if let Some(legend) = Legend::new(rows, size, scale, palette).filter(|_| !setup.extras.bare) {
+        legend.draw(drawing);
+    }
 }
 
 /// The image in the middle of a larger picture, with a thin border.

@@ -12,10 +12,12 @@
 
 pub mod canonical;
 mod content;
+pub mod depth;
 mod ghost;
 mod gizmos;
 pub mod handles;
 pub mod image;
+mod legend;
 pub mod observer;
 pub mod palette;
 pub mod pick;
@@ -94,6 +96,12 @@ pub struct Labels {
     pub far: &'static str,
     /// The camera before an operation.
     pub before: &'static str,
+    /// Heading of a picture of Z.
+    pub depth_stored: &'static str,
+    /// Heading of a picture of distances.
+    pub depth_linear: &'static str,
+    /// Where a picture of depths has none.
+    pub nothing: &'static str,
 }
 
 /// What comes and goes with the pointer, and what only a shell can make.
@@ -107,6 +115,8 @@ pub struct Extras {
     pub ghost: Option<Ghost>,
     /// The handle under the pointer, drawn stronger.
     pub hot: Option<Handle>,
+    /// Without legends: the picture is painted on something.
+    pub bare: bool,
     /// Run every stage of the pipeline, needed or not. The picture is the same.
     pub force_all_stages: bool,
 }

@@ -34,6 +34,18 @@ pub struct Palette {
     pub probe: Rgba,
     /// The camera before an operation.
     pub ghost: Rgba,
+    /// Where a picture of depths has none.
+    pub nothing: Rgba,
+    /// What lies outside the view volume, as glass.
+    pub outside: Rgba,
+    /// What is dropped whole, as glass.
+    pub dropped: Rgba,
+    /// Faces that turn their back to the camera.
+    pub back: Rgba,
+    /// Vertices that clipping makes, and the edges between them.
+    pub cut: Rgba,
+    /// What is wrong on purpose.
+    pub wrong: Rgba,
 }
 
 const fn hex(rgb: u32) -> Rgba {
@@ -56,6 +68,12 @@ const LIGHT: Palette = Palette {
     aim: hex(0x1c_21_28),
     probe: hex(0xb0_00_5e),
     ghost: hex(0x5b_64_70),
+    nothing: hex(0xb9_d3_ee),
+    outside: hex(0xb0_00_9a).with_alpha(105),
+    dropped: hex(0x4a_52_5c).with_alpha(110),
+    back: hex(0xb3_9d_f0),
+    cut: hex(0xb0_00_5e),
+    wrong: hex(0xc4_1e_1e),
 };
 
 const DARK: Palette = Palette {
@@ -73,6 +91,12 @@ const DARK: Palette = Palette {
     aim: hex(0xe9_ec_ef),
     probe: hex(0xff_7a_c6),
     ghost: hex(0x9a_a4_b0),
+    nothing: hex(0x1c_36_54),
+    outside: hex(0xff_5a_e0).with_alpha(95),
+    dropped: hex(0xb4_bd_c8).with_alpha(90),
+    back: hex(0xb9_a2_ff),
+    cut: hex(0xff_7a_c6),
+    wrong: hex(0xff_6b_60),
 };
 
 const PRINT: Palette = Palette {
@@ -90,6 +114,12 @@ const PRINT: Palette = Palette {
     aim: hex(0x00_00_00),
     probe: hex(0x90_00_50),
     ghost: hex(0x4a_4a_4a),
+    nothing: hex(0xb9_d3_ee),
+    outside: hex(0x90_00_80).with_alpha(105),
+    dropped: hex(0x33_33_33).with_alpha(100),
+    back: hex(0xb3_9d_f0),
+    cut: hex(0x90_00_50),
+    wrong: hex(0xb0_10_10),
 };
 
 impl Palette {
@@ -113,7 +143,7 @@ mod tests {
         for theme in [Theme::Light, Theme::Dark, Theme::Print] {
             let p = Palette::of(theme);
             let [x, y, z] = p.axes;
-            for c in [p.ink, p.soft, x, y, z, p.volume_edge, p.view_up, p.aim, p.probe, p.ghost] {
+            for c in [p.ink, p.soft, x, y, z, p.volume_edge, p.view_up, p.aim, p.probe, p.ghost, p.cut, p.wrong] {
                 assert!(c.contrast(p.paper) >= 4.5, "{theme:?} {c}: {:.2}", c.contrast(p.paper));
             }
         }

@@ -62,6 +62,13 @@ pub fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
     Some(from + (to - from) * t)
 }
 
+/// As [`first_hit`], of the faces that leave a depth in the image: opaque ones, and of open one-sided objects only the fronts.
+pub(super) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
+    let opaque = scene.objects.iter().filter(|o| o.faces && !o.paint.is_translucent());
+    let t = opaque.filter_map(|o| crossing(o, from, to, !o.two_sided && !o.mesh.closed)).min_by(f64::total_cmp)?;
+    Some(from + (to - from) * t)
+}
+
 /// Every point that can be caught: vertices, ends of lines, marks.
 fn vertices(scene: &Scene) -> impl Iterator<Item = DVec3> {
     let lines = scene.lines.iter().flat_map(|l| l.points.iter().copied());
@@ -106,10 +113,10 @@ fn can_be_seen(p: DVec3, faces: &Scene, screen: &Screen) -> bool {
 /// Where a segment first meets a face: 0 at `from`, 1 at `to`.
 fn first_crossing(scene: &Scene, from: DVec3, to: DVec3) -> Option<f64> {
     let faced = scene.objects.iter().filter(|o| o.faces);
-    faced.filter_map(|o| crossing(o, from, to)).min_by(f64::total_cmp)
+    faced.filter_map(|o| crossing(o, from, to, false)).min_by(f64::total_cmp)
 }
 
-fn crossing(object: &Object, from: DVec3, to: DVec3) -> Option<f64> {
+fn crossing(object: &Object, from: DVec3, to: DVec3, fronts_only: bool) -> Option<f64> {
     let object_from_world = object.world_from_object.inverse();
     if !object_from_world.is_finite() {
         return None; // scaled to nothing
@@ -122,11 +129,14 @@ fn crossing(object: &Object, from: DVec3, to: DVec3) -> Option<f64> {
         .triangles
         .iter()
         .filter_map(|t| triangle_crossing(a, b - a, [corner(t[0])?, corner(t[1])?, corner(t[2])?]))
+        .filter(|(_, facing)| !fronts_only || *facing > 0.0)
+        .map(|(t, _)| t)
         .min_by(f64::total_cmp)
 }
 
-/// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997).
-fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f64> {
+/// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997), and a number that is positive where the
+/// segment comes from the side from which the corners run counter-clockwise.
+fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, f64)> {
     let (ab, ac) = (b - a, c - a);
     let p = d.cross(ac);
     let det = ab.dot(p);
@@ -138,7 +148,7 @@ fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<f
     let q = s.cross(ab);
     let v = d.dot(q) / det;
     let t = ac.dot(q) / det;
-    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&t)).then_some(t)
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&t)).then_some((t, det))
 }
 
 #[cfg(test)]

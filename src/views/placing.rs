@@ -7,9 +7,9 @@ use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
 
 /// A rectangle in pixels: its middle and half its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Box2 {
-    center: DVec2,
-    half: DVec2,
+pub(super) struct Box2 {
+    pub(super) center: DVec2,
+    pub(super) half: DVec2,
 }
 
 impl Box2 {
@@ -39,8 +39,9 @@ impl Box2 {
 }
 
 /// Places the labels of a drawing, larger ones first, equal ones in their order: the offset of each is the direction and
-/// distance that it would like; one that finds no free place is left out. Lines in a color of `background` may be covered.
-pub(super) fn settle(drawing: &mut Drawing, background: &[Rgba]) {
+/// distance that it would like; one that finds no free place is left out. Lines in a color of `background` may be covered, but
+/// not what is `reserved`.
+pub(super) fn settle(drawing: &mut Drawing, background: &[Rgba], reserved: Option<Box2>) {
     let lines = lines(&drawing.strokes, background);
     let mut taken: Vec<Box2> = drawing
         .marks
@@ -48,6 +49,7 @@ pub(super) fn settle(drawing: &mut Drawing, background: &[Rgba]) {
         .map(|m| Box2 { center: point(m.position), half: DVec2::splat(f64::from(m.radius)) })
         .collect();
     let marks = taken.len();
+    taken.extend(reserved);
     let picture = DVec2::new(f64::from(drawing.width), f64::from(drawing.height));
     let mut kept = Vec::with_capacity(drawing.labels.len());
     drawing.labels.sort_by(|a, b| b.size.total_cmp(&a.size));
@@ -94,7 +96,7 @@ fn lines(strokes: &[StrokeSet], background: &[Rgba]) -> Vec<[DVec2; 2]> {
 
 /// Places around a label's point and how little each is liked.
 fn candidates(label: &Label) -> impl Iterator<Item = (Box2, f64)> + use<> {
-    let half = half_size(label);
+    let half = half_size(&label.text, label.size);
     let wish = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
     let (direction, gap) = (wish.normalize_or(DVec2::X), wish.length());
     let (at, em) = (point(label.position), f64::from(label.size));
@@ -128,11 +130,11 @@ fn cost(b: &Box2, taken: &[Box2], marks: usize, lines: &[[DVec2; 2]], picture: D
 }
 
 /// Half the width and height of a text in pixels, a little too large rather than too small: views do not know the font.
-fn half_size(label: &Label) -> DVec2 {
+pub(super) fn half_size(text: &str, size: f32) -> DVec2 {
     let mut width = 0.0;
     let mut lowered = 1.0;
     let mut braces = false;
-    for c in label.text.chars() {
+    for c in text.chars() {
         match c {
             '_' => lowered = 0.72,
             '{' if lowered < 1.0 => braces = true,
@@ -151,8 +153,8 @@ fn half_size(label: &Label) -> DVec2 {
             }
         }
     }
-    let drop = if label.text.contains('_') { 0.62 } else { 0.54 };
-    DVec2::new(width / 2.0 + 0.08, drop) * f64::from(label.size)
+    let drop = if text.contains('_') { 0.62 } else { 0.54 };
+    DVec2::new(width / 2.0 + 0.08, drop) * f64::from(size)
 }
 
 #[cfg(test)]
@@ -189,13 +191,13 @@ mod tests {
 
     fn boxes(d: &Drawing) -> Vec<Box2> {
         let at = |l: &Label| point(l.position) + DVec2::new(f64::from(l.offset[0]), f64::from(l.offset[1]));
-        d.labels.iter().map(|l| Box2 { center: at(l), half: half_size(l) }).collect()
+        d.labels.iter().map(|l| Box2 { center: at(l), half: half_size(&l.text, l.size) }).collect()
     }
 
     #[test]
     fn a_lone_text_stands_where_it_wishes() {
         let mut d = drawing(vec![label(50.0, 50.0, "PF")]);
-        settle(&mut d, &[]);
+        settle(&mut d, &[], None);
         let b = boxes(&d)[0];
         assert!((b.center.y - 50.0).abs() < 1e-3);
         assert!((b.center.x - b.half.x - 56.0).abs() < 1e-3, "its left end is 6 px to the right of its point");
@@ -204,7 +206,7 @@ mod tests {
     #[test]
     fn texts_at_one_point_do_not_cover_each_other_and_the_last_gives_way() {
         let mut d = drawing((0..60).map(|_| label(50.0, 50.0, "window")).collect());
-        settle(&mut d, &[]);
+        settle(&mut d, &[], None);
         let b = boxes(&d);
         assert!((3..59).contains(&b.len()), "{}", b.len());
         for (i, a) in b.iter().enumerate() {
@@ -216,7 +218,7 @@ mod tests {
     fn no_text_is_cut_off() {
         let corners = [(1.0, 1.0), (199.0, 1.0), (199.0, 99.0), (1.0, 99.0)];
         let mut d = drawing(corners.iter().map(|&(x, y)| label(x, y, "far")).collect());
-        settle(&mut d, &[]);
+        settle(&mut d, &[], None);
         assert_eq!(d.labels.len(), 4);
         for b in boxes(&d) {
             assert!((b.center - b.half).min_element() >= -1e-3);
@@ -236,8 +238,8 @@ mod tests {
         let mut d = drawing(vec![label(50.0, 50.0, "PF")]);
         d.strokes.push(line);
         let mut over_grid = d.clone();
-        settle(&mut d, &[]);
-        settle(&mut over_grid, &[color]);
+        settle(&mut d, &[], None);
+        settle(&mut over_grid, &[color], None);
         assert!(boxes(&d)[0].length_inside(DVec2::new(0.0, 50.0), DVec2::new(200.0, 50.0)) < 1e-6);
         assert!((boxes(&over_grid)[0].center.y - 50.0).abs() < 1e-3);
     }

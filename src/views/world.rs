@@ -82,7 +82,7 @@ pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Fram
     ghost::in_world(&mut world.sheet, setup, palette, world.gear);
     probe::in_world(&mut world.sheet, setup, palette);
     let mut drawn = engine.frame(setup, &world.sheet.scene, screen.camera(), target, &style);
-    placing::settle(&mut drawn.drawing, &[palette.grid]);
+    placing::settle(&mut drawn.drawing, &[palette.grid], None);
     drawn
 }
 

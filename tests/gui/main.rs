@@ -9,4 +9,5 @@ mod language;
 mod painter;
 mod panels;
 mod pictures;
+mod reveal;
 mod window;

@@ -23,6 +23,7 @@ mod pipeline_visibility;
 mod raster_fill;
 mod raster_lines;
 mod raster_pictures;
+mod reveal;
 mod scene;
 mod views;
 mod views_pictures;

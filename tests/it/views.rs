@@ -53,6 +53,22 @@ impl Pictured {
         self
     }
 
+    /// Without legends.
+    pub(crate) fn bare(mut self) -> Self {
+        self.extras.bare = true;
+        self
+    }
+
+    /// With every stage, needed or not.
+    pub(crate) fn forced(mut self) -> Self {
+        self.extras.force_all_stages = true;
+        self
+    }
+
+    pub(crate) fn in_portuguese(self) -> Self {
+        Self { lang: Lang::PtBr, ..self }
+    }
+
     pub(crate) fn setup(&self) -> Setup<'_> {
         Setup {
             figure: &self.figure,

@@ -4,7 +4,7 @@ use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
 use crate::camera::{ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{PRESETS, SHADINGS, VISIBILITIES};
-use crate::figure::{Observer, Observers};
+use crate::figure::{Depth, Observer, Observers, Outside, Reveal};
 use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 use glam::DVec3;
 use proptest::prelude::*;
@@ -101,13 +101,24 @@ fn figure() -> impl Strategy<Value = Figure> {
             },
         ))
     };
-    (parameters(), 1_u32..=16_384, viewport, scene(), style, observer(), observer()).prop_map(
-        |(camera, width, viewport, scene, style, world, canonical)| Figure {
+    let reveal =
+        (0..3_usize, 0..4_usize, any::<[bool; 3]>()).prop_map(|(depth, outside, [clipping, divide_first, culled])| {
+            Reveal {
+                depth: [Depth::Off, Depth::Stored, Depth::Linear][depth],
+                outside: [Outside::Usual, Outside::Cut, Outside::Tinted, Outside::Shown][outside],
+                clipping,
+                divide_first,
+                culled,
+            }
+        });
+    (parameters(), 1_u32..=16_384, viewport, scene(), style, reveal, observer(), observer()).prop_map(
+        |(camera, width, viewport, scene, style, reveal, world, canonical)| Figure {
             camera,
             image: ImageSize { width, height: 16_385 - width },
             viewport,
             scene,
             style,
+            reveal,
             observers: Observers { world, canonical },
         },
     )

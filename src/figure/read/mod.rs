@@ -10,8 +10,8 @@ use glam::DVec3;
 use toml_edit::{Document, TableLike};
 
 use super::error::{Allowed, FigureError, Problem};
-use super::words::{HIDDEN_LINES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
-use super::{Figure, Observer, Observers};
+use super::words::{DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
+use super::{Depth, Figure, Observer, Observers, Outside, Reveal};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 pub(super) use scene::default_segments;
@@ -58,7 +58,8 @@ pub fn parse(text: &str) -> Result<Figure, FigureError> {
     // Asked for in the order of the documentation, in which a message lists them.
     let mut section = |key| root.section(key, &format!("[{key}]"));
     let (camera_section, image_section, viewport_section) = (section("camera"), section("image"), section("viewport"));
-    let (scene_section, style_section, observers_section) = (section("scene"), section("style"), section("observers"));
+    let (scene_section, style_section) = (section("scene"), section("style"));
+    let (reveal_section, observers_section) = (section("reveal"), section("observers"));
     let mut faults = root.finish();
     let image = image(image_section, &mut faults);
     let figure = Figure {
@@ -67,6 +68,7 @@ pub fn parse(text: &str) -> Result<Figure, FigureError> {
         viewport: viewport(viewport_section, image, &mut faults),
         scene: scene::scene(scene_section, &mut faults),
         style: style(style_section, &mut faults),
+        reveal: reveal(reveal_section, &mut faults),
         observers: observers(observers_section, &mut faults),
     };
     match faults.into_iter().min_by_key(|fault| fault.at) {
@@ -154,6 +156,18 @@ fn style(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Style {
     };
     faults.extend(section.finish());
     style
+}
+
+fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
+    let reveal = Reveal {
+        depth: section.switch_or("depth", [Depth::Off, Depth::Stored], DEPTHS),
+        outside: section.word("outside", OUTSIDES, Outside::Usual),
+        clipping: section.switch("clipping"),
+        divide_first: section.switch("divide_first"),
+        culled: section.switch("culled"),
+    };
+    faults.extend(section.finish());
+    reveal
 }
 
 fn observers(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observers {

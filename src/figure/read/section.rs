@@ -134,6 +134,18 @@ impl<'a> Section<'a> {
         })
     }
 
+    pub(super) fn switch(&mut self, key: &'static str) -> bool {
+        self.read(key, false, Allowed::Switch, Value::as_bool)
+    }
+
+    /// One of two values, or one of `words`; the first where there is nothing.
+    pub(super) fn switch_or<T: Copy>(&mut self, key: &'static str, [off, on]: [T; 2], words: Words<T>) -> T {
+        self.read(key, off, Allowed::SwitchOr(words::names(words)), |value| match value.as_bool() {
+            Some(switch) => Some(if switch { on } else { off }),
+            None => words::value(words, value.as_str()?),
+        })
+    }
+
     pub(super) fn vector(&mut self, key: &'static str, default: DVec3) -> DVec3 {
         self.read(key, default, Allowed::Vector, vector)
     }

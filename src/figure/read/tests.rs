@@ -17,9 +17,13 @@ fn place(text: &str) -> (usize, String) {
 
 #[test]
 fn the_empty_file_is_the_default_figure() {
-    for text in
-        ["", "\u{feff}", "\n\n", "# nothing\r\n", "[camera]\n[image]\n[viewport]\n[scene]\n[style]\n[observers]\n"]
-    {
+    for text in [
+        "",
+        "\u{feff}",
+        "\n\n",
+        "# nothing\r\n",
+        "[camera]\n[image]\n[viewport]\n[scene]\n[style]\n[reveal]\n[observers]\n",
+    ] {
         assert_eq!(parse(text), Ok(Figure::default()), "{text:?}");
     }
 }
@@ -75,6 +79,12 @@ fn every_key_is_read() {
         hidden_lines = "shown"
         antialias = 16
         theme = "print"
+        [reveal]
+        depth = "linear"
+        outside = "tinted"
+        clipping = true
+        divide_first = true
+        culled = true
         [observers.world]
         target = [1, 1, 1]
         distance = 7
@@ -100,6 +110,9 @@ fn every_key_is_read() {
     assert_eq!(figure.scene.objects[2].shape, Some(Shape::Segments(vec![[DVec3::ZERO, DVec3::X]])));
     assert_eq!(figure.scene.lights, [LightSpec::Point(DVec3::new(1.0, 2.0, 3.0))]);
     assert_eq!(figure.style.antialias, 16);
+    let all =
+        Reveal { depth: Depth::Linear, outside: Outside::Tinted, clipping: true, divide_first: true, culled: true };
+    assert_eq!(figure.reveal, all);
     let world = figure.observers.world.unwrap();
     assert_eq!((world.distance, world.azimuth, world.parallel), (7.0, -400.0, true));
     assert_eq!(figure.observers.canonical, None);
@@ -153,6 +166,13 @@ fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
         ("[style]\nantialias = 3", "[style] antialias", 2),
         ("[style]\nantialias = \"4\"", "[style] antialias", 2),
         ("[style]\ntheme = \"sepia\"", "[style] theme", 2),
+        ("[reveal]\ndepth = 1", "[reveal] depth", 2),
+        ("[reveal]\n\ndepth = \"linaer\"", "[reveal] depth", 3),
+        ("[reveal]\noutside = true", "[reveal] outside", 2),
+        ("[reveal]\noutside = \"hidden\"", "[reveal] outside", 2),
+        ("[reveal]\nclipping = \"yes\"", "[reveal] clipping", 2),
+        ("[reveal]\nculled = 1", "[reveal] culled", 2),
+        ("reveal = true", "reveal", 1),
         ("[scene]\npreset = \"teapot\"", "[scene] preset", 2),
         ("[[scene.objects]]\nshape = \"box\"\nsegments = 2", "[[scene.objects]] segments", 3),
         ("[[scene.objects]]\nshape = \"box\"\nsegments = 513", "[[scene.objects]] segments", 3),
@@ -186,7 +206,19 @@ fn unknown_keys_lead_to_the_near_one() {
     assert_eq!(near("[image]\ntheme = \"dark\"").as_deref(), Some("[style] theme"));
     assert_eq!(near("[scene]\npreset = \"huose\"").as_deref(), Some("house"));
     assert_eq!(near("[camera]\nprojection = \"orthographic\"").as_deref(), Some("parallel"));
+    assert_eq!(near("[reveal]\nculling = true").as_deref(), Some("culled"));
+    assert_eq!(near("[style]\ndivide_first = true").as_deref(), Some("[reveal] divide_first"));
     assert_eq!(near("[camera]\nbanana = 1"), None);
+}
+
+#[test]
+fn switches_are_on_off_or_a_word() {
+    let depth = |text: &str| parse(&format!("[reveal]\ndepth = {text}")).unwrap().reveal.depth;
+    assert_eq!([depth("true"), depth("false"), depth("\"linear\"")], [Depth::Stored, Depth::Off, Depth::Linear]);
+    assert_eq!(parse("[reveal]\nclipping = false").unwrap(), Figure::default());
+    let (_, _, problem) = error("[reveal]\ndepth = \"squared\"");
+    let allowed = Allowed::SwitchOr(vec!["linear"]);
+    assert_eq!(problem, Problem::Value { found: "\"squared\"".into(), allowed });
 }
 
 #[test]

@@ -20,7 +20,7 @@ const PAINTED_WIDTH: u32 = 512;
 #[derive(Clone, Debug)]
 pub(super) struct Job {
     pub(super) picture: Picture,
-    /// Of the figure only what no other field holds: image size, viewport and style; the rest is as in a new figure.
+    /// Of the figure only what no other field holds: image size, viewport, style and what is revealed; the rest is as in a new figure.
     pub(super) figure: Figure,
     pub(super) camera: Camera,
     pub(super) scene: Arc<Scene>,
@@ -101,7 +101,7 @@ impl Easel {
             size: painted_size(job.camera.window().aspect()),
             observer: None,
             draft: false,
-            extras: Extras::default(),
+            extras: Extras { bare: true, ..Extras::default() },
             ..job.clone()
         };
         if let Some((made_from, texture)) = &self.painted

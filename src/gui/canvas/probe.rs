@@ -1,13 +1,14 @@
 //! What the pointer points at, and its coordinates in every space.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, ImageSize, Projected, Viewport};
-use crate::figure::{Figure, Observer};
+use crate::figure::{Depth, Observer};
 use crate::gui::handles::point;
 use crate::gui::numbers::significant;
 use crate::gui::state::Picture;
 use crate::i18n::canvas::CanvasTexts;
+use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Setup, pick};
 
 /// How near the pointer must come to a vertex, in points.
@@ -18,12 +19,17 @@ pub(super) fn at(picture: Picture, setup: &Setup, observer: &Observer, pointer: 
     match picture {
         Picture::World => pick::vertex_in_world(setup, observer, pointer, reach).map(Probe::Point),
         Picture::Canonical => pick::vertex_in_canonical(setup, observer, pointer, reach).map(Probe::Point),
-        Picture::Image => pick::vertex_in_image(setup, pointer, reach).map(Probe::Point).or_else(|| {
+        // What a pixel of the depth buffer holds is the depth of a face, not of a vertex behind or beside it.
+        Picture::Image => vertex_unless_depths(setup, pointer, reach).map(Probe::Point).or_else(|| {
             let point = pick::window_point_in_image(setup, pointer)?;
             let pixel = pixel_of(setup.figure.image, setup.camera, point);
             Some(Probe::Window(center_of(setup.figure.image, setup.camera, pixel)))
         }),
     }
+}
+
+fn vertex_unless_depths(setup: &Setup, pointer: DVec2, reach: f64) -> Option<DVec3> {
+    (setup.figure.reveal.depth == Depth::Off).then(|| pick::vertex_in_image(setup, pointer, reach))?
 }
 
 /// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22); on the right and the lower border
@@ -50,7 +56,14 @@ pub(super) struct Cell {
 }
 
 /// The coordinates of a probe in every space, in the order of the pipeline.
-pub(super) fn cells(probe: Probe, figure: &Figure, camera: &Camera, digits: usize, texts: &CanvasTexts) -> Vec<Cell> {
+pub(super) fn cells(
+    probe: Probe,
+    depths: Option<Depths>,
+    setup: &Setup,
+    digits: usize,
+    texts: &CanvasTexts,
+) -> Vec<Cell> {
+    let (figure, camera) = (setup.figure, setup.camera);
     let wanted = |space, value| Cell { space, value, slots: 1, wanted: true };
     let other = |space, value| Cell { space, value, slots: 1, wanted: false };
     match probe {
@@ -77,13 +90,42 @@ pub(super) fn cells(probe: Probe, figure: &Figure, camera: &Camera, digits: usiz
         }
         Probe::Window(w) => {
             let ray = camera.ray_through_window(w);
-            vec![
+            let mut cells = vec![
                 wanted(texts.space_pixel, pair(pixel_of(figure.image, camera, w), 17)),
                 other(texts.space_window, pair(w, digits)),
-                wanted(texts.ray_origin, point(ray.origin, digits)),
-                wanted(texts.ray_direction, point(ray.direction, digits)),
-            ]
+            ];
+            cells.extend(depth_cells(depths, digits, texts));
+            let ray_cell = |space, p| Cell { wanted: depths.is_none(), ..other(space, point(p, digits)) };
+            cells.push(ray_cell(texts.ray_origin, ray.origin));
+            cells.push(ray_cell(texts.ray_direction, ray.direction));
+            cells
         }
+    }
+}
+
+/// What the depth buffer holds at a pixel, if anything.
+type Depths = Option<DepthReading>;
+
+/// What the depth buffer holds under the probe; `None` where the image does not show depths.
+pub(super) fn depths(probe: Probe, setup: &Setup) -> Option<Depths> {
+    match probe {
+        Probe::Window(w) if setup.figure.reveal.depth != Depth::Off => Some(depth::reading(setup, w)),
+        _ => None,
+    }
+}
+
+fn depth_cells(depths: Option<Depths>, digits: usize, texts: &CanvasTexts) -> Vec<Cell> {
+    // Depths differ late: near the back of the volume the first four digits are all alike.
+    let digits = digits.max(6);
+    let cell = |space, value| Cell { space, value, slots: 1, wanted: true };
+    match depths {
+        None => Vec::new(),
+        Some(None) => vec![cell(texts.depth, texts.nothing_here.to_owned())],
+        Some(Some(DepthReading { z, ndc_z, distance })) => vec![
+            cell(texts.depth, format!("Z = {}", significant(z, digits))),
+            cell(texts.space_ndc, format!("z_n = {}", significant(ndc_z, digits))),
+            cell(texts.distance, format!("−z_c = {}", significant(distance, digits))),
+        ],
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod camera;
 mod image;
+mod reveal;
 mod style;
 
 use eframe::egui;
@@ -34,6 +35,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
         }
         image::ui(ui, state);
         style::ui(ui, state);
+        reveal::ui(ui, state);
     });
 }
 

@@ -1,0 +1,42 @@
+//! What pictures show of the pipeline's inner work: the `[reveal]` section of a figure.
+
+/// The `[reveal]` section: stages of the pipeline made visible in the pictures. The default shows nothing of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Reveal {
+    /// The image shows depths instead of colours.
+    pub depth: Depth,
+    /// What is done with the parts of the scene that lie outside the view volume.
+    pub outside: Outside,
+    /// The vertices that clipping makes are marked in all three pictures.
+    pub clipping: bool,
+    /// The canonical volume and the image show what comes of dividing by w before clipping `[2]`.
+    pub divide_first: bool,
+    /// The world shows the objects and faces that culling drops for the camera.
+    pub culled: bool,
+}
+
+/// Whether the image shows depths, and which (`[reveal] depth`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Depth {
+    /// Colours, as always (`false`).
+    #[default]
+    Off,
+    /// Z as the depth buffer holds it, `[0]` Eq. (5.25): grey from 0 (black) to 1 (white) (`true`).
+    Stored,
+    /// The distance from the eye along DOP: grey from F (black) to B (white) (`"linear"`).
+    Linear,
+}
+
+/// What is done with what lies outside the view volume (`[reveal] outside`), in the world and in the canonical volume.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Outside {
+    /// Shown in the world, cut in the canonical volume (no key).
+    #[default]
+    Usual,
+    /// Cut off at the planes.
+    Cut,
+    /// Shown as coloured glass.
+    Tinted,
+    /// Shown as it is.
+    Shown,
+}

@@ -1,0 +1,25 @@
+//! What the pictures show of the pipeline's inner work.
+
+use eframe::egui;
+
+use super::row;
+use crate::figure::Depth;
+use crate::gui::panels::{choice, section};
+use crate::gui::state::State;
+use crate::i18n::window;
+
+/// One control for each key of `[reveal]`.
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let old = state.document.figure().reveal;
+    let mut reveal = old;
+    section(ui, t.reveal, "reveal", false, |ui| {
+        let depths = [(Depth::Off, t.depth_off), (Depth::Stored, t.depth_stored), (Depth::Linear, t.depth_linear)];
+        row(ui, "", t.depth_view, t.depth_view_hint, |ui| {
+            choice(ui, t.depth_view, t.depth_view_hint, &mut reveal.depth, &depths)
+        });
+    });
+    if reveal != old {
+        state.document.edit(|figure| figure.reveal = reveal);
+    }
+}

@@ -1,0 +1,147 @@
+//! The image as depths: what the depth buffer holds, as grey levels and as numbers.
+
+use glam::DVec2;
+
+use crate::appearance::{Rgba, Shading, Style, Visibility};
+use crate::camera::{Camera, Projected, Projection, Viewport};
+use crate::drawing::{Drawing, Paint};
+use crate::figure::Depth;
+
+use super::legend::{Row, number};
+use super::{Palette, Setup, pick};
+
+/// The numbers of one pixel of the image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DepthReading {
+    /// Z, what the depth buffer holds, `[0]` Eq. (5.25).
+    pub z: f64,
+    /// z_n.
+    pub ndc_z: f64,
+    /// The distance from the eye along DOP, −z_c, in scene units: between F and B.
+    pub distance: f64,
+}
+
+/// What the depth buffer holds where the ray through a point (x_p, y_p) of the view window goes; `None` where no opaque face
+/// is drawn.
+#[must_use]
+pub fn reading(setup: &Setup, point: DVec2) -> Option<DepthReading> {
+    let camera = setup.camera;
+    let ray = camera.ray_through_window(point);
+    let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
+    let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
+    let hit = pick::first_opaque(setup.scene, from, to)?;
+    let stations = camera.stations(hit, setup.figure.image, &viewport(setup));
+    let Projected { ndc, viewport, .. } = stations.projected?;
+    Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })
+}
+
+fn viewport(setup: &Setup) -> Viewport {
+    setup.figure.viewport.unwrap_or_else(|| Viewport::whole(setup.figure.image))
+}
+
+/// The style in which faces leave their depth: a depth buffer needs faces, and a depth buffer.
+pub(super) fn style(style: &Style) -> Style {
+    let shading = if style.shading == Shading::Wireframe { Shading::Flat } else { style.shading };
+    Style { shading, visibility: Visibility::DepthBuffer, ..*style }
+}
+
+/// Depths, as grey levels of 0 … 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Greys {
+    /// F / B; 1 in parallel projection, where all is affine.
+    near_over_far: f64,
+    /// Z at F and at B; `None`: distances.
+    range: Option<[f64; 2]>,
+}
+
+impl Greys {
+    /// `None` where the image shows colours.
+    pub(super) fn of(setup: &Setup) -> Option<Self> {
+        let v = viewport(setup);
+        let range = match setup.figure.reveal.depth {
+            Depth::Off => return None,
+            Depth::Stored => Some([v.depth_near, v.depth_far]),
+            Depth::Linear => None,
+        };
+        Some(Self { near_over_far: near_over_far(setup.camera), range })
+    }
+
+    /// The level for a depth of the display list, which is 1 at F and 0 at B.
+    fn level(self, depth: f64) -> f64 {
+        match self.range {
+            Some([near, far]) => near + (far - near) * (1.0 - depth),
+            // (d − F) / (B − F) for the distance d = F B / (F + depth · (B − F)).
+            None => {
+                let f = self.near_over_far;
+                f * (1.0 - depth) / (f + depth * (1.0 - f))
+            }
+        }
+    }
+
+    /// Paints the faces of an image with their depths, and takes everything else away.
+    pub(super) fn paint(self, drawing: &mut Drawing) {
+        drawing.surfaces.retain(|surface| !surface.translucent);
+        for surface in &mut drawing.surfaces {
+            let depths = || surface.positions.iter().map(|p| f64::from(p[2]));
+            surface.inverse_w = match self.range {
+                // Z is affine in the picture, so plain interpolation is exact.
+                Some(_) => Vec::new(),
+                None => depths().map(|depth| self.inverse_w(depth)).collect(),
+            };
+            surface.paint = Paint::Vertices(depths().map(|depth| grey(self.level(depth))).collect());
+        }
+        drawing.strokes.clear();
+        drawing.labels.clear();
+    }
+
+    /// F / d for a depth of the display list.
+    #[expect(clippy::cast_possible_truncation, reason = "a ratio between 0 and 1, for the display list")]
+    fn inverse_w(self, depth: f64) -> f32 {
+        (self.near_over_far + depth * (1.0 - self.near_over_far)) as f32
+    }
+
+    /// The levels from F to B with their numbers, and what has none.
+    pub(super) fn legend(self, setup: &Setup, palette: Palette) -> Vec<Row> {
+        const STEPS: u32 = 40;
+        let (camera, labels) = (setup.camera, setup.labels);
+        let (f, b) = (camera.near(), camera.far());
+        let ends = self.range.unwrap_or([0.0, 1.0]);
+        let level = |share: f64| ends[0] + (ends[1] - ends[0]) * share;
+        let levels = (0..=STEPS).map(|i| grey(level(f64::from(i) / f64::from(STEPS)))).collect();
+        // The distance that has the level in the middle of the scale.
+        let middle = match (self.range, camera.projection()) {
+            (Some(_), Projection::Perspective) => 2.0 / (1.0 / f + 1.0 / b),
+            _ => f + (b - f) / 2.0,
+        };
+        let distances = [f, middle, b].map(|d| number(d, 4));
+        let [near, halfway, far] = distances;
+        let distances = [format!("−z_c = {near}"), halfway, far];
+        let stored = [0.0, 0.5, 1.0].map(|share| number(level(share), 4));
+        let (title, texts) = match self.range {
+            Some(_) => {
+                let [near, halfway, far] = stored;
+                (labels.depth_stored, vec![[format!("Z = {near}"), halfway, far], distances])
+            }
+            None => (labels.depth_linear, vec![distances]),
+        };
+        vec![
+            Row::Title(title.to_owned(), palette.ink),
+            Row::Scale(levels, texts),
+            Row::Swatch(palette.nothing, labels.nothing.to_owned()),
+        ]
+    }
+}
+
+fn near_over_far(camera: &Camera) -> f64 {
+    match camera.projection() {
+        Projection::Perspective => camera.near() / camera.far(),
+        Projection::Parallel => 1.0,
+    }
+}
+
+/// The grey of a level, 0 black … 1 white.
+fn grey(level: f64) -> Rgba {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0 … 255 before the cast")]
+    let byte = (255.0 * level).round().clamp(0.0, 255.0) as u8;
+    Rgba::rgb(byte, byte, byte)
+}

@@ -1,0 +1,238 @@
+//! What the colours of a picture mean, in its lower left corner.
+
+use glam::DVec2;
+
+use crate::appearance::{Dash, HiddenLines, Rgba};
+use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
+
+use super::Palette;
+use super::gizmos::{SMALL_TYPE, stroke};
+use super::placing::{Box2, half_size};
+
+/// Height of a line, in heights of its letters.
+const LINE: f64 = 1.45;
+/// Free room around the lines, in heights of letters.
+const PAD: f64 = 0.6;
+/// A colour's sample and the room up to its text, in heights of letters.
+const SWATCH: DVec2 = DVec2::new(1.5, 0.8);
+const INDENT: f64 = 2.1;
+/// Length of a scale, in heights of letters.
+const SCALE: f64 = 16.0;
+/// Where a legend would have to be smaller than so much of its size, it is left out: nobody could read it.
+const SMALLEST: f64 = 0.5;
+
+/// A line of a legend.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Row {
+    /// A heading, in its own colour.
+    Title(String, Rgba),
+    /// A colour and what it means.
+    Swatch(Rgba, String),
+    /// A run of colours from left to right, with texts below its left end, its middle and its right end.
+    Scale(Vec<Rgba>, Vec<[String; 3]>),
+}
+
+impl Row {
+    fn lines(&self) -> f64 {
+        match self {
+            Self::Scale(_, texts) => 1.0 + f64::from(u32::try_from(texts.len()).unwrap_or(u32::MAX)),
+            _ => 1.0,
+        }
+    }
+
+    /// Width in heights of letters.
+    fn width(&self) -> f64 {
+        let text = |text: &str| 2.0 * half_size(text, 1.0).x;
+        match self {
+            Self::Title(title, _) => text(title),
+            Self::Swatch(_, meaning) => INDENT + text(meaning),
+            Self::Scale(..) => SCALE,
+        }
+    }
+}
+
+/// Lines one below the other.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Legend {
+    rows: Vec<Row>,
+    /// Width and height of the picture.
+    picture: DVec2,
+    /// Height of the letters in pixels.
+    em: f64,
+    palette: Palette,
+}
+
+impl Legend {
+    /// `scale`: pixels for one unit of stroke width or type size. `None` where there is nothing to say, or no room.
+    pub(super) fn new(rows: Vec<Row>, [width, height]: [u32; 2], scale: f32, palette: Palette) -> Option<Self> {
+        let picture = DVec2::new(f64::from(width), f64::from(height));
+        let wanted = f64::from(SMALL_TYPE * scale);
+        let legend = Self { rows, picture, em: wanted, palette };
+        let room = DVec2::new(0.96, 0.5) * picture / legend.size();
+        let fit = room.min_element().min(1.0);
+        (!legend.rows.is_empty() && fit >= SMALLEST).then_some(Self { em: wanted * fit, ..legend })
+    }
+
+    /// In pixels.
+    fn size(&self) -> DVec2 {
+        let width = self.rows.iter().map(Row::width).fold(0.0, f64::max);
+        let height: f64 = self.rows.iter().map(|row| LINE * row.lines()).sum();
+        (DVec2::new(width, height) + 2.0 * PAD) * self.em
+    }
+
+    /// Where it lies.
+    pub(super) fn place(&self) -> Box2 {
+        let half = self.size() / 2.0;
+        let edge = 0.5 * self.em;
+        Box2 { center: DVec2::new(edge + half.x, self.picture.y - edge - half.y), half }
+    }
+
+    /// Draws it over everything else.
+    pub(super) fn draw(&self, drawing: &mut Drawing) {
+        let Box2 { center, half } = self.place();
+        let corner = center - half;
+        self.plate(drawing, corner, 2.0 * half);
+        let mut at = corner + DVec2::splat(PAD * self.em) + DVec2::Y * (0.5 * LINE * self.em);
+        for row in &self.rows {
+            self.row(drawing, row, at);
+            at.y += LINE * self.em * row.lines();
+        }
+    }
+
+    /// A ground with round corners.
+    fn plate(&self, drawing: &mut Drawing, corner: DVec2, size: DVec2) {
+        let width = (0.8 * self.em).min(size.min_element());
+        let inner = size - width;
+        let lines = (inner.y / (0.25 * width)).ceil().max(1.0);
+        let rows = (0..=256_u32).map(f64::from).take_while(|i| *i <= lines);
+        let ends = rows.map(|i| {
+            let left = corner + width / 2.0 + DVec2::Y * (inner.y * i / lines);
+            [left, left + DVec2::X * inner.x]
+        });
+        drawing.strokes.push(strokes(ends, self.palette.paper.with_alpha(225), width));
+    }
+
+    fn row(&self, drawing: &mut Drawing, row: &Row, at: DVec2) {
+        let em = self.em;
+        let mut text = |at: DVec2, text: &str, color: Rgba, anchor: Anchor| {
+            drawing.labels.push(Label {
+                position: [short(at.x), short(at.y), 1.0],
+                offset: [0.0; 2],
+                text: text.to_owned(),
+                size: short(em),
+                color,
+                halo: self.palette.paper,
+                anchor,
+                fade_if_hidden: false,
+            });
+        };
+        let ink = self.palette.ink;
+        match row {
+            Row::Title(title, color) => text(at, title, *color, Anchor::Left),
+            Row::Swatch(color, meaning) => {
+                text(at + DVec2::X * (INDENT * em), meaning, ink, Anchor::Left);
+                let ends = [at + DVec2::X * (SWATCH.y / 2.0 * em), at + DVec2::X * ((SWATCH.x - SWATCH.y / 2.0) * em)];
+                let border = strokes([ends], ink, SWATCH.y * em + 2.0);
+                let ground = strokes([ends], self.palette.paper, SWATCH.y * em);
+                drawing.strokes.extend([border, ground, strokes([ends], *color, SWATCH.y * em)]);
+            }
+            Row::Scale(colors, texts) => {
+                for (i, line) in (1..).zip(texts) {
+                    let below = at + DVec2::Y * (LINE * em * f64::from(i));
+                    for (share, part, anchor) in
+                        [(0.0, &line[0], Anchor::Left), (0.5, &line[1], Anchor::Center), (1.0, &line[2], Anchor::Right)]
+                    {
+                        text(below + DVec2::X * (share * SCALE * em), part, ink, anchor);
+                    }
+                }
+                self.scale(drawing, colors, at);
+            }
+        }
+    }
+
+    /// Upright strokes side by side, each a little over the one before it.
+    fn scale(&self, drawing: &mut Drawing, colors: &[Rgba], at: DVec2) {
+        let (em, high) = (self.em, 0.45 * self.em);
+        let (left, length) = (at + DVec2::X * high, SCALE * em - 2.0 * high);
+        drawing.strokes.push(strokes([[left, left + DVec2::X * length]], self.palette.ink, 2.0 * high + 2.0));
+        let step = length / f64::from(u32::try_from(colors.len().max(1)).unwrap_or(u32::MAX));
+        let width = (2.0 * step).min(2.0 * high);
+        for (i, color) in (0_u32..).zip(colors) {
+            let x = DVec2::X * (step * (f64::from(i) + 0.5));
+            let reach = DVec2::Y * (high - width / 2.0);
+            drawing.strokes.push(strokes([[left + x - reach, left + x + reach]], *color, width));
+        }
+    }
+}
+
+/// Straight strokes that nothing hides.
+fn strokes(ends: impl IntoIterator<Item = [DVec2; 2]>, color: Rgba, width: f64) -> StrokeSet {
+    let points: Vec<[f32; 3]> = ends.into_iter().flatten().map(|p| [short(p.x), short(p.y), 1.0]).collect();
+    let count = u32::try_from(points.len() / 2).unwrap_or(0);
+    StrokeSet {
+        points,
+        polylines: (0..count).map(|i| 2 * i..2 * i + 2).collect(),
+        style: stroke(color, short(width), Dash::Solid, HiddenLines::Shown),
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "pixels; f32 is what drawings hold")]
+fn short(v: f64) -> f32 {
+    v as f32
+}
+
+/// A number with `digits` significant digits at most, and a true minus.
+pub(super) fn number(value: f64, digits: i32) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return if value == 0.0 { "0".to_owned() } else { value.to_string() };
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "an exponent")]
+    let exponent = value.abs().log10().floor() as i32;
+    let text = if (-4..7).contains(&exponent) {
+        let places = usize::try_from(digits - 1 - exponent).unwrap_or(0);
+        let text = format!("{value:.places$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    } else {
+        format!("{value:.2e}")
+    };
+    text.replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        for (value, text) in [
+            (0.0, "0"),
+            (-0.5, "−0.5"),
+            (2.0 / 3.0, "0.6667"),
+            (1234.6, "1235"),
+            (123_456.0, "123456"),
+            (1e-7, "1.00e−7"),
+            (9.999_96, "10"),
+            (12.0, "12"),
+        ] {
+            assert_eq!(number(value, 4), text);
+        }
+    }
+
+    #[test]
+    fn a_legend_lies_inside_its_picture_or_is_left_out() {
+        let rows = || vec![Row::Swatch(Rgba::rgb(1, 2, 3), "outside the volume".to_owned()); 3];
+        let palette = Palette::of(crate::appearance::Theme::Light);
+        let mut smaller = 0;
+        for side in (0..400).step_by(8) {
+            let Some(legend) = Legend::new(rows(), [side, side], 1.0, palette) else {
+                assert!(side < 150, "{side}");
+                continue;
+            };
+            smaller += i32::from(legend.em < f64::from(SMALL_TYPE));
+            let Box2 { center, half } = legend.place();
+            assert!((center - half).min_element() >= 0.0 && (center + half).max_element() <= f64::from(side));
+        }
+        assert!(smaller > 2);
+        assert_eq!(Legend::new(Vec::new(), [400, 400], 1.0, palette), None);
+    }
+}
