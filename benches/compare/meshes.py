@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Writes the closed meshes of the comparison as OBJ, with a figure file for each: meshes.py FOLDER
 
-One bumpy sphere at four tessellations (about 1k, 10k, 100k and 1M triangles), smooth normals, counter-clockwise from outside.
+One bumpy sphere at five tessellations (about 100, 1k, 10k, 100k and 1M triangles), smooth normals, counter-clockwise from outside.
 The camera is the same for all: the mesh fills most of the picture. Deterministic; standard library only.
 """
 import math
 import os
 import sys
 
-SIZES = {"1k": 16, "10k": 50, "100k": 158, "1M": 500}
+SIZES = {"100": 6, "1k": 16, "10k": 50, "100k": 158, "1M": 500}
 FIGURE = """[camera]
 position    = [0.8, 1.2, 2.6]
 focal_point = [0.0, 0.0, 0.0]

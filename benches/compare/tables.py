@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+"""Measures everything in docs/performance.md and prints its tables: tables.py FOLDER CAMERA_LAB [SECTION]...
+
+FOLDER holds what `meshes.py` wrote. Sections: rivals, triangles, pixels, threads, plan, three, memory; without any, all of them.
+Rivals that are not there are left out: `llvmpipe.py` needs moderngl, the crates a build (`cargo build --release` in `crates/`),
+three.js `npm install` in `three/` and Chromium. Each cell is the least median of several runs; what is compared takes turns.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+import meshes
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CRATES = os.path.join(os.environ.get("CARGO_TARGET_DIR", os.path.join(HERE, "crates", "target")), "release", "compare")
+NAMES = ["1k", "10k", "100k", "1M"]
+FRAMES = {"100": 400, "1k": 300, "10k": 150, "100k": 60, "1M": 20}
+TURNS = 3
+
+
+def run(command, threads=None):
+    environment = dict(os.environ)
+    if threads:
+        environment["RAYON_NUM_THREADS"] = str(threads)
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    if done.returncode != 0:
+        print(" ".join(command), done.stderr.strip()[-300:], file=sys.stderr)
+        return None
+    return json.loads(done.stdout.strip().splitlines()[-1] if done.stdout.count("}") > 1 else done.stdout)
+
+
+def ours(binary, figure, frames, *options, threads=None):
+    command = [binary, "bench", figure, "--frames", str(frames), "--format", "json", *options]
+    result = run(command, threads)
+    return result and result["median_ms"]
+
+
+def least(measurements, turns=TURNS):
+    """Each of the functions in turn, several times; the least of what each gave."""
+    found = [[] for _ in measurements]
+    for _ in range(turns):
+        for results, measure in zip(found, measurements):
+            value = measure()
+            if value is not None:
+                results.append(value)
+    return [min(results) if results else None for results in found]
+
+
+def ms(value):
+    return "–" if value is None else "%.2f" % value if value < 10 else "%.1f" % value
+
+
+def ratio(rival, own):
+    return "–" if rival is None or own is None else "%s (%.1f×)" % (ms(rival), rival / own)
+
+
+def table(head, rows):
+    print("| " + " | ".join(head) + " |")
+    print("|" + " ---: |" * len(head))
+    for row in rows:
+        print("| " + " | ".join(row) + " |", flush=True)
+    print()
+
+
+def rivals(folder, binary):
+    for samples in (1, 4):
+        for size in ("640x640", "1920x1080"):
+            for shading in ("flat", "gouraud"):
+                print("**%s, %s, %d sample%s**\n" % (size.replace("x", " × "), shading, samples, "s" * (samples > 1)))
+                head = ["triangles", "camera-lab", "llvmpipe"] + ["euc", "retrofire", "three.js"] * (samples == 1)
+                rows = []
+                for name in NAMES:
+                    figure = os.path.join(folder, "%s-%s-%s-%d.toml" % (name, size, shading, samples))
+                    frames = FRAMES[name]
+                    median = lambda command: (lambda r: r and r["median_ms"])(run(command))
+                    few = str(max(10, frames // 4))
+                    measurements = [
+                        lambda: ours(binary, figure, frames),
+                        lambda: median([sys.executable, os.path.join(HERE, "llvmpipe.py"), figure, binary, few]),
+                    ]
+                    if samples == 1:
+                        for crate in ("euc", "retrofire"):
+                            measurements.append(lambda crate=crate: median([CRATES, figure, binary, crate, few])
+                                                if os.path.exists(CRATES) else None)
+                        measurements.append(lambda: median(["node", os.path.join(HERE, "three", "measure.mjs"), figure, binary, few])
+                                            if os.path.exists(os.path.join(HERE, "three", "node_modules")) else None)
+                    own, *others = least(measurements)
+                    rows.append([name, ms(own)] + [ratio(other, own) for other in others])
+                table(head, rows)
+
+
+def figure_of(name, width, height, shading="gouraud", samples=1, folder=".", more=""):
+    text = meshes.FIGURE.format(aspect=width / height, width=width, height=height, name=os.path.abspath(os.path.join(folder, name)),
+                                shading=shading, samples=samples)
+    return written(text + more)
+
+
+def written(text):
+    handle, path = tempfile.mkstemp(suffix=".toml")
+    with os.fdopen(handle, "w") as f:
+        f.write(text)
+    return path
+
+
+def triangles(folder, binary):
+    rows = []
+    for name in ["100"] + NAMES:
+        cells = [name]
+        for size in ("640x640", "1920x1080"):
+            for shading in ("wireframe", "flat", "gouraud", "phong"):
+                figure = figure_of(name, *map(int, size.split("x")), shading, 1, folder)
+                frames = FRAMES[name] if shading != "wireframe" else max(5, FRAMES[name] // 4)
+                if shading == "wireframe" and name == "1M":
+                    frames = 2
+                cells.append(ms(least([lambda: ours(binary, figure, frames)], 2)[0]))
+        rows.append(cells)
+    kinds = ["wireframe", "flat", "Gouraud", "Phong"]
+    table(["triangles"] + ["640² " + k for k in kinds] + ["1080p " + k for k in kinds], rows)
+
+
+def pixels(folder, binary):
+    rows = []
+    for width, height in ((320, 240), (640, 480), (1280, 720), (1920, 1080), (2560, 1440), (3840, 2160)):
+        cells = ["%d × %d" % (width, height)]
+        for name in ("1k", "100k"):
+            for samples in (1, 4, 16):
+                figure = figure_of(name, width, height, "gouraud", samples, folder)
+                cells.append(ms(least([lambda: ours(binary, figure, 40)], 2)[0]))
+        rows.append(cells)
+    table(["pixels"] + ["%s, %d sample%s" % (n, s, "s" * (s > 1)) for n in ("1k", "100k") for s in (1, 4, 16)], rows)
+
+
+def threads(folder, binary):
+    rows = []
+    for name in NAMES:
+        for size in ("640x640", "1920x1080"):
+            figure = figure_of(name, *map(int, size.split("x")), "gouraud", 1, folder)
+            one, two = least([lambda t=t: ours(binary, figure, FRAMES[name], threads=t) for t in (1, 2)])
+            rows.append([name, size.replace("x", " × "), ms(one), ms(two), "%.2f×" % (one / two)])
+    table(["triangles", "pixels", "1 thread", "2 threads", "gain"], rows)
+
+
+MANY = "".join('[[scene.objects]]\nname = "b%d"\nshape = "sphere"\ntranslate = [%d.0, 0.0, %d.0]\n' % (i, 3 * (i % 40) - 60, -3 * (i // 40))
+               for i in range(1600))
+PLAN = [
+    ("cube alone, flat", '[scene]\npreset = "cube"\n[style]\nhidden_lines = "shown"\n'),
+    ("primitives, wireframe", '[style]\nshading = "wireframe"\n'),
+    ("primitives, flat", '[style]\nshading = "flat"\n'),
+    ("primitives, Phong", '[style]\nshading = "phong"\n'),
+    ("corridor, parallel", '[camera]\nprojection = "parallel"\nheight = 4.0\n[scene]\npreset = "corridor"\n'),
+    ("1600 spheres, most outside", '[camera]\nposition = [0, 2, 6]\nfar = 30\n' + MANY),
+]
+
+
+def plan(_folder, binary):
+    rows = []
+    for name, text in PLAN:
+        figure = written(text)
+        planned, forced = least([lambda o=o: ours(binary, figure, 40, "--size", "640x480", *o) for o in ([], ["--force-all-stages"])])
+        rows.append([name, ms(planned), ms(forced), "%.2f×" % (forced / planned)])
+    table(["scene", "planned", "all stages", "ratio"], rows)
+
+
+def three(_folder, binary):
+    import numpy as np
+    source, target = np.empty(1920 * 1080, "u4"), np.empty(1920 * 1080, "u4")
+    def clear_and_copy():
+        times = []
+        for _ in range(60):
+            start = time.perf_counter()
+            source.fill(0xFFFFFFFF)
+            target[:] = source
+            times.append(1e3 * (time.perf_counter() - start))
+        return sorted(times)[30]
+    figure = written("")
+    names = ["all", "world", "canonical", "image"]
+    sizes = ["1920x1080", "640x1080", "640x1080", "640x1080"]
+    base, *times = least([clear_and_copy] + [lambda v=v, s=s: ours(binary, figure, 40, "--view", v, "--size", s)
+                                             for v, s in zip(names, sizes)])
+    table(["what", "ms", "of clear and copy"], [["clear and copy 1920 × 1080", ms(base), "1×"]] +
+          [["%s, %s" % (v, s.replace("x", " × ")), ms(t), "%.0f×" % (t / base)] for v, s, t in zip(names, sizes, times)])
+
+
+def high_water(child):
+    """The most memory that a process ever held, kB."""
+    most = 0
+    while child.poll() is None:
+        with open("/proc/%d/status" % child.pid) as f:
+            most = max([most] + [int(line.split()[1]) for line in f if line.startswith("VmHWM")])
+        time.sleep(0.002)
+    return most
+
+
+def memory(folder, binary):
+    rows = []
+    for name in ["100"] + NAMES:
+        cells = [name, "%.1f" % (os.path.getsize(os.path.join(folder, name + ".obj")) / 2**20)]
+        for size in ("640x640", "1920x1080"):
+            figure = figure_of(name, *map(int, size.split("x")), "gouraud", 4, folder)
+            child = subprocess.Popen([binary, "bench", figure, "--frames", "5"], stdout=subprocess.DEVNULL)
+            cells.append("%.0f" % (high_water(child) / 1024))
+        rows.append(cells)
+    table(["triangles", "OBJ file, MB", "640 × 640, MB", "1920 × 1080, MB"], rows)
+
+
+def main():
+    folder, binary, *wanted = sys.argv[1:]
+    for section in (rivals, triangles, pixels, threads, plan, three, memory):
+        if not wanted or section.__name__ in wanted:
+            print("### %s\n" % section.__name__)
+            section(folder, binary)
+
+
+if __name__ == "__main__":
+    main()
