@@ -172,11 +172,19 @@ pub fn widths(sheet: Size) -> Option<[u32; 3]> {
 /// The report of the pipeline, completed with what was done to pixels.
 #[must_use]
 pub fn account(frame: &Frame, work: Work) -> Vec<StageReport> {
+    let count = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
     let mut stages = frame.report.clone();
     for report in stages.iter_mut().filter(|report| report.ran) {
         let own = |time: Duration| Some(report.time.unwrap_or_default() + time);
         match report.stage {
-            Stage::Fill => report.time = own(work.surfaces),
+            Stage::Fill => {
+                report.time = own(work.surfaces);
+                report.counts = Some((work.triangles, count(work.covered)));
+            }
+            // Painted in order, the picture's triangles decide among themselves.
+            Stage::HiddenSurfaces if !frame.drawing.painted_in_order => {
+                report.counts = Some((count(work.covered), count(work.written)));
+            }
             Stage::Lines => report.time = own(work.strokes),
             _ => {}
         }

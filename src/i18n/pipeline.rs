@@ -130,10 +130,13 @@ pub const fn unit(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals) => {
             "vértices"
         }
-        (Lang::En, Stage::CullFaces | Stage::Clip | Stage::Light | Stage::HiddenSurfaces) => "triangles",
-        (Lang::PtBr, Stage::CullFaces | Stage::Clip | Stage::Light | Stage::HiddenSurfaces) => "triângulos",
-        (Lang::En, Stage::Fill) => "triangles → pixels",
-        (Lang::PtBr, Stage::Fill) => "triângulos → pixels",
+        (Lang::En, Stage::CullFaces | Stage::Clip | Stage::Light) => "triangles",
+        (Lang::PtBr, Stage::CullFaces | Stage::Clip | Stage::Light) => "triângulos",
+        // A sample is a pixel where antialiasing does not ask for more.
+        (Lang::En, Stage::Fill) => "triangles → samples",
+        (Lang::PtBr, Stage::Fill) => "triângulos → amostras",
+        (Lang::En, Stage::HiddenSurfaces) => "samples",
+        (Lang::PtBr, Stage::HiddenSurfaces) => "amostras",
         (
             Lang::En | Lang::PtBr,
             Stage::Interpolate | Stage::Texture | Stage::Blend | Stage::Antialias | Stage::Write,

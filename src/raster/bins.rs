@@ -20,6 +20,8 @@ const CHUNK: usize = 8192;
 pub(super) struct Bins {
     chunks: Vec<Chunk>,
     used: usize,
+    /// Triangles that may own a sample.
+    kept: usize,
     translucent: Vec<Translucent>,
 }
 
@@ -31,6 +33,8 @@ struct Chunk {
     end: u32,
     /// For each band the numbers of the triangles that touch it.
     bands: Vec<Vec<u32>>,
+    /// How many of them touch any.
+    kept: usize,
 }
 
 /// A translucent triangle.
@@ -67,7 +71,14 @@ impl Bins {
         } else {
             chunks.iter_mut().for_each(fill);
         }
+        let kept: usize = self.chunks[..self.used].iter().map(|chunk| chunk.kept).sum();
         self.sort_translucent(drawing, many, size, height);
+        self.kept = kept + self.translucent.len();
+    }
+
+    /// How many triangles may own a sample of the picture.
+    pub(super) fn kept(&self) -> usize {
+        self.kept
     }
 
     fn sort_translucent(&mut self, drawing: &Drawing, many: bool, size: Size, height: usize) {
@@ -105,7 +116,9 @@ impl Chunk {
         self.bands.iter_mut().for_each(Vec::clear);
         // Heights of bands are powers of two.
         let shift = height.trailing_zeros();
+        self.kept = 0;
         boxes(surface, self.first as usize..self.end as usize, many, size, |triangle, rows| {
+            self.kept += 1;
             for band in rows.start >> shift..=(rows.end - 1) >> shift {
                 if let Some(band) = self.bands.get_mut(band as usize) {
                     band.push(triangle);

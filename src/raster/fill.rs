@@ -16,7 +16,7 @@ use crate::drawing::{Paint, Surface};
 use super::batch::{BATCH, Batch, Corners, corners, gather};
 use super::pixel::{self, Pixel};
 use super::setup::{Borders, Plane, STEPS};
-use super::shade::{Colors, FlatColors, GouraudColors, Shader, Slow};
+use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader, Slow};
 
 /// Sides of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +42,35 @@ pub(super) struct Band<'a> {
     pub(super) slopes: &'a mut [u32],
     /// Each triangle is painted over those before it, whatever their depths.
     pub(super) in_order: bool,
+    /// If anybody wants to know.
+    pub(super) counts: Option<&'a mut Counts>,
+}
+
+/// What was done to samples.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counts {
+    /// Those inside of triangles.
+    pub(super) covered: u64,
+    /// Those of them that nothing nearer hid.
+    pub(super) written: u64,
+    /// The same, by pixel of a tile; since the last [`sum`](Self::sum).
+    lanes: [[i32; LANES]; 2],
+}
+
+impl Counts {
+    #[inline(always)]
+    fn add<K: Simd>(simd: K, lanes: &mut [i32; LANES], mask: mask32x8<K>) {
+        let one = i32x8::splat(simd, 1);
+        (i32x8::from_slice(simd, lanes) + mask.select(one, one - 1)).store_slice(lanes);
+    }
+
+    /// To be called before the lanes run over: after at most 2³¹ tiles.
+    fn sum(&mut self) {
+        let [covered, written] =
+            std::mem::take(&mut self.lanes).map(|lanes| lanes.iter().map(|&n| n as u64).sum::<u64>());
+        self.covered += covered;
+        self.written += written;
+    }
 }
 
 /// Fills some triangles of a surface, in the order of the list.
@@ -71,6 +100,9 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
                 }
             }
         }
+    }
+    if let Some(counts) = &mut band.counts {
+        counts.sum();
     }
 }
 
@@ -128,6 +160,9 @@ impl Band<'_> {
     fn set(&mut self, surface: &Surface, [column, row]: [i32; 2], depth: f32, plane: &Plane, color: Pixel) {
         let start = (row - self.rows.start) as usize * self.pitch + column as usize;
         let Some(pixel) = self.colors.get_mut(start) else { return };
+        if let Some(counts) = &mut self.counts {
+            counts.covered += 1;
+        }
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
         {
@@ -141,6 +176,9 @@ impl Band<'_> {
                     *slope = pack_slope(plane.dx, plane.dy);
                 }
             }
+        }
+        if let Some(counts) = &mut self.counts {
+            counts.written += 1;
         }
         *pixel = if surface.translucent { pixel::over(color, *pixel) } else { color };
     }
@@ -242,6 +280,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         self.shader.columns(x);
         let across = x * self.z.dx;
         let mut start = (rows.start - band.rows.start) as usize * band.pitch + columns.start as usize;
+        let mut own = mask32x8::splat(self.simd, -1);
         let mut j = rows.start;
         while j < rows.end {
             let mut covered = [mask32x8::splat(self.simd, 0); S];
@@ -256,7 +295,11 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             }
             self.shader.rows(y);
             let center = across + (y * self.z.dy + self.z.value);
-            self.paint(&tile, band, start, center, &mut covered);
+            if band.counts.is_some() {
+                // What lies beyond belongs to the next band, or to nobody.
+                own = tile.rows.simd_lt(rows.end - j) & tile.columns.simd_lt(band.size.width - columns.start);
+            }
+            self.paint(&tile, band, start, center, &mut covered, own);
             for k in 0..3 {
                 edges[k] += down[k];
             }
@@ -270,6 +313,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     #[inline(always)]
     fn wide(mut self, band: &mut Band, rows: Range<i32>, vertices: &[[i32; 2]; 3]) {
         let tile = Tile::level(self.simd);
+        let all = mask32x8::splat(self.simd, -1);
         let mut borders = [Borders::default(); S];
         for (borders, &sample) in borders.iter_mut().zip(band.samples) {
             *borders = Borders::new(vertices, sample);
@@ -301,16 +345,29 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                 }
                 let x = tile.x(i, self.origin);
                 self.shader.columns(x);
-                self.paint(&tile, band, start, x * self.z.dx + down, &mut covered);
+                self.paint(&tile, band, start, x * self.z.dx + down, &mut covered, all);
                 i += 8;
                 start += 8;
             }
         }
     }
 
-    /// Paints a tile where it is covered. `center`: its depths at the centres of pixels.
+    /// Paints a tile where it is covered. `center`: its depths at the centres of pixels; `own`: the pixels that are counted.
     #[inline(always)]
-    fn paint(&self, tile: &Tile<K>, band: &mut Band, start: usize, center: f32x8<K>, covered: &mut [mask32x8<K>; S]) {
+    fn paint(
+        &self,
+        tile: &Tile<K>,
+        band: &mut Band,
+        start: usize,
+        center: f32x8<K>,
+        covered: &mut [mask32x8<K>; S],
+        own: mask32x8<K>,
+    ) {
+        if let Some(counts) = &mut band.counts {
+            for covered in &*covered {
+                Counts::add(self.simd, &mut counts.lanes[0], *covered & own);
+            }
+        }
         if self.depth_test {
             for (s, covered) in covered.iter_mut().enumerate() {
                 let Some(depths) = tile.of(band.depths, s * band.plane + start) else { return };
@@ -330,6 +387,11 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             {
                 let slope = u32x8::splat(self.simd, pack_slope(self.z.dx, self.z.dy));
                 store(covered[0].select(slope, old), slopes);
+            }
+        }
+        if let Some(counts) = &mut band.counts {
+            for covered in &*covered {
+                Counts::add(self.simd, &mut counts.lanes[1], *covered & own);
             }
         }
         let mut wanted = covered[0];

@@ -45,6 +45,12 @@ pub struct Rasterizer {
 pub struct Work {
     /// Triangles that came in.
     pub triangles: usize,
+    /// Those of them that were dropped before anything was filled: so small, or so far outside, that they own no sample.
+    pub empty: usize,
+    /// Samples inside of triangles, as often as they are; without antialiasing a sample is a pixel. Zero without a clock.
+    pub covered: u64,
+    /// Those of them that were drawn, as nothing nearer had been drawn before. Zero without a clock.
+    pub written: u64,
     /// How long the surfaces took; zero without a clock.
     pub surfaces: Duration,
     /// How long strokes, marks and texts took; zero without a clock.
@@ -76,7 +82,7 @@ impl Rasterizer {
         self.clock = clock;
     }
 
-    /// What was done for the last picture.
+    /// What was done for the last picture: the counts do not depend on the number of threads.
     #[must_use]
     pub fn work(&self) -> Work {
         self.work
@@ -91,7 +97,7 @@ impl Rasterizer {
     fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
-        self.surfaces.paint(drawing, pixmap, &mut self.depth);
+        self.surfaces.paint(drawing, pixmap, &mut self.depth, self.clock.is_some());
         let middle = now();
         self.strokes.draw(pixmap, &self.depth, drawing);
         for mark in &drawing.marks {
@@ -100,8 +106,13 @@ impl Rasterizer {
         for text in &drawing.labels {
             label::label(pixmap, &self.depth, text);
         }
+        let triangles = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
+        let (kept, covered, written) = self.surfaces.work();
         self.work = Work {
-            triangles: drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum(),
+            triangles,
+            empty: triangles - kept,
+            covered,
+            written,
             surfaces: middle.saturating_sub(start),
             strokes: now().saturating_sub(middle),
         };

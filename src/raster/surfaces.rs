@@ -9,7 +9,7 @@ use crate::drawing::Drawing;
 
 use super::bins::Bins;
 use super::depth::{BandDepth, DepthBuffer};
-use super::fill::{Band, Size, fill};
+use super::fill::{Band, Counts, Size, fill};
 use super::pixel::{Pixel, mean, premultiply};
 use super::setup::samples;
 use super::shade::LANES;
@@ -33,6 +33,7 @@ struct Scratch {
     colors: Vec<Pixel>,
     /// Where there is more than one sample in a pixel; else they go straight to the depth buffer.
     depths: Vec<f32>,
+    counts: Counts,
 }
 
 /// A band on its way to the picture.
@@ -53,13 +54,15 @@ struct Frame<'a> {
     background: Pixel,
     depth_test: bool,
     want_slopes: bool,
+    want_counts: bool,
     /// The vector instructions of this machine.
     level: Level,
 }
 
 impl Surfaces {
-    /// Paints background and surfaces over all of `pixmap`, and remembers their depth.
-    pub(super) fn paint(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, depth: &mut DepthBuffer) {
+    /// Paints background and surfaces over all of `pixmap`, and remembers their depth; and counts what is done if that is
+    /// wanted.
+    pub(super) fn paint(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, depth: &mut DepthBuffer, want_counts: bool) {
         let per_pixel = match drawing.antialias {
             0..=1 => 1,
             2..=4 => 4,
@@ -87,6 +90,7 @@ impl Surfaces {
             background: premultiply(drawing.background),
             depth_test,
             want_slopes,
+            want_counts,
             level: Level::new(),
         };
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
@@ -97,6 +101,9 @@ impl Surfaces {
             .map(|(band, (pixels, depth))| Job { band, pixels, depth });
         let threads = rayon::current_num_threads().min(bands);
         self.scratch.resize_with(threads.max(self.scratch.len()), Scratch::default);
+        for scratch in &mut self.scratch {
+            scratch.counts = Counts::default();
+        }
         if threads > 1 {
             let queue = Mutex::new(jobs);
             rayon::scope(|scope| {
@@ -114,6 +121,15 @@ impl Surfaces {
                 scratch.paint(&frame, job);
             }
         }
+    }
+}
+
+impl Surfaces {
+    /// What was done for the last picture: triangles that may own a sample, and, if that was wanted, samples inside of
+    /// triangles and samples written.
+    pub(super) fn work(&self) -> (usize, u64, u64) {
+        let sum = |count: fn(&Counts) -> u64| self.scratch.iter().map(|scratch| count(&scratch.counts)).sum();
+        (self.bins.kept(), sum(|counts| counts.covered), sum(|counts| counts.written))
     }
 }
 
@@ -154,6 +170,7 @@ impl Scratch {
                 depths: depths.get_mut(set).unwrap_or_default(),
                 slopes: if k == 0 { slopes } else { &mut [] },
                 in_order: drawing.painted_in_order,
+                counts: frame.want_counts.then_some(&mut self.counts),
             };
             for (surface, triangles) in frame.bins.band(job.band) {
                 let surface = &drawing.surfaces[surface];

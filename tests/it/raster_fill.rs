@@ -3,6 +3,7 @@
 #![expect(clippy::cast_possible_truncation, reason = "small numbers, and bytes of random ones")]
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use camera_lab::appearance::{Rgba, Texture};
 use camera_lab::drawing::{Drawing, Lighting, Paint, Phong, Surface, ViewLight};
@@ -287,17 +288,49 @@ fn the_number_of_threads_changes_no_byte() {
         let on = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
             pool.install(|| {
-                let mut rasterizer = Rasterizer::default();
+                let mut rasterizer = measuring();
                 let pixmap = rasterizer.paint(&d).expect("a picture");
                 let depths: Vec<_> = (0..300 * 300).map(|k| rasterizer.depth().at(k % 300, k / 300)).collect();
-                (pixmap, depths)
+                (pixmap, depths, rasterizer.work())
             })
         };
         let one = on(1);
         for threads in [2, 3, 8] {
             let many = on(threads);
-            assert!(one.0 == many.0 && one.1 == many.1, "{threads} threads, {antialias} samples");
+            assert!(one == many, "{threads} threads, {antialias} samples");
         }
+    }
+}
+
+fn measuring() -> Rasterizer {
+    let mut rasterizer = Rasterizer::default();
+    rasterizer.measure(Some(|| Duration::ZERO));
+    rasterizer
+}
+
+#[test]
+fn what_is_counted_is_what_happens() {
+    let mut random = Random(71);
+    for (cells, antialias, samples) in [(4, 1, 1), (11, 1, 1), (70, 1, 1), (4, 4, 4), (40, 4, 4), (13, 16, 16)] {
+        // Every sample once, and again behind that: covered twice and written once; and a triangle outside.
+        let (mut positions, triangles) = carpet(67, cells, &mut random);
+        let near: Vec<_> = positions.iter().map(|p| [p[0], p[1], 0.9]).collect();
+        positions.extend([[-9.0, 5.0, 1.0], [-5.0, 5.0, 1.0], [-5.0, 9.0, 1.0]]);
+        let mut back = surface(positions, triangles.clone(), Paint::Solid(BLACK));
+        back.positions.iter_mut().for_each(|p| p[2] = 0.1);
+        let last = u32::try_from(back.positions.len()).expect("few");
+        back.triangles.push([last - 3, last - 2, last - 1]);
+        let number = 2 * triangles.len() + 1;
+        let d = drawing(67, 67, antialias, vec![surface(near, triangles, Paint::Solid(WHITE)), back]);
+        let mut rasterizer = measuring();
+        rasterizer.paint(&d).expect("a picture");
+        let work = rasterizer.work();
+        let all = 67 * 67 * samples;
+        assert_eq!((work.covered, work.written, work.triangles), (2 * all, all, number), "{cells} cells, {antialias}");
+        assert!(work.empty >= 1 && (cells > 60 || work.empty < number / 4), "{} of {number}", work.empty);
+        rasterizer.measure(None);
+        rasterizer.paint(&d).expect("a picture");
+        assert_eq!((rasterizer.work().covered, rasterizer.work().written), (0, 0));
     }
 }
 
