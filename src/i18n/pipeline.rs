@@ -175,6 +175,7 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             format!("{}: all of the bounding box is outside one plane of the volume", n_of(outside, of)),
             format!("{}: toda a caixa envolvente está fora de um plano do volume", n_of(outside, of)),
         ),
+        Reason::NoneOutside { of: 0 } => text("there are no objects", "não há objetos"),
         Reason::NoneOutside { of } => pick(
             lang,
             format!("none of {} is wholly outside the volume", objects(of)),
@@ -221,7 +222,10 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         ),
         Reason::Crossing { objects: n, of, planes: crossed } => pick(
             lang,
-            format!("{} may cross {}; only they are cut, and only there", n_of(n, of), planes(lang, crossed)),
+            match n {
+                1 => format!("{} may cross {}; only it is cut, and only there", n_of(n, of), planes(lang, crossed)),
+                _ => format!("{} may cross {}; only they are cut, and only there", n_of(n, of), planes(lang, crossed)),
+            },
             match n {
                 1 => format!("{} pode cruzar {}; só ele é cortado, e só ali", n_of(n, of), planes(lang, crossed)),
                 _ => format!("{} podem cruzar {}; só eles são cortados, e só ali", n_of(n, of), planes(lang, crossed)),

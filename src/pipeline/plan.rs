@@ -497,6 +497,9 @@ impl Survey {
         };
         let with_faces = |otherwise: (bool, Reason)| no_faces.unwrap_or(otherwise);
         match stage {
+            Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport if self.in_view == 0 && !self.lines => {
+                (false, Reason::NothingInView)
+            }
             Stage::Traverse | Stage::Viewport | Stage::Transform | Stage::Write => (true, Reason::Always),
             Stage::CullObjects if self.outside == 0 => (false, Reason::NoneOutside { of: self.objects }),
             Stage::CullObjects => (true, Reason::Outside { outside: self.outside, of: self.objects }),
