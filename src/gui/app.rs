@@ -167,6 +167,12 @@ impl App {
             Command::ZoomReset => state.settings.zoom = 1.0,
             Command::ParametersPanel => state.settings.panels_mut().toggle(Side::Left),
             Command::NumbersPanel => state.settings.panels_mut().toggle(Side::Right),
+            Command::Tab(tab) => {
+                state.settings.tab = tab;
+                if !state.settings.panels().is_shown(Side::Left) {
+                    state.settings.panels_mut().toggle(Side::Left);
+                }
+            }
             Command::Show(picture) => state.layout.toggle(picture),
             Command::Look(look) => state.look = Some(look),
             Command::Help => state.filing.dialog = Some(Dialog::Help),

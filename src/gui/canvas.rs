@@ -115,10 +115,12 @@ impl Canvas {
         let lines = status::height(ui, room.width());
         let (pictures, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
 
-        if let Err(problem) = state.scenery.update(&state.document, state.settings.lang) {
+        let (ctx, lang) = (ui.ctx().clone(), state.settings.lang);
+        if let Err(problem) = state.scenery.update(&ctx, &state.document, lang, self.patience) {
             state.say_error(problem);
         }
         self.extras.ghost = state.ghost.clone();
+        self.extras.bounds = state.scenery.bounds();
         let panes = self.panes(ui, pictures, state, texts);
         for pane in &panes {
             state.picture_sizes[pane.picture.index()] = [pane.place.size.width, pane.place.size.height];
@@ -214,7 +216,8 @@ impl Canvas {
                 Some(observer) => observer,
                 None => {
                     let setup = setup(state, &self.extras, pane.place.size);
-                    self.autos[i].observer(picture, &setup, state.scenery.scene(), steady)
+                    let scene = (state.scenery.scene(), state.scenery.subject());
+                    self.autos[i].observer(picture, &setup, scene, steady)
                 }
             };
         }
@@ -256,6 +259,7 @@ impl Canvas {
                     probe: self.extras.probe,
                     ghost: self.extras.ghost.clone().filter(|_| only_world),
                     hot: self.extras.hot.filter(|_| only_world),
+                    bounds: self.extras.bounds.filter(|_| only_world),
                     ..Extras::default()
                 },
                 max_side,

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::state::{Look, Picture, Side, State};
+use super::state::{Look, Picture, Side, State, Tab};
 use crate::appearance::Theme;
 use crate::i18n::window::Texts;
 
@@ -45,6 +45,8 @@ pub enum Command {
     ParametersPanel,
     /// Shows or hides the panel on the right.
     NumbersPanel,
+    /// Shows the panel on the left with one of its tabs.
+    Tab(Tab),
     /// Shows or hides a picture.
     Show(Picture),
     /// Looks at both 3D pictures from somewhere.
@@ -64,7 +66,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 17] = [
+    pub const VIEW: [Self; 20] = [
         Self::Show(Picture::World),
         Self::Show(Picture::Canonical),
         Self::Show(Picture::Image),
@@ -74,6 +76,9 @@ impl Command {
         Self::Look(Look::Iso),
         Self::Look(Look::Fit),
         Self::LinkOrbits,
+        Self::Tab(Tab::Camera),
+        Self::Tab(Tab::Scene),
+        Self::Tab(Tab::Drawing),
         Self::ParametersPanel,
         Self::NumbersPanel,
         Self::Presentation,
@@ -123,6 +128,9 @@ impl Command {
             Self::ZoomReset => (t.zoom_reset, t.zoom_reset_hint),
             Self::ParametersPanel => (t.parameters_panel, t.parameters_panel_hint),
             Self::NumbersPanel => (t.numbers_panel, t.numbers_panel_hint),
+            Self::Tab(Tab::Camera) => (t.camera_tab, t.camera_tab_hint),
+            Self::Tab(Tab::Scene) => (t.scene_tab, t.scene_tab_hint),
+            Self::Tab(Tab::Drawing) => (t.drawing_tab, t.drawing_tab_hint),
             Self::Show(Picture::World) => (t.show_world, t.show_picture_hint),
             Self::Show(Picture::Canonical) => (t.show_canonical, t.show_picture_hint),
             Self::Show(Picture::Image) => (t.show_image, t.show_picture_hint),
@@ -158,6 +166,9 @@ impl Command {
             Self::ZoomReset => (Modifiers::COMMAND, Key::Num0),
             Self::ParametersPanel => (Modifiers::NONE, Key::F8),
             Self::NumbersPanel => (Modifiers::NONE, Key::F9),
+            Self::Tab(Tab::Camera) => (Modifiers::NONE, Key::F5),
+            Self::Tab(Tab::Scene) => (Modifiers::NONE, Key::F6),
+            Self::Tab(Tab::Drawing) => (Modifiers::NONE, Key::F7),
             Self::Show(Picture::World) => (Modifiers::COMMAND, Key::Num1),
             Self::Show(Picture::Canonical) => (Modifiers::COMMAND, Key::Num2),
             Self::Show(Picture::Image) => (Modifiers::COMMAND, Key::Num3),
@@ -202,6 +213,7 @@ impl Command {
             Self::Presentation => Some(state.settings.presentation),
             Self::ParametersPanel => Some(state.settings.panels().is_shown(Side::Left)),
             Self::NumbersPanel => Some(state.settings.panels().is_shown(Side::Right)),
+            Self::Tab(tab) => Some(state.settings.tab == tab && state.settings.panels().is_shown(Side::Left)),
             Self::Show(picture) => Some(state.layout.is_shown(picture)),
             Self::LinkOrbits => Some(state.layout.linked),
             _ => None,

@@ -112,6 +112,10 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         Purpose::Open => (t.open_title, t.open_action),
         Purpose::Save(_) => (t.save_title, t.save_action),
         Purpose::Export(_) => (t.export_title, t.save_action),
+        Purpose::Mesh(_) => {
+            let t = crate::i18n::scenes::texts(state.settings.lang);
+            (t.mesh_title, t.mesh_action)
+        }
     };
     ui.heading(title);
     ui.add_space(6.0);

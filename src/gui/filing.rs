@@ -13,11 +13,13 @@ use eframe::egui::{self, ViewportCommand};
 use super::document::Document;
 use super::export::{self, Export};
 use super::native::{Answer, Asking, Question};
-use super::state::State;
+use super::panels::{self, scene::SceneTree};
+use super::state::{State, Tab};
 use crate::figure::write::update;
 use crate::files::{self, Opened};
-use crate::i18n::messages;
 use crate::i18n::window::{self, Texts};
+use crate::i18n::{messages, scenes};
+use crate::scene::Shape;
 
 /// What is to be done once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +43,21 @@ pub enum Purpose {
     Save(Option<Wish>),
     /// To write a picture.
     Export(Export),
+    /// To put a mesh into the scene.
+    Mesh(MeshFor),
 }
+
+/// What a mesh file is for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MeshFor {
+    /// A new object.
+    New,
+    /// This object, by name.
+    Object(String),
+}
+
+/// The endings of mesh files.
+pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
 
 /// What is asked in the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -150,6 +166,11 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> Question {
         Purpose::Export(_) => {
             Question { save: true, title: t.export_title, filter: t.picture_filter, endings: &["png"], name, folder }
         }
+        Purpose::Mesh(_) => {
+            let t = scenes::texts(state.settings.lang);
+            let name = String::new();
+            Question { save: false, title: t.mesh_title, filter: t.mesh_filter, endings: MESH_ENDINGS, name, folder }
+        }
     }
 }
 
@@ -158,7 +179,7 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
     let folder = state.document.folder().map(Path::to_owned).unwrap_or_default();
     let stem = state.document.name().map_or_else(|| PathBuf::from(t.untitled_file), PathBuf::from);
     match purpose {
-        Purpose::Open => folder.display().to_string(),
+        Purpose::Open | Purpose::Mesh(_) => folder.display().to_string(),
         Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
         Purpose::Export(export) => {
             let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -170,12 +191,13 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
 /// Goes on with the file that was chosen; asks before a file is replaced.
 pub fn chosen(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: PathBuf) {
     let path = match &purpose {
-        Purpose::Open => path,
+        Purpose::Open | Purpose::Mesh(_) => path,
         Purpose::Save(_) => with_ending(path, "toml"),
         Purpose::Export(_) => with_ending(path, "png"),
     };
     let own = state.document.path() == Some(&path);
-    if purpose != Purpose::Open && !own && path.exists() {
+    let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_));
+    if !reads && !own && path.exists() {
         state.filing.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
         confirmed(ctx, state, purpose, &path);
@@ -198,6 +220,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     match purpose {
         Purpose::Open => open(state, path),
         Purpose::Save(then) => write(ctx, state, path, then),
+        Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::Export(export) => {
             let (send, receive) = channel();
             export::start(ctx, state, export, path.to_owned(), send);
@@ -205,6 +228,51 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.say(window::texts(state.settings.lang).exporting);
         }
     }
+}
+
+/// Puts a mesh file into the scene.
+fn mesh(state: &mut State, which: MeshFor, path: &Path) {
+    let named = named_in_figure(state.document.folder(), path);
+    match which {
+        MeshFor::New => panels::scene::add_mesh(state, named),
+        MeshFor::Object(name) => state.document.edit(|figure| {
+            if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == name) {
+                object.shape = Some(Shape::Mesh { path: named });
+            }
+        }),
+    }
+}
+
+/// How a figure in this folder names a file: relative to the folder where the file lies in it, with slashes; else by its
+/// whole path.
+fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
+    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let folder = folder.and_then(|folder| std::path::absolute(folder).ok());
+    match folder.as_deref().and_then(|folder| whole.strip_prefix(folder).ok()) {
+        Some(inside) => {
+            let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+            parts.join("/")
+        }
+        None => whole.to_string_lossy().into_owned(),
+    }
+}
+
+/// A figure that goes to another folder names its meshes anew, so that they are the same files.
+fn follow_meshes(state: &mut State, to: &Path) {
+    let (from, to) = (state.document.folder().map(Path::to_owned), to.parent());
+    if from.as_deref() == to {
+        return;
+    }
+    state.document.edit(|figure| {
+        for object in &mut figure.scene.objects {
+            if let Some(Shape::Mesh { path }) = &mut object.shape {
+                let file = from.as_deref().unwrap_or(Path::new("")).join(&path);
+                if file.exists() {
+                    *path = named_in_figure(to, &file);
+                }
+            }
+        }
+    });
 }
 
 fn open(state: &mut State, path: &Path) {
@@ -226,11 +294,14 @@ pub(super) fn take_over(state: &mut State, document: Document) {
     let image = document.figure().image;
     state.settings.aspect_follows_image = document.draft().aspect == f64::from(image.width) / f64::from(image.height);
     state.document = document;
+    state.scenery.expect_another();
+    state.tree = SceneTree::default();
     state.probe = None;
     state.message = None;
 }
 
 fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<Wish>) {
+    follow_meshes(state, path);
     let text = update(state.document.source(), state.document.figure());
     let name = path.display().to_string();
     match files::save(path, text.as_bytes()) {
@@ -267,7 +338,13 @@ pub fn tend(ctx: &egui::Context, state: &mut State) {
     }
     let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
     if let Some(path) = dropped {
-        wish(ctx, state, Wish::OpenPath(path));
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        if MESH_ENDINGS.contains(&ending.as_str()) {
+            mesh(state, MeshFor::New, &path);
+            state.settings.tab = Tab::Scene;
+        } else {
+            wish(ctx, state, Wish::OpenPath(path));
+        }
     }
     if ctx.input(|input| input.viewport().close_requested()) && !state.filing.may_close {
         state.document.commit();
@@ -283,6 +360,14 @@ pub fn tend(ctx: &egui::Context, state: &mut State) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn meshes_are_named_relative_to_their_figure() {
+        let named = |folder: Option<&str>, path: &str| named_in_figure(folder.map(Path::new), Path::new(path));
+        assert_eq!(named(Some("/lecture"), "/lecture/meshes/cow.obj"), "meshes/cow.obj");
+        assert_eq!(named(Some("/lecture"), "/other/cow.obj"), "/other/cow.obj");
+        assert_eq!(named(None, "/other/cow.obj"), "/other/cow.obj");
+    }
 
     #[test]
     fn endings_are_appended_once() {

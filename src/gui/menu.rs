@@ -69,7 +69,7 @@ fn is_first_of_group(command: Command) -> bool {
             | Command::Reset
             | Command::CopyNumbers
             | Command::Look(Look::Front)
-            | Command::ParametersPanel
+            | Command::Tab(super::state::Tab::Camera)
             | Command::Presentation
             | Command::ZoomIn
             | Command::Language

@@ -53,6 +53,7 @@ fn round_to(value: f64, unit: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub struct NumberField<'a> {
     name: String,
+    owner: &'a str,
     hint: &'a str,
     prefix: &'a str,
     unit: &'static str,
@@ -86,6 +87,7 @@ impl<'a> NumberField<'a> {
     pub fn new(name: impl Into<String>, step: Step) -> Self {
         Self {
             name: name.into(),
+            owner: "",
             hint: "",
             prefix: "",
             unit: "",
@@ -95,6 +97,12 @@ impl<'a> NumberField<'a> {
             width: 64.0,
             marked: false,
         }
+    }
+
+    /// Whose number it is, where several have one of the same name: what is typed for one never goes to another.
+    #[must_use]
+    pub fn of(self, owner: &'a str) -> Self {
+        Self { owner, ..self }
     }
 
     /// A field for an angle in degrees.
@@ -144,7 +152,7 @@ impl<'a> NumberField<'a> {
         let (_, rect) = ui.allocate_space(egui::vec2(self.width, ui.spacing().interact_size.y));
         // The id comes from the name: a complaint that comes or goes above must not take the focus away.
         let place = egui::UiBuilder::new()
-            .scope_id(egui::Id::unique(("number field", &self.name)))
+            .scope_id(egui::Id::unique(("number field", self.owner, &self.name)))
             .max_rect(rect)
             .layout(egui::Layout::centered_and_justified(egui::Direction::LeftToRight));
         self.show_in(&mut ui.new_child(place), texts, value)

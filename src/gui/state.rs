@@ -11,6 +11,7 @@ use super::Start;
 use super::document::Document;
 use super::filing::Filing;
 use super::panels::operations::Operations;
+use super::panels::scene::SceneTree;
 use super::scenery::Scenery;
 
 /// One of the three pictures.
@@ -125,6 +126,18 @@ pub enum Side {
     Right,
 }
 
+/// What the panel on the left shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Tab {
+    /// Camera, projection, view window, image.
+    #[default]
+    Camera,
+    /// Objects and lights.
+    Scene,
+    /// How the pictures are drawn.
+    Drawing,
+}
+
 /// Which panels are wanted, and which there is room for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Panels {
@@ -165,6 +178,8 @@ pub struct Settings {
     pub presentation: bool,
     /// The panels at the sides.
     pub panels: Panels,
+    /// What the panel on the left shows.
+    pub tab: Tab,
     /// The panels at the sides during a presentation.
     pub presentation_panels: Panels,
     /// A is kept at m / n.
@@ -214,6 +229,8 @@ pub struct State {
     pub settings: Settings,
     /// The pictures.
     pub layout: Layout,
+    /// The tree of the scene.
+    pub tree: SceneTree,
     /// The panel of operations.
     pub operations: Operations,
     /// Files and the questions about them.
@@ -263,11 +280,13 @@ impl State {
                 presentation: false,
                 panels: Panels { wanted: [true; 2], ..Panels::default() },
                 presentation_panels: Panels::default(),
+                tab: Tab::default(),
                 aspect_follows_image: square,
                 inverse: false,
                 digits: 5,
             },
             layout: Layout::default(),
+            tree: SceneTree::default(),
             operations: Operations::default(),
             filing: Filing::new(true),
             picture_sizes: [[640, 480]; 3],

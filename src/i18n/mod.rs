@@ -1,5 +1,27 @@
 //! Every text in both languages, as typed Rust values.
 
+/// A struct of texts, and both languages of it: `name: "English", "Português";`.
+macro_rules! texts {
+    ($($name:ident: $en:literal, $pt:literal;)*) => {
+        /// Every text of this place in one language.
+        #[derive(Debug)]
+        pub struct Texts {
+            $(#[doc = concat!("`", $en, "`")] pub $name: &'static str,)*
+        }
+
+        static EN: Texts = Texts { $($name: $en,)* };
+        static PT_BR: Texts = Texts { $($name: $pt,)* };
+
+        impl Texts {
+            /// Name and text of each entry, for tests.
+            #[must_use]
+            pub fn entries(&self) -> Vec<(&'static str, &'static str)> {
+                vec![$((stringify!($name), self.$name),)*]
+            }
+        }
+    };
+}
+
 pub mod canvas;
 pub mod command_line;
 pub mod faults;
@@ -8,6 +30,7 @@ mod meshes;
 pub mod messages;
 pub mod pictures;
 pub mod pipeline;
+pub mod scenes;
 pub mod window;
 
 /// A language of the interface.

@@ -2,27 +2,6 @@
 
 use crate::i18n::Lang;
 
-macro_rules! texts {
-    ($($name:ident: $en:literal, $pt:literal;)*) => {
-        /// Every text of the window in one language.
-        #[derive(Debug)]
-        pub struct Texts {
-            $(#[doc = concat!("`", $en, "`")] pub $name: &'static str,)*
-        }
-
-        static EN: Texts = Texts { $($name: $en,)* };
-        static PT_BR: Texts = Texts { $($name: $pt,)* };
-
-        impl Texts {
-            /// Name and text of each entry, for tests.
-            #[must_use]
-            pub fn entries(&self) -> Vec<(&'static str, &'static str)> {
-                vec![$((stringify!($name), self.$name),)*]
-            }
-        }
-    };
-}
-
 /// The words of a language.
 #[must_use]
 pub fn texts(lang: Lang) -> &'static Texts {
@@ -74,6 +53,12 @@ texts! {
     parameters_panel_hint: "The panel on the left", "O painel da esquerda";
     numbers_panel: "Operations and numbers", "Operações e números";
     numbers_panel_hint: "The panel on the right", "O painel da direita";
+    camera_tab: "Camera tab", "Aba da câmera";
+    camera_tab_hint: "Camera, projection, view window, image", "Câmera, projeção, janela de vista, imagem";
+    scene_tab: "Scene tab", "Aba da cena";
+    scene_tab_hint: "What the camera looks at: a tree of objects, and the lights", "O que a câmera olha: uma árvore de objetos, e as luzes";
+    drawing_tab: "Drawing tab", "Aba do desenho";
+    drawing_tab_hint: "How the pictures are drawn", "Como as imagens são desenhadas";
     look_front: "Look from the front", "Olhar de frente";
     look_front_hint: "The world and the canonical volume from +z", "O mundo e o volume canônico vistos de +z";
     look_top: "Look from the top", "Olhar de cima";

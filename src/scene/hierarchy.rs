@@ -11,7 +11,7 @@ use super::{
     Light, LightSpec, Line, Mesh, MeshError, MeshFiles, Object, ObjectPaint, ObjectSpec, PointMark, Scene, SceneSpec,
     Shape, Text, presets, primitives,
 };
-use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
+use crate::appearance::{LineStyle, MarkShape, Rgba, Style, Theme};
 use crate::geometry::{Angle, try_unit};
 
 /// Where the default light goes: it comes from above, behind the usual viewer at (3, 4, 5) and a little to his left, so that
@@ -161,7 +161,7 @@ pub fn build_with(
     let is_used =
         |path: &str| spec.objects.iter().any(|o| matches!(&o.shape, Some(Shape::Mesh { path: p }) if p == path));
     files.retain(is_used);
-    let mut maker = Maker { colors, primitives: BTreeMap::new(), read_file, files };
+    let mut maker = Maker { colors, before: std::mem::take(&mut files.primitives), read_file, files };
     let mut turns = PALETTE.into_iter().cycle();
     let mut next_color = || turns.next().unwrap_or(PALETTE[0]);
     for placed in &placed_preset {
@@ -175,10 +175,33 @@ pub fn build_with(
     Ok(scene)
 }
 
+/// Whether a scene can be built of this, but for its mesh files.
+///
+/// # Errors
+/// [`SceneError`] names the object and what is wrong with it.
+pub fn check(spec: &SceneSpec) -> Result<(), SceneError> {
+    let preset = presets::objects(spec.preset, &SceneColors::of(Theme::Light));
+    let placed_preset = place(&preset, &[])?;
+    place(&spec.objects, &placed_preset)?;
+    for object in spec.objects.iter().filter(|o| o.shape.as_ref().is_some_and(Shape::has_segments)) {
+        allowed_segments(object)?;
+    }
+    lights(&spec.lights).map(|_| ())
+}
+
+/// The number of segments of an object, where it is allowed.
+fn allowed_segments(spec: &ObjectSpec) -> Result<u32, SceneError> {
+    if (primitives::MIN_SEGMENTS..=primitives::MAX_SEGMENTS).contains(&spec.segments) {
+        Ok(spec.segments)
+    } else {
+        Err(SceneError::Segments { name: spec.name.clone(), found: spec.segments })
+    }
+}
+
 /// An object whose ancestors have been found.
-struct Placed<'a> {
-    spec: &'a ObjectSpec,
-    world_from_object: DMat4,
+pub(super) struct Placed<'a> {
+    pub(super) spec: &'a ObjectSpec,
+    pub(super) world_from_object: DMat4,
     color: Option<Rgba>,
 }
 
@@ -186,7 +209,7 @@ struct Placed<'a> {
 ///
 /// # Errors
 /// A value that is not finite, or a scale of 0.
-fn parent_from_object(spec: &ObjectSpec) -> Result<DMat4, SceneError> {
+pub(super) fn parent_from_object(spec: &ObjectSpec) -> Result<DMat4, SceneError> {
     for (key, v) in [("translate", spec.translate), ("rotate", spec.rotate), ("scale", spec.scale)] {
         if !v.is_finite() {
             return Err(SceneError::NotFinite { name: spec.name.clone(), key });
@@ -209,7 +232,7 @@ fn rotation(degrees: DVec3) -> DMat3 {
 }
 
 /// Multiplies out the tree of `specs`; parents are looked for among them, then among `others`.
-fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Placed<'a>>, SceneError> {
+pub(super) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Placed<'a>>, SceneError> {
     let mut by_name = BTreeMap::new();
     for (i, spec) in specs.iter().enumerate() {
         if by_name.insert(spec.name.as_str(), i).is_some() {
@@ -263,7 +286,8 @@ fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Place
 /// Makes meshes; equal ones are made once.
 struct Maker<'a, 'b> {
     colors: SceneColors,
-    primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
+    /// The primitives of the last time; those that are used again go back to `files`.
+    before: BTreeMap<(&'static str, u32), Arc<Mesh>>,
     read_file: &'a mut ReadFile<'b>,
     files: &'a mut MeshFiles,
 }
@@ -277,7 +301,7 @@ impl Maker<'_, '_> {
         match shape {
             Shape::Grid => {
                 let style = self.colors.grid_style(placed.color.unwrap_or(self.colors.grid));
-                let lines = primitives::grid_lines(self.segments(placed.spec)?);
+                let lines = primitives::grid_lines(allowed_segments(placed.spec)?);
                 scene.lines.extend(lines.iter().map(|l| Line { points: l.map(to_world).to_vec(), style }));
             }
             Shape::Points(points) => {
@@ -345,28 +369,23 @@ impl Maker<'_, '_> {
         Ok(())
     }
 
-    fn segments(&self, spec: &ObjectSpec) -> Result<u32, SceneError> {
-        if (primitives::MIN_SEGMENTS..=primitives::MAX_SEGMENTS).contains(&spec.segments) {
-            Ok(spec.segments)
-        } else {
-            Err(SceneError::Segments { name: spec.name.clone(), found: spec.segments })
-        }
-    }
-
     /// The mesh of a solid.
     fn solid(&mut self, shape: &Shape, placed: &Placed<'_>) -> Result<Arc<Mesh>, SceneError> {
-        let segments = if shape.has_segments() { self.segments(placed.spec)? } else { 0 };
+        let segments = if shape.has_segments() { allowed_segments(placed.spec)? } else { 0 };
         let key = (shape.name(), segments);
-        let mesh = self.primitives.entry(key).or_insert_with(|| {
-            Arc::new(match shape {
-                Shape::Prism => primitives::prism(segments),
-                Shape::Pyramid => primitives::pyramid(),
-                Shape::Sphere => primitives::sphere(segments),
-                Shape::Ellipsoid => primitives::ellipsoid(primitives::ELLIPSOID_HALF_AXES, segments),
-                Shape::Cylinder => primitives::cylinder(segments),
-                Shape::Cone => primitives::cone(segments),
-                Shape::Torus => primitives::torus(segments),
-                _ => primitives::cube(),
+        let before = self.before.remove(&key);
+        let mesh = self.files.primitives.entry(key).or_insert_with(|| {
+            before.unwrap_or_else(|| {
+                Arc::new(match shape {
+                    Shape::Prism => primitives::prism(segments),
+                    Shape::Pyramid => primitives::pyramid(),
+                    Shape::Sphere => primitives::sphere(segments),
+                    Shape::Ellipsoid => primitives::ellipsoid(primitives::ELLIPSOID_HALF_AXES, segments),
+                    Shape::Cylinder => primitives::cylinder(segments),
+                    Shape::Cone => primitives::cone(segments),
+                    Shape::Torus => primitives::torus(segments),
+                    _ => primitives::cube(),
+                })
             })
         });
         Ok(Arc::clone(mesh))

@@ -204,11 +204,13 @@ fn companion(path: &str, name: &str) -> String {
     }
 }
 
-/// Mesh files that have been read, so that a scene that is built again and again reads and parses each of them once. Whoever
-/// wants a file to be read anew starts with a new one.
+/// Mesh files that have been read, and primitives that have been made, so that a scene that is built again and again does each
+/// of this once. Whoever wants a file to be read anew starts with a new one.
 #[derive(Clone, Debug, Default)]
 pub struct MeshFiles {
     known: BTreeMap<String, Arc<Vec<Part>>>,
+    /// By the name of the shape and its segments.
+    pub(super) primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
 }
 
 impl MeshFiles {
@@ -220,16 +222,35 @@ impl MeshFiles {
         if let Some(parts) = self.known.get(path) {
             return Ok(Arc::clone(parts));
         }
-        let bytes = read_file(path).map_err(|reason| MeshError::Unreadable { reason })?;
-        let parts = Arc::new(import(path, &bytes, read_file)?);
-        self.known.insert(path.to_owned(), Arc::clone(&parts));
+        let parts = read(path, read_file)?;
+        self.insert(path, Arc::clone(&parts));
         Ok(parts)
+    }
+
+    /// True for a file that has been read.
+    #[must_use]
+    pub fn knows(&self, path: &str) -> bool {
+        self.known.contains_key(path)
+    }
+
+    /// Takes a file over that [`read`] has read elsewhere.
+    pub fn insert(&mut self, path: &str, parts: Arc<Vec<Part>>) {
+        self.known.insert(path.to_owned(), parts);
     }
 
     /// Forgets the files that `is_used` says no to.
     pub(super) fn retain(&mut self, is_used: impl Fn(&str) -> bool) {
         self.known.retain(|path, _| is_used(path));
     }
+}
+
+/// Reads a mesh file: what takes long of building a scene, for who wants to do it beside other things.
+///
+/// # Errors
+/// [`MeshError`].
+pub fn read(path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Vec<Part>>, MeshError> {
+    let bytes = read_file(path).map_err(|reason| MeshError::Unreadable { reason })?;
+    Ok(Arc::new(import(path, &bytes, read_file)?))
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What is drawn: meshes in world space, lights, and the lines, marks and texts that stand in the world.
 
+pub mod edit;
 mod gltf;
 pub mod hierarchy;
 pub mod import;
@@ -18,10 +19,10 @@ use glam::{DMat4, DVec3};
 
 use crate::appearance::{LineStyle, MarkShape, Rgba};
 use crate::geometry::Aabb;
-pub use hierarchy::{DEFAULT_LIGHT, ReadFile, SceneError, build, build_with};
+pub use hierarchy::{DEFAULT_LIGHT, ReadFile, SceneError, build, build_with, check};
 pub use import::{GltfFault, MeshError, MeshFiles, ObjFault};
 pub use mesh::Mesh;
-pub use presets::objects as preset_objects;
+pub use presets::{Beyond, objects as preset_objects};
 pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 
 /// A scene, flat: every transform has been multiplied out.

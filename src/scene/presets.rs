@@ -10,6 +10,41 @@ use super::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILI
 use super::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
 
+/// What a preset shows and a list of objects cannot say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// A colour for each face, and a number on it.
+    NumberedFaces,
+    /// Tiles on the ground.
+    TiledFloor,
+    /// The inner sides of faces.
+    InnerSides,
+    /// Coordinates beside the corners.
+    CornerNames,
+    /// A solid without faces.
+    WireCube,
+    /// The letter F.
+    LetterF,
+    /// Arrows of a construction.
+    Rays,
+}
+
+impl Preset {
+    /// What is lost where the objects of this preset are written out as a list.
+    #[must_use]
+    pub const fn beyond_objects(self) -> &'static [Beyond] {
+        match self {
+            Self::Cube => &[Beyond::NumberedFaces],
+            Self::Corridor => &[Beyond::TiledFloor],
+            Self::Pyramid => &[Beyond::InnerSides, Beyond::CornerNames],
+            Self::NdcCube => &[Beyond::WireCube, Beyond::LetterF],
+            Self::Exercise51 => &[Beyond::Rays],
+            Self::Exercise53 => &[Beyond::WireCube, Beyond::CornerNames],
+            Self::Empty | Self::Primitives | Self::House | Self::Exercise52 => &[],
+        }
+    }
+}
+
 /// The objects of a preset, as a figure file would list them.
 #[must_use]
 pub fn objects(preset: Preset, colors: &SceneColors) -> Vec<ObjectSpec> {

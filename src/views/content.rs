@@ -21,7 +21,7 @@ pub(super) struct Content {
 impl Content {
     pub(super) fn of(setup: &Setup) -> Self {
         let camera = setup.camera;
-        let scene = setup.scene.bounds();
+        let scene = setup.extras.bounds.or_else(|| setup.scene.bounds());
         let mut points = vec![camera.position()];
         points.extend(setup.extras.ghost.iter().map(|g| g.before.position()));
         points.extend(scene.iter().flat_map(Aabb::corners));

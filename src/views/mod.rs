@@ -34,6 +34,7 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Rgba, Style, Texture};
 use crate::camera::{Camera, Convention, Operation};
 use crate::figure::Figure;
+use crate::geometry::Aabb;
 use crate::pipeline::{Frame, Options, Pipeline, Target};
 use crate::scene::{self, ReadFile, Scene, SceneError};
 pub use handles::Handle;
@@ -117,6 +118,8 @@ pub struct Extras {
     pub hot: Option<Handle>,
     /// Without legends: the picture is painted on something.
     pub bare: bool,
+    /// The box around the scene, where who keeps the scene knows it: with a million vertices it takes a while to find.
+    pub bounds: Option<Aabb>,
     /// Run every stage of the pipeline, needed or not. The picture is the same.
     pub force_all_stages: bool,
 }

@@ -15,17 +15,17 @@ use egui_kittest::kittest::Queryable;
 use super::window::Window;
 
 /// A folder that is there for one test.
-struct Folder(PathBuf);
+pub(crate) struct Folder(PathBuf);
 
 impl Folder {
-    fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str) -> Self {
         let path = std::env::temp_dir().join(format!("camera-lab-gui-{name}-{}", std::process::id()));
         let _ = fs::remove_dir_all(&path);
         fs::create_dir_all(&path).expect("a folder for temporary files");
         Self(path)
     }
 
-    fn file(&self, name: &str) -> PathBuf {
+    pub(crate) fn file(&self, name: &str) -> PathBuf {
         self.0.join(name)
     }
 }
@@ -38,7 +38,7 @@ impl Drop for Folder {
 
 impl Window {
     /// Types a path into the dialog that asks for one.
-    fn choose(&mut self, path: &Path) {
+    pub(crate) fn choose(&mut self, path: &Path) {
         self.harness.get_by_role_and_label(Role::TextInput, "file").focus();
         self.run();
         self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
@@ -235,7 +235,7 @@ fn operations_of_the_command_line_are_a_change_of_the_file() {
 
 /// A file as the system drops it on the window.
 #[derive(Debug)]
-struct Dropped(PathBuf);
+pub(crate) struct Dropped(pub(crate) PathBuf);
 
 impl eframe::egui::DroppedFile for Dropped {
     fn path(&self) -> &Path {

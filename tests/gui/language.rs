@@ -27,7 +27,6 @@ fn switching_leaves_no_word_of_the_other_language() {
     let mut window = Window::new(Lang::En);
     window.enter("F", "20");
     window.click("Viewport");
-    window.click("Style");
     window.click("Edit");
     let english = words(&window);
     assert!(english.iter().any(|word| word.contains("must be less than")));

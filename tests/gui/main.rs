@@ -10,4 +10,5 @@ mod painter;
 mod panels;
 mod pictures;
 mod reveal;
+mod scene;
 mod window;

@@ -46,7 +46,7 @@ fn choose(window: &mut Window, choice: &str, entry: &str) {
 #[test]
 fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
     let mut window = window(Lang::En, Picture::Image);
-    window.click("Inside the pipeline");
+    window.key(Key::F7);
     let at = middle(&window, "Image: what");
     // Beside the lines that cross at the pointer, and the probe's own mark.
     let beside = at + eframe::egui::vec2(30.0, 30.0);
@@ -69,7 +69,7 @@ fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
 #[test]
 fn the_section_speaks_portuguese() {
     let mut window = window(Lang::PtBr, Picture::Image);
-    window.click("Por dentro do pipeline");
+    window.key(Key::F7);
     choose(&mut window, "imagem", "distâncias");
     assert_eq!(window.state().document.figure().reveal.depth, Depth::Linear);
     let at = middle(&window, "Imagem: o que");

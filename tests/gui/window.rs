@@ -32,6 +32,16 @@ impl Window {
         Self::with_state(state, [1280.0, 800.0])
     }
 
+    /// A window with a figure file, and only the image in it.
+    pub(crate) fn opened(path: &std::path::Path) -> Self {
+        let opened = camera_lab::files::open_figure(path).expect("a figure file");
+        let file = Some((path.to_owned(), opened.text));
+        let mut state = State::new(Start { figure: opened.figure, file, lang: Lang::En }).expect("a possible camera");
+        state.filing.native = false;
+        state.layout.maximized = Some(Picture::Image);
+        Self::with_state(state, [1280.0, 800.0])
+    }
+
     /// A window with a state.
     pub(crate) fn with_state(state: State, size: [f32; 2]) -> Self {
         let mut start = Some(state);

@@ -29,25 +29,33 @@ struct Kept {
     fitted: Observer,
     camera: Camera,
     scene: Arc<Scene>,
+    subject: u64,
     aspect: f64,
 }
 
 impl Auto {
     /// The observer for the picture of `setup`. With `steady` (while something is dragged) it does not move, except to fit
-    /// a picture of another shape. It looks in the same direction until there is another scene.
-    pub(super) fn observer(&mut self, picture: Picture, setup: &Setup, scene: &Arc<Scene>, steady: bool) -> Observer {
+    /// a picture of another shape. It looks in the same direction until there is another `subject`: a scene that has nothing to
+    /// do with the last one.
+    pub(super) fn observer(
+        &mut self,
+        picture: Picture,
+        setup: &Setup,
+        (scene, subject): (&Arc<Scene>, u64),
+        steady: bool,
+    ) -> Observer {
         let aspect = setup.size.aspect();
-        let same_scene = |kept: &&mut Kept| Arc::ptr_eq(&kept.scene, scene);
-        let Some(kept) = self.kept.as_mut().filter(same_scene) else {
+        let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let fitted = preset(picture, setup, Preset::default());
             let (camera, scene) = (setup.camera.clone(), Arc::clone(scene));
-            self.kept = Some(Kept { observer: fitted, fitted, camera, scene, aspect });
+            self.kept = Some(Kept { observer: fitted, fitted, camera, scene, subject, aspect });
             return fitted;
         };
         let reshaped = kept.aspect != aspect;
-        if reshaped || kept.camera != *setup.camera {
+        if reshaped || kept.camera != *setup.camera || !Arc::ptr_eq(&kept.scene, scene) {
             kept.aspect = aspect;
             kept.camera = setup.camera.clone();
+            kept.scene = Arc::clone(scene);
             kept.fitted = fit(picture, setup, &kept.observer);
         }
         if reshaped || !(steady || still_fits(&kept.observer, &kept.fitted)) {
@@ -190,7 +198,7 @@ mod tests {
                 size: views::Size { width, height: 300, scale: 1.0 },
                 extras: &extras,
             };
-            auto.observer(Picture::World, &setup, &scene, steady)
+            auto.observer(Picture::World, &setup, (&scene, 0), steady)
         };
         let near = DVec3::new(3.0, 4.0, 5.0);
         let first = seen(near, 400, false);

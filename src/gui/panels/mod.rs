@@ -2,12 +2,16 @@
 
 pub mod operations;
 pub mod parameters;
+pub mod scene;
 pub mod status;
 pub mod values;
 
 use eframe::egui::{self, Align, CollapsingHeader, Layout, RichText};
+use glam::DVec3;
 
+use super::number_field::{FieldOutput, NumberField, Step};
 use super::theme;
+use crate::i18n::window::Texts;
 
 /// A group of controls under a title that opens and closes it.
 pub(super) fn section(ui: &mut egui::Ui, title: &str, id: &str, open: bool, body: impl FnOnce(&mut egui::Ui)) {
@@ -50,6 +54,72 @@ pub(super) fn row<R>(
         ui.with_layout(Layout::right_to_left(Align::Center), controls).inner
     })
     .inner
+}
+
+/// A vector: its name, and below it three fields side by side.
+pub(super) struct Vector<'a> {
+    /// The symbol of the notes; may be empty.
+    pub(super) symbol: &'static str,
+    /// Its name.
+    pub(super) name: &'static str,
+    /// What is said when the pointer rests on it.
+    pub(super) hint: &'static str,
+    /// What its fields are called for screen readers, before the axis.
+    pub(super) field: &'static str,
+    /// Whose vector it is, where there are several of the same name.
+    pub(super) owner: &'a str,
+    /// What an arrow key adds.
+    pub(super) step: f64,
+    /// Degrees.
+    pub(super) angles: bool,
+    /// True marks the fields: the value is impossible.
+    pub(super) marked: bool,
+}
+
+impl Vector<'_> {
+    /// Shows name and fields, and changes `value`.
+    pub(super) fn show(&self, ui: &mut egui::Ui, t: &Texts, value: &mut DVec3) -> [FieldOutput; 3] {
+        ui.scope(|ui| {
+            ui.spacing_mut().interact_size.y = TEXT_LINE;
+            ui.spacing_mut().item_spacing.y = 1.0;
+            caption(ui, self.symbol, self.name, self.hint);
+        });
+        self.fields(ui, t, value, 0.0)
+    }
+
+    /// Only the fields; leaves room for something else beside them.
+    pub(super) fn fields(&self, ui: &mut egui::Ui, t: &Texts, value: &mut DVec3, beside: f32) -> [FieldOutput; 3] {
+        let gap = 4.0;
+        let width = ((ui.available_width() - beside - 2.0 * gap) / 3.0).floor();
+        let mut components = value.to_array();
+        let outputs = ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            ["x", "y", "z"].map(|axis| {
+                let component = &mut components[usize::from(axis.as_bytes()[0] - b'x')];
+                let name = format!("{} {axis}", self.field);
+                let field = if self.angles {
+                    NumberField::angle(name, self.step)
+                } else {
+                    NumberField::new(name, Step::Add(self.step))
+                };
+                field
+                    .of(self.owner)
+                    .prefix(axis)
+                    .hint(self.hint)
+                    .width(width)
+                    .marked(self.marked)
+                    .show(ui, t, component)
+            })
+        });
+        *value = DVec3::from_array(components);
+        outputs.inner
+    }
+}
+
+/// The power of ten at or below `x`.
+pub(super) fn nice(x: f64) -> f64 {
+    let power = 10f64.powf(x.log10().floor());
+    if power.is_finite() && power > 0.0 { power } else { 1.0 }
 }
 
 /// A choice out of few, with the name that screen readers say.

@@ -5,7 +5,7 @@ use eframe::egui;
 use super::{Form, Number, Vector, row};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::panels::section;
+use crate::gui::panels::{nice, section};
 use crate::gui::state::State;
 use crate::i18n::window::Texts;
 
@@ -49,12 +49,6 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut Form) {
             },
         );
     });
-}
-
-/// The power of ten at or below `x`.
-fn nice(x: f64) -> f64 {
-    let power = 10f64.powf(x.log10().floor());
-    if power.is_finite() && power > 0.0 { power } else { 1.0 }
 }
 
 /// The kind of projection, θ or H, A, F and B.

@@ -1,4 +1,4 @@
-//! The panel on the left: every parameter of the figure.
+//! The panel on the left: every parameter of the figure, in three tabs: the camera, the scene, how it is drawn.
 
 mod camera;
 mod image;
@@ -8,35 +8,73 @@ mod style;
 use eframe::egui;
 use glam::DVec3;
 
-use super::{TEXT_LINE, caption, complaint, row};
+use super::{complaint, row};
 use crate::camera::{Camera, CameraError, Parameters};
-use crate::gui::number_field::{FieldOutput, NumberField, Step};
+use crate::gui::command::Command;
+use crate::gui::number_field::{FieldOutput, NumberField};
 use crate::gui::numbers;
 use crate::gui::repair::{Repair, repairs};
-use crate::gui::state::State;
+use crate::gui::state::{State, Tab};
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{Lang, faults};
+use crate::i18n::{Lang, faults, scenes};
 
-/// Shows the panel's content.
+/// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
-    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        let mut form = Form::new(state);
-        if form.error.is_some() && state.problem_out_of_sight {
-            form.problem(ui);
-            form.said = false;
+    tabs(ui, state);
+    let scroll = egui::ScrollArea::vertical().id_salt(state.settings.tab).auto_shrink(false);
+    match state.settings.tab {
+        Tab::Camera => {
+            scroll.show(ui, |ui| camera_tab(ui, state));
         }
-        camera::placement(ui, &mut form);
-        camera::projection(ui, &mut form, state);
-        camera::window(ui, &mut form);
-        state.problem_out_of_sight = form.error.is_some() && !form.said;
-        match form.replaced {
-            Some(camera) => state.document.set_camera(camera),
-            None => state.document.set_parameters(form.parameters),
+        Tab::Scene => super::scene::ui(ui, state),
+        Tab::Drawing => {
+            scroll.show(ui, |ui| {
+                style::ui(ui, state);
+                reveal::ui(ui, state);
+            });
         }
-        image::ui(ui, state);
-        style::ui(ui, state);
-        reveal::ui(ui, state);
+    }
+}
+
+/// The heads of the tabs, side by side.
+fn tabs(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let drawing = scenes::texts(state.settings.lang).drawing;
+    ui.add_space(2.0);
+    ui.columns(3, |columns| {
+        let all = [(Tab::Camera, t.camera), (Tab::Scene, t.scene), (Tab::Drawing, drawing)];
+        for (column, (tab, text)) in columns.iter_mut().zip(all) {
+            let command = Command::Tab(tab);
+            let keys = column.ctx().format_shortcut(&command.shortcut());
+            let hint = format!("{} ({keys})", command.hint(t));
+            let impossible = tab == Tab::Camera && state.document.problem().is_some();
+            let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };
+            column.vertical_centered_justified(|ui| {
+                let button = egui::Button::selectable(state.settings.tab == tab, text).frame_when_inactive(true);
+                if ui.add(button).on_hover_text(hint).accessible_name(command.label(t)).clicked() {
+                    state.settings.tab = tab;
+                }
+            });
+        }
     });
+    ui.add_space(2.0);
+}
+
+fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
+    let mut form = Form::new(state);
+    if form.error.is_some() && state.problem_out_of_sight {
+        form.problem(ui);
+        form.said = false;
+    }
+    camera::placement(ui, &mut form);
+    camera::projection(ui, &mut form, state);
+    camera::window(ui, &mut form);
+    state.problem_out_of_sight = form.error.is_some() && !form.said;
+    match form.replaced {
+        Some(camera) => state.document.set_camera(camera),
+        None => state.document.set_parameters(form.parameters),
+    }
+    image::ui(ui, state);
 }
 
 /// The camera's parameters while their fields are shown, and what is wrong with them.
@@ -99,29 +137,10 @@ impl Form {
     /// A vector: its name, and below it three fields side by side.
     fn vector(&mut self, ui: &mut egui::Ui, vector: Vector) {
         let Vector { key, symbol, name, hint, step, value } = vector;
-        ui.scope(|ui| {
-            ui.spacing_mut().interact_size.y = TEXT_LINE;
-            ui.spacing_mut().item_spacing.y = 1.0;
-            caption(ui, symbol, name, hint);
-        });
-        let gap = 4.0;
-        let width = ((ui.available_width() - 2.0 * gap) / 3.0).floor();
         let marked = self.is_marked(key);
-        let mut components = value(&mut self.parameters).to_array();
-        let outputs = ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = gap;
-            ["x", "y", "z"].map(|axis| {
-                let component = &mut components[usize::from(axis.as_bytes()[0] - b'x')];
-                NumberField::new(format!("{symbol} {axis}"), Step::Add(step))
-                    .prefix(axis)
-                    .hint(hint)
-                    .width(width)
-                    .marked(marked)
-                    .show(ui, self.t, component)
-            })
-        });
-        *value(&mut self.parameters) = DVec3::from_array(components);
-        self.complain(ui, key, &outputs.inner);
+        let shown = super::Vector { symbol, name, hint, field: symbol, owner: "", step, angles: false, marked };
+        let outputs = shown.show(ui, self.t, value(&mut self.parameters));
+        self.complain(ui, key, &outputs);
     }
 
     /// One number: its name on the left, its field on the right.

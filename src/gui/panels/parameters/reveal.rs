@@ -13,7 +13,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
     let old = state.document.figure().reveal;
     let mut reveal = old;
-    section(ui, t.reveal, "reveal", false, |ui| {
+    section(ui, t.reveal, "reveal", true, |ui| {
         let depths = [(Depth::Off, t.depth_off), (Depth::Stored, t.depth_stored), (Depth::Linear, t.depth_linear)];
         row(ui, "", t.depth_view, t.depth_view_hint, |ui| {
             choice(ui, t.depth_view, t.depth_view_hint, &mut reveal.depth, &depths)

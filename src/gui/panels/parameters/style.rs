@@ -1,4 +1,4 @@
-//! The scene and how it is drawn.
+//! How the scene is drawn.
 
 use eframe::egui;
 
@@ -7,29 +7,13 @@ use crate::appearance::{HiddenLines, Shading, Theme};
 use crate::gui::panels::{choice, section};
 use crate::gui::state::State;
 use crate::i18n::window;
-use crate::scene::Preset;
 
-/// Scene preset and style.
+/// Shading, hidden lines, samples, theme.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
-    let figure = state.document.figure();
-    let (mut preset, mut style) = (figure.scene.preset, figure.style);
-    section(ui, t.scene, "scene", true, |ui| {
-        let presets = [
-            (Preset::Empty, t.scene_empty),
-            (Preset::Primitives, t.scene_primitives),
-            (Preset::Cube, t.scene_cube),
-            (Preset::House, t.scene_house),
-            (Preset::Corridor, t.scene_corridor),
-            (Preset::Pyramid, t.scene_pyramid),
-            (Preset::NdcCube, t.scene_ndc_cube),
-            (Preset::Exercise51, t.scene_exercise_51),
-            (Preset::Exercise52, t.scene_exercise_52),
-            (Preset::Exercise53, t.scene_exercise_53),
-        ];
-        row(ui, "", t.preset, t.preset_hint, |ui| choice(ui, t.preset, t.preset_hint, &mut preset, &presets));
-    });
-    section(ui, t.style, "style", false, |ui| {
+    let old = state.document.figure().style;
+    let mut style = old;
+    section(ui, t.style, "style", true, |ui| {
         let shadings = [
             (Shading::Wireframe, t.shading_wireframe),
             (Shading::Flat, t.shading_flat),
@@ -56,25 +40,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             choice(ui, t.theme_name, t.theme_name_hint, &mut style.theme, &themes)
         });
     });
-    let other = preset != figure.scene.preset;
-    if other || style != figure.style {
-        state.document.edit(|figure| (figure.scene.preset, figure.style) = (preset, style));
+    if style != old {
+        state.document.edit(|figure| figure.style = style);
     }
-    if other {
-        show_from_its_best_side(state, preset);
-    }
-}
-
-/// A scene of another size would be out of sight: each preset comes with its camera, and with an image of the same aspect.
-fn show_from_its_best_side(state: &mut State, preset: Preset) {
-    let mut camera = preset.camera();
-    if state.settings.aspect_follows_image {
-        let n = state.document.figure().image.height;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
-        let m = (f64::from(n) * camera.aspect).round().clamp(1.0, 16384.0) as u32;
-        state.document.edit(|figure| figure.image.width = m);
-        camera.aspect = f64::from(m) / f64::from(n);
-    }
-    state.document.set_parameters(camera);
-    *state.document.observers_mut() = Default::default();
 }

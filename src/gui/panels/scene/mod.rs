@@ -1,0 +1,297 @@
+//! The scene: the named scene, the tree of objects, the lights, and below them what is selected.
+
+mod add;
+mod light;
+mod object;
+mod tree;
+
+use std::collections::BTreeSet;
+
+use eframe::egui::{self, RichText};
+
+pub use add::add_mesh;
+
+use super::{choice, row, section};
+use crate::gui::number_field::FieldOutput;
+use crate::gui::state::State;
+use crate::i18n::scenes::{self, Texts};
+use crate::i18n::window;
+use crate::scene::edit::{self, Children};
+use crate::scene::{Preset, SceneError, SceneSpec, check};
+
+/// What is selected in the tree.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Selected {
+    /// An object of the figure, by name.
+    Object(String),
+    /// An object of the named scene, by name.
+    OfPreset(String),
+    /// A light of the figure, by its place in the list.
+    Light(usize),
+}
+
+/// What the tree remembers from one frame to the next.
+#[derive(Debug, Default)]
+pub struct SceneTree {
+    selected: Option<Selected>,
+    /// What is selected from the next frame on: what is being typed now is taken over before.
+    next: Option<Option<Selected>>,
+    folded: BTreeSet<String>,
+    /// The scene as the fields show it while it is impossible.
+    draft: Option<Draft>,
+    /// A name or a colour that is being typed, and whose it is.
+    typing: Option<Typing>,
+    /// An object that is hung elsewhere moves with its new parent.
+    moves_with_parent: bool,
+}
+
+#[derive(Debug)]
+struct Draft {
+    /// The scene of the figure that it was made from; another one makes it void.
+    base: SceneSpec,
+    now: SceneSpec,
+    error: SceneError,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Typing {
+    owner: String,
+    key: &'static str,
+    text: String,
+    /// It was left although it is wrong.
+    left: bool,
+}
+
+impl SceneTree {
+    /// What is selected, if the scene has it.
+    #[must_use]
+    pub fn selected(&self, scene: &SceneSpec) -> Option<&Selected> {
+        self.selected.as_ref().filter(|selected| match selected {
+            Selected::Object(name) => scene.objects.iter().any(|o| o.name == *name),
+            Selected::OfPreset(name) => tree::preset_objects(scene.preset).iter().any(|o| o.name == *name),
+            Selected::Light(index) => *index < scene.lights.len(),
+        })
+    }
+
+    /// Selects something, or nothing, from the next frame on.
+    pub fn select(&mut self, selected: Option<Selected>) {
+        self.next = Some(selected);
+    }
+}
+
+/// A change that the tree or a button asks for.
+enum Edit {
+    Hang { name: String, parent: Option<String> },
+    Remove { name: String, children: Children },
+    RemoveLight(usize),
+}
+
+/// Shows the tab.
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
+    if let Some(next) = state.tree.next.take() {
+        state.tree.selected = next;
+        ui.ctx().request_repaint();
+    }
+    let t = scenes::texts(state.settings.lang);
+    named_scene(ui, state);
+    ui.horizontal(|ui| {
+        add::menu(ui, state, t);
+        edit_a_copy(ui, state, t);
+    });
+    let half = (ui.available_height() * 0.42).max(120.0);
+    let mut edits = tree::ui(ui, state, t, half);
+    ui.add_space(2.0);
+    egui::ScrollArea::vertical().id_salt("selected").auto_shrink(false).show(ui, |ui| {
+        edits.extend(selected(ui, state, t));
+    });
+    for edit in edits {
+        perform(state, edit, t);
+    }
+}
+
+fn named_scene(ui: &mut egui::Ui, state: &mut State) {
+    let t = window::texts(state.settings.lang);
+    let old = state.document.figure().scene.preset;
+    let mut preset = old;
+    let presets = [
+        (Preset::Empty, t.scene_empty),
+        (Preset::Primitives, t.scene_primitives),
+        (Preset::Cube, t.scene_cube),
+        (Preset::House, t.scene_house),
+        (Preset::Corridor, t.scene_corridor),
+        (Preset::Pyramid, t.scene_pyramid),
+        (Preset::NdcCube, t.scene_ndc_cube),
+        (Preset::Exercise51, t.scene_exercise_51),
+        (Preset::Exercise52, t.scene_exercise_52),
+        (Preset::Exercise53, t.scene_exercise_53),
+    ];
+    row(ui, "", t.preset, t.preset_hint, |ui| choice(ui, t.preset, t.preset_hint, &mut preset, &presets));
+    if preset != old {
+        state.document.edit(|figure| edit::choose_preset(&mut figure.scene, preset));
+        // Nothing is of interest in an empty scene: what is there stays as it is seen.
+        if preset != Preset::Empty {
+            show_from_its_best_side(state, preset);
+        }
+    }
+}
+
+/// A scene of another size would be out of sight: each preset comes with its camera, and with an image of the same aspect.
+fn show_from_its_best_side(state: &mut State, preset: Preset) {
+    let mut camera = preset.camera();
+    if state.settings.aspect_follows_image {
+        let n = state.document.figure().image.height;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
+        let m = (f64::from(n) * camera.aspect).round().clamp(1.0, 16384.0) as u32;
+        state.document.edit(|figure| figure.image.width = m);
+        camera.aspect = f64::from(m) / f64::from(n);
+    }
+    state.document.set_parameters(camera);
+    *state.document.observers_mut() = Default::default();
+}
+
+/// The button that writes the named scene out as a list of objects. It says before and after what the list cannot say.
+fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
+    let preset = state.document.figure().scene.preset;
+    if preset == Preset::Empty {
+        return;
+    }
+    let lost = scenes::beyond(state.settings.lang, preset.beyond_objects());
+    let warning = if lost.is_empty() { String::new() } else { format!("{} {lost}.", t.lost) };
+    let hint = format!("{}. {warning}", t.edit_copy_hint);
+    if !ui.button(t.edit_copy).on_hover_text(hint.trim()).clicked() {
+        return;
+    }
+    let theme = state.document.figure().style.theme;
+    state.document.edit(|figure| edit::write_out_preset(&mut figure.scene, theme));
+    if let Some(Selected::OfPreset(name)) = state.tree.selected.clone() {
+        state.tree.select(Some(Selected::Object(name)));
+    }
+    state.say(format!("{} {warning}", t.copied).trim());
+}
+
+/// What is selected, with its fields; what its buttons ask for.
+fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
+    let scene = &state.document.figure().scene;
+    let mut form = Form::new(state);
+    let asked = match state.tree.selected(scene).cloned() {
+        None => {
+            ui.add(egui::Label::new(RichText::new(t.nothing_selected).weak()).wrap());
+            None
+        }
+        Some(Selected::Object(name)) => {
+            let index = form.scene.objects.iter().position(|o| o.name == name)?;
+            section_of(ui, t.object, |ui| object::ui(ui, state, &mut form, index)).flatten()
+        }
+        Some(Selected::OfPreset(name)) => {
+            section_of(ui, t.object, |ui| object::of_preset(ui, state, &name));
+            None
+        }
+        Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, &mut form, index)).flatten(),
+    };
+    form.finish(state);
+    asked
+}
+
+fn section_of<R>(ui: &mut egui::Ui, title: &str, body: impl FnOnce(&mut egui::Ui) -> R) -> Option<R> {
+    let mut result = None;
+    section(ui, title, "selected", true, |ui| result = Some(body(ui)));
+    result
+}
+
+/// The scene while its fields are shown, and what is wrong with it.
+struct Form {
+    t: &'static Texts,
+    window: &'static window::Texts,
+    lang: crate::i18n::Lang,
+    base: SceneSpec,
+    scene: SceneSpec,
+    error: Option<SceneError>,
+    /// A unit of length that suits the scene.
+    step: f64,
+}
+
+impl Form {
+    fn new(state: &State) -> Self {
+        let lang = state.settings.lang;
+        let base = state.document.figure().scene.clone();
+        let draft = state.tree.draft.as_ref().filter(|draft| draft.base == base);
+        Self {
+            t: scenes::texts(lang),
+            window: window::texts(lang),
+            lang,
+            scene: draft.map_or_else(|| base.clone(), |draft| draft.now.clone()),
+            error: draft.map(|draft| draft.error.clone()),
+            base,
+            step: super::nice(state.document.camera().distance() / 10.0),
+        }
+    }
+
+    fn is_marked(&self, object: Option<&str>, key: &str) -> bool {
+        self.error.as_ref().is_some_and(|error| error.object() == object && error.key() == key)
+    }
+
+    /// What is wrong with a value, below its field: the fault of the text that was typed, or of the value.
+    fn complain(&self, ui: &mut egui::Ui, object: Option<&str>, key: &str, fields: &[FieldOutput]) {
+        for error in fields.iter().filter_map(|field| field.error.as_ref()) {
+            super::complaint(ui, &error.text(self.window));
+        }
+        if let Some(error) = self.error.as_ref().filter(|_| self.is_marked(object, key)) {
+            super::complaint(ui, &scenes::scene_error(self.lang, error));
+        }
+    }
+
+    /// Takes the scene over where it is possible; otherwise the fields keep it, and the figure the last one that was.
+    fn finish(self, state: &mut State) {
+        if self.scene == self.base {
+            state.tree.draft = None;
+            return;
+        }
+        match check(&self.scene) {
+            Ok(()) => {
+                state.tree.draft = None;
+                state.document.edit(|figure| figure.scene = self.scene);
+            }
+            Err(error) => state.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
+        }
+    }
+}
+
+fn perform(state: &mut State, edit: Edit, t: &Texts) {
+    match edit {
+        Edit::Hang { name, parent } => {
+            let mut scene = state.document.figure().scene.clone();
+            let stay = !state.tree.moves_with_parent;
+            // A parent that it cannot hang on is not offered.
+            let Ok(stayed) = edit::hang(&mut scene, &name, parent.as_deref(), stay) else { return };
+            state.document.edit(|figure| figure.scene = scene);
+            if !stayed {
+                state.say(t.shear);
+            }
+            if let Some(parent) = parent {
+                state.tree.folded.remove(&parent);
+            }
+        }
+        Edit::Remove { name, children } => {
+            let mut scene = state.document.figure().scene.clone();
+            let before = scene.objects.len();
+            let next = scene.objects.iter().find(|o| o.name == name).and_then(|o| o.parent.clone());
+            let Ok(stayed) = edit::remove(&mut scene, &name, children) else { return };
+            let others = before - scene.objects.len();
+            let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
+            state.document.edit(|figure| figure.scene = scene);
+            state.tree.select(selected.map(Selected::Object));
+            let others = if others > 1 { format!(" (+ {})", others - 1) } else { String::new() };
+            let shear = if stayed { "" } else { t.shear };
+            state.say(format!("{} {name}{others}. {shear}", t.deleted).trim());
+        }
+        Edit::RemoveLight(index) => {
+            state.document.edit(|figure| {
+                if index < figure.scene.lights.len() {
+                    figure.scene.lights.remove(index);
+                }
+            });
+            state.tree.select(None);
+            state.say(format!("{} {} {}", t.deleted, t.light, index + 1));
+        }
+    }
+}

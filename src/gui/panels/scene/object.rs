@@ -1,0 +1,423 @@
+//! The fields of an object: name, kind, parent, transform, colour, segments, and what its shape needs.
+
+use eframe::egui::{self, Key, RichText};
+use glam::DVec3;
+
+use super::{Edit, Form, Selected, Typing, tree};
+use crate::appearance::Rgba;
+use crate::gui::filing::{self, MeshFor, Purpose};
+use crate::gui::number_field::{NumberField, Step};
+use crate::gui::numbers::short;
+use crate::gui::panels::{Vector, complaint, row};
+use crate::gui::state::State;
+use crate::i18n::scenes::{self, Texts};
+use crate::scene::edit::{self, Children, descendants, free_name, placements};
+use crate::scene::{ObjectPaint, ObjectSpec, SceneError, SceneSpec, Shape};
+
+/// Lists of points that are longer are edited in the file.
+const MOST_POINTS: usize = 48;
+
+/// The fields of the object at this place of the list; what its buttons ask for.
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) -> Option<Edit> {
+    let t = form.t;
+    let name = form.scene.objects[index].name.clone();
+    rename(ui, state, form, &name);
+    kind(ui, form, index);
+    let mut asked = parent(ui, state, form, index);
+    transform(ui, form, index);
+    if form.scene.objects[index].shape.is_some() || !descendants(&form.scene, &name).is_empty() {
+        color(ui, state, form, index);
+    }
+    segments(ui, form, index);
+    data(ui, state, form, index);
+    ui.add_space(3.0);
+    ui.horizontal(|ui| {
+        if ui.button(t.duplicate).on_hover_text(t.duplicate_hint).clicked() {
+            duplicate(state, form, index);
+        }
+        asked = asked.take().or(delete(ui, form, &name));
+    });
+    matrix(ui, form, &name);
+    asked
+}
+
+/// What an object of the named scene is like; it cannot be changed.
+pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, name: &str) {
+    let t = scenes::texts(state.settings.lang);
+    let preset = tree::preset_objects(state.document.figure().scene.preset);
+    let Some(object) = preset.iter().find(|o| o.name == name) else { return };
+    ui.add(egui::Label::new(RichText::new(t.of_preset_hint).weak()).wrap());
+    row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
+    row(ui, "", t.parent, t.parent_hint, |ui| ui.label(object.parent.as_deref().unwrap_or(t.no_parent)));
+    for (symbol, name, hint, v, unit) in [
+        ("T", t.translate, t.translate_hint, object.translate, ""),
+        ("R", t.rotate, t.rotate_hint, object.rotate, "°"),
+        ("S", t.scale, t.scale_hint, object.scale, ""),
+    ] {
+        let [x, y, z] = v.to_array().map(|x| format!("{}{unit}", short(x, 7)));
+        row(ui, symbol, name, hint, |ui| ui.label(format!("({x}, {y}, {z})")));
+    }
+}
+
+/// A name takes effect with Enter, or when its field is left; one that is wrong stays with its reason until it is mended.
+fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
+    let t = form.t;
+    let mut typing = typing(state, name, "name").unwrap_or_else(|| Typing::of(name, "name", name));
+    let mut left = false;
+    row(ui, "", t.name, t.name_hint, |ui| {
+        let field = egui::TextEdit::singleline(&mut typing.text)
+            .id(egui::Id::unique(("object name", name)))
+            .desired_width(150.0)
+            .margin(egui::Margin::symmetric(4, 2));
+        let response = ui.add(field).on_hover_text(t.name_hint).accessible_name(t.name);
+        left = response.lost_focus();
+    });
+    let wanted = typing.text.trim().to_owned();
+    let escaped = left && ui.input(|input| input.key_pressed(Key::Escape));
+    if wanted == name || escaped {
+        return;
+    }
+    let problem = if wanted.is_empty() {
+        Some(t.name_empty)
+    } else {
+        edit::rename(&mut form.scene.clone(), name, &wanted).err().map(|_| t.name_taken)
+    };
+    typing.left |= left;
+    match problem {
+        Some(problem) if typing.left => complaint(ui, problem),
+        None if left => {
+            // The draft of impossible numbers, if there is one, goes on under the new name.
+            let mut base = form.base.clone();
+            if edit::rename(&mut base, name, &wanted).is_ok() && edit::rename(&mut form.scene, name, &wanted).is_ok() {
+                state.document.edit(|figure| figure.scene = base.clone());
+                form.base = base;
+                state.tree.select(Some(Selected::Object(wanted)));
+            }
+            return;
+        }
+        _ => {}
+    }
+    state.tree.typing = Some(typing);
+}
+
+/// What is being typed for an object.
+fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
+    let is_it = |typing: &Typing| typing.owner == owner && typing.key == key;
+    if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
+}
+
+impl Typing {
+    fn of(owner: &str, key: &'static str, text: &str) -> Self {
+        Self { owner: owner.to_owned(), key, text: text.to_owned(), left: false }
+    }
+}
+
+/// Another shape with the same transform; what needs data of its own does not change into something else.
+fn kind(ui: &mut egui::Ui, form: &mut Form, index: usize) {
+    let t = form.t;
+    let object = &mut form.scene.objects[index];
+    if matches!(object.shape, Some(Shape::Points(_) | Shape::Segments(_) | Shape::Mesh { .. })) {
+        row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
+        return;
+    }
+    let kinds = [
+        None,
+        Some(Shape::Box),
+        Some(Shape::Prism),
+        Some(Shape::Pyramid),
+        Some(Shape::Sphere),
+        Some(Shape::Ellipsoid),
+        Some(Shape::Cylinder),
+        Some(Shape::Cone),
+        Some(Shape::Torus),
+        Some(Shape::Grid),
+    ];
+    let usual = |shape: Option<&Shape>| shape.map_or(32, Shape::default_segments);
+    let mut chosen = object.shape.clone();
+    row(ui, "", t.kind, t.kind_hint, |ui| {
+        egui::ComboBox::from_id_salt(t.kind)
+            .selected_text(t.shape(chosen.as_ref()))
+            .width(116.0)
+            .show_ui(ui, |ui| {
+                for kind in kinds {
+                    let text = t.shape(kind.as_ref());
+                    ui.selectable_value(&mut chosen, kind, text);
+                }
+            })
+            .response
+            .on_hover_text(t.kind_hint)
+            .accessible_name(t.kind);
+    });
+    if chosen != object.shape {
+        if object.segments == usual(object.shape.as_ref()) {
+            object.segments = usual(chosen.as_ref());
+        }
+        object.shape = chosen;
+    }
+}
+
+/// The parent: any object but itself and those that hang on it.
+fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Option<Edit> {
+    let t = form.t;
+    let object = &form.scene.objects[index];
+    let below = descendants(&form.scene, &object.name);
+    let own = form.scene.objects.iter().map(|o| &o.name);
+    let preset = tree::preset_objects(form.scene.preset);
+    let mut names: Vec<&String> = own.filter(|name| **name != object.name && !below.contains(*name)).collect();
+    names.extend(preset.iter().map(|o| &o.name).filter(|name| form.scene.objects.iter().all(|o| o.name != **name)));
+    let mut chosen = object.parent.clone();
+    row(ui, "", t.parent, t.parent_hint, |ui| {
+        egui::ComboBox::from_id_salt(t.parent)
+            .selected_text(chosen.as_deref().unwrap_or(t.no_parent))
+            .width(116.0)
+            .show_ui(ui, |ui| {
+                ui.selectable_value(&mut chosen, None, t.no_parent);
+                for name in names {
+                    ui.selectable_value(&mut chosen, Some(name.clone()), name);
+                }
+            })
+            .response
+            .on_hover_text(t.parent_hint)
+            .accessible_name(t.parent);
+    });
+    let mut stay = !state.tree.moves_with_parent;
+    ui.checkbox(&mut stay, t.stay).on_hover_text(t.stay_hint);
+    state.tree.moves_with_parent = !stay;
+    (chosen != object.parent).then(|| Edit::Hang { name: object.name.clone(), parent: chosen })
+}
+
+fn transform(ui: &mut egui::Ui, form: &mut Form, index: usize) {
+    let t = form.t;
+    let owner = form.scene.objects[index].name.clone();
+    let step = form.step;
+    let mut show =
+        |ui: &mut egui::Ui, key, symbol, name, hint, step, angles, value: fn(&mut ObjectSpec) -> &mut DVec3| {
+            let marked = form.is_marked(Some(&owner), key);
+            let field = Vector { symbol, name, hint, field: name, owner: &owner, step, angles, marked };
+            let outputs = field.show(ui, form.window, value(&mut form.scene.objects[index]));
+            form.complain(ui, Some(&owner), key, &outputs);
+        };
+    show(ui, "translate", "T", t.translate, t.translate_hint, step, false, |o| &mut o.translate);
+    show(ui, "rotate", "R", t.rotate, t.rotate_hint, 15.0, true, |o| &mut o.rotate);
+    show(ui, "scale", "S", t.scale, t.scale_hint, 0.1, false, |o| &mut o.scale);
+    form.complain(ui, Some(&owner), "parent", &[]);
+}
+
+fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
+    let t = form.t;
+    let owner = form.scene.objects[index].name.clone();
+    let of_parts = format!("{owner}/");
+    let shown = state.scenery.scene().objects.iter().find_map(|o| match o.paint {
+        ObjectPaint::Solid(color) if o.name == owner || o.name.starts_with(&of_parts) => Some(color),
+        _ => None,
+    });
+    let automatic = form.scene.objects[index].color.is_none();
+    let now = form.scene.objects[index].color.or(shown).unwrap_or(crate::scene::palette::BLUE);
+    let mut chosen = form.scene.objects[index].color;
+    let mut is_automatic = automatic;
+    let mut typing = typing(state, &owner, "color").unwrap_or_else(|| Typing::of(&owner, "color", &now.to_string()));
+    let (mut editing, mut left) = (false, false);
+    row(ui, "", t.color, t.color_hint, |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let mut bytes = [now.r, now.g, now.b, now.a];
+        let picker = ui.color_edit_button_srgba_unmultiplied(&mut bytes).accessible_name(t.color);
+        if picker.changed() {
+            let [r, g, b, a] = bytes;
+            chosen = Some(Rgba::rgba(r, g, b, a));
+        }
+        let field = egui::TextEdit::singleline(&mut typing.text)
+            .id(egui::Id::unique(("object colour", &owner)))
+            .desired_width(74.0)
+            .margin(egui::Margin::symmetric(4, 2));
+        let response = ui.add(field).on_hover_text(t.color_hint).accessible_name(format!("{} #", t.color));
+        (editing, left) = (response.has_focus(), response.lost_focus());
+        ui.checkbox(&mut is_automatic, t.color_auto).on_hover_text(t.color_auto_hint);
+    });
+    let escaped = left && ui.input(|input| input.key_pressed(Key::Escape));
+    let text = typing.text.trim().to_owned();
+    if text != now.to_string() && !escaped {
+        match text.parse() {
+            Ok(color) if left => chosen = Some(color),
+            Err(_) if left || typing.left => {
+                complaint(ui, t.color_bad);
+                state.tree.typing = Some(Typing { left: true, ..typing });
+            }
+            _ if editing || typing.left => state.tree.typing = Some(typing),
+            _ => {}
+        }
+    }
+    if is_automatic != automatic {
+        chosen = (!is_automatic).then_some(now);
+    }
+    form.scene.objects[index].color = chosen;
+}
+
+fn segments(ui: &mut egui::Ui, form: &mut Form, index: usize) {
+    let (t, owner) = (form.t, form.scene.objects[index].name.clone());
+    let object = &form.scene.objects[index];
+    if !object.shape.as_ref().is_some_and(Shape::has_segments) {
+        return;
+    }
+    let marked = form.is_marked(Some(&owner), "segments");
+    let mut value = f64::from(object.segments);
+    let output = row(ui, "", t.segments, t.segments_hint, |ui| {
+        let field = NumberField::new(t.segments, Step::Add(1.0)).of(&owner).whole().width(92.0);
+        field.hint(t.segments_hint).marked(marked).show(ui, form.window, &mut value)
+    });
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped; what is too much is said")]
+    let whole = value.round().clamp(0.0, 1e9) as u32;
+    form.scene.objects[index].segments = whole;
+    form.complain(ui, Some(&owner), "segments", &[output]);
+}
+
+/// The points of points and segments, the file of a mesh.
+fn data(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
+    let t = form.t;
+    let owner = form.scene.objects[index].name.clone();
+    let (window, step) = (form.window, form.step);
+    match &mut form.scene.objects[index].shape {
+        Some(Shape::Points(points)) => {
+            point_list(ui, t, window, (&owner, step), t.points, points, 1);
+            if points.len() < MOST_POINTS && ui.button(t.add_point).clicked() {
+                points.push(points.last().copied().unwrap_or_default());
+            }
+        }
+        Some(Shape::Segments(segments)) => {
+            let mut points: Vec<DVec3> = segments.as_flattened().to_vec();
+            point_list(ui, t, window, (&owner, step), t.ends, &mut points, 2);
+            *segments = points.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect();
+            if segments.len() < MOST_POINTS / 2 && ui.button(t.add_segment).clicked() {
+                let from = segments.last().map_or(DVec3::ZERO, |ends| ends[1]);
+                segments.push([from, from + DVec3::X * step]);
+            }
+        }
+        Some(Shape::Mesh { path }) => mesh_file(ui, state, t, &owner, path),
+        _ => {}
+    }
+    form.complain(ui, Some(&owner), "points", &[]);
+    form.complain(ui, Some(&owner), "segments", &[]);
+}
+
+/// Points with a button that removes each, or each pair.
+fn point_list(
+    ui: &mut egui::Ui,
+    t: &Texts,
+    window: &crate::i18n::window::Texts,
+    (owner, step): (&str, f64),
+    title: &'static str,
+    points: &mut Vec<DVec3>,
+    together: usize,
+) {
+    ui.label(title);
+    if points.len() > MOST_POINTS {
+        ui.add(egui::Label::new(RichText::new(t.too_many).weak()).wrap());
+        return;
+    }
+    let mut removed = None;
+    for (i, point) in points.iter_mut().enumerate() {
+        let owner = format!("{owner} {i}");
+        ui.horizontal(|ui| {
+            let field = Vector {
+                symbol: "",
+                name: title,
+                hint: "",
+                field: t.point_number,
+                owner: &owner,
+                step,
+                angles: false,
+                marked: false,
+            };
+            field.fields(ui, window, point, 26.0);
+            if i % together == 0 {
+                let button = ui.small_button("✕").on_hover_text(t.remove_point);
+                if button.accessible_name(format!("{} {}", t.remove_point, i / together + 1)).clicked() {
+                    removed = Some(i);
+                }
+            }
+        });
+    }
+    if let Some(i) = removed.filter(|_| points.len() > together) {
+        points.drain(i..i + together);
+    }
+}
+
+fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path: &mut String) {
+    let mut typing = typing(state, owner, "path").unwrap_or_else(|| Typing::of(owner, "path", path));
+    let mut left = false;
+    row(ui, "", t.path, t.path_hint, |ui| {
+        if ui.button(t.browse).clicked() {
+            filing::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
+        }
+        let field = egui::TextEdit::singleline(&mut typing.text)
+            .id(egui::Id::unique(("object file", owner)))
+            .desired_width(ui.available_width() - 8.0)
+            .margin(egui::Margin::symmetric(4, 2));
+        let response = ui.add(field).on_hover_text(t.path_hint).accessible_name(t.path);
+        left = response.lost_focus();
+    });
+    let text = typing.text.trim().to_owned();
+    if left && !text.is_empty() && !ui.input(|input| input.key_pressed(Key::Escape)) {
+        *path = text;
+    } else if !left && text != *path {
+        state.tree.typing = Some(typing);
+    }
+    if let Some(problem) = state.scenery.problem_of(owner) {
+        complaint(ui, &problem);
+        if ui.button(t.read_again).on_hover_text(t.read_again_hint).clicked() {
+            state.scenery.read_again();
+            state.message = None;
+        }
+    }
+}
+
+fn duplicate(state: &mut State, form: &mut Form, index: usize) {
+    let object = &form.scene.objects[index];
+    let stem = object.name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end();
+    let name = free_name(&form.scene, if stem.is_empty() { &object.name } else { stem });
+    let copy = ObjectSpec { name: name.clone(), ..object.clone() };
+    form.scene.objects.insert(index + 1, copy);
+    state.tree.select(Some(Selected::Object(name)));
+}
+
+/// The button; a menu where something hangs on the object.
+fn delete(ui: &mut egui::Ui, form: &Form, name: &str) -> Option<Edit> {
+    let t = form.t;
+    let below = descendants(&form.scene, name).len();
+    let remove = |children| Some(Edit::Remove { name: name.to_owned(), children });
+    if below == 0 {
+        let button = ui.button(t.delete).on_hover_text(t.delete_hint);
+        return button.clicked().then(|| remove(Children::Removed)).flatten();
+    }
+    let mut asked = None;
+    let button = ui.menu_button(format!("{} ▾", t.delete), |ui| {
+        if ui.button(format!("{} (+ {below})", t.delete_all)).clicked() {
+            asked = remove(Children::Removed);
+        }
+        if ui.button(t.delete_alone).clicked() {
+            asked = remove(Children::HungHigher);
+        }
+    });
+    button.response.on_hover_text(t.delete_hint).accessible_name(t.delete);
+    asked
+}
+
+/// The matrix that takes the object to the world.
+fn matrix(ui: &mut egui::Ui, form: &Form, name: &str) {
+    let t = form.t;
+    let Some(matrix) = placement(&form.scene, name) else { return };
+    egui::CollapsingHeader::new(t.matrix).default_open(false).show_unindented(ui, |ui| {
+        egui::Grid::new("world matrix").num_columns(4).spacing([10.0, 1.0]).show(ui, |ui| {
+            for row in matrix.transpose().to_cols_array_2d() {
+                for value in row {
+                    ui.monospace(short(value, 7));
+                }
+                ui.end_row();
+            }
+        });
+    });
+}
+
+fn placement(scene: &SceneSpec, name: &str) -> Option<glam::DMat4> {
+    let all: Result<_, SceneError> = placements(scene);
+    all.ok()?.get(name).copied()
+}

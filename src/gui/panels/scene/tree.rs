@@ -1,0 +1,313 @@
+//! The tree of objects and the list of lights: rows that are selected, folded, dragged onto each other and deleted.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    self, Align2, Color32, EventFilter, Id, Key, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, WidgetInfo,
+    pos2, vec2,
+};
+
+use super::{Edit, Selected};
+use crate::appearance::{Rgba, Theme};
+use crate::gui::state::State;
+use crate::i18n::scenes::Texts;
+use crate::scene::edit::{Children, descendants};
+use crate::scene::palette::SceneColors;
+use crate::scene::{LightSpec, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
+
+/// Width of a step of the tree, in points.
+const INDENT: f32 = 13.0;
+
+/// The objects of a preset; their colours do not matter here.
+pub(super) fn preset_objects(preset: Preset) -> Vec<ObjectSpec> {
+    crate::scene::preset_objects(preset, &SceneColors::of(Theme::Light))
+}
+
+/// A line of the tree.
+struct Row {
+    /// `None`: the world, on which everything hangs.
+    what: Option<Selected>,
+    name: String,
+    kind: &'static str,
+    depth: u16,
+    /// Its children are shown; `None`: it has none.
+    open: Option<bool>,
+    color: Option<Rgba>,
+    hint: &'static str,
+}
+
+/// An object that is being dragged, by name.
+struct Dragged(String);
+
+/// Shows the tree, up to `height`, and gives what was done with it.
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height: f32) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    let scene = state.document.figure().scene.clone();
+    let rows = rows(&scene, state.scenery.scene(), &state.tree.folded, t);
+    let selected = state.tree.selected(&scene).cloned();
+    let dragged = egui::DragAndDrop::payload::<Dragged>(ui.ctx());
+    let frame = egui::Frame::NONE
+        .fill(ui.visuals().extreme_bg_color)
+        .stroke(ui.visuals().widgets.noninteractive.bg_stroke)
+        .inner_margin(1.0);
+    frame.show(ui, |ui| {
+        egui::ScrollArea::vertical().id_salt("tree").max_height(height).auto_shrink([false, true]).show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            for row in &rows {
+                let is_selected = row.what.is_some() && row.what == selected;
+                let response = show(ui, row, is_selected);
+                if let (Selected::Object(name), true) =
+                    (row.what.as_ref().unwrap_or(&Selected::Light(0)), response.drag_started())
+                {
+                    response.dnd_set_drag_payload(Dragged(name.clone()));
+                }
+                if let Some(edit) = dropped(ui, row, &response, &scene, dragged.as_deref()) {
+                    edits.push(edit);
+                }
+                act(ui, state, row, &response, &mut edits);
+            }
+            if scene.objects.is_empty() && scene.preset == Preset::Empty {
+                ui.weak(t.empty);
+            }
+        });
+    });
+    if let Some(Dragged(name)) = dragged.as_deref() {
+        follow(ui, name);
+    }
+    edits
+}
+
+/// Clicks and keys on a row.
+fn act(ui: &egui::Ui, state: &mut State, row: &Row, response: &Response, edits: &mut Vec<Edit>) {
+    if response.clicked() {
+        state.tree.select(row.what.clone());
+        response.request_focus();
+        ui.ctx().request_repaint();
+    }
+    let fold = |folded: &mut BTreeSet<String>, fold: bool| {
+        if fold {
+            folded.insert(row.name.clone());
+        } else {
+            folded.remove(&row.name);
+        }
+    };
+    if let Some(open) = row.open.filter(|_| row.what.is_some()) {
+        let triangle = ui.interact(triangle_place(row, response.rect), response.id.with("fold"), Sense::CLICK);
+        if triangle.clicked() || response.double_clicked() {
+            fold(&mut state.tree.folded, open);
+            ui.ctx().request_repaint();
+        }
+    }
+    if !response.has_focus() {
+        return;
+    }
+    let filter = EventFilter { horizontal_arrows: true, ..EventFilter::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let pressed = |key| ui.input(|input| input.key_pressed(key));
+    if row.open.is_some() && (pressed(Key::ArrowLeft) || pressed(Key::ArrowRight)) {
+        fold(&mut state.tree.folded, pressed(Key::ArrowLeft));
+        ui.ctx().request_repaint();
+    }
+    if pressed(Key::Delete) {
+        match &row.what {
+            Some(Selected::Object(name)) => {
+                edits.push(Edit::Remove { name: name.clone(), children: Children::Removed });
+            }
+            Some(Selected::Light(index)) => edits.push(Edit::RemoveLight(*index)),
+            Some(Selected::OfPreset(_)) | None => {}
+        }
+    }
+}
+
+/// What becomes of an object that is held over, or dropped on, a row.
+fn dropped(
+    ui: &egui::Ui,
+    row: &Row,
+    response: &Response,
+    scene: &SceneSpec,
+    dragged: Option<&Dragged>,
+) -> Option<Edit> {
+    let Dragged(name) = dragged?;
+    let parent = match &row.what {
+        None => None,
+        Some(Selected::Object(parent) | Selected::OfPreset(parent)) => Some(parent.clone()),
+        Some(Selected::Light(_)) => return None,
+    };
+    let now = scene.objects.iter().find(|o| o.name == *name)?.parent.clone();
+    let possible = parent.as_ref() != Some(name)
+        && parent != now
+        && parent.as_ref().is_none_or(|parent| !descendants(scene, name).contains(parent));
+    if !possible || !response.contains_pointer() {
+        return None;
+    }
+    let stroke = Stroke::new(1.5, ui.visuals().hyperlink_color);
+    ui.painter().rect_stroke(response.rect, 2.0, stroke, StrokeKind::Inside);
+    response.dnd_release_payload::<Dragged>().map(|_| Edit::Hang { name: name.clone(), parent })
+}
+
+/// The name of what is dragged, beside the pointer.
+fn follow(ui: &egui::Ui, name: &str) {
+    let Some(pointer) = ui.input(|input| input.pointer.latest_pos()) else { return };
+    ui.set_cursor_icon(egui::CursorIcon::Grabbing);
+    let layer = egui::LayerId::new(egui::Order::Tooltip, Id::unique("dragged object"));
+    let painter = ui.ctx().layer_painter(layer);
+    let font = TextStyle::Body.resolve(ui.style());
+    let galley = painter.layout_no_wrap(name.to_owned(), font, ui.visuals().text_color());
+    let place = Rect::from_min_size(pointer + vec2(12.0, 4.0), galley.size());
+    painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, ui.visuals().selection.bg_fill);
+    painter.galley(place.min, galley, ui.visuals().text_color());
+}
+
+/// Draws a row: triangle, colour, name, kind.
+fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
+    let height = ui.spacing().interact_size.y - 2.0;
+    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), height));
+    let sense = if matches!(row.what, Some(Selected::Object(_))) { Sense::click_and_drag() } else { Sense::CLICK };
+    let response = ui.interact(rect, Id::unique(("row of the scene", format!("{:?} {}", row.what, row.kind))), sense);
+    response.widget_info(|| WidgetInfo::selected(Role::TreeItem, true, selected, &row.name));
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_level(row.depth.into());
+        node.set_description(row.kind);
+        if let Some(open) = row.open {
+            node.set_expanded(open);
+        }
+    });
+    if !ui.is_rect_visible(rect) {
+        return response;
+    }
+    let visuals = ui.visuals();
+    if selected {
+        ui.painter().rect_filled(rect, 2.0, visuals.selection.bg_fill);
+    } else if response.hovered() {
+        ui.painter().rect_filled(rect, 2.0, visuals.widgets.hovered.weak_bg_fill);
+    }
+    if response.has_focus() {
+        let ring = Stroke::new(1.5, visuals.hyperlink_color);
+        ui.painter().rect_stroke(rect, 2.0, ring, StrokeKind::Inside);
+    }
+    if let Some(open) = row.open {
+        paint_triangle(ui, triangle_place(row, rect), open);
+    }
+    let mut left = triangle_place(row, rect).right() + 3.0;
+    if let Some(color) = row.color {
+        let dot = Rect::from_center_size(pos2(left + 4.0, rect.center().y), vec2(8.0, 8.0));
+        let Rgba { r, g, b, .. } = color;
+        ui.painter().rect_filled(dot, 2.0, Color32::from_rgb(r, g, b));
+        ui.painter().rect_stroke(dot, 2.0, visuals.widgets.noninteractive.bg_stroke, StrokeKind::Outside);
+        left = dot.right() + 5.0;
+    }
+    let small = TextStyle::Small.resolve(ui.style());
+    let weak = visuals.weak_text_color();
+    let kind = ui.painter().layout_no_wrap(row.kind.to_owned(), small, weak);
+    let room = rect.right() - 4.0 - kind.size().x;
+    let kind_place = Align2::RIGHT_CENTER.anchor_size(pos2(rect.right() - 4.0, rect.center().y), kind.size());
+    ui.painter().galley(kind_place.min, kind, weak);
+    let color = match row.what {
+        Some(Selected::Object(_) | Selected::Light(_)) => visuals.text_color(),
+        Some(Selected::OfPreset(_)) | None => weak,
+    };
+    let clip = Rect::from_min_max(rect.min, pos2(room - 4.0, rect.bottom()));
+    ui.painter().with_clip_rect(clip.intersect(ui.clip_rect())).text(
+        pos2(left, rect.center().y),
+        Align2::LEFT_CENTER,
+        &row.name,
+        TextStyle::Body.resolve(ui.style()),
+        color,
+    );
+    response.on_hover_text(row.hint)
+}
+
+fn triangle_place(row: &Row, rect: Rect) -> Rect {
+    let left = rect.left() + 2.0 + INDENT * f32::from(row.depth);
+    Rect::from_min_max(pos2(left, rect.top()), pos2(left + 12.0, rect.bottom()))
+}
+
+fn paint_triangle(ui: &egui::Ui, place: Rect, open: bool) {
+    let c = place.center();
+    let points = if open {
+        vec![c + vec2(-4.0, -2.5), c + vec2(4.0, -2.5), c + vec2(0.0, 3.5)]
+    } else {
+        vec![c + vec2(-2.5, -4.0), c + vec2(3.5, 0.0), c + vec2(-2.5, 4.0)]
+    };
+    let color = ui.visuals().weak_text_color();
+    ui.painter().add(egui::Shape::convex_polygon(points, color, Stroke::NONE));
+}
+
+/// An object, and whether it is the figure's own.
+type Node<'a> = (bool, &'a ObjectSpec);
+
+/// The rows that are shown: the world, the objects of the named scene and of the figure under their parents, the lights.
+fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static Texts) -> Vec<Row> {
+    let preset = preset_objects(scene.preset);
+    let colors: BTreeMap<&str, Rgba> = built
+        .objects
+        .iter()
+        .filter_map(|o| match o.paint {
+            ObjectPaint::Solid(color) => Some((o.name.as_str(), color)),
+            _ => None,
+        })
+        .collect();
+    // Of a figure's object and one of the preset with the same name, children hang on the figure's.
+    let own: BTreeSet<&str> = scene.objects.iter().map(|o| o.name.as_str()).collect();
+    let mut children: BTreeMap<Option<(bool, &str)>, Vec<Node<'_>>> = BTreeMap::new();
+    for object in &preset {
+        children.entry(object.parent.as_deref().map(|p| (false, p))).or_default().push((false, object));
+    }
+    for object in &scene.objects {
+        let parent = object.parent.as_deref().map(|p| (own.contains(p), p));
+        children.entry(parent).or_default().push((true, object));
+    }
+    let count = preset.len() + scene.objects.len();
+    let world = Row {
+        what: None,
+        name: t.root.to_owned(),
+        kind: "",
+        depth: 0,
+        open: (count > 0).then_some(true),
+        color: None,
+        hint: t.root_hint,
+    };
+    let mut rows = vec![world];
+    let of = |key: Option<(bool, &str)>| children.get(&key).into_iter().flatten().rev().copied().collect::<Vec<_>>();
+    let mut open: Vec<(u16, Node<'_>)> = of(None).into_iter().map(|child| (1, child)).collect();
+    while let Some((depth, (is_own, object))) = open.pop() {
+        // A circle of parents hangs on nothing and is never reached.
+        let below = of(Some((is_own, &object.name)));
+        let is_open = !folded.contains(&object.name);
+        let name = object.name.clone();
+        rows.push(Row {
+            color: colors.get(name.as_str()).copied().filter(|_| object.shape.is_some()),
+            kind: t.shape(object.shape.as_ref()),
+            depth,
+            open: (!below.is_empty()).then_some(is_open),
+            hint: if is_own { t.row_hint } else { t.of_preset_hint },
+            what: Some(if is_own { Selected::Object(name.clone()) } else { Selected::OfPreset(name.clone()) }),
+            name,
+        });
+        if is_open {
+            open.extend(below.into_iter().map(|child| (depth.saturating_add(1), child)));
+        }
+    }
+    rows.extend(scene.lights.iter().enumerate().map(|(i, light)| Row {
+        what: Some(Selected::Light(i)),
+        name: format!("{} {}", t.light, i + 1),
+        kind: t.light(*light),
+        depth: 0,
+        open: None,
+        color: None,
+        hint: t.row_hint,
+    }));
+    if scene.lights.is_empty() {
+        rows.push(Row {
+            what: None,
+            name: t.default_light.to_owned(),
+            kind: t.light(LightSpec::Directional(glam::DVec3::Y)),
+            depth: 0,
+            open: None,
+            color: None,
+            hint: t.default_light_hint,
+        });
+    }
+    rows
+}

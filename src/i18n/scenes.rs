@@ -1,0 +1,222 @@
+//! The words of the scene: its tree, its objects and lights, and what is wrong with them.
+
+use super::{Lang, meshes};
+use crate::scene::primitives::{MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::scene::{Beyond, LightSpec, SceneError, Shape};
+
+/// The words of a language.
+#[must_use]
+pub fn texts(lang: Lang) -> &'static Texts {
+    match lang {
+        Lang::En => &EN,
+        Lang::PtBr => &PT_BR,
+    }
+}
+
+texts! {
+    drawing: "Drawing", "Desenho";
+
+    add: "Add", "Acrescentar";
+    add_hint: "A primitive, a mesh file, a group or a light", "Uma primitiva, um arquivo de malha, um grupo ou uma luz";
+    edit_copy: "Edit a copy", "Editar uma cópia";
+    edit_copy_hint: "Writes the named scene into the figure as a list of objects that can be changed", "Escreve a cena nomeada na figura como uma lista de objetos que podem ser mudados";
+    lost: "A list of objects cannot say, and loses:", "Uma lista de objetos não diz, e perde:";
+    copied: "The scene is a list of objects now.", "A cena agora é uma lista de objetos.";
+    tree: "Objects", "Objetos";
+    root: "World", "Mundo";
+    root_hint: "Drop an object here to hang it on no other", "Solte um objeto aqui para pendurá-lo em nenhum outro";
+    fold: "Fold", "Recolher";
+    unfold: "Unfold", "Expandir";
+    of_preset: "of the named scene", "da cena nomeada";
+    of_preset_hint: "It belongs to the named scene and cannot be changed. “Edit a copy” makes it an object of the figure.", "Pertence à cena nomeada e não pode ser mudado. “Editar uma cópia” faz dele um objeto da figura.";
+    row_hint: "Click: select · drag: hang on another object · Del: delete", "Clique: selecionar · arraste: pendurar em outro objeto · Del: excluir";
+    nothing_selected: "Select an object or a light to change it. In the world picture, its arrows move it.", "Selecione um objeto ou uma luz para mudar. Na imagem do mundo, suas setas o movem.";
+    empty: "There is no object yet.", "Ainda não há objetos.";
+
+    object: "Object", "Objeto";
+    name: "name", "nome";
+    name_hint: "Each object has another name", "Cada objeto tem outro nome";
+    kind: "kind", "tipo";
+    kind_hint: "The shape; a group is there for its transform only", "A forma; um grupo existe só por sua transformação";
+    parent: "parent", "pai";
+    parent_hint: "The object whose transform comes before its own", "O objeto cuja transformação vem antes da sua";
+    no_parent: "none", "nenhum";
+    stay: "Stays where it is", "Fica onde está";
+    stay_hint: "On: with another parent it gets the numbers that leave it where it is in the world. Off: its numbers stay, and it moves with its new parent", "Ligado: com outro pai, recebe os números que o deixam onde está no mundo. Desligado: seus números ficam, e ele se move com o novo pai";
+    shear: "It could not stay where it is: under this parent that would be a shear, which translation, rotation and scale cannot say.", "Não pôde ficar onde estava: sob este pai isso seria um cisalhamento, que translação, rotação e escala não dizem.";
+    translate: "translation", "translação";
+    translate_hint: "T, scene units along the axes of the parent. The object's matrix is T · R · S, [3]", "T, unidades da cena ao longo dos eixos do pai. A matriz do objeto é T · R · S, [3]";
+    rotate: "rotation", "rotação";
+    rotate_hint: "R, degrees about x, then y, then z: R = Rz · Ry · Rx", "R, graus em torno de x, depois y, depois z: R = Rz · Ry · Rx";
+    scale: "scale", "escala";
+    scale_hint: "S, along the object's own axes; not 0; negative: mirrored", "S, ao longo dos eixos do próprio objeto; não 0; negativa: espelhada";
+    color: "colour", "cor";
+    color_hint: "#rrggbb, or #rrggbbaa with an opacity", "#rrggbb, ou #rrggbbaa com opacidade";
+    color_auto: "automatic", "automática";
+    color_auto_hint: "The parent's colour, else the next one of the palette", "A cor do pai, ou a próxima da paleta";
+    color_bad: "a colour is written #rrggbb or #rrggbbaa", "uma cor se escreve #rrggbb ou #rrggbbaa";
+    segments: "segments", "segmentos";
+    segments_hint: "Tessellation: sides of a prism, cells of a grid, meridians of what is curved", "Tesselação: lados de um prisma, células de uma grade, meridianos do que é curvo";
+    points: "points", "pontos";
+    ends: "ends of segments, in pairs", "extremos de segmentos, aos pares";
+    add_point: "Add a point", "Acrescentar um ponto";
+    add_segment: "Add a segment", "Acrescentar um segmento";
+    remove_point: "Remove", "Remover";
+    point_number: "point", "ponto";
+    too_many: "There are more points than can be edited here; change them in the figure file.", "Há mais pontos do que se edita aqui; mude-os no arquivo da figura.";
+    path: "file", "arquivo";
+    path_hint: "OBJ, glTF or GLB; relative to the figure file", "OBJ, glTF ou GLB; relativo ao arquivo da figura";
+    browse: "Choose…", "Escolher…";
+    read_again: "Read again", "Ler de novo";
+    read_again_hint: "The file may have changed since it was read", "O arquivo pode ter mudado desde que foi lido";
+    loading: "Loading", "Carregando";
+    duplicate: "Duplicate", "Duplicar";
+    duplicate_hint: "Another one with the same numbers", "Mais um com os mesmos números";
+    delete: "Delete", "Excluir";
+    delete_hint: "Takes it out of the scene", "Tira-o da cena";
+    delete_all: "With what hangs on it", "Com o que pende dele";
+    delete_alone: "Alone; its children go to its parent", "Sozinho; seus filhos vão para o pai";
+    deleted: "Deleted:", "Excluído:";
+    matrix: "World matrix", "Matriz no mundo";
+    matrix_hint: "Object → world: the matrices of its ancestors times its own", "Objeto → mundo: as matrizes dos ancestrais vezes a sua";
+
+    lights: "Lights", "Luzes";
+    default_light: "default light", "luz padrão";
+    default_light_hint: "Without lights of its own, a scene has this one, directional. The first light that is added takes its place.", "Sem luzes próprias, a cena tem esta, direcional. A primeira luz acrescentada toma seu lugar.";
+    light: "Light", "Luz";
+    light_kind_hint: "Directional: parallel light, as from the sun. Point: a lamp", "Direcional: luz paralela, como a do sol. Pontual: uma lâmpada";
+    direction: "direction", "direção";
+    direction_hint: "Where the light goes (world); any length but 0", "Para onde a luz vai (mundo); qualquer comprimento menos 0";
+    light_position: "lamp", "lâmpada";
+    light_position_hint: "Where the lamp is (world)", "Onde a lâmpada está (mundo)";
+
+    name_empty: "a name must not be empty", "um nome não pode ser vazio";
+    name_taken: "another object has this name", "outro objeto tem este nome";
+    mesh_title: "Choose a mesh", "Escolher uma malha";
+    mesh_filter: "Mesh (OBJ, glTF, GLB)", "Malha (OBJ, glTF, GLB)";
+    mesh_action: "Add", "Acrescentar";
+
+    drag_object: "Drag: along this axis of its parent", "Arrastar: ao longo deste eixo do pai";
+    drag_lamp: "Drag: along this axis", "Arrastar: ao longo deste eixo";
+
+    group: "group", "grupo";
+    shape_box: "box", "caixa";
+    shape_prism: "prism", "prisma";
+    shape_pyramid: "pyramid", "pirâmide";
+    shape_sphere: "sphere", "esfera";
+    shape_ellipsoid: "ellipsoid", "elipsoide";
+    shape_cylinder: "cylinder", "cilindro";
+    shape_cone: "cone", "cone";
+    shape_torus: "torus", "toro";
+    shape_grid: "grid", "grade";
+    shape_points: "points", "pontos";
+    shape_segments: "segments", "segmentos";
+    shape_mesh: "mesh", "malha";
+    shape_mesh_file: "mesh file…", "arquivo de malha…";
+    directional: "directional", "direcional";
+    point: "point", "pontual";
+    directional_light: "directional light", "luz direcional";
+    point_light: "point light", "luz pontual";
+}
+
+impl Texts {
+    /// What a shape is called; a group has none.
+    #[must_use]
+    pub fn shape(&self, shape: Option<&Shape>) -> &'static str {
+        match shape {
+            None => self.group,
+            Some(Shape::Box) => self.shape_box,
+            Some(Shape::Prism) => self.shape_prism,
+            Some(Shape::Pyramid) => self.shape_pyramid,
+            Some(Shape::Sphere) => self.shape_sphere,
+            Some(Shape::Ellipsoid) => self.shape_ellipsoid,
+            Some(Shape::Cylinder) => self.shape_cylinder,
+            Some(Shape::Cone) => self.shape_cone,
+            Some(Shape::Torus) => self.shape_torus,
+            Some(Shape::Grid) => self.shape_grid,
+            Some(Shape::Points(_)) => self.shape_points,
+            Some(Shape::Segments(_)) => self.shape_segments,
+            Some(Shape::Mesh { .. }) => self.shape_mesh,
+        }
+    }
+
+    /// What a kind of light is called.
+    #[must_use]
+    pub fn light(&self, light: LightSpec) -> &'static str {
+        match light {
+            LightSpec::Directional(_) => self.directional,
+            LightSpec::Point(_) => self.point,
+        }
+    }
+}
+
+/// What a list of objects cannot say, as a list.
+#[must_use]
+pub fn beyond(lang: Lang, lost: &[Beyond]) -> String {
+    let word = |what: &Beyond| match (lang, what) {
+        (Lang::En, Beyond::NumberedFaces) => "the colours of single faces and the numbers on them",
+        (Lang::PtBr, Beyond::NumberedFaces) => "as cores de cada face e os números nelas",
+        (Lang::En, Beyond::TiledFloor) => "the tiled floor",
+        (Lang::PtBr, Beyond::TiledFloor) => "o piso ladrilhado",
+        (Lang::En, Beyond::InnerSides) => "the inner sides of faces",
+        (Lang::PtBr, Beyond::InnerSides) => "os lados de dentro das faces",
+        (Lang::En, Beyond::CornerNames) => "the coordinates beside the corners",
+        (Lang::PtBr, Beyond::CornerNames) => "as coordenadas junto aos vértices",
+        (Lang::En, Beyond::WireCube) => "that the cube has no faces",
+        (Lang::PtBr, Beyond::WireCube) => "que o cubo não tem faces",
+        (Lang::En, Beyond::LetterF) => "the letter F",
+        (Lang::PtBr, Beyond::LetterF) => "a letra F",
+        (Lang::En, Beyond::Rays) => "the arrows of the construction",
+        (Lang::PtBr, Beyond::Rays) => "as setas da construção",
+    };
+    lost.iter().map(word).collect::<Vec<_>>().join("; ")
+}
+
+/// Why an object or a light cannot be so, beside its field.
+#[must_use]
+pub fn scene_error(lang: Lang, error: &SceneError) -> String {
+    let t = texts(lang);
+    let say = |en: &str, pt_br: &str| (if lang == Lang::PtBr { pt_br } else { en }).to_owned();
+    match error {
+        SceneError::DuplicateName { .. } => t.name_taken.to_owned(),
+        SceneError::UnknownParent { parent, .. } => {
+            say(&format!("there is no object “{parent}”"), &format!("não há objeto “{parent}”"))
+        }
+        SceneError::Cycle { chain } => {
+            let chain = chain.join(" → ");
+            say(&format!("parents go round in a circle: {chain}"), &format!("os pais formam um ciclo: {chain}"))
+        }
+        SceneError::NotFinite { .. } => say(
+            "in the world these numbers exceed their range (about 1e308)",
+            "no mundo estes números saem da faixa (cerca de 1e308)",
+        ),
+        SceneError::ZeroScale { .. } => {
+            say("the scale must not be 0 along any axis", "a escala não pode ser 0 em nenhum eixo")
+        }
+        SceneError::Segments { .. } => say(
+            &format!("allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}"),
+            &format!("permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
+        ),
+        SceneError::Mesh { path, error, .. } => format!("{path}: {}", meshes::mesh(lang, error)),
+        SceneError::Light { key: "direction", .. } => say("the direction must not be 0", "a direção não pode ser nula"),
+        SceneError::Light { .. } => say("a finite position is needed", "a posição tem de ser finita"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_languages_are_complete_and_differ() {
+        let same: Vec<_> = texts(Lang::En)
+            .entries()
+            .into_iter()
+            .zip(texts(Lang::PtBr).entries())
+            .inspect(|((name, en), (_, pt))| assert!(!en.trim().is_empty() && !pt.trim().is_empty(), "{name}"))
+            .filter(|((_, en), (_, pt))| en == pt)
+            .map(|((name, _), _)| name)
+            .collect();
+        assert_eq!(same, ["shape_cone"]);
+    }
+}

@@ -1,0 +1,319 @@
+//! The tree of the scene: objects and lights added, renamed, hung elsewhere, moved, deleted, undone and saved.
+
+use camera_lab::figure::read::parse;
+use camera_lab::i18n::Lang;
+use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+use glam::DVec3;
+
+use super::files::{Dropped, Folder};
+use super::window::Window;
+
+impl Window {
+    /// The window with the tab of the scene open.
+    fn scene(lang: Lang) -> Self {
+        let mut window = Self::new(lang);
+        window.key(Key::F6);
+        window
+    }
+
+    fn objects(&self) -> &[ObjectSpec] {
+        &self.state().document.figure().scene.objects
+    }
+
+    fn names(&self) -> Vec<&str> {
+        self.objects().iter().map(|object| object.name.as_str()).collect()
+    }
+
+    fn row<'a>(&'a self, name: &'a str) -> egui_kittest::Node<'a> {
+        self.harness.get_by_role_and_label(Role::TreeItem, name)
+    }
+
+    fn select(&mut self, name: &str) {
+        self.row(name).click();
+        self.run();
+    }
+
+    /// Chooses from the menu of what can be added.
+    fn add(&mut self, button: &str, what: &str) {
+        self.harness.get_by_role_and_label(Role::Button, button).click();
+        self.run();
+        let entries: Vec<_> = self.harness.query_all_by_role_and_label(Role::Button, what).collect();
+        entries.last().expect("an entry").click();
+        self.run();
+        self.run();
+    }
+
+    /// Replaces the text of a field.
+    fn write(&mut self, field: &str, text: &str, end: Key) {
+        self.harness.get_by_role_and_label(Role::TextInput, field).click();
+        self.run();
+        self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        self.run();
+        self.harness.event(Event::Text(text.to_owned()));
+        self.run();
+        self.key(end);
+        self.run();
+    }
+
+    /// Chooses an entry of a combo box.
+    fn pick(&mut self, combo: &str, entry: &str) {
+        self.harness.get_by_role_and_label(Role::ComboBox, combo).click();
+        self.run();
+        self.harness.get_by_role_and_label(Role::Button, entry).click();
+        self.run();
+    }
+}
+
+#[test]
+fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "box");
+    window.add("Add", "sphere");
+    assert_eq!(window.names(), ["box", "sphere"]);
+    assert_eq!(window.objects()[1].shape, Some(Shape::Sphere));
+
+    window.write("name", "ball", Key::Enter);
+    assert_eq!(window.names(), ["box", "ball"]);
+
+    window.pick("parent", "box");
+    assert_eq!(window.objects()[1].parent.as_deref(), Some("box"));
+
+    window.enter("translation x", "1/4");
+    assert_eq!(window.objects()[1].translate.x, 0.25);
+    window.enter("rotation y", "30°");
+    window.enter("scale z", "2");
+    window.enter("segments", "12");
+    let moved = window.objects()[1].clone();
+    assert_eq!((moved.rotate.y, moved.scale.z, moved.segments), (30.0, 2.0, 12));
+
+    for _ in 0..4 {
+        window.command_key(Key::Z);
+    }
+    assert_eq!(window.objects()[1].translate.x, 0.0);
+    window.command_key(Key::Z);
+    assert_eq!(window.objects()[1].parent, None);
+    window.command_key(Key::Z);
+    assert_eq!(window.names(), ["box", "sphere"]);
+    window.command_key(Key::Z);
+    window.command_key(Key::Z);
+    assert!(window.names().is_empty() && !window.state().document.can_undo());
+    for _ in 0..8 {
+        window.command_key(Key::Y);
+    }
+    assert_eq!(window.objects()[1], moved);
+}
+
+#[test]
+fn the_scene_is_in_the_file_with_the_comments_that_were_there() {
+    let folder = Folder::new("scene");
+    let path = folder.file("arm.toml");
+    let text = "# The arm.\n[scene]\npreset = \"empty\" # nothing else\n\n# It stands.\n[[scene.objects]]\nname = \"base\"\nshape = \"box\"\n";
+    std::fs::write(&path, text).expect("written");
+    let mut window = Window::opened(&path);
+    window.key(Key::F6);
+    window.add("Add", "cylinder");
+    window.write("name", "link", Key::Tab);
+    window.pick("parent", "base");
+    window.enter("translation y", "1.5");
+    window.add("Add", "point light");
+    window.enter("lamp y", "4");
+    window.command_key(Key::S);
+    let saved = std::fs::read_to_string(&path).expect("saved");
+    assert!(saved.starts_with("# The arm.\n[scene]\npreset = \"empty\" # nothing else\n\n# It stands.\n"), "{saved}");
+    let figure = parse(&saved).expect("a figure");
+    assert_eq!(&figure, window.state().document.figure());
+    assert_eq!(figure.scene.objects[1].parent.as_deref(), Some("base"));
+    assert_eq!(figure.scene.objects[1].translate.y, 1.5);
+    assert!(matches!(figure.scene.lights[..], [LightSpec::Point(p)] if p.y == 4.0));
+}
+
+#[test]
+fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "cone");
+    let before = window.objects()[0].clone();
+    window.enter("scale x", "0");
+    assert!(window.says("the scale must not be 0 along any axis"));
+    assert_eq!(window.objects()[0], before);
+    window.enter("scale x", "3");
+    assert!(!window.says("the scale must not be 0"));
+    assert_eq!(window.objects()[0].scale.x, 3.0);
+    window.enter("segments", "2");
+    assert!(window.says("allowed: whole numbers from 3 to 512"));
+    window.enter("segments", "3");
+    assert_eq!(window.objects()[0].segments, 3);
+
+    window.add("Add", "torus");
+    window.write("name", "cone", Key::Enter);
+    assert!(window.says("another object has this name"));
+    assert_eq!(window.names(), ["cone", "torus"]);
+    window.write("name", "  ", Key::Enter);
+    assert!(window.says("a name must not be empty"));
+    window.write("name", "ring", Key::Enter);
+    assert_eq!(window.names(), ["cone", "ring"]);
+
+    window.add("Add", "directional light");
+    for axis in ["x", "y", "z"] {
+        window.enter(&format!("direction {axis}"), "0");
+    }
+    assert!(window.says("the direction must not be 0"));
+    window.enter("direction y", "-1");
+    assert!(matches!(window.state().document.figure().scene.lights[..], [LightSpec::Directional(d)] if d == -DVec3::Y));
+}
+
+#[test]
+fn what_is_typed_for_one_object_does_not_go_to_the_next_that_is_selected() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "box");
+    window.add("Add", "cone");
+    window.type_into("translation x", "7");
+    window.select("box");
+    window.run();
+    assert_eq!(window.objects()[1].translate.x, 7.0, "it is taken over");
+    assert_eq!(window.objects()[0].translate.x, 0.0);
+}
+
+#[test]
+fn a_row_is_dragged_onto_its_new_parent_in_one_step() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "group");
+    window.enter("rotation y", "90");
+    window.select("World");
+    window.add("Add", "box");
+    window.enter("translation x", "2");
+    let (from, to) = (window.row("box").rect().center(), window.row("group").rect().center());
+    window.drag(from, to - from, |_| {});
+    window.run();
+    let hung = window.objects()[1].clone();
+    assert_eq!(hung.parent.as_deref(), Some("group"));
+    // It stays at (2, 0, 0): Ry(90°) takes z to x.
+    assert!((hung.translate - DVec3::new(0.0, 0.0, 2.0)).length() < 1e-9, "{}", hung.translate);
+    // Not onto its own child.
+    let (from, to) = (window.row("group").rect().center(), window.row("box").rect().center());
+    window.drag(from, to - from, |_| {});
+    assert_eq!(window.objects()[0].parent, None);
+    let (from, to) = (window.row("box").rect().center(), window.row("World").rect().center());
+    window.drag(from, to - from, |_| {});
+    window.run();
+    assert_eq!(window.objects()[1].parent, None);
+    assert!((window.objects()[1].translate - DVec3::new(2.0, 0.0, 0.0)).length() < 1e-9);
+    window.command_key(Key::Z);
+    assert_eq!(window.objects()[1], hung);
+}
+
+#[test]
+fn deleting_asks_what_becomes_of_the_children() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "group");
+    window.add("Add", "box");
+    assert_eq!(window.objects()[1].parent.as_deref(), Some("group"), "it goes into the group that is selected");
+    window.select("group");
+    window.click("Delete");
+    window.click("Alone; its children go to its parent");
+    window.run();
+    assert_eq!(window.names(), ["box"]);
+    assert_eq!(window.objects()[0].parent, None);
+    window.command_key(Key::Z);
+    window.select("group");
+    window.key(Key::Delete);
+    window.run();
+    assert!(window.names().is_empty());
+    window.command_key(Key::Z);
+    assert_eq!(window.names(), ["group", "box"]);
+}
+
+#[test]
+fn a_named_scene_becomes_a_list_and_says_what_the_list_loses() {
+    let mut window = Window::scene(Lang::PtBr);
+    window.pick("cena", "cubo");
+    window.run();
+    window.click("Editar uma cópia");
+    window.run();
+    let scene = window.state().document.figure().scene.clone();
+    assert_eq!((scene.preset, scene.objects.len()), (Preset::Empty, 1));
+    let said = window.state().message.as_ref().expect("a message").text.clone();
+    assert!(said.contains("os números nelas"), "{said}");
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.figure().scene.preset, Preset::Cube);
+}
+
+#[test]
+fn a_colour_is_typed_and_given_back_to_the_palette() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "box");
+    window.write("colour #", "#10203080", Key::Enter);
+    assert_eq!(window.objects()[0].color.map(|c| c.to_string()).as_deref(), Some("#10203080"));
+    window.write("colour #", "red", Key::Enter);
+    assert!(window.says("a colour is written #rrggbb or #rrggbbaa"));
+    window.write("colour #", "#ff0000", Key::Enter);
+    assert_eq!(window.objects()[0].color.map(|c| c.to_string()).as_deref(), Some("#ff0000"));
+    window.click("automatic");
+    assert_eq!(window.objects()[0].color, None);
+}
+
+#[test]
+fn switching_the_language_leaves_no_word_of_the_other_in_the_tab() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "sphere");
+    window.command_key(Key::L);
+    for word in ["translation", "parent", "Duplicate", "Add", "default light"] {
+        assert!(!window.says(word), "{word}");
+    }
+    assert!(window.says("translação") && window.says("Acrescentar") && window.says("luz padrão"));
+}
+
+#[test]
+fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says_why() {
+    let folder = Folder::new("meshes");
+    let path = folder.file("figure.toml");
+    std::fs::write(&path, "[scene]\npreset = \"empty\"\n").expect("written");
+    let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::fs::write(folder.file("tent.obj"), triangle).expect("written");
+    std::fs::write(folder.file("torn.obj"), "v 0 0 0\nf 1 2 3\n").expect("written");
+    let mut window = Window::opened(&path);
+    window.key(Key::F6);
+    window.add("Add", "mesh file…");
+    window.choose(&folder.file("tent.obj"));
+    window.run();
+    assert_eq!(window.names(), ["tent"]);
+    assert_eq!(window.objects()[0].shape, Some(Shape::Mesh { path: "tent.obj".to_owned() }));
+    assert_eq!(window.state().scenery.scene().objects.len(), 1);
+
+    window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(folder.file("torn.obj"))));
+    window.run();
+    window.run();
+    assert_eq!(window.names(), ["tent", "torn"]);
+    assert!(window.says("torn.obj") && window.says("line 2"));
+    // The rest of the scene is there, and can be changed.
+    window.select("tent");
+    window.enter("translation z", "1");
+    let scene = window.state().scenery.scene();
+    assert_eq!((scene.objects.len(), scene.objects[0].world_from_object.w_axis.z), (1, 1.0));
+    std::fs::write(folder.file("torn.obj"), triangle).expect("written");
+    window.select("torn");
+    window.click("Read again");
+    window.run();
+    assert_eq!(window.state().scenery.scene().objects.len(), 2);
+    assert!(!window.says("line 2"));
+}
+
+#[test]
+fn a_figure_that_is_saved_elsewhere_takes_the_way_to_its_meshes_along() {
+    let folder = Folder::new("elsewhere");
+    let path = folder.file("figure.toml");
+    std::fs::write(&path, "[[scene.objects]]\nname = \"tent\"\nshape = \"mesh\"\npath = \"tent.obj\"\n")
+        .expect("written");
+    std::fs::write(folder.file("tent.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("written");
+    std::fs::create_dir_all(folder.file("other")).expect("a folder");
+    let mut window = Window::opened(&path);
+    window.harness.key_press_modifiers(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S);
+    window.run();
+    window.choose(&folder.file("other/copy.toml"));
+    window.run();
+    let whole = folder.file("tent.obj").display().to_string();
+    assert_eq!(window.objects()[0].shape, Some(Shape::Mesh { path: whole }));
+    assert_eq!(window.state().scenery.scene().objects.len(), 1);
+}
