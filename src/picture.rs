@@ -7,6 +7,7 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::Texture;
 use crate::camera::Camera;
+use crate::drawing::{Paint, Surface};
 use crate::export::sheet;
 use crate::figure::Figure;
 use crate::pipeline::{Frame, Stage, StageReport};
@@ -173,6 +174,11 @@ pub fn widths(sheet: Size) -> Option<[u32; 3]> {
 #[must_use]
 pub fn account(frame: &Frame, work: Work) -> Vec<StageReport> {
     let count = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+    let triangles = |which: &dyn Fn(&Surface) -> bool| {
+        let n = frame.drawing.surfaces.iter().filter(|s| which(s)).map(|s| s.triangles.len()).sum();
+        Some((n, n))
+    };
+    let pixels = frame.drawing.width as usize * frame.drawing.height as usize;
     let mut stages = frame.report.clone();
     for report in stages.iter_mut().filter(|report| report.ran) {
         let own = |time: Duration| Some(report.time.unwrap_or_default() + time);
@@ -185,6 +191,11 @@ pub fn account(frame: &Frame, work: Work) -> Vec<StageReport> {
             Stage::HiddenSurfaces if !frame.drawing.painted_in_order => {
                 report.counts = Some((count(work.covered), count(work.written)));
             }
+            Stage::Interpolate => report.counts = triangles(&|s| !matches!(s.paint, Paint::Solid(_) | Paint::Faces(_))),
+            Stage::Texture => report.counts = triangles(&|s| matches!(s.paint, Paint::Texture { .. })),
+            Stage::Blend => report.counts = triangles(&|s| s.translucent),
+            Stage::Antialias => report.counts = Some((pixels * usize::from(frame.drawing.antialias), pixels)),
+            Stage::Write => report.counts = Some((pixels, pixels)),
             Stage::Lines => report.time = own(work.strokes),
             _ => {}
         }

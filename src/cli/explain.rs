@@ -98,20 +98,20 @@ fn micros(time: std::time::Duration) -> f64 {
     (time.as_secs_f64() * 1e9).round() / 1e3
 }
 
-/// A table: stage, in → out, microseconds, reason.
+/// A table: stage, in → out and of what, microseconds, reason.
 fn table(account: &Account, view: &str, size: Size, lang: Lang) -> String {
     let words = texts::explain(lang);
     let mut text = format!("{view}, {} × {}\n\n", size.width, size.height);
-    let mut row = |[stage, entering, leaving, micros, why]: [&str; 5]| {
+    let mut row = |[stage, entering, leaving, unit, micros, why]: [&str; 6]| {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "{stage:<18} {entering:>9} {leaving:>9} {micros:>9}  {why}");
+        let _ = writeln!(text, "{stage:<18} {entering:>9} {leaving:>9}  {unit:<22} {micros:>9}  {why}");
     };
     row(words.columns);
     for report in &account.stages {
         let name = pipeline::stage(lang, report.stage);
         let reason = pipeline::reason(lang, report.reason);
         if !report.ran {
-            row([name, "–", "–", "–", &format!("{}: {reason}", pipeline::left_out(lang))]);
+            row([name, "–", "–", "", "–", &format!("{}: {reason}", pipeline::left_out(lang))]);
             continue;
         }
         let [entering, leaving] = report.counts.map_or_else(Default::default, |(i, o)| [i.to_string(), o.to_string()]);
@@ -120,8 +120,8 @@ fn table(account: &Account, view: &str, size: Size, lang: Lang) -> String {
             (None, Some(_)) => "″".to_owned(),
             (None, None) => String::new(),
         };
-        row([name, &entering, &leaving, &time, &reason]);
+        row([name, &entering, &leaving, pipeline::unit(lang, report), &time, &reason]);
     }
-    let _ = writeln!(text, "\n{:<38} {:>9.1}  {}", words.total, micros(account.total), words.together);
+    let _ = writeln!(text, "\n{:<62} {:>9.1}  {}", words.total, micros(account.total), words.together);
     text
 }

@@ -146,7 +146,7 @@ pub fn frames(lang: Lang, text: &str) -> String {
 #[derive(Debug)]
 pub struct ExplainTexts {
     /// Heads of its columns.
-    pub columns: [&'static str; 5],
+    pub columns: [&'static str; 6],
     /// The time of all.
     pub total: &'static str,
     /// What the mark for "timed with another stage" means.
@@ -157,12 +157,12 @@ pub struct ExplainTexts {
 #[must_use]
 pub const fn explain(lang: Lang) -> &'static ExplainTexts {
     const EN: ExplainTexts = ExplainTexts {
-        columns: ["stage", "in", "out", "µs", "why"],
+        columns: ["stage", "in", "out", "of", "µs", "why"],
         total: "from the scene to the last pixel",
         together: "(″: in the time of the stage that it runs with)",
     };
     const PT_BR: ExplainTexts = ExplainTexts {
-        columns: ["etapa", "entra", "sai", "µs", "por quê"],
+        columns: ["etapa", "entra", "sai", "de", "µs", "por quê"],
         total: "da cena ao último pixel",
         together: "(″: no tempo da etapa com que é executada)",
     };

@@ -2,7 +2,7 @@
 
 use super::Lang;
 use super::messages::pick;
-use crate::pipeline::{PlaneSet, Reason, Stage};
+use crate::pipeline::{PlaneSet, Reason, Stage, StageReport};
 
 /// The name of a stage, short enough for a column.
 #[must_use]
@@ -120,30 +120,25 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     }
 }
 
-/// What the counts of a stage are of, where it has any.
+/// What the counts of a stage are of. A sample is a pixel, where there is one for each.
 #[must_use]
-pub const fn unit(lang: Lang, stage: Stage) -> &'static str {
-    match (lang, stage) {
-        (Lang::En, Stage::Traverse | Stage::CullObjects) => "objects",
-        (Lang::PtBr, Stage::Traverse | Stage::CullObjects) => "objetos",
-        (Lang::En, Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals) => "vertices",
-        (Lang::PtBr, Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals) => {
-            "vértices"
+pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
+    let (en, pt_br) = match (report.stage, report.reason) {
+        (Stage::Traverse | Stage::CullObjects, _) => ("objects", "objetos"),
+        (Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals, _) => {
+            ("vertices", "vértices")
         }
-        (Lang::En, Stage::CullFaces | Stage::Clip | Stage::Light) => "triangles",
-        (Lang::PtBr, Stage::CullFaces | Stage::Clip | Stage::Light) => "triângulos",
-        // A sample is a pixel where antialiasing does not ask for more.
-        (Lang::En, Stage::Fill) => "triangles → samples",
-        (Lang::PtBr, Stage::Fill) => "triângulos → amostras",
-        (Lang::En, Stage::HiddenSurfaces) => "samples",
-        (Lang::PtBr, Stage::HiddenSurfaces) => "amostras",
-        (
-            Lang::En | Lang::PtBr,
-            Stage::Interpolate | Stage::Texture | Stage::Blend | Stage::Antialias | Stage::Write,
-        ) => "pixels",
-        (Lang::En, Stage::Lines) => "lines, marks, texts",
-        (Lang::PtBr, Stage::Lines) => "linhas, marcas, textos",
-    }
+        (Stage::Fill, _) => ("triangles → samples", "triângulos → amostras"),
+        (Stage::HiddenSurfaces, Reason::PaintedByCentroid | Reason::PaintedBySplitting)
+        | (Stage::CullFaces | Stage::Clip | Stage::Light | Stage::Interpolate | Stage::Texture | Stage::Blend, _) => {
+            ("triangles", "triângulos")
+        }
+        (Stage::HiddenSurfaces, _) => ("samples", "amostras"),
+        (Stage::Antialias, _) => ("samples → pixels", "amostras → pixels"),
+        (Stage::Lines, _) => ("lines, marks, texts", "linhas, marcas, textos"),
+        (Stage::Write, _) => ("pixels", "pixels"),
+    };
+    pick_name(lang, en, pt_br)
 }
 
 /// "left out": what is said of a stage that does not run.

@@ -109,7 +109,7 @@ impl Stage {
         match self {
             Self::CullObjects => Some(Self::Traverse),
             Self::Normals => Some(Self::Light),
-            Self::Oblique | Self::Divide => Some(Self::Viewport),
+            Self::Oblique | Self::Divide | Self::Viewport => Some(Self::Transform),
             Self::Interpolate | Self::HiddenSurfaces | Self::Texture | Self::Blend | Self::Antialias | Self::Write => {
                 Some(Self::Fill)
             }

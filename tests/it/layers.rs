@@ -20,7 +20,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing"]),
     ("export", &["drawing", "raster", "inspect"]),
     ("files", &["figure", "export"]),
-    ("picture", &["camera", "scene", "figure", "pipeline", "views", "raster", "export"]),
+    ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
     ("numerics", &["camera", "geometry", "scene", "pipeline", "raster"]),
     // The enums of errors, warnings, labels and stages.
     ("i18n", &["camera", "scene", "figure", "inspect", "export", "files", "views", "numerics", "pipeline"]),
