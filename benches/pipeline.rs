@@ -89,7 +89,7 @@ fn main() {
                 let options = Options { clock: Some(clock), ..Options::default() };
                 let (mut pipeline, mut raster) = (Pipeline::default(), Rasterizer::default());
                 let Some(mut pixmap) = Pixmap::new(target.width, target.height) else { continue };
-                let frames = if triangles > 5e5 { 25 } else { 100 };
+                let frames = if triangles > 5e5 { 50 } else { 200 };
                 let mut times = vec![Vec::new(); timed.len() + 3];
                 for _ in 0..frames {
                     let start = Instant::now();
@@ -104,7 +104,7 @@ fn main() {
                     for (k, time) in [middle - start, end - middle, end - start].into_iter().enumerate() {
                         times[timed.len() + k].push(time.as_secs_f64() * 1e3);
                     }
-                    drop(frame);
+                    pipeline.recycle(frame.drawing);
                 }
                 print!("{triangles:>9} {name:>8} {view:>9}");
                 times.iter_mut().for_each(|times| times.sort_by(f64::total_cmp));

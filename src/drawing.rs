@@ -9,7 +9,10 @@
 //! them as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a face counts as visible), then labels.
 
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd, dispatch, f32x8, u32x8};
 
 use crate::appearance::{LineStyle, MarkShape, Rgba, Texture};
 
@@ -109,8 +112,8 @@ pub struct Lighting {
     pub lights: Vec<ViewLight>,
 }
 
-/// One value for each of `N` points that are lit together.
-type Lanes<const N: usize> = [f32; N];
+/// Eight vectors, coordinate by coordinate.
+pub type Eight<S> = [f32x8<S>; 3];
 
 impl Lighting {
     /// The colour that the viewer gets from a point of a surface: the one formula for faces, vertices and pixels.
@@ -121,52 +124,48 @@ impl Lighting {
     /// `two_sided`, a normal that points away from the viewer is turned round. Alpha is not touched. `[2]`, `[3]` §1.8
     #[must_use]
     pub fn shade(&self, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
-        let [lit] = self.shade_each(&normal.map(|c| [c]), &position.map(|c| [c]), &[color]);
-        lit
+        static LEVEL: LazyLock<Level> = LazyLock::new(Level::new);
+        let lit = dispatch!(*LEVEL, simd => {
+            let color = u32x8::splat(simd, packed(color));
+            self.shade_eight(simd, splat(simd, normal), splat(simd, position), color)[0]
+        });
+        unpacked(lit)
     }
 
-    /// [`shade`](Self::shade) for `N` points at once, for loops that the compiler can turn into vector instructions.
-    #[must_use]
-    #[inline]
-    pub fn shade_each<const N: usize>(
-        &self,
-        normals: &[Lanes<N>; 3],
-        positions: &[Lanes<N>; 3],
-        colors: &[Rgba; N],
-    ) -> [Rgba; N] {
-        let mut n = unit(normals);
+    /// [`shade`](Self::shade) for eight points at once. Colours are [`packed`].
+    #[inline(always)]
+    pub fn shade_eight<S: Simd>(&self, simd: S, normals: Eight<S>, positions: Eight<S>, colors: u32x8<S>) -> u32x8<S> {
+        let zero = f32x8::splat(simd, 0.0);
+        let mut n = unit(simd, normals);
         let to_viewer = if self.distant_viewer {
-            [[0.0; N], [0.0; N], [1.0; N]]
+            splat(simd, [0.0, 0.0, 1.0])
         } else {
-            unit(&positions.map(|axis| axis.map(|c| -c)))
+            unit(simd, [-positions[0], -positions[1], -positions[2]])
         };
         if self.two_sided {
-            let away = dot(&n, &to_viewer).map(|cosine| cosine < 0.0);
-            for axis in &mut n {
-                *axis = std::array::from_fn(|l| if away[l] { -axis[l] } else { axis[l] });
-            }
+            let away = dot(n, to_viewer).simd_lt(zero);
+            n = [away.select(-n[0], n[0]), away.select(-n[1], n[1]), away.select(-n[2], n[2])];
         }
-        let (mut diffuse, mut specular) = ([0.0_f32; N], [0.0_f32; N]);
+        let (mut diffuse, mut specular) = (zero, zero);
         for light in &self.lights {
             let to_light = match *light {
-                ViewLight::Directional(direction) => direction.map(|c| [c; N]),
-                ViewLight::Point(place) => unit(&std::array::from_fn(|axis| positions[axis].map(|c| place[axis] - c))),
+                ViewLight::Directional(direction) => splat(simd, direction),
+                ViewLight::Point(place) => unit(simd, minus(splat(simd, place), positions)),
             };
-            let cosine = dot(&n, &to_light);
-            diffuse = std::array::from_fn(|l| diffuse[l] + at_least_zero(cosine[l]));
+            let cosine = dot(n, to_light);
+            diffuse += at_least_zero(simd, cosine);
             if self.specular > 0.0 {
-                let half = unit(&std::array::from_fn(|axis| sum(&to_light[axis], &to_viewer[axis])));
-                let power = power(dot(&n, &half).map(at_least_zero), self.shininess);
-                specular = std::array::from_fn(|l| specular[l] + if cosine[l] > 0.0 { power[l] } else { 0.0 });
+                let half = unit(simd, plus(to_light, to_viewer));
+                let power = power(simd, at_least_zero(simd, dot(n, half)), self.shininess);
+                specular += cosine.simd_gt(zero).select(power, zero);
             }
         }
-        std::array::from_fn(|l| {
-            let share = self.ambient + self.diffuse * diffuse[l];
-            let white = 255.0 * self.specular * specular[l];
-            let channel = |c: u8| to_byte(f32::from(c) * share + white);
-            let Rgba { r, g, b, a } = colors[l];
-            Rgba::rgba(channel(r), channel(g), channel(b), a)
-        })
+        let share = diffuse * self.diffuse + self.ambient;
+        let white = specular * (255.0 * self.specular);
+        let red = channel(simd, colors, share, white);
+        let green = channel(simd, colors >> 8, share, white) << 8;
+        let blue = channel(simd, colors >> 16, share, white) << 16;
+        red | green | blue | (colors & 0xff00_0000)
     }
 
     /// True where the positions of the points matter.
@@ -177,52 +176,81 @@ impl Lighting {
     }
 }
 
+/// A colour in one number: red in the low byte, alpha in the high one.
+#[must_use]
 #[inline(always)]
-fn sum<const N: usize>(a: &Lanes<N>, b: &Lanes<N>) -> Lanes<N> {
-    std::array::from_fn(|l| a[l] + b[l])
+pub fn packed(color: Rgba) -> u32 {
+    u32::from_le_bytes([color.r, color.g, color.b, color.a])
+}
+
+/// The colour that was [`packed`].
+#[must_use]
+#[inline(always)]
+pub fn unpacked(color: u32) -> Rgba {
+    let [r, g, b, a] = color.to_le_bytes();
+    Rgba::rgba(r, g, b, a)
+}
+
+/// Eight times the same vector.
+#[inline(always)]
+fn splat<S: Simd>(simd: S, v: [f32; 3]) -> Eight<S> {
+    [f32x8::splat(simd, v[0]), f32x8::splat(simd, v[1]), f32x8::splat(simd, v[2])]
 }
 
 #[inline(always)]
-fn dot<const N: usize>(a: &[Lanes<N>; 3], b: &[Lanes<N>; 3]) -> Lanes<N> {
-    std::array::from_fn(|l| a[0][l] * b[0][l] + a[1][l] * b[1][l] + a[2][l] * b[2][l])
+fn plus<S: Simd>(a: Eight<S>, b: Eight<S>) -> Eight<S> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[inline(always)]
+fn minus<S: Simd>(a: Eight<S>, b: Eight<S>) -> Eight<S> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+fn dot<S: Simd>(a: Eight<S>, b: Eight<S>) -> f32x8<S> {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The unit vectors along `v`; zero where there is none.
 #[inline(always)]
-fn unit<const N: usize>(v: &[Lanes<N>; 3]) -> [Lanes<N>; 3] {
-    let inverse = dot(v, v).map(|square| if square > 0.0 { 1.0 / square.sqrt() } else { 0.0 });
-    v.map(|axis| std::array::from_fn(|l| axis[l] * inverse[l]))
+pub(crate) fn unit<S: Simd>(simd: S, v: Eight<S>) -> Eight<S> {
+    let zero = f32x8::splat(simd, 0.0);
+    let square = dot(v, v);
+    let inverse = square.simd_gt(zero).select(f32x8::splat(simd, 1.0) / square.sqrt(), zero);
+    [v[0] * inverse, v[1] * inverse, v[2] * inverse]
 }
 
 /// 0 also for what is no number.
 #[inline(always)]
-fn at_least_zero(value: f32) -> f32 {
-    if value > 0.0 { value } else { 0.0 }
+fn at_least_zero<S: Simd>(simd: S, value: f32x8<S>) -> f32x8<S> {
+    let zero = f32x8::splat(simd, 0.0);
+    value.simd_gt(zero).select(value, zero)
 }
 
-/// Whole powers by squaring: the same on every machine, and without a call.
+/// Whole powers by squaring: the same on every machine.
 #[inline(always)]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates, and exponents are small")]
-fn power<const N: usize>(mut base: Lanes<N>, exponent: f32) -> Lanes<N> {
-    let mut result = [1.0; N];
+fn power<S: Simd>(simd: S, mut base: f32x8<S>, exponent: f32) -> f32x8<S> {
+    let mut result = f32x8::splat(simd, 1.0);
     let mut left = exponent as u32;
     while left > 0 {
         if left & 1 == 1 {
-            result = std::array::from_fn(|l| result[l] * base[l]);
+            result *= base;
         }
         left >>= 1;
-        base = base.map(|b| b * b);
+        base = base * base;
     }
     result
 }
 
-/// Rounded to the nearest of 0 … 255; 0 for what is no number.
+/// The low bytes of `colors` under light, rounded to the nearest of 0 … 255; 0 for what is no number.
 #[inline(always)]
-#[expect(clippy::cast_possible_truncation, reason = "the low byte is the number")]
-fn to_byte(value: f32) -> u8 {
-    let value = at_least_zero(value);
-    // Next to 1.5 · 2²³ single precision has no places left for fractions.
-    ((if value < 255.0 { value } else { 255.0 }) + 12_582_912.0).to_bits() as u8
+fn channel<S: Simd>(simd: S, colors: u32x8<S>, share: f32x8<S>, white: f32x8<S>) -> u32x8<S> {
+    let most = f32x8::splat(simd, 255.0);
+    let value = at_least_zero(simd, (colors & 255).to_float::<f32x8<S>>() * share + white);
+    // Next to 1.5 · 2²³ single precision has no places left for fractions: the low byte is the number.
+    (value.simd_lt(most).select(value, most) + 12_582_912.0).bitcast::<u32x8<S>>() & 255
 }
 
 /// One light, in view space.

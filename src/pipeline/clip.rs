@@ -28,21 +28,21 @@ const ORDER: [usize; PLANES] = [4, 5, 0, 1, 2, 3];
 ///
 /// w + z = 2B(d − F)/(B − F) and w − z = 2F(B − d)/(B − F) with the distance d from the eye, so d − F and B − d decide, without
 /// the cancellation of clip z.
+#[inline(always)]
 pub(super) fn distances(projector: &Projector, p: ClipPoint) -> [f64; PLANES] {
     [p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, p.depth - projector.near, projector.far - p.depth]
 }
 
 /// Bit `i` is set where the point is outside plane `i`; [`NOT_A_NUMBER`] where a coordinate is none or too large to be cut.
+#[inline(always)]
 pub(super) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
     let size = p.x.abs() + p.y.abs() + p.depth.abs();
-    if size.is_nan() || size > f64::MAX / 4.0 {
-        return NOT_A_NUMBER;
-    }
     let mut code = 0;
     for (i, distance) in distances(projector, p).into_iter().enumerate() {
         code |= PlaneSet::from(distance < 0.0) << i;
     }
-    code
+    // False for what is no number.
+    if size <= f64::MAX / 4.0 { code } else { NOT_A_NUMBER }
 }
 
 /// A corner of a polygon that is being clipped.

@@ -52,7 +52,7 @@ pub(super) fn place(projector: &Projector, view_from_object: &ViewFromObject, bo
 ///
 /// Exact: corners on the grid of subpixels have few enough digits for every product and sum. So neighbours agree on which side
 /// of a silhouette they lie, and a closed mesh shows no holes.
-#[inline]
+#[inline(always)]
 pub(super) fn area_on_image(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f64 {
     let edge = |p: [f32; 3]| [f64::from(p[0]) - f64::from(a[0]), f64::from(p[1]) - f64::from(a[1])];
     let (e1, e2) = (edge(b), edge(c));

@@ -1,11 +1,14 @@
 //! The faces of one object that are left to draw: projected, culled, clipped.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use glam::DVec3;
 use rayon::prelude::*;
 
 use super::clip::{ALL_PLANES, Clipper, NEAR, NOT_A_NUMBER, PlaneSet};
 use super::cull::{area_on_image, facing};
-use super::transform::{OnImage, Screen, Vertices, on_grid};
+use super::light::LANES;
+use super::transform::{CHUNK, OnImage, Screen, Vertices, on_grid};
 
 /// A vertex that clipping made: attributes are the sum of those of three vertices, weighted.
 #[derive(Clone, Copy, Debug)]
@@ -32,31 +35,34 @@ struct Crossing {
     planes: PlaneSet,
 }
 
-/// What culling leaves of a stretch of triangles; one for each thread.
-#[derive(Clone, Debug, Default)]
+/// What culling found out about a stretch of [`CHUNK`] triangles.
+#[derive(Debug, Default)]
 struct Part {
-    triangles: Vec<[u32; 3]>,
-    source: Vec<u32>,
     crossing: Vec<Crossing>,
+    kept: usize,
     back: usize,
     turned_over: usize,
 }
 
 /// What is left of the triangles of one object; keeps its buffers.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Faces {
     /// All vertices of the mesh on the image, then the cuts.
     pub(super) image: OnImage,
     /// Indices of vertices.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// The triangle of the mesh that each one comes from.
+    /// The triangle of the mesh that each one comes from; empty where nobody wants it.
     pub(super) source: Vec<u32>,
     /// The vertices that clipping made.
     pub(super) cuts: Vec<Cut>,
+    /// For each [`LANES`] vertices of the mesh whether a triangle that is left has one of them; empty where nobody wants it.
+    pub(super) used: Vec<AtomicBool>,
     /// Triangles that were dropped because they turn away.
     pub(super) back: usize,
     /// Triangles that turn the other way on the grid of the image than they do in the world: thin ones, at silhouettes.
     pub(super) turned_over: usize,
+    /// A bit for each triangle of the mesh that is left and crosses no plane, the first in the lowest bit.
+    kept: Vec<u8>,
     parts: Vec<Part>,
     clipper: Clipper,
 }
@@ -68,53 +74,81 @@ pub(super) struct FaceTask {
     pub(super) cull_back: bool,
     /// Find out whether a triangle turned over.
     pub(super) watch_turning: bool,
+    /// Say which triangle of the mesh each one comes from.
+    pub(super) want_source: bool,
+    /// Say which vertices are used.
+    pub(super) want_used: bool,
 }
 
 impl Faces {
     /// True where the near plane cuts the object, so that its inside may be seen.
     pub(super) fn cut_open(&self) -> bool {
-        self.image.outcodes.iter().any(|code| code & NEAR != 0)
+        self.image.outside & NEAR != 0
     }
 
     /// Drops triangles that lie outside one plane, and those that turn their back. Those that cross a plane are left to
     /// [`clip`](Self::clip).
     pub(super) fn cull(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], task: FaceTask) {
-        const FEW: usize = 1 << 14;
-        let threads = if triangles.len() < FEW { 1 } else { rayon::current_num_threads() };
-        let stretch = triangles.len().div_ceil(threads).max(1);
-        let count = triangles.len().div_ceil(stretch);
-        self.parts.resize_with(count.max(self.parts.len()), Part::default);
-        let (image, parts) = (&self.image, &mut self.parts[..count]);
-        let cull = |(k, part): (usize, &mut Part)| {
-            let first = k * stretch;
-            let end = triangles.len().min(first + stretch);
-            part.cull(image, vertices, &triangles[first..end], first, task);
-        };
-        if count > 1 {
-            parts.par_iter_mut().enumerate().for_each(cull);
+        let groups = if task.want_used { vertices.len().div_ceil(LANES) } else { 0 };
+        self.used.resize_with(groups, AtomicBool::default);
+        self.used.iter_mut().for_each(|used| *used.get_mut() = false);
+        self.kept.resize(triangles.len().div_ceil(8), 0);
+        self.parts.resize_with(triangles.len().div_ceil(CHUNK), Part::default);
+
+        let culling = Culling { image: &self.image, vertices, used: &self.used, task };
+        let stretches = self.parts.iter_mut().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks_mut(CHUNK / 8));
+        let stretches = (0..).step_by(CHUNK).zip(stretches);
+        let cull = |(first, ((part, triangles), kept))| culling.stretch(part, triangles, kept, first);
+        if triangles.len() > 2 * CHUNK {
+            stretches.collect::<Vec<_>>().into_par_iter().for_each(cull);
         } else {
-            parts.iter_mut().enumerate().for_each(cull);
+            stretches.for_each(cull);
         }
-        self.triangles.clear();
-        self.source.clear();
-        (self.back, self.turned_over) = (0, 0);
-        for part in &mut self.parts[..count] {
-            self.back += part.back;
-            self.turned_over += part.turned_over;
-            if self.triangles.is_empty() {
-                std::mem::swap(&mut self.triangles, &mut part.triangles);
-                std::mem::swap(&mut self.source, &mut part.source);
-            } else {
-                self.triangles.extend_from_slice(&part.triangles);
-                self.source.extend_from_slice(&part.source);
+        self.back = self.parts.iter().map(|part| part.back).sum();
+        self.turned_over = self.parts.iter().map(|part| part.turned_over).sum();
+        self.gather(triangles, task.want_source);
+    }
+
+    /// Puts the triangles that are left one behind the other.
+    fn gather(&mut self, triangles: &[[u32; 3]], want_source: bool) {
+        let count = self.parts.iter().map(|part| part.kept).sum();
+        self.triangles.resize(count, [0; 3]);
+        self.source.resize(if want_source { count } else { 0 }, 0);
+        let (mut left, mut sources) = (&mut self.triangles[..], &mut self.source[..]);
+        let stretches = self.parts.iter().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks(CHUNK / 8));
+        let stretches = (0..).step_by(CHUNK).zip(stretches).map(|(first, ((part, triangles), kept))| {
+            let (out, rest) = std::mem::take(&mut left).split_at_mut(part.kept);
+            left = rest;
+            let (source, rest) = std::mem::take(&mut sources).split_at_mut(if want_source { part.kept } else { 0 });
+            sources = rest;
+            (first, triangles, kept, out, source)
+        });
+        type Stretch<'a> = (u32, &'a [[u32; 3]], &'a [u8], &'a mut [[u32; 3]], &'a mut [u32]);
+        let gather = |(first, triangles, kept, out, source): Stretch| {
+            let mut next = 0;
+            for (k, &byte) in kept.iter().enumerate() {
+                let mut bits = byte;
+                while bits != 0 {
+                    let k = 8 * k + bits.trailing_zeros() as usize;
+                    out[next] = triangles[k];
+                    if let Some(source) = source.get_mut(next) {
+                        *source = first + to_u32(k);
+                    }
+                    next += 1;
+                    bits &= bits - 1;
+                }
             }
+        };
+        if triangles.len() > 2 * CHUNK {
+            stretches.collect::<Vec<_>>().into_par_iter().for_each(gather);
+        } else {
+            stretches.for_each(gather);
         }
-        self.parts[count..].iter_mut().for_each(|part| part.crossing.clear());
     }
 
     /// Cuts the triangles that cross a plane, and adds what is left of each as a fan. With `all_planes`, also against the planes
     /// that they do not cross.
-    pub(super) fn clip(&mut self, vertices: &Vertices, screen: &Screen, all_planes: bool) {
+    pub(super) fn clip(&mut self, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
         self.cuts.clear();
         for &Crossing { source, triangle, planes } in self.parts.iter().flat_map(|part| &part.crossing) {
             let corners = triangle.map(|i| vertices.clip(i));
@@ -124,7 +158,7 @@ impl Faces {
                 let index = match corner.original() {
                     Some(own) => triangle[own],
                     None => {
-                        let index = u32::try_from(self.image.positions.len()).unwrap_or(u32::MAX);
+                        let index = to_u32(self.image.positions.len());
                         self.image.positions.push(on_grid(screen.project(vertices.projector, corner.point)));
                         if !self.image.inverse_w.is_empty() {
                             self.image.inverse_w.push(vertices.projector.relative_inverse_w(corner.point.w));
@@ -138,7 +172,9 @@ impl Faces {
                     1 => fan[1] = index,
                     _ => {
                         self.triangles.push([fan[0], fan[1], index]);
-                        self.source.push(source);
+                        if want_source {
+                            self.source.push(source);
+                        }
                         fan[1] = index;
                     }
                 }
@@ -147,43 +183,99 @@ impl Faces {
     }
 }
 
-impl Part {
-    fn cull(&mut self, image: &OnImage, vertices: &Vertices, triangles: &[[u32; 3]], first: usize, task: FaceTask) {
-        self.triangles.clear();
-        self.source.clear();
-        self.crossing.clear();
-        (self.back, self.turned_over) = (0, 0);
-        let positions = &image.positions[..];
-        let front = vertices.view_from_object.outward();
-        let first = u32::try_from(first).unwrap_or(u32::MAX);
-        for (source, &triangle) in (first..).zip(triangles) {
-            let [a, b, c] = triangle.map(|i| i as usize);
-            let (Some(&p), Some(&q), Some(&r)) = (positions.get(a), positions.get(b), positions.get(c)) else {
-                continue;
-            };
-            let planes = match image.outcodes[..] {
-                [] => 0,
-                _ => {
-                    let codes = [image.outcodes[a], image.outcodes[b], image.outcodes[c]];
-                    if codes[0] & codes[1] & codes[2] != 0 || (codes[0] | codes[1] | codes[2]) & NOT_A_NUMBER != 0 {
-                        continue;
-                    }
-                    codes[0] | codes[1] | codes[2]
+/// What is needed to judge a triangle.
+struct Culling<'a> {
+    image: &'a OnImage,
+    vertices: &'a Vertices<'a>,
+    used: &'a [AtomicBool],
+    task: FaceTask,
+}
+
+impl Culling<'_> {
+    /// Sets the bits of triangles that are left and cross no plane.
+    fn stretch(&self, part: &mut Part, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
+        *part = Part { crossing: std::mem::take(&mut part.crossing), ..Part::default() };
+        part.crossing.clear();
+        let positions = &self.image.positions[..];
+        let outward = self.vertices.view_from_object.outward();
+        let both_sides = !self.task.cull_back;
+        let mut areas = [0.0; 8];
+        for ((k, byte), eight) in (first..).step_by(8).zip(kept).zip(triangles.chunks(8)) {
+            let mut bits = 0;
+            if self.task.watch_turning || self.crosses(eight) {
+                for (l, &triangle) in eight.iter().enumerate() {
+                    bits |= u8::from(self.judge(part, k + to_u32(l), triangle)) << l;
                 }
-            };
-            let in_world = || facing(vertices.projector, triangle.map(|i| vertices.view(i)));
-            let area = if planes == 0 { area_on_image(p, q, r) } else { in_world() };
-            if task.watch_turning && planes == 0 && area * in_world() < 0.0 {
-                self.turned_over += 1;
-            }
-            if area == 0.0 || (task.cull_back && area * front < 0.0) {
-                self.back += 1;
-            } else if planes == 0 {
-                self.triangles.push(triangle);
-                self.source.push(source);
             } else {
-                self.crossing.push(Crossing { source, triangle, planes });
+                for (area, &[a, b, c]) in areas.iter_mut().zip(eight) {
+                    let [a, b, c] = [positions.get(a as usize), positions.get(b as usize), positions.get(c as usize)];
+                    *area = match (a, b, c) {
+                        (Some(&a), Some(&b), Some(&c)) => area_on_image(a, b, c),
+                        _ => 0.0,
+                    };
+                }
+                for (l, area) in areas.iter().enumerate().take(eight.len()) {
+                    bits |= u8::from((area * outward > 0.0) | ((area * outward < 0.0) & both_sides)) << l;
+                }
+                part.back += eight.len() - bits.count_ones() as usize;
+            }
+            *byte = bits;
+            part.kept += bits.count_ones() as usize;
+            if bits != 0 && !self.used.is_empty() {
+                eight.iter().for_each(|&triangle| self.mark(triangle));
             }
         }
     }
+
+    /// True where a vertex of the triangles is outside a plane.
+    fn crosses(&self, triangles: &[[u32; 3]]) -> bool {
+        let code = |i: u32| self.image.outcodes.get(i as usize).copied().unwrap_or(0);
+        !self.image.outcodes.is_empty()
+            && triangles.iter().fold(0, |all, &[a, b, c]| all | code(a) | code(b) | code(c)) != 0
+    }
+
+    fn mark(&self, triangle: [u32; 3]) {
+        for i in triangle {
+            if let Some(used) = self.used.get(i as usize / LANES) {
+                used.store(true, Ordering::Relaxed);
+            }
+        }
+    }
+
+    /// The same for any triangle: false for one that crosses a plane, which is put aside.
+    fn judge(&self, part: &mut Part, source: u32, triangle: [u32; 3]) -> bool {
+        let Vertices { projector, view_from_object, .. } = *self.vertices;
+        let [a, b, c] = [triangle[0] as usize, triangle[1] as usize, triangle[2] as usize];
+        if a.max(b).max(c) >= self.image.positions.len() {
+            return false;
+        }
+        let codes = match self.image.outcodes[..] {
+            [] => [0; 3],
+            _ => [self.image.outcodes[a], self.image.outcodes[b], self.image.outcodes[c]],
+        };
+        let planes = codes[0] | codes[1] | codes[2];
+        if codes[0] & codes[1] & codes[2] != 0 || planes & NOT_A_NUMBER != 0 {
+            return false;
+        }
+        let positions = &self.image.positions;
+        let in_world = || facing(projector, triangle.map(|i| self.vertices.view(i)));
+        let area = if planes == 0 { area_on_image(positions[a], positions[b], positions[c]) } else { in_world() };
+        if self.task.watch_turning && planes == 0 && area * in_world() < 0.0 {
+            part.turned_over += 1;
+        }
+        if area == 0.0 || (self.task.cull_back && area * view_from_object.outward() < 0.0) {
+            part.back += 1;
+            return false;
+        }
+        if planes != 0 {
+            part.crossing.push(Crossing { source, triangle, planes });
+            self.mark(triangle);
+        }
+        planes == 0
+    }
+}
+
+/// Meshes are indexed with 32 bits.
+fn to_u32(k: usize) -> u32 {
+    u32::try_from(k).unwrap_or(u32::MAX)
 }

@@ -1,10 +1,14 @@
 //! Light on faces and vertices, by the one formula of [`Lighting::shade`].
 
-use glam::{DVec3, Mat3};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd, dispatch, f32x8, u32x8};
+use glam::{DMat3, DVec3};
 
 use super::transform::{Projector, Vertices, each_chunk};
 use crate::appearance::{Rgba, Shading};
-use crate::drawing::{Lighting, ViewLight};
+use crate::drawing::{Eight, Lighting, ViewLight, packed, unpacked};
 use crate::geometry::try_unit;
 use crate::scene::{Light, Mesh};
 
@@ -63,85 +67,104 @@ impl Lights {
 
 /// Light on one object.
 pub(super) struct ObjectLight<'a> {
-    lights: &'a Lights,
     pub(super) lighting: Lighting,
     mesh: &'a Mesh,
     vertices: Vertices<'a>,
     /// Takes normals to view space, and makes them of any length.
-    normal_matrix: Mat3,
+    normal_matrix: Rows,
+    /// Takes `ViewFromObject::offset`, times `offset_unit`, to view space in the unit of the lights.
+    position_matrix: Rows,
+    /// A power of two that keeps offsets in the range of single precision.
+    offset_unit: f64,
     needs_positions: bool,
 }
 
-/// Points that are lit together, coordinate by coordinate, for loops that become vector instructions.
-const LANES: usize = 8;
-type Lanes<T> = [T; LANES];
+/// Points that are lit together.
+pub(super) const LANES: usize = 8;
+type Rows = [[f32; 3]; 3];
 
-/// Points of a surface that are to be lit.
+/// Points of a surface that are to be lit, coordinate by coordinate.
+#[derive(Clone, Copy, Default)]
 struct Points {
-    normals: [Lanes<f32>; 3],
-    positions: [Lanes<f32>; 3],
-    colors: Lanes<Rgba>,
+    /// Of any length, in object space.
+    normals: [[f32; LANES]; 3],
+    /// Offsets in their unit.
+    offsets: [[f32; LANES]; 3],
+    /// Packed.
+    colors: [u32; LANES],
 }
 
 impl<'a> ObjectLight<'a> {
     /// `both_sides`: faces are lit on the side that is seen, rather than on the outer one.
-    pub(super) fn new(lights: &'a Lights, mesh: &'a Mesh, vertices: Vertices<'a>, both_sides: bool) -> Self {
+    pub(super) fn new(lights: &Lights, mesh: &'a Mesh, vertices: Vertices<'a>, both_sides: bool) -> Self {
         let lighting = lights.lighting(both_sides);
         let needs_positions = lighting.needs_positions();
-        let matrix = vertices.view_from_object.normal_matrix();
-        let largest = matrix.to_cols_array().iter().fold(0.0, |most: f64, c| most.max(c.abs()));
-        let normal_matrix = (matrix * power_of_two_below_inverse(largest)).as_mat3();
-        Self { lights, lighting, mesh, vertices, normal_matrix, needs_positions }
+        let of_normals = vertices.view_from_object.normal_matrix();
+        let of_offsets = vertices.view_from_object.of_offsets() * lights.scale;
+        let offset_unit = 1.0 / power_of_two_below_inverse(largest(of_offsets));
+        Self {
+            lighting,
+            mesh,
+            vertices,
+            normal_matrix: rows(of_normals * power_of_two_below_inverse(largest(of_normals))),
+            position_matrix: rows(of_offsets * (1.0 / offset_unit)),
+            offset_unit,
+            needs_positions,
+        }
     }
 
     /// The colours of faces, each from its own normal, at its centroid. `face` gives corners and colour of the k-th.
-    pub(super) fn faces(&self, count: usize, face: impl Fn(usize) -> ([u32; 3], Rgba) + Sync + Send) -> Vec<Rgba> {
-        self.lit(count, |at| {
-            let faces = at.map(&face);
-            let [a, b, c] = [0, 1, 2].map(|corner| {
-                let corners = faces.map(|(triangle, _)| self.vertices.positions[triangle[corner] as usize]);
-                [corners.map(|p| p.x), corners.map(|p| p.y), corners.map(|p| p.z)]
-            });
-            let minus = |p: &[Lanes<f64>; 3], q: &[Lanes<f64>; 3]| -> [Lanes<f64>; 3] {
-                std::array::from_fn(|axis| std::array::from_fn(|l| p[axis][l] - q[axis][l]))
-            };
-            let (ab, ac) = (minus(&b, &a), minus(&c, &a));
-            let normal: [Lanes<f64>; 3] = std::array::from_fn(|axis| {
-                let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-                std::array::from_fn(|l| ab[i][l] * ac[j][l] - ab[j][l] * ac[i][l])
-            });
-            // The cofactors take the normal of the object to that of the view, whatever the transform; the length is of no
-            // matter, but must fit in single precision.
-            let scale: Lanes<f64> = std::array::from_fn(|l| {
-                power_of_two_below_inverse(normal[0][l].abs().max(normal[1][l].abs()).max(normal[2][l].abs()))
-            });
-            let normals = self.to_view(normal.map(|axis| std::array::from_fn(|l| single(axis[l] * scale[l]))));
-            let centroid = |l: usize| {
-                let along = |axis: usize| a[axis][l] + (ab[axis][l] + ac[axis][l]) / 3.0;
-                DVec3::new(along(0), along(1), along(2))
-            };
-            let positions = self.positions(centroid);
-            Points { normals, positions, colors: faces.map(|(_, color)| color) }
+    pub(super) fn faces(
+        &self,
+        colors: Vec<Rgba>,
+        count: usize,
+        face: impl Fn(usize) -> ([u32; 3], Rgba) + Sync + Send,
+    ) -> Vec<Rgba> {
+        let positions = self.vertices.positions;
+        self.lit(colors, count, |first, n, points| {
+            for l in 0..n {
+                let (triangle, color) = face(first + l);
+                let [a, b, c] = triangle;
+                let [a, b, c] = [positions[a as usize], positions[b as usize], positions[c as usize]];
+                let (ab, ac) = (b - a, c - a);
+                // The cofactors take the normal of the object to that of the view, whatever the transform; the length is of no
+                // matter, but must fit in single precision.
+                let normal = ab.cross(ac);
+                points.set_normal(l, normal * power_of_two_below_inverse(normal.abs().max_element()));
+                points.colors[l] = packed(color);
+                if self.needs_positions {
+                    points.set_offset(l, self.offset(a + (ab + ac) / 3.0));
+                }
+            }
+            true
         })
     }
 
-    /// The colours of all vertices, from their normals.
-    pub(super) fn vertices(&self, color: impl Fn(u32) -> Rgba + Sync + Send) -> Vec<Rgba> {
-        self.lit(self.vertices.len(), |at| {
-            let normals = at.map(|i| self.mesh.normals.get(i).copied().unwrap_or_default());
-            let normals = [normals.map(|n| single(n.x)), normals.map(|n| single(n.y)), normals.map(|n| single(n.z))];
-            let colors = at.map(|i| color(u32::try_from(i).unwrap_or(u32::MAX)));
-            let positions = self.positions(|l| self.vertices.positions[at[l]]);
-            Points { normals: self.to_view(normals), positions, colors }
+    /// The colours of the vertices in those groups of [`LANES`] that are `used`; the others are anything.
+    pub(super) fn vertices(
+        &self,
+        colors: Vec<Rgba>,
+        used: &[AtomicBool],
+        color: impl Fn(u32) -> Rgba + Sync + Send,
+    ) -> Vec<Rgba> {
+        self.lit(colors, self.vertices.len(), |first, n, points| {
+            if used.get(first / LANES).is_some_and(|used| !used.load(Ordering::Relaxed)) {
+                return false;
+            }
+            self.gather(first, n, points);
+            for (l, i) in (0..n).zip(u32::try_from(first).unwrap_or(u32::MAX)..) {
+                points.colors[l] = packed(color(i));
+            }
+            true
         })
     }
 
     /// The colour of one vertex.
     pub(super) fn vertex(&self, i: u32, color: Rgba) -> Rgba {
-        let normal = self.mesh.normals.get(i as usize).copied().unwrap_or_default();
-        let normal = self.to_view(normal.to_array().map(|c| [single(c); LANES])).map(|axis| axis[0]);
-        let position = self.positions(|_| self.vertices.positions[i as usize]).map(|axis| axis[0]);
-        self.lighting.shade(normal, position, color)
+        let mut one = Points::default();
+        self.gather(i as usize, 1, &mut one);
+        let at = |m: &Rows, v: &[[f32; LANES]; 3]| m.map(|row| row[0] * v[0][0] + row[1] * v[1][0] + row[2] * v[2][0]);
+        self.lighting.shade(at(&self.normal_matrix, &one.normals), at(&self.position_matrix, &one.offsets), color)
     }
 
     /// The unit normal of a vertex in view space; zero where there is none.
@@ -150,39 +173,94 @@ impl<'a> ObjectLight<'a> {
         try_unit(self.vertices.view_from_object.normal_matrix() * normal).unwrap_or_default()
     }
 
-    #[inline(always)]
-    fn to_view(&self, n: [Lanes<f32>; 3]) -> [Lanes<f32>; 3] {
-        let Mat3 { x_axis: x, y_axis: y, z_axis: z } = self.normal_matrix;
-        [[x.x, y.x, z.x], [x.y, y.y, z.y], [x.z, y.z, z.z]]
-            .map(|row| std::array::from_fn(|l| row[0] * n[0][l] + row[1] * n[1][l] + row[2] * n[2][l]))
+    fn offset(&self, p_object: DVec3) -> DVec3 {
+        self.vertices.view_from_object.offset(p_object) * self.offset_unit
     }
 
-    /// The points, given in object space, in the unit of the lights; zero where they do not matter.
+    /// Normals of some vertices, and their offsets where these matter.
     #[inline(always)]
-    fn positions(&self, p_object: impl Fn(usize) -> DVec3) -> [Lanes<f32>; 3] {
-        if !self.needs_positions {
-            return [[0.0; LANES]; 3];
+    fn gather(&self, first: usize, n: usize, points: &mut Points) {
+        for l in 0..n {
+            points.set_normal(l, self.mesh.normals.get(first + l).copied().unwrap_or_default());
         }
-        let view: Lanes<DVec3> = std::array::from_fn(|l| self.vertices.view_from_object.point(p_object(l)));
-        let scale = self.lights.scale;
-        [view.map(|p| single(p.x * scale)), view.map(|p| single(p.y * scale)), view.map(|p| single(p.z * scale))]
+        if self.needs_positions {
+            for l in 0..n {
+                points.set_offset(l, self.offset(self.vertices.positions[first + l]));
+            }
+        }
     }
 
-    /// Lights `count` points, some at a time.
-    fn lit(&self, count: usize, points: impl Fn(Lanes<usize>) -> Points + Sync + Send) -> Vec<Rgba> {
-        let mut colors = vec![Rgba::rgb(0, 0, 0); count];
+    /// Lights `count` points, some at a time: `points` is given the index of the first and how many, and says whether they
+    /// are wanted.
+    fn lit(
+        &self,
+        mut colors: Vec<Rgba>,
+        count: usize,
+        points: impl Fn(usize, usize, &mut Points) -> bool + Sync + Send,
+    ) -> Vec<Rgba> {
+        colors.resize(count, Rgba::rgb(0, 0, 0));
+        let level = Level::new();
         each_chunk(&mut colors, |colors, first| {
-            for (k, lit) in colors.chunks_mut(LANES).enumerate() {
-                let last = lit.len() - 1;
-                // Where fewer are left, the last one fills the lanes.
-                let at = std::array::from_fn(|l| first + k * LANES + l.min(last));
-                let Points { normals, positions, colors } = points(at);
-                let shaded = self.lighting.shade_each(&normals, &positions, &colors);
-                lit.copy_from_slice(&shaded[..lit.len()]);
-            }
+            dispatch!(level, simd => self.light(simd, colors, first, &points));
         });
         colors
     }
+
+    #[inline(always)]
+    fn light<S: Simd>(
+        &self,
+        simd: S,
+        colors: &mut [Rgba],
+        first: usize,
+        points: &impl Fn(usize, usize, &mut Points) -> bool,
+    ) {
+        let mut some = Points::default();
+        for (k, lit) in colors.chunks_mut(LANES).enumerate() {
+            if points(first + k * LANES, lit.len(), &mut some) {
+                let normals = times(&self.normal_matrix, eight(simd, some.normals));
+                let positions = times(&self.position_matrix, eight(simd, some.offsets));
+                let shaded = self.lighting.shade_eight(simd, normals, positions, u32x8::simd_from(simd, some.colors));
+                for (lit, &shaded) in lit.iter_mut().zip(shaded.as_slice()) {
+                    *lit = unpacked(shaded);
+                }
+            }
+        }
+    }
+}
+
+impl Points {
+    #[inline(always)]
+    fn set_normal(&mut self, l: usize, n: DVec3) {
+        [self.normals[0][l], self.normals[1][l], self.normals[2][l]] = [single(n.x), single(n.y), single(n.z)];
+    }
+
+    #[inline(always)]
+    fn set_offset(&mut self, l: usize, d: DVec3) {
+        [self.offsets[0][l], self.offsets[1][l], self.offsets[2][l]] = [single(d.x), single(d.y), single(d.z)];
+    }
+}
+
+#[inline(always)]
+fn eight<S: Simd>(simd: S, v: [[f32; LANES]; 3]) -> Eight<S> {
+    [f32x8::simd_from(simd, v[0]), f32x8::simd_from(simd, v[1]), f32x8::simd_from(simd, v[2])]
+}
+
+#[inline(always)]
+fn times<S: Simd>(m: &Rows, v: Eight<S>) -> Eight<S> {
+    [row_times(m[0], v), row_times(m[1], v), row_times(m[2], v)]
+}
+
+#[inline(always)]
+fn row_times<S: Simd>(row: [f32; 3], v: Eight<S>) -> f32x8<S> {
+    v[0] * row[0] + v[1] * row[1] + v[2] * row[2]
+}
+
+fn rows(m: DMat3) -> Rows {
+    m.transpose().as_mat3().to_cols_array_2d()
+}
+
+fn largest(m: DMat3) -> f64 {
+    m.to_cols_array().iter().fold(0.0, |most, c| c.abs().max(most))
 }
 
 /// A power of two p with 1/4 < p · value < 2 or so, without a division; a harmless one for 0 and for what is no number.

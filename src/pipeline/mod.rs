@@ -23,6 +23,7 @@ pub mod plan;
 pub mod project;
 pub mod report;
 mod shade;
+mod spare;
 mod transform;
 mod visibility;
 
@@ -39,10 +40,12 @@ pub use cull::Place;
 use faces::{FaceTask, Faces};
 use light::Lights;
 use lines::Strokes;
+use plan::LitAt;
 pub use plan::{Options, Plan, Reason, Stage};
 use report::Meter;
 pub use report::{Frame, StageReport};
 use shade::Shaded;
+use spare::Spare;
 use transform::{Projector, Screen, Vertices};
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
@@ -66,12 +69,20 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
 }
 
 /// Draws pictures one after the other; keeps its buffers, and what it found out about meshes.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Pipeline {
     faces: Faces,
+    spare: Spare,
     /// Bounding boxes of the meshes that were drawn last, by the address of the mesh: nobody else gets it as long as the weak
     /// pointer is kept, and the mesh does not change as long as it is shared.
     known: HashMap<usize, (Weak<Mesh>, Option<Aabb>)>,
+}
+
+/// A clone begins with empty buffers.
+impl Clone for Pipeline {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
 }
 
 impl Pipeline {
@@ -85,7 +96,7 @@ impl Pipeline {
         let plan = Plan::new(scene, &projector, style, &bounds, options.force_all_stages);
         let lights = Lights::new(&scene.lights, &projector, style.shading);
         let mut strokes = Strokes::new(&projector, &screen, target);
-        let faces = &mut self.faces;
+        let (faces, spare) = (&mut self.faces, &mut self.spare);
         let (mut surfaces, mut layers) = (Vec::new(), Vec::new());
         meter.lap(Stage::Traverse);
 
@@ -96,15 +107,22 @@ impl Pipeline {
                 Vertices { projector: &projector, view_from_object: &view_from_object, positions: &mesh.positions };
             if todo.faces {
                 let interpolates = projector.perspective && Shaded::interpolates(object, todo.lit);
+                spare.refill(faces);
                 faces.image.fill(&vertices, &screen, todo.clip_planes != 0, interpolates);
                 meter.lap(Stage::Transform);
 
                 let cut_open = mesh.closed && faces.cut_open();
                 let cull_back = todo.cull_back && !cut_open;
-                faces.cull(&vertices, &mesh.triangles, FaceTask { cull_back, watch_turning: !plan.depth });
+                let task = FaceTask {
+                    cull_back,
+                    watch_turning: !plan.depth,
+                    want_source: Shaded::colors_faces(object, todo.lit),
+                    want_used: todo.lit == LitAt::Vertices,
+                };
+                faces.cull(&vertices, &mesh.triangles, task);
                 meter.lap(Stage::CullFaces);
 
-                faces.clip(&vertices, &screen, options.force_all_stages);
+                faces.clip(&vertices, &screen, task.want_source, options.force_all_stages);
                 meter.lap(Stage::Clip);
                 meter.count(&vertices, faces, object);
 
@@ -117,10 +135,10 @@ impl Pipeline {
                     depth_test: plan.depth || (faces.turned_over > 0 && plan.order() == Visibility::DepthBuffer),
                 };
                 if plan.order() == Visibility::DepthBuffer {
-                    surfaces.extend(shaded.surfaces(faces));
+                    surfaces.extend(shaded.surfaces(faces, spare));
                 } else {
                     let never_hides_itself = mesh.convex && mesh.closed && cull_back && faces.turned_over == 0;
-                    layers.extend(shaded.layers(faces, never_hides_itself));
+                    layers.extend(shaded.layers(faces, spare, never_hides_itself));
                 }
                 meter.lap(Stage::Light);
             }
@@ -153,6 +171,11 @@ impl Pipeline {
             labels,
         };
         Frame { drawing, report: meter.report(&plan), plan }
+    }
+
+    /// Takes back a drawing that is no longer needed: the next one is made in its memory.
+    pub fn recycle(&mut self, drawing: Drawing) {
+        self.spare.keep(drawing);
     }
 
     /// The boxes around the meshes of `scene`.

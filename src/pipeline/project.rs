@@ -222,7 +222,7 @@ impl Projected<'_> {
         let faces = |color: &(dyn Fn(u32) -> Rgba + Sync)| {
             let face = |k: usize| (old.triangles[self.source[k] as usize], color(self.source[k]));
             ObjectPaint::Faces(Arc::new(match &light {
-                Some(light) => light.faces(self.source.len(), face),
+                Some(light) => light.faces(Vec::new(), self.source.len(), face),
                 None => self.source.iter().map(|&face| color(face)).collect(),
             }))
         };

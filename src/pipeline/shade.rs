@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::faces::Faces;
 use super::light::{Lights, ObjectLight};
 use super::plan::LitAt;
+use super::spare::Spare;
 use super::transform::Vertices;
 use super::visibility::Layer;
 use crate::appearance::Rgba;
@@ -34,25 +35,24 @@ impl Shaded<'_> {
         }
     }
 
+    /// True where the triangles of the mesh have colours, their own or those of their light, so that each face that is left must
+    /// know which one it was.
+    pub(super) fn colors_faces(object: &Object, lit: LitAt) -> bool {
+        lit == LitAt::Faces || matches!(object.paint, ObjectPaint::Faces(_))
+    }
+
     /// The surfaces of the object: one, or with Phong shading one for each colour of its faces. Takes the faces' arrays.
-    pub(super) fn surfaces(&self, faces: &mut Faces) -> Vec<Surface> {
+    pub(super) fn surfaces(&self, faces: &mut Faces, spare: &mut Spare) -> Vec<Surface> {
         if faces.triangles.is_empty() {
             return Vec::new();
         }
         let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
         let triangles = &self.object.mesh.triangles;
-        let on_faces = |color: &(dyn Fn(u32) -> Rgba + Sync)| {
-            Paint::Faces(light.faces(faces.source.len(), |k| {
+        let mut on_faces = |color: &(dyn Fn(u32) -> Rgba + Sync)| {
+            Paint::Faces(light.faces(spare.colors(), faces.source.len(), |k| {
                 let face = faces.source[k];
                 (triangles[face as usize], color(face))
             }))
-        };
-        let on_vertices = |color: &(dyn Fn(u32) -> Rgba + Sync)| {
-            let mut colors = light.vertices(color);
-            let cuts = faces.cuts.iter().map(|cut| mean_of_colors(cut.of.map(|i| colors[i as usize]), cut.weights));
-            let cuts: Vec<Rgba> = cuts.collect();
-            colors.extend(cuts);
-            Paint::Vertices(colors)
         };
         let paint = match (self.lit, &self.object.paint) {
             (LitAt::Nowhere, _) | (_, ObjectPaint::Texture { .. }) => self.own_paint(faces),
@@ -61,8 +61,12 @@ impl Shaded<'_> {
             (LitAt::Faces, ObjectPaint::Vertices(colors)) => {
                 on_faces(&|face| mean_color(colors, triangles[face as usize]))
             }
-            (LitAt::Vertices, ObjectPaint::Solid(color)) => on_vertices(&|_| *color),
-            (LitAt::Vertices | LitAt::Pixels, ObjectPaint::Vertices(colors)) => on_vertices(&|i| color_at(colors, i)),
+            (LitAt::Vertices, ObjectPaint::Solid(color)) => {
+                self.lit_vertices(faces, &light, spare.colors(), &|_| *color)
+            }
+            (LitAt::Vertices | LitAt::Pixels, ObjectPaint::Vertices(colors)) => {
+                self.lit_vertices(faces, &light, spare.colors(), &|i| color_at(colors, i))
+            }
             (LitAt::Pixels, ObjectPaint::Solid(color)) => self.phong(faces, &light, *color),
             (LitAt::Vertices, ObjectPaint::Faces(colors)) => return vec![self.unshared(faces, &light, colors)],
             (LitAt::Pixels, ObjectPaint::Faces(colors)) => return self.surfaces_by_color(faces, &light, colors),
@@ -76,7 +80,7 @@ impl Shaded<'_> {
     }
 
     /// The surfaces, with what their order can be found by.
-    pub(super) fn layers(&self, faces: &mut Faces, never_hides_itself: bool) -> Vec<Layer> {
+    pub(super) fn layers(&self, faces: &mut Faces, spare: &mut Spare, never_hides_itself: bool) -> Vec<Layer> {
         let own = (0..self.vertex_count()).map(|i| self.vertices.view(i));
         let cuts = faces.cuts.iter().map(|cut| cut.mean(|i| self.vertices.view(i)));
         let mut view: Vec<DVec3> = own.chain(cuts).collect();
@@ -84,7 +88,7 @@ impl Shaded<'_> {
             view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
         }
         let layer = |surface| Layer { surface, view: view.clone(), never_hides_itself };
-        self.surfaces(faces).into_iter().map(layer).collect()
+        self.surfaces(faces, spare).into_iter().map(layer).collect()
     }
 
     /// True where [`unshared`](Self::unshared) makes the surface.
@@ -120,6 +124,21 @@ impl Shaded<'_> {
                 opacity: *opacity,
             },
         }
+    }
+
+    /// Light at each vertex; cuts take the mean of what they lie between.
+    fn lit_vertices(
+        &self,
+        faces: &Faces,
+        light: &ObjectLight,
+        colors: Vec<Rgba>,
+        color: &(dyn Fn(u32) -> Rgba + Sync),
+    ) -> Paint {
+        let mut colors = light.vertices(colors, &faces.used, color);
+        for cut in &faces.cuts {
+            colors.push(mean_of_colors(cut.of.map(|i| colors[i as usize]), cut.weights));
+        }
+        Paint::Vertices(colors)
     }
 
     fn phong(&self, faces: &Faces, light: &ObjectLight, color: Rgba) -> Paint {

@@ -1,5 +1,6 @@
 //! Object → world → view → clip → image, in `f64` up to the image.
 
+use fearless_simd::{Level, dispatch};
 use glam::{DMat3, DMat4, DVec3};
 use rayon::prelude::*;
 
@@ -65,7 +66,7 @@ impl Projector {
     }
 
     /// A view point in clip space.
-    #[inline]
+    #[inline(always)]
     pub(super) fn clip(&self, p_view: DVec3) -> ClipPoint {
         let depth = -p_view.z;
         let w = if self.perspective { depth } else { 1.0 };
@@ -107,16 +108,23 @@ impl Projector {
 
     /// F/w rather than 1/w, so that it fits in single precision in worlds of any size.
     #[expect(clippy::cast_possible_truncation, reason = "a ratio between 0 and 1, for the display list")]
-    #[inline]
+    #[inline(always)]
     pub(super) fn relative_inverse_w(&self, w: f64) -> f32 {
-        (self.near / w) as f32
+        (self.near * (1.0 / w)) as f32
     }
 
     /// The depth of the display list, 1 at F and 0 at B, straight from the distance: no difference of nearly equal numbers.
-    #[inline]
+    #[inline(always)]
     pub(super) fn picture_depth(&self, depth: f64) -> f64 {
         let share = (self.far - depth) / (self.far - self.near);
         if self.perspective { share * (self.near / depth) } else { share }
+    }
+
+    /// The same, faster, where 1/w is known: nearly as accurate.
+    #[inline(always)]
+    fn picture_depth_by(&self, depth: f64, inverse_w: f64) -> f64 {
+        let share = (self.far - depth) / (self.far - self.near);
+        if self.perspective { share * (self.near * inverse_w) } else { share }
     }
 }
 
@@ -137,12 +145,42 @@ pub(super) struct ViewFromObject {
 
 impl ViewFromObject {
     /// A point of the object in view space.
-    #[inline]
+    #[inline(always)]
     pub(super) fn point(&self, p: DVec3) -> DVec3 {
+        self.linear * self.offset(p)
+    }
+
+    /// From the eye to a point of the object, before anything is rotated to view space by [`of_offsets`](Self::of_offsets).
+    #[inline(always)]
+    pub(super) fn offset(&self, p: DVec3) -> DVec3 {
         match self.through_world {
-            None => self.linear * (p - self.eye),
-            Some((linear, translation)) => self.linear * (linear * p + translation - self.eye),
+            None => p - self.eye,
+            Some((linear, translation)) => linear * p + translation - self.eye,
         }
+    }
+
+    /// [`offset`](Self::offset) for some points.
+    #[inline(always)]
+    fn offsets(&self, given: &[DVec3], [x, y, z]: [&mut [f64; BLOCK]; 3]) {
+        match self.through_world {
+            None => {
+                for (l, &p) in given.iter().enumerate().take(BLOCK) {
+                    let d = p - self.eye;
+                    (x[l], y[l], z[l]) = (d.x, d.y, d.z);
+                }
+            }
+            Some(_) => {
+                for (l, &p) in given.iter().enumerate().take(BLOCK) {
+                    let d = self.offset(p);
+                    (x[l], y[l], z[l]) = (d.x, d.y, d.z);
+                }
+            }
+        }
+    }
+
+    /// Takes [`offset`](Self::offset)s to view space.
+    pub(super) fn of_offsets(&self) -> DMat3 {
+        self.linear
     }
 
     /// The size of the numbers from which the view coordinates of `p` are summed up: what their rounding is measured by.
@@ -207,8 +245,10 @@ pub(super) struct OnImage {
     pub(super) positions: Vec<[f32; 3]>,
     /// See [`Projector::relative_inverse_w`]; empty where nobody wants it.
     pub(super) inverse_w: Vec<f32>,
-    /// Empty where the object crosses no plane.
+    /// Of each vertex; empty where none is outside any plane.
     pub(super) outcodes: Vec<PlaneSet>,
+    /// The planes that any vertex is outside of.
+    pub(super) outside: PlaneSet,
 }
 
 /// Vertices or triangles that are worked on as one piece.
@@ -223,43 +263,74 @@ struct Stretch<'a> {
 }
 
 impl OnImage {
-    /// Takes each vertex once through all spaces, and holds it against the planes, if the object may cross any.
+    /// Takes each vertex once through all spaces, and holds it against the planes, if the object may cross any (`crosses`).
     pub(super) fn fill(&mut self, vertices: &Vertices, screen: &Screen, crosses: bool, want_inverse_w: bool) {
         let n = vertices.len();
+        // What is there is overwritten.
         self.positions.resize(n, [0.0; 3]);
         self.inverse_w.resize(if want_inverse_w { n } else { 0 }, 0.0);
         self.outcodes.resize(if crosses { n } else { 0 }, 0);
         let (mut inverse_w, mut outcodes) = (self.inverse_w.chunks_mut(CHUNK), self.outcodes.chunks_mut(CHUNK));
         let stretches = vertices.positions.chunks(CHUNK).zip(self.positions.chunks_mut(CHUNK));
-        let mut stretches: Vec<Stretch> = stretches
-            .map(|(given, positions)| Stretch {
-                given,
-                positions,
-                inverse_w: inverse_w.next().unwrap_or_default(),
-                outcodes: outcodes.next().unwrap_or_default(),
-            })
-            .collect();
-        if stretches.len() > 2 {
-            stretches.par_iter_mut().for_each(|stretch| stretch.fill(vertices, screen));
+        let stretches = stretches.map(|(given, positions)| Stretch {
+            given,
+            positions,
+            inverse_w: inverse_w.next().unwrap_or_default(),
+            outcodes: outcodes.next().unwrap_or_default(),
+        });
+        let level = Level::new();
+        let fill = |mut stretch: Stretch| dispatch!(level, _simd => stretch.fill(vertices, screen));
+        let either = |a: PlaneSet, b: PlaneSet| a | b;
+        self.outside = if n > 2 * CHUNK {
+            stretches.collect::<Vec<_>>().into_par_iter().map(fill).reduce(|| 0, either)
         } else {
-            stretches.iter_mut().for_each(|stretch| stretch.fill(vertices, screen));
+            stretches.map(fill).fold(0, either)
+        };
+        if self.outside == 0 {
+            self.outcodes.clear();
         }
     }
 }
 
+/// Vertices that are taken from space to space together: an array for each coordinate, so that the loops over them become
+/// vector instructions.
+const BLOCK: usize = 32;
+
 impl Stretch<'_> {
-    fn fill(&mut self, vertices: &Vertices, screen: &Screen) {
+    /// Returns the planes that any vertex is outside of.
+    #[inline(always)]
+    fn fill(&mut self, vertices: &Vertices, screen: &Screen) -> PlaneSet {
         let Vertices { projector, view_from_object, .. } = *vertices;
-        for (k, &p) in self.given.iter().enumerate() {
-            let p = projector.clip(view_from_object.point(p));
-            self.positions[k] = on_grid(screen.project(projector, p));
-            if let Some(inverse_w) = self.inverse_w.get_mut(k) {
-                *inverse_w = projector.relative_inverse_w(p.w);
+        let (mut x, mut y, mut z, mut w) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+        let mut image = [[0.0_f32; BLOCK]; 3];
+        let mut outside = 0;
+        for (k, given) in self.given.chunks(BLOCK).enumerate() {
+            let here = k * BLOCK..k * BLOCK + given.len();
+            view_from_object.offsets(given, [&mut x, &mut y, &mut z]);
+            for l in 0..BLOCK {
+                let p = projector.clip(view_from_object.linear * DVec3::new(x[l], y[l], z[l]));
+                (x[l], y[l], z[l], w[l]) = (p.x, p.y, p.depth, p.w);
             }
-            if let Some(code) = self.outcodes.get_mut(k) {
-                *code = outcode(projector, p);
+            if let Some(outcodes) = self.outcodes.get_mut(here.clone()) {
+                for (l, code) in outcodes.iter_mut().enumerate() {
+                    *code = outcode(projector, ClipPoint { x: x[l], y: y[l], w: w[l], depth: z[l] });
+                }
+                outside = outcodes.iter().fold(outside, |all, code| all | code);
+            }
+            for l in 0..BLOCK {
+                let p = screen.project(projector, ClipPoint { x: x[l], y: y[l], w: w[l], depth: z[l] });
+                [image[0][l], image[1][l], image[2][l]] = on_grid(p);
+            }
+            for (l, position) in self.positions[here.clone()].iter_mut().enumerate() {
+                *position = [image[0][l], image[1][l], image[2][l]];
+            }
+            if let Some(inverse_w) = self.inverse_w.get_mut(here) {
+                for (l, inverse_w) in inverse_w.iter_mut().enumerate() {
+                    *inverse_w = projector.relative_inverse_w(w[l]);
+                }
             }
         }
+        outside
     }
 }
 
@@ -289,26 +360,26 @@ impl Screen {
     }
 
     /// A point inside the volume in pixels (y down), with the depth of the display list.
-    #[inline]
+    #[inline(always)]
     pub(super) fn project(&self, projector: &Projector, p: ClipPoint) -> [f64; 3] {
         let inverse_w = 1.0 / p.w;
         [
             clamp((p.x * inverse_w) * self.half_width + self.half_width, 2.0 * self.half_width),
             clamp(self.half_height - (p.y * inverse_w) * self.half_height, 2.0 * self.half_height),
-            clamp(projector.picture_depth(p.depth), 1.0),
+            clamp(projector.picture_depth_by(p.depth, inverse_w), 1.0),
         ]
     }
 }
 
 /// Into 0 … limit; 0 for what is no number.
-#[inline]
+#[inline(always)]
 fn clamp(value: f64, limit: f64) -> f64 {
     let v = if value > 0.0 { value } else { 0.0 };
     if v < limit { v } else { limit }
 }
 
 /// To the display list, exactly on the grid of [`SUBPIXELS`].
-#[inline]
+#[inline(always)]
 pub(super) fn on_grid(p: [f64; 3]) -> [f32; 3] {
     // Next to this number the spacing of f64 is one subpixel: adding it and taking it away again leaves the rounded number.
     const MAGIC: f64 = 1.5 / (SUBPIXELS * f64::EPSILON);
@@ -320,8 +391,9 @@ pub(super) fn on_grid(p: [f64; 3]) -> [f32; 3] {
     clippy::cast_possible_truncation,
     reason = "pixels behind the viewport: single precision is the display list's"
 )]
+#[inline(always)]
 pub(super) fn single(p: [f64; 3]) -> [f32; 3] {
-    p.map(|c| c as f32)
+    [p[0] as f32, p[1] as f32, p[2] as f32]
 }
 
 #[cfg(test)]

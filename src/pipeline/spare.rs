@@ -1,0 +1,51 @@
+//! Memory of drawings that were given back, for those to come: fresh memory costs more than what is written to it.
+
+use crate::appearance::Rgba;
+use crate::drawing::{Drawing, Paint};
+
+use super::faces::Faces;
+
+/// Arrays of the last drawing that was given back, the first one on top.
+#[derive(Debug, Default)]
+pub(super) struct Spare {
+    /// Positions or normals.
+    pub(super) vectors: Vec<Vec<[f32; 3]>>,
+    inverse_w: Vec<Vec<f32>>,
+    triangles: Vec<Vec<[u32; 3]>>,
+    colors: Vec<Vec<Rgba>>,
+}
+
+impl Spare {
+    /// Keeps the arrays of one drawing, and forgets those of others.
+    pub(super) fn keep(&mut self, drawing: Drawing) {
+        *self = Self::default();
+        for surface in drawing.surfaces.into_iter().rev() {
+            match surface.paint {
+                Paint::Faces(colors) | Paint::Vertices(colors) => self.colors.push(colors),
+                Paint::Phong(phong) => self.vectors.extend([phong.positions, phong.normals]),
+                Paint::Solid(_) | Paint::Texture { .. } => {}
+            }
+            self.vectors.push(surface.positions);
+            self.inverse_w.push(surface.inverse_w);
+            self.triangles.push(surface.triangles);
+        }
+    }
+
+    /// Gives `faces` the arrays that a surface has taken away.
+    pub(super) fn refill(&mut self, faces: &mut Faces) {
+        refill(&mut faces.image.positions, &mut self.vectors);
+        refill(&mut faces.image.inverse_w, &mut self.inverse_w);
+        refill(&mut faces.triangles, &mut self.triangles);
+    }
+
+    /// An array of colours; what is in it is of no matter.
+    pub(super) fn colors(&mut self) -> Vec<Rgba> {
+        self.colors.pop().unwrap_or_default()
+    }
+}
+
+fn refill<T>(array: &mut Vec<T>, spare: &mut Vec<Vec<T>>) {
+    if array.capacity() == 0 {
+        *array = spare.pop().unwrap_or_default();
+    }
+}
