@@ -176,6 +176,7 @@ impl App {
             Command::Show(picture) => state.layout.toggle(picture),
             Command::Look(look) => state.look = Some(look),
             Command::Help => state.filing.dialog = Some(Dialog::Help),
+            Command::Pipeline => state.layout.strip = !state.layout.strip,
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,
         }
     }

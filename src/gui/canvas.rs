@@ -12,6 +12,7 @@ mod paint;
 mod probe;
 mod screen;
 mod status;
+mod strip;
 mod title;
 
 use std::sync::Arc;
@@ -29,6 +30,7 @@ use self::look::Auto;
 use self::paint::Painter;
 use self::screen::{Place, Screen};
 use self::status::{Status, StatusAction};
+use self::strip::{Strip, StripAction};
 use self::title::{Title, TitleAction, picture_name};
 use super::handles::point;
 use super::state::{Look, Picture, State};
@@ -36,6 +38,7 @@ use crate::appearance::Rgba;
 use crate::figure::{Figure, Observer};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
+use crate::picture::Account;
 use crate::views::{self, Extras, Palette, Probe, Setup};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
@@ -47,6 +50,8 @@ pub struct Canvas {
     pub patience: Duration,
     painter: Option<Painter>,
     screens: [Screen; 3],
+    /// How the pictures on the screen came about.
+    accounts: [Option<Account>; 3],
     shares: Shares,
     /// What the two three-dimensional pictures are seen from where the figure does not say, and in this frame.
     autos: [Auto; 2],
@@ -68,6 +73,7 @@ impl Default for Canvas {
             patience: PATIENCE,
             painter: None,
             screens: Default::default(),
+            accounts: Default::default(),
             shares: Shares::default(),
             autos: Default::default(),
             seen: [nobody; 2],
@@ -113,7 +119,9 @@ impl Canvas {
         ui.painter().rect_filled(room, 0.0, ui.visuals().panel_fill);
         let texts = words::canvas(state.settings.lang);
         let lines = status::height(ui, room.width());
-        let (pictures, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
+        let (room, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
+        let stages = if state.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
+        let (pictures, stages) = room.split_top_bottom_at_y((room.bottom() - stages).max(room.top()));
 
         let (ctx, lang) = (ui.ctx().clone(), state.settings.lang);
         if let Err(problem) = state.scenery.update(&ctx, &state.document, lang, self.patience) {
@@ -132,7 +140,12 @@ impl Canvas {
         self.draw(ui, state, &panes);
         self.decorate(ui, state, &panes, texts);
 
+        if state.layout.strip {
+            self.strip(ui, stages, state, texts);
+        }
+
         self.describe_probe(state, &mut status, texts);
+        status.strip = state.layout.strip;
         status.hidden = if state.layout.maximized.is_none() {
             Picture::ALL.into_iter().filter(|p| !state.layout.shown[p.index()]).collect()
         } else {
@@ -143,7 +156,22 @@ impl Canvas {
             None => {}
             Some(StatusAction::ShowAgain(picture)) => state.layout.shown[picture.index()] = true,
             Some(StatusAction::Arrange(arrangement)) => state.layout.arrangement = arrangement,
+            Some(StatusAction::Strip) => state.layout.strip = !state.layout.strip,
         }
+    }
+
+    /// The stages of the pipeline, as they were for the picture that is on the screen.
+    fn strip(&self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) {
+        let picture = state.layout.strip_of;
+        let hidden = !state.layout.is_shown(picture);
+        let account = self.accounts[picture.index()].as_ref().filter(|_| !hidden);
+        let strip = Strip { lang: state.settings.lang, texts, picture, account, hidden };
+        match strip.show(ui, room) {
+            None => return,
+            Some(StripAction::Of(picture)) => state.layout.strip_of = picture,
+            Some(StripAction::Close) => state.layout.strip = false,
+        }
+        ui.request_repaint();
     }
 
     /// Lays the pictures out, with their titles and the bars between them.
@@ -263,10 +291,12 @@ impl Canvas {
                     ..Extras::default()
                 },
                 max_side,
+                accounted: state.layout.strip && state.layout.strip_of == pane.picture,
             });
         }
         for (i, sheet) in painter.collect(self.patience).into_iter().enumerate() {
-            if let Some(sheet) = sheet {
+            if let Some(mut sheet) = sheet {
+                self.accounts[i] = sheet.as_mut().and_then(|sheet| sheet.account.take());
                 self.screens[i].set(ctx, picture_name(words::canvas(state.settings.lang), Picture::ALL[i]), sheet);
             }
         }

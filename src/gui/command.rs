@@ -53,6 +53,8 @@ pub enum Command {
     Look(Look),
     /// Turning one 3D picture turns the other.
     LinkOrbits,
+    /// Shows or hides the stages of the pipeline.
+    Pipeline,
     /// Mouse and keyboard at a glance.
     Help,
 }
@@ -66,7 +68,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 20] = [
+    pub const VIEW: [Self; 21] = [
         Self::Show(Picture::World),
         Self::Show(Picture::Canonical),
         Self::Show(Picture::Image),
@@ -81,6 +83,7 @@ impl Command {
         Self::Tab(Tab::Drawing),
         Self::ParametersPanel,
         Self::NumbersPanel,
+        Self::Pipeline,
         Self::Presentation,
         Self::Theme,
         Self::ZoomIn,
@@ -140,6 +143,7 @@ impl Command {
             Self::Look(Look::Iso) => (t.look_iso, t.look_iso_hint),
             Self::Look(Look::Fit) => (t.look_fit, t.look_fit_hint),
             Self::LinkOrbits => (t.link_orbits, t.link_orbits_hint),
+            Self::Pipeline => (t.pipeline, t.pipeline_hint),
             Self::Help => (t.help, t.help_hint),
         }
     }
@@ -166,6 +170,7 @@ impl Command {
             Self::ZoomReset => (Modifiers::COMMAND, Key::Num0),
             Self::ParametersPanel => (Modifiers::NONE, Key::F8),
             Self::NumbersPanel => (Modifiers::NONE, Key::F9),
+            Self::Pipeline => (Modifiers::NONE, Key::F10),
             Self::Tab(Tab::Camera) => (Modifiers::NONE, Key::F5),
             Self::Tab(Tab::Scene) => (Modifiers::NONE, Key::F6),
             Self::Tab(Tab::Drawing) => (Modifiers::NONE, Key::F7),
@@ -216,6 +221,7 @@ impl Command {
             Self::Tab(tab) => Some(state.settings.tab == tab && state.settings.panels().is_shown(Side::Left)),
             Self::Show(picture) => Some(state.layout.is_shown(picture)),
             Self::LinkOrbits => Some(state.layout.linked),
+            Self::Pipeline => Some(state.layout.strip),
             _ => None,
         }
     }

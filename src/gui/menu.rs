@@ -42,6 +42,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             for (command, sign) in [
                 (Command::NumbersPanel, "◨"),
+                (Command::Pipeline, "⬓"),
                 (Command::ParametersPanel, "◧"),
                 (Command::Presentation, "▶"),
                 (Command::Theme, "◐"),

@@ -84,11 +84,22 @@ pub struct Layout {
     pub arrangement: Option<Arrangement>,
     /// Orbiting one three-dimensional picture turns the other too.
     pub linked: bool,
+    /// The stages of the pipeline are shown under the pictures.
+    pub strip: bool,
+    /// Whose stages.
+    pub strip_of: Picture,
 }
 
 impl Default for Layout {
     fn default() -> Self {
-        Self { shown: [true; 3], maximized: None, arrangement: None, linked: false }
+        Self {
+            shown: [true; 3],
+            maximized: None,
+            arrangement: None,
+            linked: false,
+            strip: false,
+            strip_of: Picture::Image,
+        }
     }
 }
 

@@ -57,6 +57,24 @@ pub struct CanvasTexts {
     pub keys_in_canonical: &'static str,
     /// What the keys do in the image.
     pub keys_in_image: &'static str,
+    /// Title of the strip of stages, and the button that shows it.
+    pub strip: &'static str,
+    /// Tooltip of that button.
+    pub strip_show: &'static str,
+    /// Name of the chooser whose stages are shown.
+    pub strip_of: &'static str,
+    /// Tooltip of a button.
+    pub strip_close: &'static str,
+    /// Of a picture that is hidden.
+    pub strip_hidden: &'static str,
+    /// Before the time of all stages.
+    pub strip_total: &'static str,
+    /// Before the number of stages that ran.
+    pub strip_ran: &'static str,
+    /// Before the number of those that did not.
+    pub strip_out: &'static str,
+    /// What can be done with the strip.
+    pub strip_hint: &'static str,
     /// While the eye turns.
     pub turning: &'static str,
     /// While the picture is moved.
@@ -138,6 +156,15 @@ static EN: CanvasTexts = CanvasTexts {
     keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: turn the view · + −: zoom the view · Home: fit all",
     keys_in_canonical: "Arrows: turn the view · + −: zoom the view · Home: fit all",
     keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther",
+    strip: "Pipeline",
+    strip_show: "Every stage of the pipeline: what went in and came out, how long it took, or why it was left out (F10)",
+    strip_of: "Stages of the picture",
+    strip_close: "Hide the pipeline (F10)",
+    strip_hidden: "This picture is hidden: no stage runs for it.",
+    strip_total: "together",
+    strip_ran: "ran:",
+    strip_out: "left out:",
+    strip_hint: "point at a stage",
     turning: "Turning the view",
     moving: "Moving the view",
     drag_on_plane: "Drag: on the plane y =",
@@ -193,6 +220,15 @@ static PT_BR: CanvasTexts = CanvasTexts {
     keys_in_world: "Setas: erguer e girar a câmera · Shift + setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo",
     keys_in_canonical: "Setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo",
     keys_in_image: "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe",
+    strip: "Pipeline",
+    strip_show: "Cada etapa do pipeline: o que entrou e o que saiu, quanto durou, ou por que foi omitida (F10)",
+    strip_of: "Etapas da imagem",
+    strip_close: "Esconder o pipeline (F10)",
+    strip_hidden: "Esta imagem está escondida: nenhuma etapa é executada para ela.",
+    strip_total: "ao todo",
+    strip_ran: "executadas:",
+    strip_out: "omitidas:",
+    strip_hint: "aponte para uma etapa",
     turning: "Girando a vista",
     moving: "Movendo a vista",
     drag_on_plane: "Arrastar: no plano y =",

@@ -59,6 +59,8 @@ texts! {
     scene_tab_hint: "What the camera looks at: a tree of objects, and the lights", "O que a câmera olha: uma árvore de objetos, e as luzes";
     drawing_tab: "Drawing tab", "Aba do desenho";
     drawing_tab_hint: "How the pictures are drawn", "Como as imagens são desenhadas";
+    pipeline: "Pipeline stages", "Etapas do pipeline";
+    pipeline_hint: "The strip under the pictures: what each stage did, or why it was left out", "A faixa sob as imagens: o que cada etapa fez, ou por que foi omitida";
     look_front: "Look from the front", "Olhar de frente";
     look_front_hint: "The world and the canonical volume from +z", "O mundo e o volume canônico vistos de +z";
     look_top: "Look from the top", "Olhar de cima";
@@ -90,7 +92,7 @@ texts! {
     unchanged_hint: "Everything is saved", "Tudo está salvo";
 
     panel_width: "Width of the panel", "Largura do painel";
-    presentation_keys: "F8: parameters · F9: operations and numbers · F11: leave the presentation", "F8: parâmetros · F9: operações e números · F11: sair da apresentação";
+    presentation_keys: "F8: parameters · F9: operations and numbers · F10: pipeline · F11: leave the presentation", "F8: parâmetros · F9: operações e números · F10: pipeline · F11: sair da apresentação";
 
     // The parameters.
     camera: "Camera", "Câmera";

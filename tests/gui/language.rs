@@ -19,7 +19,9 @@ fn words(window: &Window) -> BTreeSet<String> {
 fn is_international(word: &str, both: &BTreeSet<&str>) -> bool {
     both.contains(word.trim().trim_start_matches("✔ "))
         || !word.chars().any(char::is_alphabetic)
-        || word.split(|c: char| !c.is_alphabetic()).all(|part| part.chars().count() <= 3 || part == "Zoom")
+        || word
+            .split(|c: char| !c.is_alphabetic())
+            .all(|part| part.chars().count() <= 3 || ["Zoom", "Pipeline"].contains(&part))
 }
 
 #[test]

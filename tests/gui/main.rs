@@ -11,4 +11,5 @@ mod panels;
 mod pictures;
 mod reveal;
 mod scene;
+mod strip;
 mod window;

@@ -9,9 +9,10 @@ use crate::appearance::Texture;
 use crate::camera::Camera;
 use crate::figure::{Figure, Observer};
 use crate::gui::state::Picture;
+use crate::picture::{Account, account, clock};
 use crate::raster::Rasterizer;
 use crate::scene::Scene;
-use crate::views::{self, Extras, Labels, Setup, Size};
+use crate::views::{self, Engine, Extras, Labels, Setup, Size};
 
 /// Width of the image that is painted on the view window in the world, in texels.
 const PAINTED_WIDTH: u32 = 512;
@@ -34,6 +35,8 @@ pub(super) struct Job {
     pub(super) extras: Extras,
     /// The greatest side of a texture, pixels.
     pub(super) max_side: usize,
+    /// Every stage is timed and counted.
+    pub(super) accounted: bool,
 }
 
 impl PartialEq for Job {
@@ -49,6 +52,7 @@ impl PartialEq for Job {
             && self.figure == other.figure
             && self.draft == other.draft
             && self.max_side == other.max_side
+            && self.accounted == other.accounted
     }
 }
 
@@ -58,11 +62,15 @@ pub(super) struct Sheet {
     pub(super) size: [usize; 2],
     /// The place of each tile (left, top, in pixels) and its pixels.
     pub(super) tiles: Vec<([usize; 2], ColorImage)>,
+    /// How it came about, where that was asked for.
+    pub(super) account: Option<Account>,
 }
 
 /// Buffers that are kept from one picture to the next, and the image that is painted in the world.
 #[derive(Default)]
 pub(super) struct Easel {
+    /// One for each picture, and one for the image that is painted in the world: each finds its own buffers again.
+    engines: [Engine; 4],
     rasterizer: Rasterizer,
     painted: Option<(Job, Arc<Texture>)>,
 }
@@ -74,24 +82,32 @@ impl Easel {
         if job.picture == Picture::World {
             extras.painted_image = self.painted(job);
         }
+        let mut figure = job.figure.clone();
+        if job.draft {
+            figure.style.antialias = 1;
+        }
         let setup = Setup {
-            figure: &job.figure,
+            figure: &figure,
             camera: &job.camera,
             scene: &job.scene,
             labels: job.labels,
             size: job.size,
             extras: &extras,
         };
-        let mut drawing = match (job.picture, &job.observer) {
-            (Picture::World, Some(observer)) => views::world::draw(&setup, observer),
-            (Picture::Canonical, Some(observer)) => views::canonical::draw(&setup, observer),
-            _ => views::image::draw(&setup),
+        let engine = &mut self.engines[job.picture.index()];
+        engine.clock = job.accounted.then_some(clock);
+        self.rasterizer.measure(engine.clock);
+        let start = clock();
+        let frame = match (job.picture, &job.observer) {
+            (Picture::World, Some(observer)) => views::world::frame_of(&setup, observer, engine),
+            (Picture::Canonical, Some(observer)) => views::canonical::frame_of(&setup, observer, engine),
+            _ => views::image::frame_of(&setup, engine),
         };
-        if job.draft {
-            drawing.antialias = 1;
-        }
-        let pixmap = self.rasterizer.paint(&drawing)?;
-        Some(tiles(&pixmap, job.max_side))
+        let pixmap = self.rasterizer.paint(&frame.drawing)?;
+        let total = clock().saturating_sub(start);
+        let stages = || account(&frame, self.rasterizer.work());
+        let account = job.accounted.then(|| Account { stages: stages(), total });
+        Some(Sheet { account, ..tiles(&pixmap, job.max_side) })
     }
 
     /// The image, small, as it is painted on the view window; drawn again only when the camera or the scene has changed.
@@ -101,6 +117,7 @@ impl Easel {
             size: painted_size(job.camera.window().aspect()),
             observer: None,
             draft: false,
+            accounted: false,
             extras: Extras { bare: true, ..Extras::default() },
             ..job.clone()
         };
@@ -117,7 +134,9 @@ impl Easel {
             size: image.size,
             extras: &image.extras,
         };
-        let pixmap = self.rasterizer.paint(&views::image::draw(&setup))?;
+        self.rasterizer.measure(None);
+        let frame = views::image::frame_of(&setup, &mut self.engines[3]);
+        let pixmap = self.rasterizer.paint(&frame.drawing)?;
         let (width, height) = (pixmap.width(), pixmap.height());
         let texture = Arc::new(Texture { width, height, rgba: pixmap.take() });
         self.painted = Some((image, Arc::clone(&texture)));
@@ -158,7 +177,7 @@ fn tiles(pixmap: &Pixmap, max_side: usize) -> Sheet {
             tiles.push(([left, top], image));
         }
     }
-    Sheet { size: [width, height], tiles }
+    Sheet { size: [width, height], tiles, account: None }
 }
 
 #[cfg(test)]

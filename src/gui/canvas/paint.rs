@@ -92,9 +92,13 @@ impl Painter {
     /// forgotten.
     pub(super) fn ask(&mut self, job: Job) {
         let i = job.picture.index();
-        if let Some(last) = &self.asked[i]
-            && (*last == job || *last == (Job { draft: false, ..job.clone() }))
-        {
+        // A picture that is there needs no draft of itself, and no second drawing without the account that it has.
+        let better = |last: &Job| {
+            let as_good =
+                Job { draft: last.draft && job.draft, accounted: last.accounted || job.accounted, ..job.clone() };
+            *last == as_good
+        };
+        if self.asked[i].as_ref().is_some_and(better) {
             return;
         }
         self.shared.desk().wanted[i] = Some(job.clone());
@@ -207,6 +211,7 @@ mod tests {
             draft: false,
             extras: Extras::default(),
             max_side: 2048,
+            accounted: false,
         }
     }
 

@@ -20,6 +20,8 @@ pub(super) enum StatusAction {
     ShowAgain(Picture),
     /// Share the room in another way; `None`: as suits the room.
     Arrange(Option<Arrangement>),
+    /// Show the stages of the pipeline, or hide them.
+    Strip,
 }
 
 /// What is said under the pictures.
@@ -33,6 +35,8 @@ pub(super) struct Status {
     pub(super) aside: String,
     /// How the pictures share the room, where there is a choice.
     pub(super) arrangement: Option<Option<Arrangement>>,
+    /// The stages of the pipeline are shown.
+    pub(super) strip: bool,
     /// The pictures that can be shown again.
     pub(super) hidden: Vec<Picture>,
     /// The coordinates of the probe.
@@ -93,6 +97,10 @@ impl Status {
         ui.scope_builder(builder, |ui| {
             if let Some(now) = self.arrangement {
                 action = arrangement_menu(ui, now, texts);
+            }
+            let stages = egui::Button::selectable(self.strip, RichText::new(texts.strip).small());
+            if ui.add(stages.frame_when_inactive(true)).on_hover_text(texts.strip_show).clicked() {
+                action = Some(StatusAction::Strip);
             }
             if !self.aside.is_empty() {
                 ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));

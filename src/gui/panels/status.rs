@@ -15,7 +15,7 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
             ui.label(text).on_hover_text(format!("{}:\n{}", t.warnings, warnings.join("\n")));
         }
         if let Some(message) = state.message.as_ref().filter(|message| !message.is_error) {
-            let label = Label::new(RichText::new(&message.text).weak()).truncate();
+            let label = Label::new(RichText::new(&message.text).weak()).truncate().show_tooltip_when_elided(false);
             ui.add(label).on_hover_text(&message.text);
         }
     });

@@ -1,0 +1,268 @@
+//! The strip under the pictures: every stage of the pipeline in the order of `[3]`, with what went in and came out, how long it
+//! took, or why it was left out, as it was for the picture that is on the screen.
+
+use std::time::Duration;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    self, Align, Align2, Color32, FontId, Id, Label, Layout, Rect, RichText, Sense, Stroke, StrokeKind, TextStyle, Ui,
+    UiBuilder, WidgetInfo, pos2, vec2,
+};
+
+use super::icons::{Icon, icon_button};
+use super::title::picture_name;
+use crate::gui::state::Picture;
+use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::{Lang, pipeline as words};
+use crate::picture::Account;
+use crate::pipeline::{Stage, StageReport};
+
+/// The least width of a cell, in heights of its letters.
+const CELL_WIDTH: f32 = 8.2;
+
+/// What the strip's controls ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum StripAction {
+    /// Show the stages of another picture.
+    Of(Picture),
+    /// Hide the strip.
+    Close,
+}
+
+/// What the strip shows.
+pub(super) struct Strip<'a> {
+    pub(super) lang: Lang,
+    pub(super) texts: &'a CanvasTexts,
+    pub(super) picture: Picture,
+    /// `None`: the picture is hidden, or has not been drawn yet.
+    pub(super) account: Option<&'a Account>,
+    /// The picture is hidden.
+    pub(super) hidden: bool,
+}
+
+fn font(ui: &Ui) -> FontId {
+    TextStyle::Small.resolve(ui.style())
+}
+
+fn line(ui: &Ui) -> f32 {
+    (ui.text_style_height(&TextStyle::Small) + 1.0).ceil()
+}
+
+fn columns(ui: &Ui, width: f32) -> usize {
+    let most = Stage::ALL.len();
+    let fit = (width - 12.0) / (CELL_WIDTH * line(ui));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few dozen")]
+    let fit = fit.clamp(1.0, 64.0) as usize;
+    // No row shorter than it need be: the same number of rows, evenly filled.
+    let rows = most.div_ceil(fit.min(most));
+    most.div_ceil(rows)
+}
+
+fn cell_height(ui: &Ui) -> f32 {
+    2.0 * line(ui) + 6.0
+}
+
+/// The height of the strip under pictures that are so wide together.
+#[expect(clippy::cast_precision_loss, reason = "a few rows")]
+pub(super) fn height(ui: &Ui, width: f32) -> f32 {
+    let rows = Stage::ALL.len().div_ceil(columns(ui, width)) as f32;
+    ui.spacing().interact_size.y + rows * cell_height(ui) + 8.0
+}
+
+impl Strip<'_> {
+    /// Draws the strip.
+    pub(super) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<StripAction> {
+        let edge = ui.visuals().widgets.noninteractive.bg_stroke;
+        ui.painter().hline(rect.x_range(), rect.top(), edge);
+        let inner = rect.shrink2(vec2(6.0, 3.0));
+        let (head, cells) = inner.split_top_bottom_at_y(inner.top() + ui.spacing().interact_size.y);
+        let pointed = self.cells(ui, cells.with_min_y(cells.min.y + 1.0));
+        self.head(ui, head, pointed)
+    }
+
+    /// Whose stages they are, and in a sentence what is pointed at.
+    fn head(&self, ui: &mut Ui, rect: Rect, pointed: Option<Stage>) -> Option<StripAction> {
+        let mut action = None;
+        let builder = UiBuilder::new().id_salt("strip").max_rect(rect).layout(Layout::left_to_right(Align::Center));
+        ui.scope_builder(builder, |ui| {
+            let mut chosen = self.picture;
+            ui.add(Label::new(RichText::new(self.texts.strip).strong()).selectable(false));
+            egui::ComboBox::from_id_salt("strip of")
+                .selected_text(picture_name(self.texts, chosen))
+                .width(96.0)
+                .show_ui(ui, |ui| {
+                    for picture in Picture::ALL {
+                        ui.selectable_value(&mut chosen, picture, picture_name(self.texts, picture));
+                    }
+                })
+                .response
+                .on_hover_text(self.texts.strip_of)
+                .accessible_name(self.texts.strip_of);
+            if chosen != self.picture {
+                action = Some(StripAction::Of(chosen));
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if icon_button(ui, Icon::Hide, self.texts.strip_close, false).clicked() {
+                    action = Some(StripAction::Close);
+                }
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    let text = self.sentence(pointed);
+                    ui.add(Label::new(text).truncate().selectable(false));
+                });
+            });
+        });
+        action
+    }
+
+    /// What is pointed at in full, or what there is to see in the strip.
+    fn sentence(&self, pointed: Option<Stage>) -> String {
+        let Some(account) = self.account else {
+            return (if self.hidden { self.texts.strip_hidden } else { "" }).to_owned();
+        };
+        if let Some(report) = pointed.and_then(|stage| account.stages.iter().find(|report| report.stage == stage)) {
+            return self.line(report);
+        }
+        let ran = account.stages.iter().filter(|report| report.ran).count();
+        let out = account.stages.len() - ran;
+        format!(
+            "{}: {} · {} {ran} · {} {out} · {}",
+            self.texts.strip_total,
+            duration(account.total),
+            self.texts.strip_ran,
+            self.texts.strip_out,
+            self.texts.strip_hint
+        )
+    }
+
+    /// A stage in one line.
+    fn line(&self, report: &StageReport) -> String {
+        let name = words::stage(self.lang, report.stage);
+        let reason = words::reason(self.lang, report.reason);
+        if !report.ran {
+            return format!("{name}: {} – {reason}", words::left_out(self.lang));
+        }
+        let mut parts = Vec::new();
+        if let Some((from, to)) = report.counts {
+            parts.push(format!("{} → {} {}", spaced(from), spaced(to), words::unit(self.lang, report)));
+        }
+        if let Some(time) = report.time {
+            parts.push(duration(time));
+        }
+        parts.push(reason);
+        format!("{name}: {}", parts.join(" · "))
+    }
+
+    /// Draws the cells; the one that is pointed at, or has the keyboard.
+    fn cells(&self, ui: &mut Ui, rect: Rect) -> Option<Stage> {
+        let account = self.account?;
+        let columns = columns(ui, rect.width() + 12.0);
+        #[expect(clippy::cast_precision_loss, reason = "a few columns")]
+        let size = vec2(rect.width() / columns as f32, cell_height(ui));
+        let mut pointed = None;
+        for (i, report) in account.stages.iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "a few columns")]
+            let corner = rect.min + size * vec2((i % columns) as f32, (i / columns) as f32);
+            let place = Rect::from_min_size(corner, size).shrink2(vec2(1.5, 1.0));
+            let response = ui.interact(place, Id::unique(("stage", report.stage)), Sense::CLICK);
+            let said = self.line(report);
+            response.widget_info(|| WidgetInfo::labeled(Role::ListItem, true, &said));
+            if response.has_focus() || (response.hovered() && pointed.is_none()) {
+                pointed = Some(report.stage);
+            }
+            self.cell(ui, place, report, account.total, response.hovered() || response.has_focus());
+            response.on_hover_ui(|ui| {
+                ui.strong(words::stage(self.lang, report.stage));
+                ui.label(words::purpose(self.lang, report.stage));
+                ui.label(said);
+            });
+        }
+        pointed
+    }
+
+    fn cell(&self, ui: &Ui, place: Rect, report: &StageReport, total: Duration, strong: bool) {
+        let visuals = ui.visuals();
+        let painter = ui.painter().with_clip_rect(place.intersect(ui.clip_rect()));
+        let fill = if report.ran { visuals.extreme_bg_color } else { Color32::TRANSPARENT };
+        let border =
+            if strong { Stroke::new(1.5, visuals.hyperlink_color) } else { visuals.widgets.noninteractive.bg_stroke };
+        painter.rect(place, 3.0, fill, border, StrokeKind::Inside);
+        let ink = if report.ran { visuals.text_color() } else { visuals.weak_text_color() };
+        let (font, height) = (font(ui), line(ui));
+        let at = |row: f32| pos2(place.left() + 5.0, place.top() + 2.0 + height * row);
+        let name = words::stage(self.lang, report.stage);
+        let written = painter.text(at(0.0), Align2::LEFT_TOP, name, font.clone(), ink);
+        if report.ran {
+            let counts = report.counts.map_or_else(String::new, |(from, to)| format!("{}→{}", short(from), short(to)));
+            let counted = painter.text(at(1.0), Align2::LEFT_TOP, counts, font.clone(), visuals.weak_text_color());
+            if let Some(time) = report.time {
+                let text = painter.layout_no_wrap(duration(time), font, ink);
+                let left = place.right() - 5.0 - text.size().x;
+                // Beside the counts, or above them where they take the room.
+                let row = if left > counted.right() + 3.0 || left < written.right() + 3.0 { 1.0 } else { 0.0 };
+                painter.galley(pos2(left, at(row).y), text, ink);
+                let share = time.as_secs_f32() / total.as_secs_f32().max(1e-9);
+                let bar = Rect::from_min_max(
+                    pos2(place.left() + 1.0, place.bottom() - 3.0),
+                    pos2(place.left() + 1.0 + (place.width() - 2.0) * share.clamp(0.0, 1.0), place.bottom() - 1.0),
+                );
+                painter.rect_filled(bar, 1.0, visuals.hyperlink_color);
+            }
+        } else {
+            let middle = written.center().y + 0.5;
+            painter.hline(written.x_range(), middle, Stroke::new(1.0, ink));
+            painter.text(at(1.0), Align2::LEFT_TOP, words::reason(self.lang, report.reason), font, ink);
+        }
+    }
+}
+
+/// A time in three digits.
+fn duration(time: Duration) -> String {
+    let micros = time.as_secs_f64() * 1e6;
+    match micros {
+        m if m < 9.95 => format!("{m:.1} µs"),
+        m if m < 999.5 => format!("{m:.0} µs"),
+        m if m < 9_995.0 => format!("{:.2} ms", m / 1e3),
+        m if m < 99_950.0 => format!("{:.1} ms", m / 1e3),
+        m if m < 999_500.0 => format!("{:.0} ms", m / 1e3),
+        m => format!("{:.2} s", m / 1e6),
+    }
+}
+
+/// A number in few characters.
+#[expect(clippy::cast_precision_loss, reason = "three digits are shown")]
+fn short(n: usize) -> String {
+    match n {
+        0..10_000 => n.to_string(),
+        10_000..100_000 => format!("{:.1}k", n as f64 / 1e3),
+        100_000..1_000_000 => format!("{:.0}k", n as f64 / 1e3),
+        _ => format!("{:.2}M", n as f64 / 1e6),
+    }
+}
+
+/// A number with its digits in threes.
+fn spaced(n: usize) -> String {
+    let digits = n.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push('\u{202f}');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_and_times_fit_into_a_cell() {
+        assert_eq!([0, 9_999, 12_345, 512_000, 1_234_567].map(short), ["0", "9999", "12.3k", "512k", "1.23M"]);
+        assert_eq!(spaced(1_234_567), "1\u{202f}234\u{202f}567");
+        assert_eq!(spaced(12), "12");
+        let times = [1.24e-6, 34e-6, 1.234e-3, 45.67e-3, 0.4567, 2.0];
+        let said = times.map(|s| duration(Duration::from_secs_f64(s)));
+        assert_eq!(said, ["1.2 µs", "34 µs", "1.23 ms", "45.7 ms", "457 ms", "2.00 s"]);
+    }
+}

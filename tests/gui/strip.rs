@@ -1,0 +1,78 @@
+//! The strip under the pictures: every stage of the pipeline, and why it was left out.
+
+use camera_lab::gui::state::Picture;
+use camera_lab::i18n::Lang;
+use eframe::egui::Key;
+use eframe::egui::accesskit::Role;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use super::window::Window;
+
+impl Window {
+    /// The line of a stage in the strip.
+    fn stage(&self, begins: &str) -> bool {
+        self.harness
+            .query_all_by_role(Role::ListItem)
+            .any(|node| node.accesskit_node().label().is_some_and(|l| l.starts_with(begins)))
+    }
+}
+
+#[test]
+fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
+    let mut window = Window::new(Lang::En);
+    window.key(Key::F6);
+    window.harness.get_by_role_and_label(Role::Button, "Add").click();
+    window.run();
+    window.click("box");
+    window.run();
+    assert!(!window.stage("divide by w"), "it is hidden at first");
+    window.key(Key::F10);
+    window.run();
+    assert!(window.stage("divide by w: 24 → 24 vertices") || window.stage("divide by w: 8 → 8 vertices"));
+    assert!(window.stage("oblique window: left out – symmetric window"));
+    window.key(Key::F5);
+    window.click("Parallel");
+    assert!(window.stage("divide by w: left out – parallel projection: w is 1 everywhere"));
+    // Pointed at, it is said in full at the head of the strip.
+    let divide = |label: &str| label.starts_with("divide by w");
+    let at = window.harness.get_by(|node| node.label().is_some_and(|l| divide(&l)) && node.role() == Role::ListItem);
+    at.hover();
+    window.run();
+    let said = window.harness.query_all_by_label_contains("divide by w: left out – parallel projection").count();
+    assert!(said >= 2, "{said}");
+    window.command_key(Key::Z);
+    assert!(!window.stage("divide by w: left out"));
+}
+
+#[test]
+fn the_strip_is_of_the_picture_that_is_chosen_and_a_hidden_one_costs_nothing() {
+    let mut window = Window::new(Lang::PtBr);
+    window.click("Pipeline");
+    assert!(window.state().layout.strip);
+    assert!(window.stage("escrita"));
+    let drawn = window.app_mut().canvas.drawn();
+    window.harness.get_by_role_and_label(Role::ComboBox, "Etapas da imagem").click();
+    window.run();
+    window.harness.get_by_role_and_label(Role::Button, "Mundo").click();
+    window.run();
+    assert_eq!(window.state().layout.strip_of, Picture::World);
+    assert!(window.says("Esta imagem está escondida") && !window.stage("escrita"));
+    assert_eq!(window.app_mut().canvas.drawn(), drawn);
+    window.click("Esconder o pipeline (F10)");
+    assert!(!window.state().layout.strip);
+}
+
+#[test]
+fn a_window_with_the_strip_that_is_left_alone_does_not_repaint() {
+    let mut window = Window::new(Lang::En);
+    window.key(Key::F10);
+    window.harness.remove_cursor();
+    window.run();
+    let drawn = window.app_mut().canvas.drawn();
+    for _ in 0..3 {
+        window.harness.step();
+        let delay = window.harness.output().viewport_output[&eframe::egui::ViewportId::ROOT].repaint_delay;
+        assert_eq!(delay, std::time::Duration::MAX);
+    }
+    assert_eq!(window.app_mut().canvas.drawn(), drawn);
+}
