@@ -25,5 +25,6 @@ mod raster_lines;
 mod raster_pictures;
 mod reveal;
 mod scene;
+mod stages;
 mod views;
 mod views_pictures;
