@@ -113,6 +113,10 @@ pub struct CanvasTexts {
     pub space_pixel: &'static str,
     /// The space.
     pub space_viewport: &'static str,
+    /// The bits that say outside which planes a point is.
+    pub outcode: &'static str,
+    /// What the outcode of a point inside means.
+    pub inside: &'static str,
     /// Z of a pixel.
     pub depth: &'static str,
     /// Where the depth buffer holds nothing.
@@ -184,6 +188,8 @@ static EN: CanvasTexts = CanvasTexts {
     space_window: "Window",
     space_pixel: "Pixel",
     space_viewport: "Viewport",
+    outcode: "Outcode",
+    inside: "inside",
     depth: "Depth",
     nothing_here: "nothing here",
     distance: "Distance",
@@ -248,6 +254,8 @@ static PT_BR: CanvasTexts = CanvasTexts {
     space_window: "Janela",
     space_pixel: "Pixel",
     space_viewport: "Viewport",
+    outcode: "Outcode",
+    inside: "dentro",
     depth: "Profundidade",
     nothing_here: "nada aqui",
     distance: "Distância",

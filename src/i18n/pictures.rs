@@ -12,6 +12,15 @@ const EN: Labels = Labels {
     depth_stored: "depth buffer: Z (5.25)",
     depth_linear: "distance from the eye",
     nothing: "nothing here",
+    outside: "outside the volume",
+    cuts: "made by clipping",
+    back_faces: "back faces: culled",
+    dropped: "outside: dropped whole",
+    outside_of: "outside",
+    planes: ["left", "right", "bottom", "top", "near", "far"],
+    divided_first: "divided before clipping",
+    wrong: "wrong",
+    no_difference: "nothing is behind the eye",
 };
 
 const PT_BR: Labels = Labels {
@@ -22,6 +31,15 @@ const PT_BR: Labels = Labels {
     depth_stored: "z-buffer: Z (5.25)",
     depth_linear: "distância ao olho",
     nothing: "nada aqui",
+    outside: "fora do volume",
+    cuts: "criado pelo recorte",
+    back_faces: "faces de trás: descartadas",
+    dropped: "fora: descartado inteiro",
+    outside_of: "fora",
+    planes: ["esquerda", "direita", "baixo", "topo", "frente", "fundo"],
+    divided_first: "dividido antes do recorte",
+    wrong: "errado",
+    no_difference: "não há nada atrás do olho",
 };
 
 /// The words of a language.

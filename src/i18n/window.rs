@@ -180,6 +180,18 @@ texts! {
     depth_off: "colours", "cores";
     depth_stored: "depths (Z)", "profundidades (Z)";
     depth_linear: "distances", "distâncias";
+    outside_view: "outside", "fora";
+    outside_view_hint: "Parts of the scene outside the view volume, in the world and in the canonical volume. [2] clipping, [0] §5.3", "Partes da cena fora do volume de vista, no mundo e no volume canônico. [2] clipping, [0] §5.3";
+    outside_usual: "as usual", "como sempre";
+    outside_cut: "cut", "cortado";
+    outside_tinted: "tinted", "tingido";
+    outside_shown: "shown", "à vista";
+    clipping_view: "Vertices of clipping", "Vértices do recorte";
+    clipping_view_hint: "Marks the vertices that clipping makes, in all three pictures. Point at a vertex: its outcode and its six distances w ± x, w ± y, w ± z stand below. [2] clipping in homogeneous coordinates", "Marca os vértices que o recorte cria, nas três imagens. Aponte para um vértice: seu outcode e suas seis distâncias w ± x, w ± y, w ± z aparecem embaixo. [2] clipping em coordenadas homogêneas";
+    culled_view: "What is culled", "O que é descartado";
+    culled_view_hint: "Tints in the world the faces that turn their back to the camera, and the objects that are dropped whole because they are outside a plane of the volume: the camera draws neither. [2] back faces, [3] §1.1", "Tinge no mundo as faces de costas para a câmera e os objetos descartados inteiros por estarem fora de um plano do volume: a câmera não os desenha. [2] faces de trás, [3] §1.1";
+    divide_first: "Divide before clipping", "Dividir antes de recortar";
+    divide_first_hint: "Wrong on purpose: what lies behind the eye has w < 0, and the divide by w turns it over to the front. Canonical volume and image show what comes of it, in red. [2] the problem of clipping", "Errado de propósito: o que está atrás do olho tem w < 0, e a divisão por w o vira para a frente. O volume canônico e a imagem mostram o que resulta, em vermelho. [2] problema do clipping";
 
     // Files.
     open_title: "Open a figure", "Abrir uma figura";

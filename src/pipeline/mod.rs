@@ -16,7 +16,9 @@
 
 mod clip;
 mod cull;
+pub mod dissect;
 mod faces;
+pub mod fold;
 mod light;
 mod lines;
 pub mod plan;

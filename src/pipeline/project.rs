@@ -55,7 +55,7 @@ pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
 }
 
 /// `(x_n, y_n, −z_n)`; the last is twice the depth of the picture less one, so it has no cancellation either.
-fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
+pub(super) fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
     DVec3::new(p.x / p.w, p.y / p.w, 2.0 * projector.picture_depth(p.depth) - 1.0)
 }
 

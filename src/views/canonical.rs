@@ -7,14 +7,15 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines};
 use crate::drawing::Drawing;
-use crate::figure::Observer;
+use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
-use crate::pipeline::{self, Frame};
+use crate::pipeline::Frame;
 use crate::scene::Scene;
 
 use super::gizmos::{self, SMALL_TYPE, Sheet};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
+use super::reveal::{self, Revealed};
 use super::screen::Screen;
 use super::{Engine, Palette, Setup, placing, probe};
 
@@ -22,6 +23,8 @@ use super::{Engine, Palette, Setup, placing, probe};
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 /// How far the axes reach from the middle of the cube.
 const AXIS: f64 = 1.42;
+/// How much around the cube is in the picture where what lies outside is shown.
+const BEYOND: f64 = 1.5;
 const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, parallel: false };
 
 /// The observer that a button gives: it looks from the preset's side and has the cube in the picture.
@@ -38,7 +41,11 @@ pub fn fit(setup: &Setup, observer: &Observer) -> Observer {
 
 fn frame(setup: &Setup, direction: Direction) -> Observer {
     let tips = [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| axis * (AXIS + 0.05));
-    let points: Vec<_> = CUBE.corners().into_iter().chain(tips).collect();
+    let beyond = match setup.figure.reveal.outside {
+        Outside::Usual | Outside::Cut => 1.0,
+        Outside::Tinted | Outside::Shown => BEYOND,
+    };
+    let points: Vec<_> = CUBE.corners().map(|p| p * beyond).into_iter().chain(tips).collect();
     Observer::framing(&points, direction, setup.size.aspect())
 }
 
@@ -51,7 +58,11 @@ pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
 
 /// The clipped and projected scene, in display space.
 pub(super) fn contents(setup: &Setup) -> Scene {
-    pipeline::project::clipped_scene(setup.scene, setup.camera, setup.figure.style.shading)
+    revealed(setup).scene
+}
+
+fn revealed(setup: &Setup) -> Revealed {
+    reveal::in_canonical(setup, Palette::of(setup.figure.style.theme))
 }
 
 /// Draws the canonical volume as `observer` sees it; an observer that is no camera sees nothing.
@@ -69,13 +80,17 @@ pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Fram
     let Some(screen) = screen(setup, observer) else {
         return engine.frame(setup, &Scene::default(), setup.camera, target, style);
     };
-    let (scene, style) = gizmos::wired(contents(setup), style);
+    let mut revealed = revealed(setup);
+    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let mut sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
     axes(&mut sheet, palette);
+    revealed.mark(&mut sheet, palette);
     probe::in_canonical(&mut sheet, setup, palette);
     cube(&mut sheet, setup, palette);
     let mut drawn = engine.frame(setup, &sheet.scene, screen.camera(), target, &style);
-    placing::settle(&mut drawn.drawing, &[], None);
+    let legend = reveal::legend(setup, revealed.rows, &target, palette);
+    placing::settle(&mut drawn.drawing, &[], reveal::room(legend.as_ref()));
+    reveal::explain(&mut drawn.drawing, legend.as_ref());
     drawn
 }
 

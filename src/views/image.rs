@@ -1,15 +1,14 @@
 //! The image: the scene as the figure's camera sees it, with the aspect of the view window.
 
-use crate::appearance::{Dash, HiddenLines, Rgba};
+use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
 use crate::camera::ViewWindow;
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
 use crate::pipeline::{Frame, Target};
 
 use super::depth::{self, Greys};
 use super::gizmos::{Sheet, stroke};
-use super::legend::{Legend, Row};
 use super::screen::Screen;
-use super::{Engine, Palette, Setup, Size, placing, probe};
+use super::{Engine, Palette, Setup, Size, placing, probe, reveal};
 
 /// A rectangle of a picture, in pixels; (0, 0) is the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,38 +65,47 @@ pub fn frame_of(setup: &Setup, engine: &mut Engine) -> Frame {
     let style = &setup.figure.style;
     let palette = Palette::of(style.theme);
     let greys = Greys::of(setup);
-    let (style, paper) = match greys {
-        Some(_) => (depth::style(style), palette.nothing),
-        None => (*style, palette.paper),
+    let paper = if greys.is_some() { palette.nothing } else { palette.paper };
+    let style = match (greys, setup.figure.reveal.divide_first) {
+        (Some(_), _) => depth::style(style),
+        // What is wrong is drawn for itself, and only a depth buffer brings both together.
+        (None, true) => Style { visibility: Visibility::DepthBuffer, ..*style },
+        (None, false) => *style,
     };
     let (whole, screen) = (setup.size.target(paper), screen(setup));
-    let mut sheet = Sheet { scene: setup.scene.clone(), screen: &screen, hidden: style.hidden_lines };
+    let (mut revealed, wrong) = reveal::in_image(setup, palette);
+    let scene = std::mem::take(&mut revealed.scene);
+    let mut sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
     if greys.is_some() {
         sheet.scene.marks.clear();
     }
+    revealed.mark(&mut sheet, palette);
     probe::in_image(&mut sheet, setup, palette);
     let rect = frame(setup.size, setup.camera.window());
     let target = Target { width: rect.width, height: rect.height, ..whole };
     let mut drawn = engine.frame(setup, &sheet.scene, setup.camera, target, &style);
-    let mut rows = Vec::new();
+    if let Some((wrong, front)) = wrong.zip(reveal::front()) {
+        add(&mut drawn.drawing, Engine::default().frame(setup, &wrong, &front, target, &style).drawing);
+    }
+    let mut rows = revealed.rows;
     if let Some(greys) = greys {
         greys.paint(&mut drawn.drawing);
-        rows = greys.legend(setup, palette);
+        rows.extend(greys.legend(setup, palette));
     }
     placing::settle(&mut drawn.drawing, &[], None);
     if rect != PixelRect::whole(setup.size) {
         drawn.drawing = mounted(drawn.drawing, rect, setup.size, palette);
     }
-    explain(&mut drawn.drawing, setup, rows, whole.scale, palette);
+    reveal::explain(&mut drawn.drawing, reveal::legend(setup, rows, &whole, palette).as_ref());
     drawn
 }
 
-/// Adds a legend, where there is something to say and room to say it.
-fn explain(drawing: &mut Drawing, setup: &Setup, rows: Vec<Row>, scale: f32, palette: Palette) {
-    let size = [drawing.width, drawing.height];
-    if let Some(legend) = Legend::new(rows, size, scale, palette).filter(|_| !setup.extras.bare) {
-        legend.draw(drawing);
-    }
+/// Adds what another drawing shows in the same place, with the same depths.
+fn add(drawing: &mut Drawing, more: Drawing) {
+    drawing.surfaces.extend(more.surfaces);
+    drawing.surfaces.iter_mut().for_each(|surface| surface.depth_test = true);
+    drawing.strokes.extend(more.strokes);
+    drawing.marks.extend(more.marks);
 }
 
 /// The image in the middle of a larger picture, with a thin border.

@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-use crate::appearance::{Dash, HiddenLines, Rgba};
-use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
+use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
+use crate::drawing::{Anchor, Drawing, Label, Mark, StrokeSet};
 
 use super::Palette;
 use super::gizmos::{SMALL_TYPE, stroke};
@@ -28,6 +28,8 @@ pub(super) enum Row {
     Title(String, Rgba),
     /// A colour and what it means.
     Swatch(Rgba, String),
+    /// A mark and what it means.
+    Mark(MarkShape, Rgba, String),
     /// A run of colours from left to right, with texts below its left end, its middle and its right end.
     Scale(Vec<Rgba>, Vec<[String; 3]>),
 }
@@ -45,7 +47,7 @@ impl Row {
         let text = |text: &str| 2.0 * half_size(text, 1.0).x;
         match self {
             Self::Title(title, _) => text(title),
-            Self::Swatch(_, meaning) => INDENT + text(meaning),
+            Self::Swatch(_, meaning) | Self::Mark(_, _, meaning) => INDENT + text(meaning),
             Self::Scale(..) => SCALE,
         }
     }
@@ -135,6 +137,18 @@ impl Legend {
                 let border = strokes([ends], ink, SWATCH.y * em + 2.0);
                 let ground = strokes([ends], self.palette.paper, SWATCH.y * em);
                 drawing.strokes.extend([border, ground, strokes([ends], *color, SWATCH.y * em)]);
+            }
+            Row::Mark(shape, color, meaning) => {
+                text(at + DVec2::X * (INDENT * em), meaning, ink, Anchor::Left);
+                let middle = at + DVec2::X * (SWATCH.x / 2.0 * em);
+                drawing.marks.push(Mark {
+                    position: [short(middle.x), short(middle.y), 1.0],
+                    shape: *shape,
+                    radius: short(0.3 * em),
+                    color: *color,
+                    outline: self.palette.paper,
+                    fade_if_hidden: false,
+                });
             }
             Row::Scale(colors, texts) => {
                 for (i, line) in (1..).zip(texts) {

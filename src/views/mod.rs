@@ -23,6 +23,7 @@ pub mod palette;
 pub mod pick;
 mod placing;
 mod probe;
+mod reveal;
 mod screen;
 pub mod world;
 
@@ -103,6 +104,24 @@ pub struct Labels {
     pub depth_linear: &'static str,
     /// Where a picture of depths has none.
     pub nothing: &'static str,
+    /// Parts outside the view volume.
+    pub outside: &'static str,
+    /// Vertices that clipping makes.
+    pub cuts: &'static str,
+    /// Faces that are culled because they turn their back.
+    pub back_faces: &'static str,
+    /// Objects that are culled because they are outside.
+    pub dropped: &'static str,
+    /// Before the planes outside of which an object is.
+    pub outside_of: &'static str,
+    /// The planes: left, right, bottom, top, near, far.
+    pub planes: [&'static str; 6],
+    /// The divide comes before clipping.
+    pub divided_first: &'static str,
+    /// What comes of it, where anything is behind the eye.
+    pub wrong: &'static str,
+    /// What comes of it otherwise.
+    pub no_difference: &'static str,
 }
 
 /// What comes and goes with the pointer, and what only a shell can make.

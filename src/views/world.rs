@@ -16,7 +16,7 @@ use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
 use super::screen::Screen;
-use super::{Engine, Handle, Palette, Setup, ghost, handles, placing, probe};
+use super::{Engine, Handle, Palette, Setup, ghost, handles, placing, probe, reveal};
 
 /// The observer that a button gives: it looks from the preset's side and has everything of interest in the picture.
 #[must_use]
@@ -68,7 +68,8 @@ pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Fram
     let Some(screen) = screen_of(setup, observer, &content) else {
         return engine.frame(setup, &Scene::default(), setup.camera, target, style);
     };
-    let (scene, style) = gizmos::wired(setup.scene.clone(), style);
+    let mut revealed = reveal::in_world(setup, palette);
+    let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
     let mut world = World { setup, palette, content, gear: Gear::new(&screen, setup.camera), sheet };
     world.ground();
@@ -80,9 +81,12 @@ pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Fram
     world.drop_lines();
     world.hot_handle();
     ghost::in_world(&mut world.sheet, setup, palette, world.gear);
+    revealed.mark(&mut world.sheet, palette);
     probe::in_world(&mut world.sheet, setup, palette);
     let mut drawn = engine.frame(setup, &world.sheet.scene, screen.camera(), target, &style);
-    placing::settle(&mut drawn.drawing, &[palette.grid], None);
+    let legend = reveal::legend(setup, revealed.rows, &target, palette);
+    placing::settle(&mut drawn.drawing, &[palette.grid], reveal::room(legend.as_ref()));
+    reveal::explain(&mut drawn.drawing, legend.as_ref());
     drawn
 }
 

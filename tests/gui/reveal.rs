@@ -2,7 +2,7 @@
 
 use camera_lab::appearance::Rgba;
 use camera_lab::camera::Parameters;
-use camera_lab::figure::Depth;
+use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
 use camera_lab::gui::state::Picture;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
@@ -13,15 +13,22 @@ use glam::DVec3;
 
 use super::window::Window;
 
-/// A window high enough for the whole panel, on whose image a camera at (0, 0, 5) sees the cube, with F = 2 and B = 8.
+/// A window on whose image a camera at (0, 0, 5) sees the cube, with F = 2 and B = 8.
 fn window(lang: Lang, picture: Picture) -> Window {
+    window_with(lang, picture, [900.0, 700.0], |_| ())
+}
+
+fn window_with(lang: Lang, picture: Picture, size: [f32; 2], change: impl FnOnce(&mut Figure)) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.scene.preset = Preset::Cube;
     figure.camera = Parameters { position: DVec3::Z * 5.0, near: 2.0, far: 8.0, ..Parameters::default() };
     figure.style.antialias = 1;
+    figure.observers.world =
+        Some(Observer { target: DVec3::ZERO, distance: 9.0, azimuth: 20.0, elevation: 15.0, parallel: false });
+    change(&mut figure);
     let mut state = State::new(Start { figure, file: None, lang }).expect("a possible camera");
     state.layout.maximized = Some(picture);
-    Window::with_state(state, [760.0, 1200.0])
+    Window::with_state(state, size)
 }
 
 /// The middle of the one picture.
@@ -76,4 +83,53 @@ fn the_section_speaks_portuguese() {
     window.harness.hover_at(at);
     window.run();
     assert!(window.says("Profundidade Z = 0.666667") && window.says("Distância −z_c = 4"));
+}
+
+#[test]
+fn each_switch_shows_something_and_is_undone() {
+    let mut window = window_with(Lang::En, Picture::World, [900.0, 700.0], |_| ());
+    window.key(Key::F7);
+    for (switch, reveal) in [
+        ("Vertices of clipping", Reveal { clipping: true, ..Reveal::default() }),
+        ("What is culled", Reveal { culled: true, ..Reveal::default() }),
+        ("Divide before clipping", Reveal { divide_first: true, ..Reveal::default() }),
+    ] {
+        let drawn = window.app_mut().canvas.drawn()[0];
+        window.click(switch);
+        assert_eq!(window.state().document.figure().reveal, reveal);
+        assert!(window.app_mut().canvas.drawn()[0] > drawn, "{switch}");
+        window.command_key(Key::Z);
+        assert_eq!(window.state().document.figure().reveal, Reveal::default());
+    }
+    choose(&mut window, "outside", "tinted");
+    assert_eq!(window.state().document.figure().reveal.outside, Outside::Tinted);
+}
+
+#[test]
+fn a_vertex_says_its_outcode_and_its_distances() {
+    for (lang, switch, planes) in [
+        (Lang::En, "Vertices of clipping", "Outcode 000010 near"),
+        (Lang::PtBr, "Vértices do recorte", "Outcode 000010 frente"),
+    ] {
+        // F = 4.5: the corner (1, 1, 1), 4 units before C, is cut off; seen from the front it lies to the right of the middle.
+        let mut window = window_with(lang, Picture::World, [1280.0, 720.0], |figure| figure.camera.near = 4.5);
+        window.key(Key::F7);
+        window.click(switch);
+        let corner = {
+            let state = window.state();
+            let rect = window.harness.get_by_label_contains("(0, 0, 5)").rect();
+            let observer = state.document.figure().observers.world.expect("it was given");
+            let camera =
+                observer.camera(None, f64::from(rect.width()) / f64::from(rect.height())).expect("an observer");
+            let clip = camera.clip_from_world() * DVec3::ONE.extend(1.0);
+            let share = (clip.truncate() / clip.w).truncate();
+            rect.center()
+                + eframe::egui::vec2(share.x as f32 * rect.width() / 2.0, -share.y as f32 * rect.height() / 2.0)
+        };
+        window.harness.hover_at(corner);
+        window.run();
+        assert!(window.says(planes));
+        // w = 4 and w + z = 2 B (d − F)/(B − F) = 16 · (−0.5)/3.5; w − z = 2 F (B − d)/(B − F) = 9 · 4/3.5.
+        assert!(window.says("w + z, w − z -2.286, 10.29"));
+    }
 }

@@ -1,13 +1,16 @@
 //! `[reveal]`: the pipeline's inner work in the pictures.
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use camera_lab::appearance::{Shading, Style, Theme, Visibility};
-use camera_lab::camera::{Parameters, Projection, Viewport};
-use camera_lab::figure::{Depth, Figure, Reveal};
+use camera_lab::appearance::{MarkShape, Rgba, Shading, Style, Theme, Visibility};
+use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow, Viewport};
+use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
+use camera_lab::pipeline::dissect::{self, Fate};
+use camera_lab::pipeline::fold::divided_first;
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{ObjectSpec, Preset as ScenePreset, Shape};
+use camera_lab::scene::{Mesh, Object, ObjectPaint, ObjectSpec, PointMark, Preset as ScenePreset, Scene, Shape};
+use camera_lab::views::observer::Preset;
 use camera_lab::views::{self, Palette, depth};
-use glam::{DVec2, DVec3};
+use glam::{DMat4, DVec2, DVec3};
 use tiny_skia::Pixmap;
 
 use crate::common::picture::assert_picture;
@@ -139,7 +142,7 @@ fn the_numbers_are_those_of_the_picture_and_glass_has_none() {
     let pictured = Pictured::of(figure.clone()).forced();
     let mut rasterizer = Rasterizer::default();
     rasterizer.paint(&views::image::draw(&pictured.setup())).unwrap();
-    let window = camera_lab::camera::Camera::new(&figure.camera).unwrap().window();
+    let window = Camera::new(&figure.camera).unwrap().window();
     let (mut same, mut all) = (0, 0);
     for (i, j) in (0..240).step_by(7).flat_map(|j| (0..320).step_by(7).map(move |i| (i, j))) {
         let share = (DVec2::new(f64::from(i), f64::from(j)) + 0.5) / DVec2::new(320.0, 240.0);
@@ -157,33 +160,372 @@ fn the_numbers_are_those_of_the_picture_and_glass_has_none() {
     assert!(same > all - all / 100, "{same} of {all}");
 }
 
-/// Both ways, all three pictures give the same bytes.
-#[track_caller]
-fn assert_forced_is_the_same(figure: &Figure, what: &str) {
-    use camera_lab::views::observer::Preset;
-    let draw = |pictured: &Pictured| {
-        [views::image::draw(&pictured.setup()), pictured.canonical(Preset::Iso), pictured.world(Preset::Iso)]
-            .map(|drawing| Rasterizer::default().paint(&drawing).unwrap().take())
-    };
-    let pictured = || Pictured::of(figure.clone()).sized(160, 120);
-    assert!(draw(&pictured()) == draw(&pictured().forced()), "{what}");
+/// The three pictures, painted.
+fn painted(pictured: &Pictured) -> [Vec<u8>; 3] {
+    [views::image::draw(&pictured.setup()), pictured.canonical(Preset::Iso), pictured.world(Preset::Iso)]
+        .map(|drawing| Rasterizer::default().paint(&drawing).unwrap().take())
 }
+
+const ALL: Reveal =
+    Reveal { depth: Depth::Off, outside: Outside::Tinted, clipping: true, divide_first: true, culled: true };
 
 #[test]
 fn whatever_is_revealed_the_plan_changes_no_pixel() {
-    let reveals = [stored(), Reveal { depth: Depth::Linear, ..Reveal::default() }];
-    let styles = [Shading::Wireframe, Shading::Flat, Shading::Gouraud, Shading::Phong];
+    let none = Reveal::default();
+    let reveals = [
+        stored(),
+        Reveal { depth: Depth::Linear, ..none },
+        Reveal { outside: Outside::Cut, clipping: true, ..none },
+        Reveal { outside: Outside::Shown, culled: true, ..none },
+        Reveal { divide_first: true, ..none },
+        ALL,
+        Reveal { depth: Depth::Stored, ..ALL },
+    ];
     for reveal in reveals {
         for (scene, shading, visibility) in [
-            (ScenePreset::Cube, styles[0], Visibility::DepthBuffer),
-            (ScenePreset::Cube, styles[1], Visibility::DepthBuffer),
-            (ScenePreset::House, styles[2], Visibility::Painter),
-            (ScenePreset::Primitives, styles[3], Visibility::DepthBuffer),
-            (ScenePreset::Corridor, styles[1], Visibility::Bsp),
+            (ScenePreset::Cube, Shading::Wireframe, Visibility::DepthBuffer),
+            (ScenePreset::Cube, Shading::Flat, Visibility::DepthBuffer),
+            (ScenePreset::House, Shading::Gouraud, Visibility::Painter),
+            (ScenePreset::Primitives, Shading::Phong, Visibility::DepthBuffer),
+            (ScenePreset::Corridor, Shading::Flat, Visibility::Bsp),
         ] {
             let mut figure = preset(scene, reveal);
+            // Into the scene, so that some of it is cut, some lost, and some behind the eye.
+            figure.camera.position *= 0.35;
+            (figure.camera.near, figure.camera.far) = (0.4, 4.0);
             figure.style = Style { shading, visibility, antialias: 1, ..Style::default() };
-            assert_forced_is_the_same(&figure, &format!("{reveal:?}, {scene:?}, {shading:?}, {visibility:?}"));
+            let pictured = || Pictured::of(figure.clone()).sized(120, 90);
+            let what = format!("{reveal:?}, {scene:?}, {shading:?}, {visibility:?}");
+            assert!(painted(&pictured()) == painted(&pictured().forced()), "{what}");
         }
     }
+}
+
+#[test]
+fn what_is_usual_may_be_said() {
+    let drawings = |outside| {
+        let mut figure = house(Reveal { outside, ..Reveal::default() });
+        (figure.camera.near, figure.camera.far) = (5.0, 7.0);
+        painted(&Pictured::of(figure))
+    };
+    let [image, canonical, world] = drawings(Outside::Usual);
+    let [cut_image, cut_canonical, cut_world] = drawings(Outside::Cut);
+    let [shown_image, shown_canonical, shown_world] = drawings(Outside::Shown);
+    assert!(image == cut_image && image == shown_image);
+    assert!(canonical == cut_canonical && canonical != shown_canonical);
+    assert!(world == shown_world && world != cut_world);
+}
+
+#[test]
+fn cameras_that_a_careless_picture_would_spoil_spoil_none() {
+    for (name, mut figure) in crate::views::cameras() {
+        for (outside, depth) in
+            [(Outside::Shown, Depth::Off), (Outside::Tinted, Depth::Stored), (Outside::Cut, Depth::Linear)]
+        {
+            figure.reveal = Reveal { outside, depth, ..ALL };
+            figure.scene.preset = ScenePreset::House;
+            let pictured = Pictured::of(figure.clone());
+            let drawings =
+                [views::image::draw(&pictured.setup()), pictured.canonical(Preset::Iso), pictured.world(Preset::Iso)];
+            for drawing in drawings {
+                let surfaces = drawing.surfaces.iter().flat_map(|s| &s.positions);
+                let all = surfaces.chain(drawing.strokes.iter().flat_map(|s| &s.points));
+                assert!(all.flatten().all(|v| v.is_finite()), "{name}");
+            }
+        }
+    }
+}
+
+/// Looks along −z from the origin; the window on F is ±1, so the planes are |x| = |z| and |y| = |z|.
+fn eye(projection: Projection) -> Camera {
+    Camera::new(&Parameters {
+        position: DVec3::ZERO,
+        focal_point: DVec3::NEG_Z,
+        projection,
+        near: 1.0,
+        far: 3.0,
+        window: Some(ViewWindow { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 }),
+        ..Parameters::default()
+    })
+    .unwrap()
+}
+
+#[test]
+fn outcodes_and_distances_are_those_of_clip_space() {
+    let oblique = Parameters {
+        window: Some(ViewWindow { left: -0.3, right: 1.2, bottom: -0.1, top: 0.4 }),
+        near: 1.5,
+        far: 9.0,
+        ..Parameters::default()
+    };
+    let cameras = [eye(Projection::Perspective), eye(Projection::Parallel), Camera::new(&oblique).unwrap()];
+    let (mut codes, mut tried) = (std::collections::BTreeSet::new(), 0);
+    for camera in &cameras {
+        for i in 0..1000_u32 {
+            // Points all around, by the golden ratio and its like.
+            let share = |step: f64| (f64::from(i) * step).fract() * 16.0 - 8.0;
+            let p = DVec3::new(share(0.618_034), share(0.754_878), share(0.569_84));
+            let c = camera.clip_from_world() * p.extend(1.0);
+            let expected = [c.w + c.x, c.w - c.x, c.w + c.y, c.w - c.y, c.w + c.z, c.w - c.z];
+            let found = dissect::homogeneous_distances(camera, p);
+            let code = dissect::outcode_of(camera, p).unwrap();
+            for ((e, f), outside) in expected.iter().zip(found).zip(code) {
+                assert!((e - f).abs() < 1e-12 * (1.0 + c.abs().max_element()), "{expected:?} {found:?}");
+                assert!(outside == (*e < 0.0) || e.abs() < 1e-12);
+                tried += 1;
+            }
+            codes.insert(code);
+        }
+    }
+    assert!(tried == 18_000 && codes.len() > 25, "{}", codes.len());
+    let eye = &cameras[0];
+    assert_eq!(dissect::outcode_of(eye, DVec3::new(0.0, 0.0, -2.0)), Some([false; 6]));
+    // By hand: left of x = −|z|, above y = |z|, beyond B = 3.
+    let far_away = DVec3::new(-5.0, 6.0, -4.0);
+    assert_eq!(dissect::outcode_of(eye, far_away), Some([true, false, false, true, false, true]));
+    // w = 4; z = (4 · 4 − 6)/2 = 5 by z_n = (B + F)/(B − F) − 2 F B/((B − F) d).
+    assert_eq!(dissect::homogeneous_distances(eye, far_away), [-1.0, 9.0, 10.0, -2.0, 9.0, -1.0]);
+    assert_eq!(dissect::outcode_of(eye, DVec3::NAN), None);
+}
+
+/// The area of all faces, in the world.
+fn area(scene: &Scene) -> f64 {
+    let corner = |o: &Object, i: u32| o.world_from_object.transform_point3(o.mesh.positions[i as usize]);
+    let faces = scene.objects.iter().flat_map(|o| o.mesh.triangles.iter().map(move |t| t.map(|i| corner(o, i))));
+    faces.map(|[a, b, c]| (b - a).cross(c - a).length() / 2.0).sum()
+}
+
+/// The length of all edges and lines, in the world.
+fn length(scene: &Scene) -> f64 {
+    let corner = |o: &Object, i: u32| o.world_from_object.transform_point3(o.mesh.positions[i as usize]);
+    let edges = scene.objects.iter().flat_map(|o| o.mesh.edges.iter().map(move |e| e.map(|i| corner(o, i))));
+    let lines = scene.lines.iter().flat_map(|l| l.points.windows(2).map(|ends| [ends[0], ends[1]]));
+    edges.chain(lines).map(|[a, b]| a.distance(b)).sum()
+}
+
+#[test]
+fn the_two_parts_are_the_whole_and_each_is_on_its_side() {
+    let mut cut_open = 0;
+    let scenes = [ScenePreset::Primitives, ScenePreset::House, ScenePreset::Corridor, ScenePreset::Exercise51];
+    for (scene, projection) in
+        scenes.into_iter().flat_map(|s| [(s, Projection::Perspective), (s, Projection::Parallel)])
+    {
+        let mut parameters = Parameters { projection, height: 1.5, view_angle: 20.0, ..scene.camera() };
+        (parameters.near, parameters.far) = (5.5, 7.5);
+        let camera = Camera::new(&parameters).unwrap();
+        let mut figure = Figure::default();
+        figure.scene.preset = scene;
+        let whole = views::scene_of(&figure, &mut |_| Err(String::new())).unwrap();
+        let parts = dissect::dissect(&whole, &camera, false);
+        let (area_inside, area_outside) = (area(&parts.inside), area(&parts.outside));
+        assert!(area_outside > 0.1, "{scene:?}");
+        assert!((area_inside + area_outside - area(&whole)).abs() < 1e-9 * area(&whole), "{scene:?}");
+        let lengths = length(&parts.inside) + length(&parts.outside);
+        assert!((lengths - length(&whole)).abs() < 1e-9 * (1.0 + length(&whole)), "{scene:?}");
+        assert_eq!(parts.inside.marks.len() + parts.outside.marks.len(), whole.marks.len());
+        // By the six planes of the camera, which know nothing of clip space.
+        let planes = camera.volume_planes();
+        let outermost = |p: DVec3| planes.iter().map(|plane| plane.distance(p)).fold(f64::INFINITY, f64::min);
+        // A cloud of points has nothing to cut; its marks are what is drawn of it.
+        let mut drawn = parts.inside.clone();
+        drawn.objects.retain(|o| !(o.mesh.triangles.is_empty() && o.mesh.edges.is_empty()));
+        for v in drawn.vertices() {
+            assert!(outermost(v.p_world) > -1e-9, "{scene:?}: {:?}", v.p_world);
+        }
+        for object in &parts.outside.objects {
+            for t in &object.mesh.triangles {
+                let middle = t.map(|i| object.mesh.positions[i as usize]).iter().sum::<DVec3>() / 3.0;
+                assert!(outermost(object.world_from_object.transform_point3(middle)) < 0.0, "{scene:?}");
+            }
+        }
+        let made = !parts.cuts.is_empty() && !parts.sides.is_empty();
+        assert!(made || area_inside == 0.0, "{scene:?}");
+        cut_open += u32::from(made);
+        for &p in parts.cuts.iter().chain(parts.sides.as_flattened()) {
+            assert!(outermost(p).abs() < 1e-9, "{scene:?}: {p}");
+        }
+        for (i, p) in parts.cuts.iter().enumerate() {
+            assert!(parts.cuts[..i].iter().all(|q| p.distance(*q) > 1e-12), "{scene:?}: {p} is there twice");
+        }
+    }
+    assert!(cut_open >= 5, "{cut_open} of 8");
+}
+
+fn marks(points: &[DVec3]) -> Vec<PointMark> {
+    let mark = |&position| PointMark {
+        position,
+        shape: MarkShape::Disc,
+        radius: 1.0,
+        color: Rgba::rgb(0, 0, 0),
+        fade_if_hidden: false,
+    };
+    points.iter().map(mark).collect()
+}
+
+#[test]
+fn a_point_behind_the_eye_folds_over_to_the_front() {
+    // `[2]`, "problema do clipping": (1, 1, −n) and (1, 1, n) both have a place, and the second is (−1, −1, …).
+    let points = [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, 1.0, 1.0), DVec3::new(1.0, 1.0, 0.0)];
+    let scene = Scene { marks: marks(&points), ..Scene::default() };
+    let camera = eye(Projection::Perspective);
+    let folded = divided_first(&scene, &camera, 10.0);
+    let found: Vec<DVec3> = folded.wrong.marks.iter().map(|m| m.position).collect();
+    // z_n = (B + F)/(B − F) − 2 F B/((B − F) d) = 2 + 3 for d = −1; shown as −z_n.
+    assert_eq!(found, [DVec3::new(-1.0, -1.0, -5.0)], "w = 0 is nowhere");
+    assert!(divided_first(&scene, &camera, 1.0).wrong.marks.is_empty(), "outside the cube");
+    assert!(divided_first(&scene, &eye(Projection::Parallel), 10.0).wrong.marks.is_empty(), "w = 1");
+}
+
+#[test]
+fn what_is_wholly_before_the_eye_is_the_same_either_way() {
+    let mut figure = house(Reveal { divide_first: true, ..Reveal::default() });
+    let wrong = image(&Pictured::of(figure.clone()).bare());
+    figure.reveal = Reveal::default();
+    assert!(wrong.data() == image(&Pictured::of(figure)).data());
+}
+
+#[test]
+fn a_face_that_passes_the_eye_is_where_its_divided_corners_are() {
+    // From (0, −1, −2), 2 before the eye, to (0, −1, 2), 2 behind it: it leads from below the middle to above it.
+    let corners = [DVec3::new(-0.5, -1.0, -2.0), DVec3::new(0.5, -1.0, -2.0), DVec3::new(0.0, -1.0, 2.0)];
+    let mesh = Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() };
+    let object = Object {
+        name: "floor".to_owned(),
+        mesh: std::sync::Arc::new(mesh),
+        world_from_object: DMat4::IDENTITY,
+        paint: ObjectPaint::Solid(Rgba::rgb(9, 9, 9)),
+        lit: false,
+        two_sided: true,
+        faces: true,
+        edges: None,
+    };
+    let scene = Scene { objects: vec![object], ..Scene::default() };
+    let folded = divided_first(&scene, &eye(Projection::Perspective), 4.0);
+    assert!(folded.right.objects[0].mesh.triangles.is_empty());
+    let mesh = &folded.wrong.objects[0].mesh;
+    // By hand: z_n = 2 − 3/2 = 0.5 and 2 + 3/2 = 3.5.
+    let expected = [[-0.25, -0.5, -0.5], [0.25, -0.5, -0.5], [0.0, 0.5, -3.5]].map(DVec3::from);
+    assert_eq!(mesh.positions, expected);
+    let in_cube = divided_first(&scene, &eye(Projection::Perspective), 1.0);
+    // The cube ends at −z_n = −1, a sixth of the way: y = −1/2 + 1/6.
+    let highest = in_cube.wrong.objects[0].mesh.positions.iter().map(|p| p.y).fold(f64::MIN, f64::max);
+    assert!((highest + 1.0 / 3.0).abs() < 1e-15, "{highest}");
+}
+
+#[test]
+fn culling_says_what_it_drops_and_why() {
+    let figure = preset(ScenePreset::Cube, Reveal::default());
+    let scene = views::scene_of(&figure, &mut |_| Err(String::new())).unwrap();
+    let cube = scene.objects.iter().find(|o| o.mesh.convex).unwrap();
+    let camera = |position: DVec3, focal_point: DVec3| {
+        Camera::new(&Parameters { position, focal_point, near: 0.5, far: 20.0, ..Parameters::default() }).unwrap()
+    };
+    // From (5, 5, 5) three sides of a box are seen, and three are not.
+    let corner = camera(DVec3::splat(5.0), DVec3::ZERO);
+    let Fate::BackFaces(back) = dissect::fate(cube, &corner) else { panic!("its back faces are culled") };
+    let sees = |t: [u32; 3]| {
+        let [a, b, c] = t.map(|i| cube.world_from_object.transform_point3(cube.mesh.positions[i as usize]));
+        (b - a).cross(c - a).dot(DVec3::splat(5.0) - a) > 0.0
+    };
+    assert_eq!(back, cube.mesh.triangles.iter().map(|t| !sees(*t)).collect::<Vec<_>>());
+    assert_eq!(back.iter().filter(|b| **b).count() * 2, back.len());
+    // Turned away: everything is behind the eye, outside the near plane.
+    let away = camera(DVec3::Z * 5.0, DVec3::Z * 9.0);
+    let Fate::Dropped(planes) = dissect::fate(cube, &away) else { panic!("it is dropped") };
+    assert!(planes & 0b01_0000 != 0);
+    // The eye inside: the near plane cuts it open, and its inside is seen.
+    assert_eq!(dissect::fate(cube, &camera(DVec3::new(0.0, 0.2, 0.0), DVec3::X)), Fate::Kept);
+}
+
+/// The house between two close planes, with a torus to the left and a cone behind the eye.
+fn scattered(reveal: Reveal) -> Figure {
+    let mut figure = house(reveal);
+    figure.camera.view_angle = 30.0;
+    (figure.camera.near, figure.camera.far) = (4.5, 8.0);
+    for (name, shape, translate) in
+        [("torus", Shape::Torus, DVec3::new(-4.0, 1.0, -1.0)), ("cone", Shape::Cone, DVec3::new(4.0, 1.5, 7.0))]
+    {
+        let spec = with_glass(Figure::default()).scene.objects.remove(0);
+        figure.scene.objects.push(ObjectSpec {
+            name: name.to_owned(),
+            shape: Some(shape),
+            translate,
+            color: None,
+            ..spec
+        });
+    }
+    figure
+}
+
+/// Seen from behind the house.
+fn from_behind(mut figure: Figure) -> Pixmap {
+    figure.observers.world = Some(Observer {
+        target: DVec3::new(0.5, 1.0, 1.5),
+        distance: 15.0,
+        azimuth: 160.0,
+        elevation: 25.0,
+        parallel: false,
+    });
+    let observer = figure.observers.world.unwrap();
+    let pictured = Pictured::of(figure);
+    Rasterizer::default().paint(&views::world::draw(&pictured.setup(), &observer)).unwrap()
+}
+
+fn canonical(figure: Figure) -> Pixmap {
+    Rasterizer::default().paint(&Pictured::of(figure).canonical(Preset::Iso)).unwrap()
+}
+
+#[test]
+fn what_lies_outside_as_glass() {
+    let tinted = Reveal { outside: Outside::Tinted, ..Reveal::default() };
+    assert_picture("reveal_outside_world", &from_behind(scattered(tinted)));
+    assert_picture("reveal_outside_canonical", &canonical(scattered(tinted)));
+    let cut = Reveal { outside: Outside::Cut, ..Reveal::default() };
+    assert_picture("reveal_outside_cut", &from_behind(scattered(cut)));
+}
+
+#[test]
+fn what_is_culled_in_the_dark() {
+    let mut figure = scattered(Reveal { culled: true, ..Reveal::default() });
+    figure.style.theme = Theme::Dark;
+    assert_picture("reveal_culled_dark", &from_behind(figure));
+}
+
+#[test]
+fn new_vertices_on_paper() {
+    let mut figure = scattered(Reveal { clipping: true, ..Reveal::default() });
+    figure.style.theme = Theme::Print;
+    figure.camera.far = 6.2;
+    assert_picture("reveal_clipping_image", &image(&Pictured::of(figure.clone())));
+    assert_picture("reveal_clipping_canonical", &canonical(figure));
+}
+
+/// A floor that passes under the eye, and a box on it.
+fn floor(reveal: Reveal) -> Figure {
+    let mut figure = Figure { reveal, ..Figure::default() };
+    figure.camera = Parameters {
+        position: DVec3::new(0.0, 1.2, 3.0),
+        focal_point: DVec3::new(0.0, 0.6, 0.0),
+        view_angle: 50.0,
+        near: 1.0,
+        far: 9.0,
+        ..Parameters::default()
+    };
+    figure.scene.preset = ScenePreset::Empty;
+    let spec = with_glass(Figure::default()).scene.objects.remove(0);
+    for (name, translate, scale) in [
+        ("floor", DVec3::new(0.0, -0.05, 1.5), DVec3::new(1.6, 0.05, 4.0)),
+        ("box", DVec3::new(0.3, 0.4, 0.2), DVec3::splat(0.4)),
+    ] {
+        let (name, color) = (name.to_owned(), None);
+        figure.scene.objects.push(ObjectSpec { name, translate, scale, color, ..spec.clone() });
+    }
+    figure
+}
+
+#[test]
+fn divided_before_clipping() {
+    let figure = floor(Reveal { divide_first: true, outside: Outside::Tinted, ..Reveal::default() });
+    assert_picture("reveal_divided_first", &image(&Pictured::of(figure.clone()).in_portuguese()));
+    assert_picture("reveal_divided_first_canonical", &canonical(figure));
 }

@@ -114,7 +114,7 @@ fn simple(mut figure: Figure) -> Figure {
 }
 
 /// Cameras that a careless picture would spoil.
-fn cameras() -> Vec<(&'static str, Figure)> {
+pub(crate) fn cameras() -> Vec<(&'static str, Figure)> {
     vec![
         ("default", figure(|_| {})),
         ("short", figure(|c| (c.near, c.far) = (2.0, 12.0))),

@@ -6,7 +6,7 @@ use eframe::egui::Vec2;
 use glam::DVec2;
 
 use crate::camera::Camera;
-use crate::figure::{Observer, Observers};
+use crate::figure::{Observer, Observers, Outside};
 use crate::gui::state::{Look, Picture};
 use crate::scene::Scene;
 use crate::views::observer::{Preset, VIEW_ANGLE};
@@ -31,6 +31,7 @@ struct Kept {
     scene: Arc<Scene>,
     subject: u64,
     aspect: f64,
+    outside: Outside,
 }
 
 impl Auto {
@@ -48,12 +49,15 @@ impl Auto {
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let fitted = preset(picture, setup, Preset::default());
             let (camera, scene) = (setup.camera.clone(), Arc::clone(scene));
-            self.kept = Some(Kept { observer: fitted, fitted, camera, scene, subject, aspect });
+            let outside = setup.figure.reveal.outside;
+            self.kept = Some(Kept { observer: fitted, fitted, camera, scene, subject, aspect, outside });
             return fitted;
         };
-        let reshaped = kept.aspect != aspect;
+        // What lies outside the canonical volume needs room.
+        let outside = setup.figure.reveal.outside;
+        let reshaped = kept.aspect != aspect || (picture == Picture::Canonical && kept.outside != outside);
         if reshaped || kept.camera != *setup.camera || !Arc::ptr_eq(&kept.scene, scene) {
-            kept.aspect = aspect;
+            (kept.aspect, kept.outside) = (aspect, outside);
             kept.camera = setup.camera.clone();
             kept.scene = Arc::clone(scene);
             kept.fitted = fit(picture, setup, &kept.observer);

@@ -8,6 +8,7 @@ use crate::gui::handles::point;
 use crate::gui::numbers::significant;
 use crate::gui::state::Picture;
 use crate::i18n::canvas::CanvasTexts;
+use crate::pipeline::dissect;
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Setup, pick};
 
@@ -76,6 +77,9 @@ pub(super) fn cells(
                 other(texts.space_view, point(s.view, digits)),
                 Cell { slots: 2, ..other(texts.space_clip, format!("({x}, {y}, {z}, {w})")) },
             ];
+            if figure.reveal.clipping {
+                cells.extend(clipping_cells(p, setup, digits, texts));
+            }
             let Some(Projected { ndc, window, pixel, viewport }) = s.projected else {
                 cells.push(wanted(texts.space_ndc, texts.no_image.to_owned()));
                 return cells;
@@ -101,6 +105,22 @@ pub(super) fn cells(
             cells
         }
     }
+}
+
+/// The outcode of a point, with the planes that its bits name, and its homogeneous distances from them.
+fn clipping_cells(p: DVec3, setup: &Setup, digits: usize, texts: &CanvasTexts) -> [Cell; 4] {
+    let cell = |space, value| Cell { space, value, slots: 1, wanted: true };
+    let code = dissect::outcode_of(setup.camera, p).unwrap_or([true; 6]);
+    let bits: String = code.iter().map(|outside| if *outside { '1' } else { '0' }).collect();
+    let planes: Vec<&str> = setup.labels.planes.into_iter().zip(code).filter(|(_, out)| *out).map(|(n, _)| n).collect();
+    let meaning = if planes.is_empty() { texts.inside.to_owned() } else { planes.join(", ") };
+    let d = dissect::homogeneous_distances(setup.camera, p).map(|d| significant(d, digits));
+    [
+        cell(texts.outcode, format!("{bits} {meaning}")),
+        cell("w + x, w − x", format!("{}, {}", d[0], d[1])),
+        cell("w + y, w − y", format!("{}, {}", d[2], d[3])),
+        cell("w + z, w − z", format!("{}, {}", d[4], d[5])),
+    ]
 }
 
 /// What the depth buffer holds at a pixel, if anything.

@@ -3,7 +3,7 @@
 use eframe::egui;
 
 use super::row;
-use crate::figure::Depth;
+use crate::figure::{Depth, Outside};
 use crate::gui::panels::{choice, section};
 use crate::gui::state::State;
 use crate::i18n::window;
@@ -18,6 +18,22 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         row(ui, "", t.depth_view, t.depth_view_hint, |ui| {
             choice(ui, t.depth_view, t.depth_view_hint, &mut reveal.depth, &depths)
         });
+        let outsides = [
+            (Outside::Usual, t.outside_usual),
+            (Outside::Cut, t.outside_cut),
+            (Outside::Tinted, t.outside_tinted),
+            (Outside::Shown, t.outside_shown),
+        ];
+        row(ui, "", t.outside_view, t.outside_view_hint, |ui| {
+            choice(ui, t.outside_view, t.outside_view_hint, &mut reveal.outside, &outsides)
+        });
+        for (on, name, hint) in [
+            (&mut reveal.clipping, t.clipping_view, t.clipping_view_hint),
+            (&mut reveal.culled, t.culled_view, t.culled_view_hint),
+            (&mut reveal.divide_first, t.divide_first, t.divide_first_hint),
+        ] {
+            ui.checkbox(on, name).on_hover_text(hint);
+        }
     });
     if reveal != old {
         state.document.edit(|figure| figure.reveal = reveal);

@@ -1,0 +1,363 @@
+//! What the pictures show of the pipeline's inner work: the scene of each, changed as `[reveal]` wants it.
+
+use std::sync::Arc;
+
+use glam::{DMat4, DVec3};
+
+use crate::appearance::{Dash, MarkShape, Rgba, Shading};
+use crate::camera::{Camera, Parameters, Projection, ViewWindow};
+use crate::drawing::Drawing;
+use crate::figure::Outside;
+use crate::pipeline::dissect::{Dissection, Fate, dissect, fate};
+use crate::pipeline::fold::{Folded, divided_first};
+use crate::pipeline::project::{clipped_scene, displayed_ndc};
+use crate::pipeline::{PlaneSet, Target};
+use crate::scene::{Mesh, Object, ObjectPaint, Scene};
+
+use super::gizmos::{SMALL_TYPE, Sheet};
+use super::legend::{Legend, Row};
+use super::placing::Box2;
+use super::{Labels, Palette, Setup};
+
+/// How far beyond the canonical volume is shown what lies outside, in its own half sides.
+pub(super) const REACH: f64 = 2.0;
+/// More new vertices than this are not marked one by one; the sides between them still are.
+const MOST_MARKS: usize = 500;
+/// So many objects that are dropped get their reason written on them.
+const MOST_NAMES: usize = 24;
+/// How much of the colour of what is wrong is in its faces; the rest is their own, so that objects can be told apart.
+const WRONG: f64 = 0.75;
+/// The opacity of what is wrong: the right scene behind it is still seen.
+const GLASS: u8 = 140;
+
+/// What a picture shows.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Revealed {
+    pub(super) scene: Scene,
+    /// What its colours mean.
+    pub(super) rows: Vec<Row>,
+    /// New vertices and the sides between them.
+    cuts: Vec<DVec3>,
+    sides: Vec<[DVec3; 2]>,
+    /// Reasons, and what they are written on.
+    names: Vec<(DVec3, String)>,
+}
+
+impl Revealed {
+    /// Draws what is more than the scene.
+    pub(super) fn mark(&self, sheet: &mut Sheet, palette: Palette) {
+        for side in &self.sides {
+            sheet.line(side.to_vec(), palette.cut, 1.6, Dash::Solid);
+        }
+        if self.cuts.len() <= MOST_MARKS {
+            for &p in &self.cuts {
+                sheet.mark(p, MarkShape::Diamond, 3.4, palette.cut);
+            }
+        }
+        for (p, name) in &self.names {
+            sheet.text(*p, name, glam::DVec2::NEG_Y, SMALL_TYPE, palette.ink);
+        }
+    }
+
+    fn note_cuts(&mut self, parts: &Dissection, setup: &Setup, palette: Palette, place: impl Fn(DVec3) -> DVec3) {
+        self.cuts = parts.cuts.iter().map(|&p| place(p)).collect();
+        self.sides = parts.sides.iter().map(|side| side.map(&place)).collect();
+        if !self.cuts.is_empty() {
+            self.rows.push(Row::Mark(MarkShape::Diamond, palette.cut, setup.labels.cuts.to_owned()));
+        }
+    }
+}
+
+/// A legend of `rows`, where there is room for one.
+pub(super) fn legend(setup: &Setup, rows: Vec<Row>, target: &Target, palette: Palette) -> Option<Legend> {
+    let size = [setup.size.width, setup.size.height];
+    Legend::new(rows, size, target.scale, palette).filter(|_| !setup.extras.bare)
+}
+
+/// Where it lies, and the drawing of it.
+pub(super) fn explain(drawing: &mut Drawing, legend: Option<&Legend>) {
+    if let Some(legend) = legend {
+        legend.draw(drawing);
+    }
+}
+
+/// The room that other texts leave to a legend.
+pub(super) fn room(legend: Option<&Legend>) -> Option<Box2> {
+    legend.map(Legend::place)
+}
+
+/// The scene of the world.
+pub(super) fn in_world(setup: &Setup, palette: Palette) -> Revealed {
+    let reveal = setup.figure.reveal;
+    let edges_only = setup.figure.style.shading == Shading::Wireframe;
+    let mut revealed = Revealed { scene: setup.scene.clone(), ..Revealed::default() };
+    let mut dropped = Scene::default();
+    if reveal.culled {
+        let (kept, gone) = culled(setup, edges_only, palette, &mut revealed);
+        revealed.scene.objects = kept;
+        dropped.objects = gone;
+    }
+    let parted = matches!(reveal.outside, Outside::Cut | Outside::Tinted);
+    if parted || reveal.clipping {
+        let parts = dissect(&revealed.scene, setup.camera, edges_only);
+        if reveal.clipping {
+            revealed.note_cuts(&parts, setup, palette, |p| p);
+        }
+        if parted {
+            revealed.scene = parts.inside;
+        }
+        if reveal.outside == Outside::Tinted {
+            revealed.add_outside(parts.outside, setup.labels, palette);
+        }
+    }
+    append(&mut revealed.scene, glass(dropped, palette.dropped));
+    revealed
+}
+
+impl Revealed {
+    fn add_outside(&mut self, outside: Scene, labels: &Labels, palette: Palette) {
+        if !outside.objects.is_empty() || !outside.lines.is_empty() {
+            self.rows.push(Row::Swatch(palette.outside, labels.outside.to_owned()));
+        }
+        append(&mut self.scene, glass(outside, palette.outside));
+    }
+}
+
+/// The scene of the canonical volume, in its display space.
+pub(super) fn in_canonical(setup: &Setup, palette: Palette) -> Revealed {
+    let reveal = setup.figure.reveal;
+    let shading = setup.figure.style.shading;
+    let edges_only = shading == Shading::Wireframe;
+    let beyond = matches!(reveal.outside, Outside::Tinted | Outside::Shown);
+    let mut revealed = Revealed::default();
+    let folded = reveal.divide_first.then(|| fold(setup, if beyond { REACH } else { 1.0 }, palette, &mut revealed));
+    let right = folded.as_ref().map_or(setup.scene, |folded| &folded.right);
+    revealed.scene = clipped_scene(right, setup.camera, shading);
+    if beyond || reveal.clipping {
+        let parts = dissect(right, setup.camera, edges_only);
+        if reveal.clipping {
+            let shown = |p| displayed_ndc(setup.camera, p).unwrap_or_default().clamp(DVec3::NEG_ONE, DVec3::ONE);
+            revealed.note_cuts(&parts, setup, palette, shown);
+        }
+        if let Some(wider) = Wider::new(setup.camera).filter(|_| beyond) {
+            let outside = Scene { lights: setup.scene.lights.clone(), ..parts.outside };
+            let outside = wider.show(&outside, shading);
+            if reveal.outside == Outside::Tinted {
+                revealed.add_outside(outside, setup.labels, palette);
+            } else {
+                append(&mut revealed.scene, outside);
+            }
+        }
+    }
+    if let Some(folded) = folded {
+        append(&mut revealed.scene, folded.wrong);
+    }
+    revealed
+}
+
+/// The scene of the image: in the world, and in the display space of the canonical volume, whose front is the image.
+pub(super) fn in_image(setup: &Setup, palette: Palette) -> (Revealed, Option<Scene>) {
+    let reveal = setup.figure.reveal;
+    let mut revealed = Revealed::default();
+    let folded = reveal.divide_first.then(|| fold(setup, 1.0, palette, &mut revealed));
+    let (right, wrong) = folded.map_or((setup.scene.clone(), None), |folded| (folded.right, Some(folded.wrong)));
+    if reveal.clipping {
+        let edges_only = setup.figure.style.shading == Shading::Wireframe;
+        let parts = dissect(&right, setup.camera, edges_only);
+        // A hair inwards, so that rounding does not leave a new vertex outside the plane that it is in.
+        let middle = setup.camera.volume_corners().iter().fold(DVec3::ZERO, |sum, &p| sum + p / 8.0);
+        revealed.note_cuts(&parts, setup, palette, |p| p + (middle - p) * 1e-9);
+    }
+    revealed.scene = right;
+    (revealed, wrong)
+}
+
+/// The camera that looks at the canonical volume from its front: it sees the image.
+pub(super) fn front() -> Option<Camera> {
+    let parameters = Parameters {
+        position: DVec3::Z * 2.0,
+        focal_point: DVec3::ZERO,
+        view_up: DVec3::Y,
+        projection: Projection::Parallel,
+        near: 1.0,
+        far: 3.0,
+        window: Some(ViewWindow { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0 }),
+        ..Parameters::default()
+    };
+    Camera::new(&parameters).ok()
+}
+
+/// Divides before clipping, and says so.
+fn fold(setup: &Setup, reach: f64, palette: Palette, revealed: &mut Revealed) -> Folded {
+    let mut folded = divided_first(setup.scene, setup.camera, reach);
+    let Scene { objects, lines, marks, .. } = &mut folded.wrong;
+    let (labels, edges_only) = (setup.labels, setup.figure.style.shading == Shading::Wireframe);
+    revealed.rows.push(if objects.is_empty() && lines.is_empty() && marks.is_empty() {
+        Row::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
+    } else {
+        Row::Swatch(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
+    });
+    for object in objects {
+        if edges_only {
+            object.paint = ObjectPaint::Solid(palette.wrong);
+        } else if let ObjectPaint::Faces(colors) = &object.paint {
+            object.paint = ObjectPaint::Faces(Arc::new(colors.iter().map(|c| mixed(*c, palette.wrong)).collect()));
+        }
+        if let Some(edges) = &mut object.edges {
+            edges.color = palette.wrong;
+        }
+    }
+    lines.iter_mut().for_each(|line| line.style.color = palette.wrong);
+    marks.iter_mut().for_each(|mark| mark.color = palette.wrong);
+    folded
+}
+
+fn mixed(own: Rgba, with: Rgba) -> Rgba {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a mean of two bytes")]
+    let mix = |a: u8, b: u8| (f64::from(a) * (1.0 - WRONG) + f64::from(b) * WRONG).round() as u8;
+    Rgba::rgba(mix(own.r, with.r), mix(own.g, with.g), mix(own.b, with.b), GLASS)
+}
+
+/// The objects that are kept, back faces in their colour, and those that are dropped.
+fn culled(setup: &Setup, edges_only: bool, palette: Palette, revealed: &mut Revealed) -> (Vec<Object>, Vec<Object>) {
+    let open = matches!(setup.figure.reveal.outside, Outside::Cut | Outside::Tinted);
+    let (mut kept, mut dropped) = (Vec::new(), Vec::new());
+    let mut turned = false;
+    for object in &setup.scene.objects {
+        match fate(object, setup.camera) {
+            Fate::Dropped(planes) => {
+                if let Some(bounds) = object.bounds().filter(|_| dropped.len() < MOST_NAMES) {
+                    revealed.names.push((bounds.center(), reason(planes, setup.labels)));
+                }
+                dropped.push(object.clone());
+            }
+            Fate::BackFaces(back) if object.faces && !edges_only && back.contains(&true) => {
+                turned = true;
+                let [front, back] = parted(object, &back, palette.back);
+                kept.extend([front, back].map(|part| Object { two_sided: part.two_sided || open, ..part }));
+            }
+            Fate::BackFaces(_) | Fate::Kept => kept.push(object.clone()),
+        }
+    }
+    if turned {
+        revealed.rows.push(Row::Swatch(palette.back, setup.labels.back_faces.to_owned()));
+    }
+    if !dropped.is_empty() {
+        revealed.rows.push(Row::Swatch(palette.dropped, setup.labels.dropped.to_owned()));
+    }
+    (kept, dropped)
+}
+
+/// Why an object is dropped. Behind the eye all signs are turned round, and only the near plane means what it says.
+fn reason(planes: PlaneSet, labels: &Labels) -> String {
+    const NEAR: PlaneSet = 1 << 4;
+    let planes = if planes & NEAR != 0 { NEAR } else { planes };
+    let names: Vec<&str> =
+        (0..).zip(labels.planes).filter(|(i, _)| planes >> i & 1 == 1).map(|(_, name)| name).collect();
+    format!("{}: {}", labels.outside_of, names.join(", "))
+}
+
+/// An object in two: its front faces with its edges, and its back faces in one colour.
+fn parted(object: &Object, back: &[bool], color: Rgba) -> [Object; 2] {
+    let mesh = &object.mesh;
+    let of = |side: bool| -> Vec<usize> { (0..mesh.triangles.len()).filter(|&i| back[i] == side).collect() };
+    let part = |side: &[usize], edges: Vec<[u32; 2]>| {
+        let triangles = side.iter().map(|&i| mesh.triangles[i]).collect();
+        Arc::new(Mesh { triangles, edges, closed: false, convex: false, ..Mesh::clone(mesh) })
+    };
+    let (fronts, backs) = (of(false), of(true));
+    let paint = match &object.paint {
+        ObjectPaint::Faces(colors) => {
+            let color = |&i: &usize| colors.get(i).copied().unwrap_or(Rgba::rgb(128, 128, 128));
+            ObjectPaint::Faces(Arc::new(fronts.iter().map(color).collect()))
+        }
+        paint => paint.clone(),
+    };
+    [
+        Object { mesh: part(&fronts, mesh.edges.clone()), paint, ..object.clone() },
+        Object {
+            mesh: part(&backs, Vec::new()),
+            paint: ObjectPaint::Solid(color),
+            lit: false,
+            edges: None,
+            ..object.clone()
+        },
+    ]
+}
+
+/// A scene of coloured glass.
+fn glass(mut scene: Scene, color: Rgba) -> Scene {
+    let strong = color.with_alpha(255);
+    for object in &mut scene.objects {
+        object.paint = ObjectPaint::Solid(color);
+        object.two_sided = true;
+        if let Some(edges) = &mut object.edges {
+            edges.color = strong;
+        }
+    }
+    scene.lines.iter_mut().for_each(|line| line.style.color = strong);
+    scene.marks.iter_mut().for_each(|mark| mark.color = strong);
+    scene.texts.iter_mut().for_each(|text| text.color = strong);
+    scene
+}
+
+fn append(scene: &mut Scene, more: Scene) {
+    scene.objects.extend(more.objects);
+    scene.lines.extend(more.lines);
+    scene.marks.extend(more.marks);
+    scene.texts.extend(more.texts);
+}
+
+/// A camera that sees more, whose canonical volume is a box around that of the other.
+struct Wider {
+    camera: Camera,
+    /// From its display space to that of the other camera.
+    from_wider: DMat4,
+}
+
+impl Wider {
+    /// Sees [`REACH`] times as much in each direction of NDC, as far as there is anything in front of the eye. `None` where that
+    /// is no camera.
+    fn new(camera: &Camera) -> Option<Self> {
+        let (f, b) = (camera.near(), camera.far());
+        let (near, far) = match camera.projection() {
+            // From z_n = (B + F)/(B − F) − 2 F B/((B − F) d).
+            Projection::Perspective => {
+                let rest = (b + f) - REACH * (b - f);
+                let far = if rest > 0.0 { 2.0 * f * b / rest } else { f64::INFINITY };
+                (2.0 * f * b / ((b + f) + REACH * (b - f)), far.min(1e4 * b))
+            }
+            Projection::Parallel => {
+                let (middle, half) = ((f + b) / 2.0, (b - f) / 2.0);
+                ((middle - REACH * half).max(1e-3 * f), middle + REACH * half)
+            }
+        };
+        let window = camera.window();
+        let scale = if camera.projection() == Projection::Perspective { near / f } else { 1.0 };
+        let side = |low: f64, high: f64| {
+            let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
+            [scale * (middle - REACH * half), scale * (middle + REACH * half)]
+        };
+        let ([left, right], [bottom, top]) = (side(window.left, window.right), side(window.bottom, window.top));
+        let window = Some(ViewWindow { left, right, bottom, top });
+        let camera = Camera::new(&Parameters { near, far, window, ..*camera.parameters() }).ok()?;
+        // The depth p of the display list is affine in 1/d (in d without perspective), so one is affine in the other.
+        let (a, c) = match camera.projection() {
+            Projection::Perspective => (f / (b - f) * (b / near - b / far), f / (b - f) * (b / far - 1.0)),
+            Projection::Parallel => ((far - near) / (b - f), (b - far) / (b - f)),
+        };
+        let scale = DMat4::from_scale(DVec3::new(REACH, REACH, a));
+        Some(Self { camera, from_wider: DMat4::from_translation(DVec3::Z * (a + 2.0 * c - 1.0)) * scale })
+    }
+
+    /// A scene clipped to what this camera sees, in the display space of the other.
+    fn show(&self, scene: &Scene, shading: Shading) -> Scene {
+        let mut shown = clipped_scene(scene, &self.camera, shading);
+        let place = |p: &mut DVec3| *p = self.from_wider.transform_point3(*p);
+        shown.objects.iter_mut().for_each(|object| object.world_from_object = self.from_wider);
+        shown.lines.iter_mut().flat_map(|line| &mut line.points).for_each(place);
+        shown.marks.iter_mut().for_each(|mark| place(&mut mark.position));
+        shown.texts.iter_mut().for_each(|text| place(&mut text.position));
+        shown
+    }
+}
