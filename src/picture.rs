@@ -137,7 +137,9 @@ impl Studio {
         }
         let clock = engine.clock;
         let total = clock.zip(start).map_or(Duration::ZERO, |(now, start)| now().saturating_sub(start));
-        Some(Account { stages: account(&frame, self.rasterizer.work()), total })
+        let stages = account(&frame, self.rasterizer.work());
+        engine.pipeline.recycle(frame.drawing);
+        Some(Account { stages, total })
     }
 
     /// Paints all three side by side, together of this size. `None` as for [`paint`](Self::paint).
@@ -157,6 +159,7 @@ impl Studio {
         let size = Size { width: rect.width, height: rect.height, scale: 1.0 };
         let drawn = views::image::frame_of(&setup(source, size, &extras), &mut self.engines[3]);
         let pixmap = self.rasterizer.paint(&drawn.drawing)?;
+        self.engines[3].pipeline.recycle(drawn.drawing);
         let (width, height) = (pixmap.width(), pixmap.height());
         Some(Arc::new(Texture { width, height, rgba: pixmap.take() }))
     }

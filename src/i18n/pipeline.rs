@@ -125,12 +125,13 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
 pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
     let (en, pt_br) = match (report.stage, report.reason) {
         (Stage::Traverse | Stage::CullObjects, _) => ("objects", "objetos"),
-        (Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals, _) => {
-            ("vertices", "vértices")
-        }
+        (Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals, _)
+        | (Stage::Light, Reason::LitVertices { .. }) => ("vertices", "vértices"),
         (Stage::Fill, _) => ("triangles → samples", "triângulos → amostras"),
-        (Stage::HiddenSurfaces, Reason::PaintedByCentroid | Reason::PaintedBySplitting)
-        | (Stage::CullFaces | Stage::Clip | Stage::Light | Stage::Interpolate | Stage::Texture | Stage::Blend, _) => {
+        (Stage::HiddenSurfaces, Reason::PaintedByCentroid | Reason::PaintedBySplitting) => {
+            ("triangles → pieces", "triângulos → pedaços")
+        }
+        (Stage::CullFaces | Stage::Clip | Stage::Light | Stage::Interpolate | Stage::Texture | Stage::Blend, _) => {
             ("triangles", "triângulos")
         }
         (Stage::HiddenSurfaces, _) => ("samples", "amostras"),

@@ -86,6 +86,12 @@ impl Faces {
         self.image.outside & NEAR != 0
     }
 
+    /// How many of `count` vertices are in groups of which a triangle that is left has any.
+    pub(super) fn used_vertices(&self, count: usize) -> usize {
+        let used = self.used.iter().enumerate().filter(|(_, used)| used.load(Ordering::Relaxed));
+        used.map(|(group, _)| LANES.min(count - group * LANES)).sum()
+    }
+
     /// Drops triangles that lie outside one plane, and those that turn their back. Those that cross a plane are left to
     /// [`clip`](Self::clip).
     pub(super) fn cull(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], task: FaceTask) {

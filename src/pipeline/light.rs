@@ -140,7 +140,7 @@ impl<'a> ObjectLight<'a> {
         })
     }
 
-    /// The colours of the vertices in those groups of [`LANES`] that are `used`; the others are anything.
+    /// The colours of the vertices in those groups of [`LANES`] that are `used`; black for others.
     pub(super) fn vertices(
         &self,
         colors: Vec<Rgba>,
@@ -223,6 +223,8 @@ impl<'a> ObjectLight<'a> {
                 for (lit, &shaded) in lit.iter_mut().zip(shaded.as_slice()) {
                     *lit = unpacked(shaded);
                 }
+            } else {
+                lit.fill(Rgba::rgb(0, 0, 0));
             }
         }
     }

@@ -3,7 +3,7 @@
 //! | stage | space, from → to | file |
 //! | --- | --- | --- |
 //! | plan: which of these are needed | – | [`plan`] |
-//! | objects outside the volume dropped | object | `cull` |
+//! | objects outside the volume dropped | object, world | `bounds`, `cull` |
 //! | each vertex transformed once | object → world → view → clip → ndc → pixels | `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
@@ -14,6 +14,7 @@
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
 //! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
 
+mod bounds;
 mod clip;
 mod cull;
 pub mod dissect;
@@ -29,14 +30,11 @@ mod spare;
 mod transform;
 mod visibility;
 
-use std::collections::HashMap;
-use std::sync::{Arc, Weak};
-
 use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
-use crate::geometry::Aabb;
-use crate::scene::{Mesh, Scene};
+use crate::scene::Scene;
+use bounds::World;
 pub use clip::PlaneSet;
 pub use cull::Place;
 use faces::{FaceTask, Faces};
@@ -75,9 +73,7 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
 pub struct Pipeline {
     faces: Faces,
     spare: Spare,
-    /// Bounding boxes of the meshes that were drawn last, by the address of the mesh: nobody else gets it as long as the weak
-    /// pointer is kept, and the mesh does not change as long as it is shared.
-    known: HashMap<usize, (Weak<Mesh>, Option<Aabb>)>,
+    world: World,
 }
 
 /// A clone begins with empty buffers.
@@ -94,8 +90,8 @@ impl Pipeline {
         let mut meter = Meter::new(options);
         let projector = Projector::new(camera);
         let screen = Screen::new(target);
-        let bounds = self.bounds(scene);
-        let plan = Plan::new(scene, &projector, style, &bounds, options.force_all_stages);
+        let places = self.world.places(scene, &projector);
+        let plan = Plan::new(scene, &projector, style, places, options.force_all_stages);
         let lights = Lights::new(&scene.lights, &projector, style.shading);
         let mut strokes = Strokes::new(&projector, &screen, target);
         let (faces, spare) = (&mut self.faces, &mut self.spare);
@@ -126,7 +122,7 @@ impl Pipeline {
 
                 faces.clip(&vertices, &screen, task.want_source, options.force_all_stages);
                 meter.lap(Stage::Clip);
-                meter.count(&vertices, faces, object);
+                meter.count(&vertices, faces, object, todo.lit);
 
                 let shaded = Shaded {
                     object,
@@ -151,8 +147,13 @@ impl Pipeline {
             // Forced to be made, but only edges were asked for.
             _ if style.shading == Shading::Wireframe => surfaces.clear(),
             Visibility::DepthBuffer => {}
-            Visibility::Painter => surfaces = visibility::by_centroid(&layers, &projector, &screen),
-            Visibility::Bsp => surfaces = visibility::by_splitting(&layers, &projector, &screen),
+            order => {
+                let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
+                let sort = if order == Visibility::Bsp { visibility::by_splitting } else { visibility::by_centroid };
+                let (sorted, pieces) = sort(&layers, &projector, &screen);
+                surfaces = sorted;
+                meter.pieces = Some((faces, pieces));
+            }
         }
         meter.lap(Stage::HiddenSurfaces);
         strokes.lines(scene);
@@ -178,18 +179,5 @@ impl Pipeline {
     /// Takes back a drawing that is no longer needed: the next one is made in its memory.
     pub fn recycle(&mut self, drawing: Drawing) {
         self.spare.keep(drawing);
-    }
-
-    /// The boxes around the meshes of `scene`.
-    fn bounds(&mut self, scene: &Scene) -> Vec<Option<Aabb>> {
-        let before = std::mem::take(&mut self.known);
-        let bounds = scene.objects.iter().map(|object| {
-            let address = Arc::as_ptr(&object.mesh).addr();
-            let found = self.known.get(&address).or_else(|| before.get(&address));
-            let bounds = found.map_or_else(|| object.mesh.bounds(), |(_, bounds)| *bounds);
-            self.known.insert(address, (Arc::downgrade(&object.mesh), bounds));
-            bounds
-        });
-        bounds.collect()
     }
 }

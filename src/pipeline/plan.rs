@@ -6,11 +6,10 @@
 use std::time::Duration;
 
 use super::clip::{ALL_PLANES, NEAR, PlaneSet};
-use super::cull::{Place, place};
+use super::cull::Place;
 use super::shade::{Shaded, translucent};
 use super::transform::Projector;
 use crate::appearance::{HiddenLines, Shading, Style, Visibility};
-use crate::geometry::Aabb;
 use crate::scene::{Object, ObjectPaint, Scene};
 
 /// A stage of the pipeline, in the order of `[3]` §1.1.
@@ -288,7 +287,7 @@ pub enum LitAt {
 pub struct ObjectPlan {
     /// Where its bounding box lies.
     pub place: Place,
-    /// It is worked on at all.
+    /// It is worked on at all; where not, nothing more is said.
     pub drawn: bool,
     /// The planes that its faces are clipped against.
     pub clip_planes: PlaneSet,
@@ -311,6 +310,8 @@ pub struct Plan {
     pub stages: Vec<StagePlan>,
     /// The depth of faces is recorded.
     pub depth: bool,
+    /// How many boxes, around objects or many of them, were held against the volume.
+    pub boxes_tested: usize,
 }
 
 /// How a picture is made, other than by what is in it.
@@ -323,22 +324,18 @@ pub struct Options {
 }
 
 impl Plan {
-    /// Plans the picture. `bounds` are the boxes of the objects' meshes, in their own spaces.
+    /// Plans the picture. `places` are those of the objects; `boxes_tested`: see there.
     pub(super) fn new(
         scene: &Scene,
         projector: &Projector,
         style: &Style,
-        bounds: &[Option<Aabb>],
+        (places, boxes_tested): (Vec<Place>, usize),
         force: bool,
     ) -> Self {
-        let objects: Vec<ObjectPlan> = scene
-            .objects
-            .iter()
-            .zip(bounds)
-            .map(|(object, bounds)| {
-                plan_object(object, projector, style, bounds.as_ref(), scene.lights.is_empty(), force)
-            })
-            .collect();
+        let dark = scene.lights.is_empty();
+        let objects = scene.objects.iter().zip(places);
+        let objects = objects.map(|(object, place)| plan_object(object, place, style, dark, force));
+        let objects: Vec<ObjectPlan> = objects.collect();
         let survey = Survey::new(scene, &objects, style);
         let stages = Stage::ALL
             .map(|stage| {
@@ -347,7 +344,7 @@ impl Plan {
                 StagePlan { stage, runs: runs || force, reason }
             })
             .to_vec();
-        let mut plan = Self { objects, stages, depth: true };
+        let mut plan = Self { objects, stages, depth: true, boxes_tested };
         plan.depth = match plan.order() {
             Visibility::DepthBuffer => plan.runs(Stage::HiddenSurfaces),
             Visibility::Painter | Visibility::Bsp => survey.lines_ask || force,
@@ -379,27 +376,26 @@ impl Plan {
     }
 }
 
-fn plan_object(
-    object: &Object,
-    projector: &Projector,
-    style: &Style,
-    bounds: Option<&Aabb>,
-    dark: bool,
-    force: bool,
-) -> ObjectPlan {
-    let place = match bounds {
-        Some(bounds) => place(projector, &projector.view_from_object(object.world_from_object), bounds),
-        None => Place::Empty,
-    };
-    let clip_planes = match place {
-        _ if force => ALL_PLANES,
-        Place::Crosses(planes) => planes,
-        Place::Outside(_) | Place::Empty => 0,
-    };
+fn plan_object(object: &Object, place: Place, style: &Style, dark: bool, force: bool) -> ObjectPlan {
     let drawn = match place {
         Place::Crosses(_) => true,
         Place::Outside(_) => force,
         Place::Empty => false,
+    };
+    if !drawn {
+        return ObjectPlan {
+            place,
+            drawn,
+            clip_planes: 0,
+            faces: false,
+            cull_back: false,
+            lit: LitAt::Nowhere,
+            translucent: false,
+        };
+    }
+    let clip_planes = match place {
+        Place::Crosses(planes) if !force => planes,
+        _ => ALL_PLANES,
     };
     let translucent = translucent(&object.paint);
     let vertex_colors = matches!(object.paint, ObjectPaint::Vertices(_));

@@ -3,11 +3,11 @@
 use std::time::Duration;
 
 use super::faces::Faces;
-use super::plan::{Options, Plan, Reason, Stage};
+use super::plan::{LitAt, Options, Plan, Reason, Stage};
 use super::transform::Vertices;
 use crate::appearance::Visibility;
 use crate::drawing::Drawing;
-use crate::scene::Object;
+use crate::scene::{Object, ObjectPaint};
 
 /// A picture, and how it came about.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +29,20 @@ pub struct StageReport {
     pub ran: bool,
     /// Why, or why not.
     pub reason: Reason,
-    /// What went in and what came out: objects for traversal and the culling of objects, vertices for transforms, triangles
-    /// for the rest. `None` where the pipeline does not know (what happens to pixels).
+    /// What went in and what came out. `None` where the pipeline does not know (what happens to pixels).
+    ///
+    /// | stage | in | out |
+    /// | --- | --- | --- |
+    /// | traverse | objects of the scene | the same |
+    /// | cull objects | objects of the scene | those that may be in view |
+    /// | normals | vertices whose normals are taken to view space | the same |
+    /// | light | faces or vertices, whatever is lit before there are pixels | the same |
+    /// | transform, oblique window | vertices of objects that may be in view and have faces | the same |
+    /// | cull faces | triangles of these objects | those that do not turn their back |
+    /// | clip | these triangles | triangles inside the volume |
+    /// | divide, viewport | vertices of these objects, and those that clipping made | the same |
+    /// | hidden surfaces, painted in order | triangles | the pieces that they were split into |
+    /// | lines | edges, lines, marks and texts | strokes, marks and texts that are in view |
     pub counts: Option<(usize, usize)>,
     /// How long it took; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
@@ -42,9 +54,15 @@ pub(super) struct Meter {
     last: Duration,
     times: [Duration; Stage::ALL.len()],
     vertices: usize,
+    /// Vertices that clipping made.
+    cuts: usize,
+    normals: usize,
+    lit: usize,
     triangles: usize,
     front: usize,
     drawn: usize,
+    /// Triangles that were put in order, and pieces that they were split into.
+    pub(super) pieces: Option<(usize, usize)>,
     /// Edges, lines, marks and texts of the scene, and strokes, marks and texts of the picture.
     pub(super) lines: (usize, usize),
 }
@@ -56,6 +74,10 @@ impl Meter {
             last: options.clock.map_or(Duration::ZERO, |now| now()),
             times: [Duration::ZERO; Stage::ALL.len()],
             vertices: 0,
+            cuts: 0,
+            normals: 0,
+            lit: 0,
+            pieces: None,
             triangles: 0,
             front: 0,
             drawn: 0,
@@ -73,29 +95,46 @@ impl Meter {
     }
 
     /// Counts what was done for the faces of one object.
-    pub(super) fn count(&mut self, vertices: &Vertices, faces: &Faces, object: &Object) {
+    pub(super) fn count(&mut self, vertices: &Vertices, faces: &Faces, object: &Object, lit: LitAt) {
+        let triangles = object.mesh.triangles.len();
         self.vertices += vertices.len();
-        self.triangles += object.mesh.triangles.len();
-        self.front += object.mesh.triangles.len() - faces.back;
+        self.cuts += faces.cuts.len();
+        self.triangles += triangles;
+        self.front += triangles - faces.back;
         self.drawn += faces.triangles.len();
+        let own_colors = matches!(object.paint, ObjectPaint::Faces(_));
+        match lit {
+            _ if faces.triangles.is_empty() => {}
+            LitAt::Nowhere => {}
+            LitAt::Faces => self.lit += faces.triangles.len(),
+            LitAt::Vertices => {
+                let corners = 3 * faces.triangles.len();
+                let lit = if own_colors { corners } else { faces.used_vertices(vertices.len()) };
+                self.lit += lit;
+                self.normals += lit;
+            }
+            LitAt::Pixels => self.normals += vertices.len(),
+        }
     }
 
     pub(super) fn report(&self, plan: &Plan) -> Vec<StageReport> {
         let drawn = plan.objects.iter().filter(|object| object.drawn).count();
-        let vertices = Some((self.vertices, self.vertices));
+        let same = |n: usize| Some((n, n));
         plan.stages
             .iter()
             .map(|planned| {
                 let (counts, timed) = match planned.stage {
-                    Stage::Traverse => (Some((plan.objects.len(), plan.objects.len())), true),
+                    Stage::Traverse => (same(plan.objects.len()), true),
                     Stage::CullObjects => (Some((plan.objects.len(), drawn)), false),
-                    Stage::Transform => (vertices, true),
+                    Stage::Transform => (same(self.vertices), true),
                     // One loop takes a vertex through all spaces: its time is booked to the first of them.
-                    Stage::Divide | Stage::Oblique | Stage::Viewport | Stage::Normals => (vertices, false),
+                    Stage::Oblique => (same(self.vertices), false),
+                    Stage::Divide | Stage::Viewport => (same(self.vertices + self.cuts), false),
+                    Stage::Normals => (same(self.normals), false),
                     Stage::CullFaces => (Some((self.triangles, self.front)), true),
                     Stage::Clip => (Some((self.front, self.drawn)), true),
-                    Stage::Light => (Some((self.drawn, self.drawn)), true),
-                    Stage::HiddenSurfaces => (None, plan.order() != Visibility::DepthBuffer),
+                    Stage::Light => (same(self.lit), true),
+                    Stage::HiddenSurfaces => (self.pieces, plan.order() != Visibility::DepthBuffer),
                     Stage::Lines => (Some(self.lines), true),
                     Stage::Fill
                     | Stage::Interpolate

@@ -218,7 +218,10 @@ impl Shaded<'_> {
 pub(super) fn translucent(paint: &ObjectPaint) -> bool {
     match paint {
         ObjectPaint::Solid(color) => !color.is_opaque(),
-        ObjectPaint::Faces(colors) | ObjectPaint::Vertices(colors) => colors.iter().any(|c| !c.is_opaque()),
+        // Some at a time, so that the inner loop has no way out and becomes vector instructions.
+        ObjectPaint::Faces(colors) | ObjectPaint::Vertices(colors) => {
+            colors.chunks(256).any(|some| some.iter().fold(255, |least, color| least & color.a) < 255)
+        }
         ObjectPaint::Texture { opacity, .. } => *opacity < 255,
     }
 }

@@ -78,6 +78,26 @@ impl Projector {
         }
     }
 
+    /// The direction in view space in which the distance from a plane of the volume grows, and how fast.
+    pub(super) fn gradient(&self, plane: usize) -> DVec3 {
+        // Of w, which is −z_c or constant.
+        let w = if self.perspective { DVec3::NEG_Z } else { DVec3::ZERO };
+        let across = |axis: usize, unit: DVec3| unit * self.scale[axis] - w * self.shift[axis];
+        match plane {
+            0 => w + across(0, DVec3::X),
+            1 => w - across(0, DVec3::X),
+            2 => w + across(1, DVec3::Y),
+            3 => w - across(1, DVec3::Y),
+            4 => DVec3::NEG_Z,
+            _ => DVec3::Z,
+        }
+    }
+
+    /// The size of the numbers from which the eye's distances are made.
+    pub(super) fn magnitude(&self) -> f64 {
+        self.position.length()
+    }
+
     /// The way from the space of an object to view space.
     pub(super) fn view_from_object(&self, world_from_object: DMat4) -> ViewFromObject {
         let linear = DMat3::from_mat4(world_from_object);
@@ -189,6 +209,15 @@ impl ViewFromObject {
             None => norm(self.linear) * (p - self.eye).length(),
             Some((linear, translation)) => norm(linear) * p.length() + translation.length() + self.eye.length(),
         }
+    }
+
+    /// How fast a linear function of view space with this gradient grows in the object's space.
+    pub(super) fn slope(&self, gradient: DVec3) -> f64 {
+        let linear = match self.through_world {
+            None => self.linear,
+            Some((linear, _)) => self.linear * linear,
+        };
+        (linear.transpose() * gradient).length()
     }
 
     /// True where the object is mirrored, so that its triangles turn the other way round.

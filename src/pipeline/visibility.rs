@@ -1,7 +1,7 @@
 //! The order of faces where no depth buffer decides: painter's algorithm by centroids, and by a BSP tree that splits.
 //!
 //! Both take the surfaces as they were shaded, and give them back in the order in which they are to be painted, one over the
-//! other. Translucent faces blend as they come.
+//! other, and how many pieces these are. Translucent faces blend as they come.
 
 use std::collections::HashMap;
 
@@ -96,7 +96,7 @@ struct Piece {
 
 /// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and there to
 /// be seen failing.
-pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Screen) -> Vec<Surface> {
+pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Screen) -> (Vec<Surface>, usize) {
     let (all, _) = pieces(layers);
     let distance = |piece: &Piece| piece.corners.iter().map(|c| -c.view.z).sum::<f64>();
     let mut pieces: Vec<(f64, Piece)> = all.into_iter().map(|piece| (distance(&piece), piece)).collect();
@@ -107,12 +107,12 @@ pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Scre
     for (_, piece) in &pieces {
         painter.paint(piece, &piece.corners);
     }
-    painter.surfaces
+    (painter.surfaces, pieces.len())
 }
 
 /// In an order that is right for each two faces: a tree of planes of faces; what crosses a plane is split (Fuchs, Kedem and
 /// Naylor 1980).
-pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Screen) -> Vec<Surface> {
+pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Screen) -> (Vec<Surface>, usize) {
     enum Task {
         Order(Vec<Piece>),
         Paint(Vec<Piece>),
@@ -147,7 +147,7 @@ pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Scr
     for piece in &ordered {
         painter.paint(piece, &sides.complete(piece));
     }
-    painter.surfaces
+    (painter.surfaces, ordered.len())
 }
 
 fn pieces(layers: &[Layer]) -> (Vec<Piece>, Sides) {

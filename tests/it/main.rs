@@ -17,6 +17,8 @@ mod inspect_report;
 mod layers;
 mod meshes;
 mod pipeline;
+mod pipeline_bounds;
+mod pipeline_counts;
 mod pipeline_plan;
 mod pipeline_project;
 mod pipeline_visibility;

@@ -1,0 +1,132 @@
+//! Objects out of sight: dropped by the tree of boxes, cheaply and never wrongly.
+
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+use std::sync::Arc;
+
+use camera_lab::appearance::{Rgba, Shading, Style};
+use camera_lab::camera::{Camera, Parameters};
+use camera_lab::pipeline::{Frame, Options, Pipeline, Place, Target};
+use camera_lab::raster::Rasterizer;
+use camera_lab::scene::{Light, Mesh, Object, Scene, primitives};
+use glam::{DMat4, DVec3};
+
+use super::pipeline::object;
+
+const SMALL: Target = Target { width: 60, height: 60, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
+
+/// Looks down −z from z = 10 at a square 4 wide on z = 0.
+fn above() -> Camera {
+    Camera::new(&Parameters {
+        position: DVec3::new(0.0, 0.0, 10.0),
+        focal_point: DVec3::ZERO,
+        view_angle: 2.0 * 0.2_f64.atan().to_degrees(),
+        aspect: 1.0,
+        near: 5.0,
+        far: 15.0,
+        ..Parameters::default()
+    })
+    .unwrap()
+}
+
+/// `side`² cubes half a unit large, 1.25 apart, on z = 0.
+fn field(side: u32, mesh: &Arc<Mesh>) -> Scene {
+    let place = |k: u32| 1.25 * (f64::from(k) - f64::from(side / 2) + 0.5);
+    let cube = |k: u32| {
+        let at = DVec3::new(place(k % side), place(k / side), 0.0);
+        let place = DMat4::from_translation(at) * DMat4::from_scale(DVec3::splat(0.25));
+        Object { mesh: mesh.clone(), ..object(Mesh { closed: true, ..Mesh::default() }, place) }
+    };
+    let light = Light::Directional { direction: DVec3::NEG_ONE };
+    Scene { objects: (0..side * side).map(cube).collect(), lights: vec![light], ..Scene::default() }
+}
+
+fn frame(pipeline: &mut Pipeline, scene: &Scene, force: bool) -> Frame {
+    let options = Options { force_all_stages: force, ..Options::default() };
+    pipeline.frame(
+        scene,
+        &above(),
+        SMALL,
+        &Style { antialias: 1, ..super::pipeline::shading(Shading::Gouraud) },
+        options,
+    )
+}
+
+fn pixels(frame: &Frame) -> Vec<u8> {
+    Rasterizer::default().paint(&frame.drawing).unwrap().take()
+}
+
+#[test]
+fn what_is_out_of_sight_is_dropped_by_the_thousand() {
+    let mesh = Arc::new(primitives::cube());
+    let mut tested = Vec::new();
+    for side in [20, 100] {
+        let scene = field(side, &mesh);
+        let mut pipeline = Pipeline::default();
+        let planned = frame(&mut pipeline, &scene, false);
+        // The view is 4 wide: ±0.625 and ±1.875 in each direction are in it, or cross its border.
+        assert_eq!(planned.plan.objects.iter().filter(|object| object.drawn).count(), 16);
+        assert!(pixels(&planned) == pixels(&frame(&mut pipeline, &scene, true)));
+        tested.push(planned.plan.boxes_tested);
+    }
+    // 25 times as many objects, a few boxes more.
+    assert!(tested[0] < 100 && tested[1] < tested[0] + 60, "{tested:?}");
+}
+
+#[test]
+fn a_scene_that_changes_is_seen_as_it_is() {
+    let mesh = Arc::new(primitives::cube());
+    let mut scene = field(12, &mesh);
+    let mut kept = Pipeline::default();
+    let aside = |k: usize| DMat4::from_translation(DVec3::new(1e3, 0.1 * k as f64, 0.0));
+    for step in 0..40_usize {
+        match step % 8 {
+            // One comes into view, and goes again.
+            0 => scene.objects[7 * step % 60].world_from_object = DMat4::from_scale(DVec3::splat(0.3)),
+            1 => scene.objects[7 * (step - 1) % 60].world_from_object = aside(step),
+            // Another shape at the same place.
+            2 => scene.objects[70].mesh = Arc::new(primitives::sphere(6)),
+            3 => scene.objects.truncate(scene.objects.len() - 9),
+            4 => scene.objects.extend(field(3, &mesh).objects),
+            // Everything moves.
+            5 => scene
+                .objects
+                .iter_mut()
+                .for_each(|o| o.world_from_object = DMat4::from_rotation_z(0.1) * o.world_from_object),
+            6 => scene.objects.reverse(),
+            _ => {}
+        }
+        let (old, new) = (frame(&mut kept, &scene, false), frame(&mut Pipeline::default(), &scene, false));
+        let drawn = |frame: &Frame| frame.plan.objects.iter().map(|object| object.drawn).collect::<Vec<_>>();
+        assert_eq!(drawn(&old), drawn(&new), "step {step}");
+        assert!(old.drawing == new.drawing, "step {step}");
+        if step % 3 == 0 {
+            kept.recycle(old.drawing);
+        }
+    }
+}
+
+#[test]
+fn a_ball_is_inside_where_the_corners_of_its_box_are_not() {
+    let ball = |radius: f64| {
+        let place = DMat4::from_rotation_x(0.7) * DMat4::from_rotation_y(0.6) * DMat4::from_scale(DVec3::splat(radius));
+        let scene = Scene { objects: vec![object(primitives::sphere(16), place)], ..Scene::default() };
+        frame(&mut Pipeline::default(), &scene, false).plan.objects[0].place
+    };
+    // The planes go through x = ±2 on z = 0, and are 2 · cos(atan 0.2) = 1.961 from the origin.
+    assert_eq!(ball(1.95), Place::Crosses(0));
+    assert_eq!(ball(1.99), Place::Crosses(0b1111));
+}
+
+#[test]
+fn a_vertex_that_is_no_number_takes_its_faces_with_it() {
+    let mut mesh = primitives::cube();
+    mesh.positions[0].x = f64::NAN;
+    let scene = Scene { objects: vec![object(mesh, DMat4::IDENTITY)], ..Scene::default() };
+    let planned = frame(&mut Pipeline::default(), &scene, false);
+    assert!(pixels(&planned) == pixels(&frame(&mut Pipeline::default(), &scene, true)));
+    let finite = |s: &camera_lab::drawing::Surface| {
+        s.triangles.iter().flatten().all(|&i| s.positions[i as usize].iter().all(|c| c.is_finite()))
+    };
+    assert!(planned.drawing.surfaces.iter().all(finite));
+}
