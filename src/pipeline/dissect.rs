@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::bounds::Bounds;
 use super::clip::{NOT_A_NUMBER, PLANES, PlaneSet, distances, outcode};
 use super::cull::{Place, place};
 use super::shade::{color_at, mean_of_colors, mean_of_uv};
@@ -161,7 +162,7 @@ struct Knife {
 impl Knife {
     fn object(&mut self, object: &Object, edges_only: bool) {
         let view_from_object = self.projector.view_from_object(object.world_from_object);
-        match object.mesh.bounds().map(|bounds| place(&self.projector, &view_from_object, &bounds)) {
+        match Bounds::of(&object.mesh).map(|bounds| place(&self.projector, &view_from_object, &bounds)) {
             None | Some(Place::Empty | Place::Crosses(0)) => self.parts.inside.objects.push(object.clone()),
             Some(Place::Outside(_)) => self.parts.outside.objects.push(object.clone()),
             Some(Place::Crosses(_)) => self.crossing(object, &view_from_object, edges_only),
@@ -409,7 +410,7 @@ pub fn fate(object: &Object, camera: &Camera) -> Fate {
     let projector = Projector::new(camera);
     let view_from_object = projector.view_from_object(object.world_from_object);
     let mesh = &object.mesh;
-    let Some(bounds) = mesh.bounds() else { return Fate::Kept };
+    let Some(bounds) = Bounds::of(mesh) else { return Fate::Kept };
     let place = place(&projector, &view_from_object, &bounds);
     if let Place::Outside(planes) = place {
         return Fate::Dropped(planes);
