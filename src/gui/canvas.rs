@@ -33,6 +33,7 @@ use self::status::{Status, StatusAction};
 use self::strip::{Strip, StripAction};
 use self::title::{Title, TitleAction, picture_name};
 use super::handles::point;
+use super::highlight::{Highlight, Movable};
 use super::state::{Look, Picture, State};
 use crate::appearance::Rgba;
 use crate::figure::{Figure, Observer};
@@ -59,6 +60,7 @@ pub struct Canvas {
     /// What a title's button asked for.
     asked: Option<(Picture, Look)>,
     extras: Extras,
+    highlight: Highlight,
     drag: Option<Drag>,
     pinned: Option<Probe>,
     /// For a double-click, whose first click was not meant to pin.
@@ -79,6 +81,7 @@ impl Default for Canvas {
             seen: [nobody; 2],
             asked: None,
             extras: Extras::default(),
+            highlight: Highlight::default(),
             drag: None,
             pinned: None,
             pinned_before: None,
@@ -124,11 +127,15 @@ impl Canvas {
         let (pictures, stages) = room.split_top_bottom_at_y((room.bottom() - stages).max(room.top()));
 
         let (ctx, lang) = (ui.ctx().clone(), state.settings.lang);
+        if state.tree.settle() {
+            ctx.request_repaint();
+        }
         if let Err(problem) = state.scenery.update(&ctx, &state.document, lang, self.patience) {
             state.say_error(problem);
         }
         self.extras.ghost = state.ghost.clone();
         self.extras.bounds = state.scenery.bounds();
+        self.extras.arrows = Movable::selected(state).and_then(|movable| movable.arrows(None));
         let panes = self.panes(ui, pictures, state, texts);
         for pane in &panes {
             state.picture_sizes[pane.picture.index()] = [pane.place.size.width, pane.place.size.height];
@@ -263,6 +270,7 @@ impl Canvas {
         let painter = self.painter.get_or_insert_with(|| Painter::new(ctx));
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
         let figure = state.document.figure();
+        let scene = self.highlight.scene(state);
         for pane in panes {
             if pane.place.size.width == 0 || pane.place.size.height == 0 {
                 continue;
@@ -278,7 +286,7 @@ impl Canvas {
                     ..Figure::default()
                 },
                 camera: state.document.camera().clone(),
-                scene: Arc::clone(state.scenery.scene()),
+                scene: Arc::clone(&scene),
                 labels: labels(state.settings.lang),
                 size: pane.place.size,
                 draft: moving && figure.style.antialias > 1 && painter.is_heavy(pane.picture, self.patience),
@@ -287,6 +295,7 @@ impl Canvas {
                     probe: self.extras.probe,
                     ghost: self.extras.ghost.clone().filter(|_| only_world),
                     hot: self.extras.hot.filter(|_| only_world),
+                    arrows: self.extras.arrows.filter(|_| only_world),
                     bounds: self.extras.bounds.filter(|_| only_world),
                     ..Extras::default()
                 },

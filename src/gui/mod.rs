@@ -17,6 +17,7 @@ pub mod export;
 pub mod expression;
 pub mod filing;
 mod handles;
+mod highlight;
 pub mod menu;
 pub mod native;
 pub mod number_field;

@@ -109,10 +109,10 @@ pub fn drag(setup: &Setup, observer: &Observer, handle: Handle, from: DVec2, to:
 
 /// The pointer's ray when it took something, and its ray now.
 #[derive(Clone, Copy, Debug)]
-struct Grip<'a> {
-    observer: &'a Observer,
-    from: Ray,
-    to: Ray,
+pub(super) struct Grip<'a> {
+    pub(super) observer: &'a Observer,
+    pub(super) from: Ray,
+    pub(super) to: Ray,
 }
 
 impl Grip<'_> {
@@ -143,7 +143,7 @@ impl Grip<'_> {
     }
 
     /// How far the point of a line nearest to the pointer's ray goes; `None` where the line is seen end-on.
-    fn along(&self, origin: DVec3, direction: DVec3) -> Option<f64> {
+    pub(super) fn along(&self, origin: DVec3, direction: DVec3) -> Option<f64> {
         Some(nearest_on_line(origin, direction, self.to)? - nearest_on_line(origin, direction, self.from)?)
     }
 }

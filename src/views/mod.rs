@@ -10,6 +10,7 @@
 //! | [`world`] | world | [`Observer`](crate::figure::Observer) |
 //! | [`canonical`] | ndc, shown as (x_n, y_n, −z_n), which is right-handed | [`Observer`](crate::figure::Observer) |
 
+pub mod arrows;
 pub mod canonical;
 mod content;
 pub mod depth;
@@ -38,6 +39,7 @@ use crate::figure::Figure;
 use crate::geometry::Aabb;
 use crate::pipeline::{Frame, Options, Pipeline, Target};
 use crate::scene::{self, ReadFile, Scene, SceneError};
+pub use arrows::Arrows;
 pub use handles::Handle;
 pub use palette::Palette;
 
@@ -137,6 +139,8 @@ pub struct Extras {
     pub hot: Option<Handle>,
     /// Without legends: the picture is painted on something.
     pub bare: bool,
+    /// What is selected can be moved by these, in the world.
+    pub arrows: Option<Arrows>,
     /// The box around the scene, where who keeps the scene knows it: with a million vertices it takes a while to find.
     pub bounds: Option<Aabb>,
     /// Run every stage of the pipeline, needed or not. The picture is the same.

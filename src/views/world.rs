@@ -16,7 +16,7 @@ use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
 use super::image::PixelRect;
 use super::observer::{Direction, Preset};
 use super::screen::Screen;
-use super::{Engine, Handle, Palette, Setup, ghost, handles, placing, probe, reveal};
+use super::{Engine, Handle, Palette, Setup, arrows, ghost, handles, placing, probe, reveal};
 
 /// The observer that a button gives: it looks from the preset's side and has everything of interest in the picture.
 #[must_use]
@@ -83,6 +83,7 @@ pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Fram
     ghost::in_world(&mut world.sheet, setup, palette, world.gear);
     revealed.mark(&mut world.sheet, palette);
     probe::in_world(&mut world.sheet, setup, palette);
+    arrows::in_world(&mut world.sheet, setup, palette);
     let mut drawn = engine.frame(setup, &world.sheet.scene, screen.camera(), target, &style);
     let legend = reveal::legend(setup, revealed.rows, &target, palette);
     placing::settle(&mut drawn.drawing, &[palette.grid], reveal::room(legend.as_ref()));

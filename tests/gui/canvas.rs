@@ -7,11 +7,13 @@ use std::time::Duration;
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::canvas::Canvas;
+use camera_lab::gui::panels::scene::Selected;
 use camera_lab::gui::state::Picture;
 use camera_lab::gui::{Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;
-use camera_lab::scene::Preset;
+use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
+use camera_lab::views::arrows::{Arrows, arrow_at};
 use camera_lab::views::handles::{Handle, handles};
 use camera_lab::views::{self, Extras, Probe, Setup, Size};
 use eframe::egui::{
@@ -444,4 +446,80 @@ fn pictures_are_arranged_as_asked() {
     let (world, canonical, image) = (place(&h, WORLD), place(&h, CANONICAL), place(&h, IMAGE));
     assert!(canonical.top() > world.bottom() && image.top() == canonical.top() && image.left() > canonical.right());
     assert!(world.width() > canonical.width() + image.width());
+}
+
+/// A turned group with a cone in it that is selected, and a lamp.
+fn with_cone(state: &mut State) {
+    state.document.edit(|figure| {
+        figure.scene.preset = Preset::Empty;
+        figure.scene.objects = vec![
+            ObjectSpec::group("group").at(1.0, 0.0, 1.0).turned(0.0, 90.0, 0.0).scaled(2.0, 2.0, 2.0),
+            ObjectSpec::new("cone", Shape::Cone).at(0.5, 0.5, 0.25).under("group"),
+        ];
+        figure.scene.lights = vec![LightSpec::Point(DVec3::new(0.0, 3.0, 0.0))];
+    });
+    state.tree.select(Some(Selected::Object("cone".to_owned())));
+}
+
+/// A place in the world picture where the arrow of an axis can be taken.
+fn on_arrow(harness: &Harness<Stage>, arrows: Arrows, axis: usize) -> Pos2 {
+    let rect = place(harness, WORLD);
+    let extras = Extras { arrows: Some(arrows), ..Extras::default() };
+    let found = with_setup(harness, rect, |setup| {
+        let setup = Setup { extras: &extras, ..*setup };
+        let columns = (0..rect.width() as u32).step_by(3);
+        let mut places = columns.flat_map(|x| (0..rect.height() as u32).step_by(3).map(move |y| (x, y)));
+        places.find(|&(x, y)| {
+            let at = DVec2::new(f64::from(x), f64::from(y));
+            arrow_at(&setup, &world_observer(harness), at, 2.0) == Some(axis)
+        })
+    });
+    let (x, y) = found.unwrap();
+    rect.min + vec2(x as f32, y as f32)
+}
+
+#[test]
+fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
+    let mut h = stage(with_cone);
+    h.state_mut().state.document.commit();
+    let undoable = h.state().state.document.can_undo();
+    // The group's x is the world's −z, its z the world's x.
+    let arrows = Arrows { origin: DVec3::new(1.5, 1.0, 0.0), axes: [DVec3::NEG_Z, DVec3::Y, DVec3::X], hot: None };
+    let cone = |h: &Harness<Stage>| h.state().state.document.figure().scene.objects[1].translate;
+    let before = cone(&h);
+    let from = on_arrow(&h, arrows, 1);
+    drag(&mut h, from, vec2(0.0, -30.0), PointerButton::Primary, Modifiers::NONE);
+    let after = cone(&h);
+    assert!(after.y > before.y && after.x == before.x && after.z == before.z, "{before} {after}");
+    // Tidy: no more digits than pixels.
+    assert_eq!(after.y, (after.y * 1000.0).round() / 1000.0);
+    assert!(h.state().state.document.can_undo());
+    h.state_mut().state.document.undo();
+    h.run();
+    assert_eq!((cone(&h), h.state().state.document.can_undo()), (before, undoable));
+
+    h.hover_at(from);
+    h.run();
+    assert!(h.query_all_by_label_contains("Drag: along this axis of its parent").next().is_some());
+}
+
+#[test]
+fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
+    let mut h = stage(with_cone);
+    h.state_mut().state.document.commit();
+    let drawn = h.state().canvas.drawn();
+    h.state_mut().state.tree.select(Some(Selected::Light(0)));
+    h.run();
+    assert!(h.state().canvas.drawn().iter().zip(drawn).all(|(now, before)| *now == before + 1), "all three, once");
+    let arrows = Arrows { origin: DVec3::Y * 3.0, axes: DVec3::AXES, hot: None };
+    let from = on_arrow(&h, arrows, 0);
+    drag(&mut h, from, vec2(25.0, 0.0), PointerButton::Primary, Modifiers::NONE);
+    let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
+    assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
+    // Selecting is no change of the figure.
+    h.state_mut().state.document.undo();
+    h.state_mut().state.tree.select(None);
+    h.run();
+    let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
+    assert_eq!(lamp, DVec3::Y * 3.0);
 }

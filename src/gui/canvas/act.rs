@@ -12,10 +12,13 @@ use crate::camera::{Convention, Operation};
 use crate::figure::Observer;
 use crate::geometry::Angle;
 use crate::gui::handles::{self, HandleDrag};
+use crate::gui::highlight::Movable;
 use crate::gui::numbers::significant;
 use crate::gui::state::{Look, Picture, State};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::faults::camera_error;
+use crate::i18n::scenes;
+use crate::views::arrows::{arrow_at, pull};
 use crate::views::handles::{Handle, handle_at};
 use crate::views::{Probe, pick};
 
@@ -28,6 +31,9 @@ const STEP: f64 = 5.0;
 /// Zoom or dolly for one press of a key.
 const STEP_FACTOR: f64 = 1.1;
 
+/// How near the pointer must come to an arrow, in points.
+const ARROW_REACH: f32 = 7.0;
+
 /// What is held with the pointer.
 pub(super) enum Drag {
     /// The eye of a three-dimensional picture turns.
@@ -36,13 +42,24 @@ pub(super) enum Drag {
     Pan { picture: Picture, pressed: Observer },
     /// Something in the world is moved.
     Handle(Box<HandleDrag>),
+    /// What is selected is moved along an axis.
+    Arrow(Box<ArrowDrag>),
+}
+
+/// An arrow that is held.
+pub(super) struct ArrowDrag {
+    /// As it was when it was taken.
+    movable: Movable,
+    axis: usize,
+    observer: Observer,
+    from: DVec2,
 }
 
 impl Drag {
     fn picture(&self) -> Picture {
         match self {
             Self::Orbit { picture, .. } | Self::Pan { picture, .. } => *picture,
-            Self::Handle(_) => Picture::World,
+            Self::Handle(_) | Self::Arrow(_) => Picture::World,
         }
     }
 }
@@ -134,6 +151,11 @@ impl Canvas {
             if let Some(handle) = handle_at(&setup, &observer, from, pane.place.pixels(handles::REACH)) {
                 return Some(Drag::Handle(Box::new(HandleDrag::new(handle, &setup, observer, from, modifiers))));
             }
+            if let Some(movable) = Movable::selected(state)
+                && let Some(axis) = arrow_at(&setup, &observer, from, pane.place.pixels(ARROW_REACH))
+            {
+                return Some(Drag::Arrow(Box::new(ArrowDrag { movable, axis, observer, from })));
+            }
         }
         Some(if primary && !modifiers.shift {
             Drag::Orbit { picture, pressed: self.seen }
@@ -169,6 +191,19 @@ impl Canvas {
                     ui.request_repaint();
                 }
             }
+            Some(Drag::Arrow(held)) => {
+                let setup = setup(state, &self.extras, pane.place.size);
+                let ArrowDrag { movable, axis, observer, from } = held.as_ref();
+                let Some(arrows) = movable.arrows(None) else { return };
+                let line = (arrows.origin, arrows.axes[*axis]);
+                if let Some(way) = pull(&setup, observer, line, *from, pane.place.pixel(pointer)) {
+                    let place = movable.moved(*axis, way);
+                    if Movable::selected(state).is_some_and(|now| now.place != place) {
+                        movable.put(&mut state.document, place);
+                        ui.request_repaint();
+                    }
+                }
+            }
         }
     }
 
@@ -185,6 +220,7 @@ impl Canvas {
             }
             Some(Drag::Pan { picture, pressed }) => self.turn(state, picture, pressed),
             Some(Drag::Handle(held)) => state.document.set_parameters(held.before()),
+            Some(Drag::Arrow(held)) => held.movable.put(&mut state.document, held.movable.place),
         }
     }
 
@@ -215,6 +251,15 @@ impl Canvas {
                     }
                     None => format!("{} · {}", lines[0], handles::hint(held.handle(), camera, digits, texts)),
                 };
+                tooltip(ui, &lines);
+                ui.set_cursor_icon(handles::cursor(true));
+            }
+            Some(Drag::Arrow(held)) => {
+                if let Some(arrows) = &mut self.extras.arrows {
+                    arrows.hot = Some(held.axis);
+                }
+                let lines = arrow_lines(state, digits);
+                status.message = lines.join(" · ");
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handles::cursor(true));
             }
@@ -261,6 +306,18 @@ impl Canvas {
             ui.set_cursor_icon(handles::cursor(false));
             self.extras.hot = Some(handle);
             return probed(handle, state);
+        }
+        if pane.picture == Picture::World
+            && let Some(axis) = arrow_at(&setup, observer, pointer, pane.place.pixels(ARROW_REACH))
+        {
+            let lines = arrow_lines(state, digits);
+            tooltip(ui, &lines);
+            status.message = lines.join(" · ");
+            ui.set_cursor_icon(handles::cursor(false));
+            if let Some(arrows) = &mut self.extras.arrows {
+                arrows.hot = Some(axis);
+            }
+            return None;
         }
         let found = probe::at(pane.picture, &setup, observer, pointer, pane.place.pixels(probe::REACH));
         status.message = match pane.picture {
@@ -387,4 +444,13 @@ fn tooltip(ui: &Ui, lines: &[String]) {
             ui.label(if i == 0 { text.strong() } else { text.small() });
         }
     });
+}
+
+/// Where what is selected is, and how its arrows are dragged.
+fn arrow_lines(state: &State, digits: usize) -> Vec<String> {
+    let t = scenes::texts(state.settings.lang);
+    let Some(movable) = Movable::selected(state) else { return Vec::new() };
+    let hint = if movable.is_light() { t.drag_lamp } else { t.drag_object };
+    let symbol = if movable.is_light() { "P" } else { "T" };
+    vec![format!("{symbol} = {}", handles::point(movable.place, digits)), hint.to_owned()]
 }

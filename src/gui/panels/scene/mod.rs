@@ -34,7 +34,7 @@ pub enum Selected {
 #[derive(Debug, Default)]
 pub struct SceneTree {
     selected: Option<Selected>,
-    /// What is selected from the next frame on: what is being typed now is taken over before.
+    /// What is selected after this frame: what is being typed now is taken over before.
     next: Option<Option<Selected>>,
     folded: BTreeSet<String>,
     /// The scene as the fields show it while it is impossible.
@@ -73,9 +73,17 @@ impl SceneTree {
         })
     }
 
-    /// Selects something, or nothing, from the next frame on.
+    /// Selects something, or nothing, once all panels have been shown in this frame.
     pub fn select(&mut self, selected: Option<Selected>) {
         self.next = Some(selected);
+    }
+
+    /// Does what [`select`](Self::select) has asked for; true where it has.
+    pub fn settle(&mut self) -> bool {
+        let next = self.next.take();
+        let asked = next.is_some();
+        self.selected = next.unwrap_or(self.selected.take());
+        asked
     }
 }
 
@@ -88,10 +96,6 @@ enum Edit {
 
 /// Shows the tab.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    if let Some(next) = state.tree.next.take() {
-        state.tree.selected = next;
-        ui.ctx().request_repaint();
-    }
     let t = scenes::texts(state.settings.lang);
     named_scene(ui, state);
     ui.horizontal(|ui| {

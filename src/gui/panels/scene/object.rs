@@ -68,6 +68,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
         let field = egui::TextEdit::singleline(&mut typing.text)
             .id(egui::Id::unique(("object name", name)))
             .desired_width(150.0)
+            .align(egui::Align2::LEFT_CENTER)
             .margin(egui::Margin::symmetric(4, 2));
         let response = ui.add(field).on_hover_text(t.name_hint).accessible_name(t.name);
         left = response.lost_focus();
@@ -227,7 +228,8 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
         }
         let field = egui::TextEdit::singleline(&mut typing.text)
             .id(egui::Id::unique(("object colour", &owner)))
-            .desired_width(74.0)
+            .desired_width(66.0)
+            .align(egui::Align2::LEFT_CENTER)
             .margin(egui::Margin::symmetric(4, 2));
         let response = ui.add(field).on_hover_text(t.color_hint).accessible_name(format!("{} #", t.color));
         (editing, left) = (response.has_focus(), response.lost_focus());
@@ -351,6 +353,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
         let field = egui::TextEdit::singleline(&mut typing.text)
             .id(egui::Id::unique(("object file", owner)))
             .desired_width(ui.available_width() - 8.0)
+            .align(egui::Align2::LEFT_CENTER)
             .margin(egui::Margin::symmetric(4, 2));
         let response = ui.add(field).on_hover_text(t.path_hint).accessible_name(t.path);
         left = response.lost_focus();

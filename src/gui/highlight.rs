@@ -1,0 +1,264 @@
+//! What is selected in the tree, marked in the pictures, and the arrows that move it.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use glam::{DMat4, DVec3};
+
+use super::document::Document;
+use super::panels::scene::Selected;
+use super::state::State;
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
+use crate::geometry::{Aabb, try_unit};
+use crate::scene::edit::{descendants, placements};
+use crate::scene::{LightSpec, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
+use crate::views::{Arrows, Palette};
+
+/// The scene with what is selected marked in it; it is made anew only when one of both has changed.
+#[derive(Debug, Default)]
+pub(super) struct Highlight {
+    kept: Option<Kept>,
+}
+
+#[derive(Debug)]
+struct Kept {
+    scene: Arc<Scene>,
+    selected: Selected,
+    theme: Theme,
+    marked: Arc<Scene>,
+}
+
+/// An object with more edges is marked by its box.
+const MOST_EDGES: usize = 400;
+
+impl Highlight {
+    /// The scene that the pictures show.
+    pub(super) fn scene(&mut self, state: &State) -> Arc<Scene> {
+        let (scene, figure) = (state.scenery.scene(), state.document.figure());
+        let Some(selected) = state.tree.selected(&figure.scene) else {
+            self.kept = None;
+            return Arc::clone(scene);
+        };
+        let theme = figure.style.theme;
+        let is_same =
+            |kept: &&Kept| Arc::ptr_eq(&kept.scene, scene) && kept.selected == *selected && kept.theme == theme;
+        if let Some(kept) = self.kept.as_ref().filter(is_same) {
+            return Arc::clone(&kept.marked);
+        }
+        let color = Palette::of(theme).probe;
+        let mut marked = Scene::clone(scene);
+        match selected {
+            Selected::Object(name) | Selected::OfPreset(name) => mark_objects(&mut marked, &figure.scene, name, color),
+            Selected::Light(index) => {
+                if let Some(light) = figure.scene.lights.get(*index) {
+                    mark_light(&mut marked, *light, state.scenery.bounds(), color);
+                }
+            }
+        }
+        let marked = Arc::new(marked);
+        self.kept =
+            Some(Kept { scene: Arc::clone(scene), selected: selected.clone(), theme, marked: Arc::clone(&marked) });
+        marked
+    }
+}
+
+fn style(color: Rgba, width: f32) -> LineStyle {
+    LineStyle { color, width, dash: Dash::Solid, hidden: HiddenLines::Dashed, arrow: false }
+}
+
+/// Marks an object and what hangs on it: by its edges where it has few and shows them, else by the box around it.
+fn mark_objects(scene: &mut Scene, spec: &SceneSpec, name: &str, color: Rgba) {
+    let names = with_descendants(spec, name);
+    let belongs =
+        |object: &str| names.contains(object) || object.split_once('/').is_some_and(|(whole, _)| names.contains(whole));
+    let mut boxes = Vec::new();
+    for object in scene.objects.iter_mut().filter(|object| belongs(&object.name)) {
+        if object.edges.is_some() && object.mesh.edges.len() <= MOST_EDGES {
+            object.edges = Some(style(color, 2.2));
+        } else if let Some(bounds) = object.mesh.bounds() {
+            boxes.push((bounds, object.world_from_object));
+        }
+    }
+    // A grid is lines without an object.
+    if let Ok(placed) = placements(spec) {
+        let preset = preset_objects(spec.preset, &crate::scene::palette::SceneColors::of(Theme::Light));
+        let grids = spec.objects.iter().chain(&preset).filter(|o| o.shape == Some(Shape::Grid));
+        for grid in grids.filter(|o| names.contains(&o.name)) {
+            let flat = Aabb { min: DVec3::new(-1.0, 0.0, -1.0), max: DVec3::new(1.0, 0.0, 1.0) };
+            boxes.extend(placed.get(&grid.name).map(|matrix| (flat, *matrix)));
+        }
+    }
+    for (bounds, matrix) in boxes {
+        scene
+            .lines
+            .extend(box_edges(&bounds, &matrix).map(|ends| Line { points: ends.to_vec(), style: style(color, 1.6) }));
+    }
+}
+
+/// The name and those of all that hang on it.
+fn with_descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
+    let mut all = SceneSpec {
+        objects: preset_objects(spec.preset, &crate::scene::palette::SceneColors::of(Theme::Light)),
+        ..SceneSpec::default()
+    };
+    all.objects.retain(|object| spec.objects.iter().all(|own| own.name != object.name));
+    all.objects.extend(spec.objects.iter().cloned());
+    let mut names = descendants(&all, name);
+    names.insert(name.to_owned());
+    names
+}
+
+/// The edges of a box that is turned with its object; those without length are left out.
+fn box_edges(bounds: &Aabb, world_from_object: &DMat4) -> impl Iterator<Item = [DVec3; 2]> {
+    let corners = bounds.corners().map(|p| (p, world_from_object.transform_point3(p)));
+    let mut edges = Vec::new();
+    for (i, (a, a_world)) in corners.into_iter().enumerate() {
+        for (b, b_world) in corners.into_iter().skip(i + 1) {
+            if (a - b).to_array().into_iter().filter(|d| *d != 0.0).count() == 1 && !edges.contains(&[a_world, b_world])
+            {
+                edges.push([a_world, b_world]);
+            }
+        }
+    }
+    edges.into_iter()
+}
+
+/// A lamp has a mark; parallel light an arrow that ends in the middle of the scene.
+fn mark_light(scene: &mut Scene, light: LightSpec, bounds: Option<Aabb>, color: Rgba) {
+    match light {
+        LightSpec::Point(position) => {
+            scene.marks.push(PointMark {
+                position,
+                shape: MarkShape::Diamond,
+                radius: 7.0,
+                color,
+                fade_if_hidden: false,
+            });
+        }
+        LightSpec::Directional(direction) => {
+            let Some(unit) = try_unit(direction) else { return };
+            let around = bounds.unwrap_or(Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE });
+            let (to, length) = (around.center(), 1.2 * around.radius().max(1e-3));
+            let style = LineStyle { arrow: true, hidden: HiddenLines::Shown, ..style(color, 2.5) };
+            scene.lines.push(Line { points: vec![to - unit * length, to], style });
+        }
+    }
+}
+
+/// What arrows move.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Movable {
+    what: Selected,
+    /// What its place is written in: world ← parent.
+    parent: DMat4,
+    /// Its place as the figure has it.
+    pub(super) place: DVec3,
+}
+
+impl Movable {
+    /// What is selected, where it has a place that can be changed.
+    pub(super) fn selected(state: &State) -> Option<Self> {
+        let scene = &state.document.figure().scene;
+        let what = state.tree.selected(scene)?.clone();
+        let (parent, place) = match &what {
+            Selected::Object(name) => {
+                let object = scene.objects.iter().find(|o| o.name == *name)?;
+                let parent = match &object.parent {
+                    Some(parent) => *placements(scene).ok()?.get(parent)?,
+                    None => DMat4::IDENTITY,
+                };
+                (parent, object.translate)
+            }
+            Selected::Light(index) => match scene.lights.get(*index)? {
+                LightSpec::Point(place) => (DMat4::IDENTITY, *place),
+                LightSpec::Directional(_) => return None,
+            },
+            Selected::OfPreset(_) => return None,
+        };
+        Some(Self { what, parent, place })
+    }
+
+    /// Where it is in the world.
+    pub(super) fn origin(&self) -> DVec3 {
+        self.parent.transform_point3(self.place)
+    }
+
+    /// The directions of its parent's axes in the world, and how long a unit is along each.
+    fn axes(&self) -> Option<[(DVec3, f64); 3]> {
+        let axis = |direction: DVec3| {
+            let v = self.parent.transform_vector3(direction);
+            Some((try_unit(v)?, v.length()))
+        };
+        Some([axis(DVec3::X)?, axis(DVec3::Y)?, axis(DVec3::Z)?])
+    }
+
+    /// The arrows; none where a unit has no length.
+    pub(super) fn arrows(&self, hot: Option<usize>) -> Option<Arrows> {
+        let axes = self.axes()?.map(|(direction, _)| direction);
+        let origin = self.origin();
+        origin.is_finite().then_some(Arrows { origin, axes, hot })
+    }
+
+    /// Its place after it went so far (world) along an axis. Digits that are smaller than a pixel are rounded away.
+    pub(super) fn moved(&self, axis: usize, (way, pixel): (f64, f64)) -> DVec3 {
+        let mut place = self.place;
+        if let Some(axes) = self.axes() {
+            let unit = axes[axis].1;
+            place[axis] = rounded(place[axis] + way / unit, pixel / unit);
+        }
+        place
+    }
+
+    /// Puts it somewhere.
+    pub(super) fn put(&self, document: &mut Document, place: DVec3) {
+        document.edit(|figure| match &self.what {
+            Selected::Object(name) => {
+                if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == *name) {
+                    object.translate = place;
+                }
+            }
+            Selected::Light(index) => {
+                if let Some(LightSpec::Point(position)) = figure.scene.lights.get_mut(*index) {
+                    *position = place;
+                }
+            }
+            Selected::OfPreset(_) => {}
+        });
+    }
+
+    /// True for a lamp, whose axes are those of the world.
+    pub(super) fn is_light(&self) -> bool {
+        matches!(self.what, Selected::Light(_))
+    }
+}
+
+/// The multiple of the power of ten at or below `pixel` that is nearest.
+fn rounded(value: f64, pixel: f64) -> f64 {
+    let power = pixel.log10().floor();
+    if !(-15.0..=15.0).contains(&power) {
+        return value;
+    }
+    let scale = 10_f64.powf(power.abs());
+    let rounded = if power < 0.0 { (value * scale).round() / scale } else { (value / scale).round() * scale };
+    rounded + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_has_twelve_edges_and_a_flat_one_four() {
+        let unit = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
+        assert_eq!(box_edges(&unit, &DMat4::from_scale(DVec3::new(1.0, 2.0, 3.0))).count(), 12);
+        let flat = Aabb { min: DVec3::new(-1.0, 0.0, -1.0), max: DVec3::new(1.0, 0.0, 1.0) };
+        assert_eq!(box_edges(&flat, &DMat4::IDENTITY).count(), 4);
+    }
+
+    #[test]
+    fn places_have_no_digits_below_a_pixel() {
+        assert_eq!(rounded(1.234_567, 0.02), 1.23);
+        assert_eq!(rounded(-0.001, 0.02), 0.0);
+        assert_eq!(rounded(1234.5, 30.0), 1230.0);
+    }
+}

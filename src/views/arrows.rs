@@ -1,0 +1,127 @@
+//! Three arrows in the world by which what is selected is moved, one along each axis.
+
+use glam::{DVec2, DVec3};
+
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape};
+use crate::figure::Observer;
+use crate::scene::Line;
+
+use super::gizmos::{SMALL_TYPE, Sheet};
+use super::handles::Grip;
+use super::screen::Screen;
+use super::{Palette, Setup, world};
+
+/// Where the arrows stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrows {
+    /// Where they begin (world).
+    pub origin: DVec3,
+    /// Where they point (world), unit vectors; they need not be at right angles.
+    pub axes: [DVec3; 3],
+    /// The one under the pointer, drawn stronger.
+    pub hot: Option<usize>,
+}
+
+impl Arrows {
+    /// Their tips (world). The length is fixed on the screen.
+    fn tips(&self, screen: &Screen) -> [DVec3; 3] {
+        let (side, scale) = (screen.extent().min_element(), screen.scale());
+        let length = screen.units_per_pixel(self.origin) * (0.15 * side).clamp(40.0 * scale, 120.0 * scale);
+        self.axes.map(|axis| self.origin + axis * length)
+    }
+}
+
+/// The arrow at `pointer` (pixels), within `reach` pixels: near its tip, or on its outer half. None of those that are seen
+/// end-on, because they cannot be dragged.
+#[must_use]
+pub fn arrow_at(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<usize> {
+    let arrows = setup.extras.arrows?;
+    let screen = world::screen(setup, observer)?;
+    let from = screen.place(arrows.origin)?;
+    let distance = |tip: DVec3| {
+        let to = screen.place(tip)?;
+        let way = to - from;
+        if way.length() < 1.5 * reach {
+            return None;
+        }
+        let t = ((pointer - from).dot(way) / way.length_squared()).clamp(0.4, 1.0);
+        Some(pointer.distance(from + way * t))
+    };
+    let distances = arrows.tips(&screen).map(distance);
+    (0..3)
+        .filter_map(|i| Some((i, distances[i].filter(|d| *d <= reach)?)))
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(i, _)| i)
+}
+
+/// How far (world) a thing goes along `axis` (a unit vector) of `origin` when the pointer goes from `from` to `to` (pixels), and
+/// the length of a pixel there. `None` where the axis is seen end-on.
+#[must_use]
+pub fn pull(
+    setup: &Setup,
+    observer: &Observer,
+    (origin, axis): (DVec3, DVec3),
+    from: DVec2,
+    to: DVec2,
+) -> Option<(f64, f64)> {
+    let screen = world::screen(setup, observer)?;
+    let grip = Grip { observer, from: screen.ray(from), to: screen.ray(to) };
+    Some((grip.along(origin, axis)?, screen.units_per_pixel(origin)))
+}
+
+/// Adds the arrows, if there are any; nothing hides them.
+pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
+    let Some(arrows) = setup.extras.arrows else { return };
+    let tips = arrows.tips(sheet.screen);
+    for (i, ((tip, color), name)) in tips.into_iter().zip(palette.axes).zip(["x", "y", "z"]).enumerate() {
+        let width = if arrows.hot == Some(i) { 4.5 } else { 2.5 };
+        let style = LineStyle { color, width, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: true };
+        sheet.scene.lines.push(Line { points: vec![arrows.origin, tip], style });
+        let toward = sheet.screen.heading(arrows.origin, arrows.axes[i]);
+        sheet.text(tip, name, toward, SMALL_TYPE, color);
+    }
+    sheet.mark_above(arrows.origin, MarkShape::Disc, 3.0, palette.ink);
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::camera::{Camera, Parameters};
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures};
+    use crate::scene::Scene;
+    use crate::views::{Extras, Size};
+
+    #[test]
+    fn an_arrow_is_found_at_its_tip_and_a_pull_moves_what_it_stands_on_under_the_pointer() {
+        let observer =
+            Observer { target: DVec3::ZERO, distance: 30.0, azimuth: 40.0, elevation: 25.0, parallel: false };
+        let origin = DVec3::new(1.0, 0.5, -1.0);
+        let axes = [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.0, 0.8)];
+        let extras = Extras { arrows: Some(Arrows { origin, axes, hot: None }), ..Extras::default() };
+        let (figure, camera) = (Figure::default(), Camera::new(&Parameters::default()).unwrap());
+        let setup = Setup {
+            figure: &figure,
+            camera: &camera,
+            scene: &Scene::default(),
+            labels: pictures::labels(Lang::En),
+            size: Size { width: 600, height: 400, scale: 1.0 },
+            extras: &extras,
+        };
+        let screen = world::screen(&setup, &observer).unwrap();
+        let tips = extras.arrows.unwrap().tips(&screen);
+        for (i, tip) in tips.into_iter().enumerate() {
+            let place = screen.place(tip).unwrap();
+            assert_eq!(arrow_at(&setup, &observer, place + 1.0, 8.0), Some(i));
+            let goal = screen.place(tip + axes[i] * 1.75).unwrap();
+            // Taken at its tip, the arrow's line stays under the pointer.
+            let (way, pixel) = pull(&setup, &observer, (tip, axes[i]), place, goal).unwrap();
+            assert!((way - 1.75).abs() < 1e-9 && pixel > 0.0, "{way}");
+        }
+        assert_eq!(arrow_at(&setup, &observer, screen.place(origin).unwrap(), 4.0), None);
+        let along_axis = Observer { azimuth: 90.0, elevation: 0.0, parallel: true, ..observer };
+        let (from, to) = (DVec2::new(10.0, 10.0), DVec2::new(90.0, 10.0));
+        assert_eq!(pull(&setup, &along_axis, (origin, DVec3::X), from, to), None);
+    }
+}
