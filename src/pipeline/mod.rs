@@ -13,12 +13,15 @@
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
 //! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
+//! [`dissect`], [`fate`] and [`fold`] are not on the way to a picture: they show what clipping and culling do, and what would come of
+//! dividing first.
 
 mod bounds;
 mod clip;
 mod cull;
 pub mod dissect;
 mod faces;
+pub mod fate;
 pub mod fold;
 mod light;
 mod lines;

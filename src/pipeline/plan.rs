@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::clip::{ALL_PLANES, NEAR, PlaneSet};
 use super::cull::Place;
-use super::shade::{Shaded, translucent};
+use super::shade::Shaded;
 use super::transform::Projector;
 use crate::appearance::{HiddenLines, Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint, Scene};
@@ -397,7 +397,7 @@ fn plan_object(object: &Object, place: Place, style: &Style, dark: bool, force: 
         Place::Crosses(planes) if !force => planes,
         _ => ALL_PLANES,
     };
-    let translucent = translucent(&object.paint);
+    let translucent = object.paint.is_translucent();
     let vertex_colors = matches!(object.paint, ObjectPaint::Vertices(_));
     let lit = match style.shading {
         _ if !object.lit || matches!(object.paint, ObjectPaint::Texture { .. }) => LitAt::Nowhere,

@@ -7,7 +7,7 @@ use glam::{DMat4, DVec3};
 use super::clip::{Clipper, NEAR, NOT_A_NUMBER, outcode, segment};
 use super::faces::Cut;
 use super::light::{Lights, ObjectLight};
-use super::shade::{color_at, mean_color, mean_of_colors, mean_of_uv, translucent};
+use super::shade::{color_at, mean_color, mean_of_colors, mean_of_uv};
 use super::transform::{ClipPoint, Projector, Vertices, each_chunk};
 use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
@@ -217,7 +217,7 @@ impl Projected<'_> {
         let smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
         let old = &object.mesh;
         let cut_open = old.closed && self.outcodes.iter().any(|code| code & NEAR != 0);
-        let both_sides = object.two_sided || cut_open || (old.closed && translucent(&object.paint));
+        let both_sides = object.two_sided || cut_open || (old.closed && object.paint.is_translucent());
         let light = lights.map(|lights| ObjectLight::new(lights, old, self.vertices, both_sides));
         let faces = |color: &(dyn Fn(u32) -> Rgba + Sync)| {
             let face = |k: usize| (old.triangles[self.source[k] as usize], color(self.source[k]));

@@ -103,7 +103,7 @@ impl Shaded<'_> {
             inverse_w: Vec::new(),
             triangles: Vec::new(),
             paint,
-            translucent: translucent(&self.object.paint),
+            translucent: self.object.paint.is_translucent(),
             depth_test: self.depth_test,
         }
     }
@@ -211,18 +211,6 @@ impl Shaded<'_> {
     ) -> Vec<T> {
         let own = (0..self.vertex_count()).map(&attribute);
         own.chain(faces.cuts.iter().map(|cut| mean(cut.of.map(&attribute), cut.weights))).collect()
-    }
-}
-
-/// True where something shows through the paint.
-pub(super) fn translucent(paint: &ObjectPaint) -> bool {
-    match paint {
-        ObjectPaint::Solid(color) => !color.is_opaque(),
-        // Some at a time, so that the inner loop has no way out and becomes vector instructions.
-        ObjectPaint::Faces(colors) | ObjectPaint::Vertices(colors) => {
-            colors.chunks(256).any(|some| some.iter().fold(255, |least, color| least & color.a) < 255)
-        }
-        ObjectPaint::Texture { opacity, .. } => *opacity < 255,
     }
 }
 

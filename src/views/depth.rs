@@ -6,6 +6,7 @@ use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, Projected, Projection, Viewport};
 use crate::drawing::{Drawing, Paint};
 use crate::figure::Depth;
+use crate::pipeline::fold::divided_first;
 
 use super::legend::{Row, number};
 use super::{Palette, Setup, pick};
@@ -29,7 +30,9 @@ pub fn reading(setup: &Setup, point: DVec2) -> Option<DepthReading> {
     let ray = camera.ray_through_window(point);
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
-    let hit = pick::first_opaque(setup.scene, from, to)?;
+    // What is divided first is no depth where it is wrong: it is drawn as glass.
+    let folded = setup.figure.reveal.divide_first.then(|| divided_first(setup.scene, camera, 1.0).right);
+    let hit = pick::first_opaque(folded.as_ref().unwrap_or(setup.scene), from, to)?;
     let stations = camera.stations(hit, setup.figure.image, &viewport(setup));
     let Projected { ndc, viewport, .. } = stations.projected?;
     Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })

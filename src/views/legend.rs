@@ -28,6 +28,8 @@ pub(super) enum Row {
     Title(String, Rgba),
     /// A colour and what it means.
     Swatch(Rgba, String),
+    /// A colour and what is wrong with what it means.
+    Warning(Rgba, String),
     /// A mark and what it means.
     Mark(MarkShape, Rgba, String),
     /// A run of colours from left to right, with texts below its left end, its middle and its right end.
@@ -47,7 +49,7 @@ impl Row {
         let text = |text: &str| 2.0 * half_size(text, 1.0).x;
         match self {
             Self::Title(title, _) => text(title),
-            Self::Swatch(_, meaning) | Self::Mark(_, _, meaning) => INDENT + text(meaning),
+            Self::Swatch(_, meaning) | Self::Warning(_, meaning) | Self::Mark(_, _, meaning) => INDENT + text(meaning),
             Self::Scale(..) => SCALE,
         }
     }
@@ -131,8 +133,9 @@ impl Legend {
         let ink = self.palette.ink;
         match row {
             Row::Title(title, color) => text(at, title, *color, Anchor::Left),
-            Row::Swatch(color, meaning) => {
-                text(at + DVec2::X * (INDENT * em), meaning, ink, Anchor::Left);
+            Row::Swatch(color, meaning) | Row::Warning(color, meaning) => {
+                let letters = if matches!(row, Row::Warning(..)) { *color } else { ink };
+                text(at + DVec2::X * (INDENT * em), meaning, letters, Anchor::Left);
                 let ends = [at + DVec2::X * (SWATCH.y / 2.0 * em), at + DVec2::X * ((SWATCH.x - SWATCH.y / 2.0) * em)];
                 let border = strokes([ends], ink, SWATCH.y * em + 2.0);
                 let ground = strokes([ends], self.palette.paper, SWATCH.y * em);

@@ -8,7 +8,8 @@ use crate::appearance::{Dash, MarkShape, Rgba, Shading};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::Drawing;
 use crate::figure::Outside;
-use crate::pipeline::dissect::{Dissection, Fate, dissect, fate};
+use crate::pipeline::dissect::{Dissection, dissect};
+use crate::pipeline::fate::{Fate, fate};
 use crate::pipeline::fold::{Folded, divided_first};
 use crate::pipeline::project::{clipped_scene, displayed_ndc};
 use crate::pipeline::{PlaneSet, Target};
@@ -195,7 +196,7 @@ fn fold(setup: &Setup, reach: f64, palette: Palette, revealed: &mut Revealed) ->
     revealed.rows.push(if objects.is_empty() && lines.is_empty() && marks.is_empty() {
         Row::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
     } else {
-        Row::Swatch(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
+        Row::Warning(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
     });
     for object in objects {
         if edges_only {

@@ -174,7 +174,7 @@ impl World<'_> {
             }
         }
         match &self.setup.extras.painted_image {
-            Some(image) => self.sheet.scene.objects.push(painted(near, image)),
+            Some(image) => self.sheet.scene.objects.push(painted(near, image, camera.projection())),
             None => self.sheet.sheer("window", &[near], self.palette.volume),
         }
         self.sheet.closed(&near, self.palette.ink, 2.0, Dash::Solid);
@@ -287,16 +287,21 @@ impl World<'_> {
 }
 
 /// The window with the image on it: (0, 0) of the image is the window's upper left corner.
-fn painted(near: [DVec3; 4], image: &Arc<Texture>) -> Object {
+fn painted(near: [DVec3; 4], image: &Arc<Texture>, projection: Projection) -> Object {
     let mut mesh = Mesh::default();
     gizmos::add_polygon(&mut mesh, &near);
     mesh.edges.clear();
+    // As large as the volume is wide, it stands before much of the scene.
+    let opacity = match projection {
+        Projection::Perspective => 255,
+        Projection::Parallel => 205,
+    };
     let uv = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
     Object {
         name: "window".to_owned(),
         mesh: Arc::new(mesh),
         world_from_object: DMat4::IDENTITY,
-        paint: ObjectPaint::Texture { image: Arc::clone(image), uv: Arc::new(uv), opacity: 255 },
+        paint: ObjectPaint::Texture { image: Arc::clone(image), uv: Arc::new(uv), opacity },
         lit: false,
         two_sided: true,
         faces: true,

@@ -347,6 +347,8 @@ fn pyramid_of_the_exercises_on_spaces() {
 fn the_table_of_equations_names_what_exists() {
     let folder = |path: &str| std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/").to_owned() + path).unwrap();
     let sources: String = folder("src/camera")
+        .chain(folder("src/pipeline"))
+        .chain(folder("src/views"))
         .chain(folder("tests/it"))
         .map(|entry| std::fs::read_to_string(entry.unwrap().path()).unwrap())
         .collect();
