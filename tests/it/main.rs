@@ -19,6 +19,7 @@ mod meshes;
 mod pipeline;
 mod pipeline_bounds;
 mod pipeline_counts;
+mod pipeline_exact;
 mod pipeline_plan;
 mod pipeline_project;
 mod pipeline_visibility;

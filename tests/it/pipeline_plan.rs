@@ -4,13 +4,13 @@
 
 use std::sync::Arc;
 
-use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style, Visibility};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style, Texture, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::pipeline::plan::{Options, Reason, Stage};
 use camera_lab::pipeline::{Frame, Pipeline, Place, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene, primitives};
-use glam::{DMat4, DQuat, DVec3, EulerRot};
+use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3, Vec3Swizzles};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -174,9 +174,20 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
                 let shade = |i: usize| Rgba { r: color.r ^ u8::try_from(i * 37 % 256).unwrap(), ..color };
                 Arc::new((0..n).map(shade).collect::<Vec<_>>())
             };
-            let paint = match kind % 4 {
-                0 => ObjectPaint::Faces(varied(mesh.triangles.len())),
-                1 => ObjectPaint::Vertices(varied(mesh.positions.len())),
+            let paint = match kind % 9 {
+                0 | 1 => ObjectPaint::Faces(varied(mesh.triangles.len())),
+                2 | 3 => ObjectPaint::Vertices(varied(mesh.positions.len())),
+                4 => ObjectPaint::Texture {
+                    image: Arc::new(Texture {
+                        width: 2,
+                        height: 2,
+                        rgba: (0..16).map(|i| 255 - 30 * (i % 4)).collect(),
+                    }),
+                    uv: Arc::new(
+                        mesh.positions.iter().map(|p| p.as_vec3().abs().min(Vec3::ONE).xz().to_array()).collect(),
+                    ),
+                    opacity: color.a,
+                },
                 _ => ObjectPaint::Solid(color),
             };
             let name = "thing".into();
@@ -199,8 +210,19 @@ pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
         color: CLAY,
         fade_if_hidden: true,
     });
+    let few = proptest::collection::vec(any_object(), 1..4);
+    // So many that there is a tree over them.
+    let many = (proptest::collection::vec(any_object(), 1..3), 16_u32..40).prop_map(|(kinds, n)| {
+        let copy = |k: u32| {
+            let at = DVec3::new(f64::from(k % 5) - 2.0, f64::from(k / 5) - 3.0, 0.3 * f64::from(k % 7));
+            let place = DMat4::from_translation(at * 2.0) * DMat4::from_scale(DVec3::splat(0.4));
+            let kind = &kinds[k as usize % kinds.len()];
+            Object { world_from_object: place * kind.world_from_object, ..kind.clone() }
+        };
+        (0..n).map(copy).collect()
+    });
     (
-        proptest::collection::vec(any_object(), 1..4),
+        prop_oneof![7 => few, 1 => many],
         proptest::collection::vec(light, 0..3),
         proptest::collection::vec(line, 0..2),
         proptest::collection::vec(mark, 0..2),
@@ -254,15 +276,41 @@ proptest! {
             1 => Just(Visibility::Bsp),
         ],
         shading in prop_oneof![Just(Shading::Wireframe), Just(Shading::Flat), Just(Shading::Gouraud), Just(Shading::Phong)],
+        antialias in prop_oneof![6 => Just(1_u8), 2 => Just(4), 1 => Just(16)],
     ) {
         let target = Target { width: 48, height: 36, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
-        let style = Style { shading, visibility, antialias: 1, ..Style::default() };
+        let style = Style { shading, visibility, antialias, ..Style::default() };
         let mut pipeline = Pipeline::default();
         let planned = pipeline.frame(&scene, &camera, target, &style, Options::default());
+        let mut raster = Rasterizer::default();
+        let a = raster.paint(&planned.drawing).unwrap();
+        // In the memory of the first.
+        pipeline.recycle(planned.drawing);
         let forced = pipeline.frame(&scene, &camera, target, &style, FORCED);
         prop_assert!(forced.plan.stages.iter().all(|stage| stage.runs));
-        let mut raster = Rasterizer::default();
-        let (a, b) = (raster.paint(&planned.drawing).unwrap(), raster.paint(&forced.drawing).unwrap());
+        let b = raster.paint(&forced.drawing).unwrap();
         prop_assert!(a.data() == b.data());
+    }
+}
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    // Large enough for every loop that is shared among threads, and near enough to be cut.
+    let ball = object(primitives::sphere(200), at(-3.2) * DMat4::from_scale(DVec3::splat(2.3)));
+    let colors = (0..ball.mesh.triangles.len()).map(|i| Rgba::rgb(u8::try_from(i % 251).unwrap(), 90, 200));
+    let patches = ObjectPaint::Faces(Arc::new(colors.collect()));
+    let lights = vec![Light::Point { position: DVec3::new(2.0, 3.0, 1.0) }];
+    let threads = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().unwrap();
+    let (one, three) = (threads(1), threads(3));
+    for paint in [ball.paint.clone(), patches] {
+        for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+            let object = Object { paint: paint.clone(), ..ball.clone() };
+            let scene = Scene { lights: lights.clone(), ..only(object) };
+            let style = Style { shading, antialias: 1, ..Style::default() };
+            let drawn = || frame(&scene, &eye(Projection::Perspective), &style);
+            let (a, b) = (one.install(drawn), three.install(drawn));
+            assert!(a.drawing.surfaces.iter().map(|s| s.triangles.len()).sum::<usize>() > 10_000);
+            assert!(a == b, "{shading:?}");
+        }
     }
 }
