@@ -1,17 +1,17 @@
 //! Eight triangles at a time: their boxes, and what makes them ready to be filled.
 //!
-//! Fine meshes are made of narrow triangles, for which most of the work is to set them up: that is done for eight at once, in
+//! Fine meshes are made of small triangles, for which most of the work is to set them up: that is done for eight at once, in
 //! 32 bits. The others go their own way, through [`Triangle`](super::setup::Triangle).
 
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x8, i32x8, mask32x8};
+use fearless_simd::{Simd, f32x4, f32x8, i32x8, mask32x8};
 
 use crate::drawing::Surface;
 
 use super::fill::Size;
-use super::setup::{FRACTION, HALF, HIGHEST, MAGIC, OFFSET, Plane, REACH, STEPS, Triangle};
+use super::setup::{FRACTION, HALF, HIGHEST, MAGIC, OFFSET, Plane, REACH, STEPS, Triangle, WIDEST};
 use super::shade::pick;
 
 /// Triangles in a batch.
@@ -30,22 +30,27 @@ pub(super) struct Batch<K: Simd> {
     pub(super) bottom: i32x8<K>,
     /// Those that may own a pixel at all.
     pub(super) some: mask32x8<K>,
-    /// Those whose samples lie in eight columns, and are not too high for 32 bits.
-    pub(super) narrow: mask32x8<K>,
+    /// Those that 32 bits are enough for.
+    pub(super) small: mask32x8<K>,
     /// Those that may own one pixel only.
     pub(super) one: mask32x8<K>,
+    /// Those that may own pixels in four columns and four rows only.
+    pub(super) few: mask32x8<K>,
 }
 
-/// The indices of the vertices of up to eight triangles; `usize::MAX`, which leads nowhere, for those that are not there.
-pub(super) type Corners = [[usize; BATCH]; 3];
+/// The indices of the vertices of up to eight triangles; [`NOWHERE`] for those that are not there.
+pub(super) type Corners = [[u32; BATCH]; 3];
+
+/// No surface has so many vertices.
+const NOWHERE: u32 = u32::MAX;
 
 #[inline(always)]
 pub(super) fn corners(surface: &Surface, triangles: &[u32]) -> Corners {
-    let mut corners = [[usize::MAX; BATCH]; 3];
+    let mut corners = [[NOWHERE; BATCH]; 3];
     for (l, &triangle) in triangles.iter().take(BATCH).enumerate() {
         if let Some(triangle) = surface.triangles.get(triangle as usize) {
             for k in 0..3 {
-                corners[k][l] = triangle[k] as usize;
+                corners[k][l] = triangle[k];
             }
         }
     }
@@ -55,33 +60,67 @@ pub(super) fn corners(surface: &Surface, triangles: &[u32]) -> Corners {
 /// The same of eight triangles that follow one another.
 #[inline(always)]
 pub(super) fn corners_of(triangles: &[[u32; 3]]) -> Corners {
-    let mut corners = [[usize::MAX; BATCH]; 3];
+    let mut corners = [[NOWHERE; BATCH]; 3];
     for (l, triangle) in triangles.iter().take(BATCH).enumerate() {
         for k in 0..3 {
-            corners[k][l] = triangle[k] as usize;
+            corners[k][l] = triangle[k];
         }
     }
     corners
 }
 
-/// Component `c` of the values at each corner; NaN where there is none.
+/// The corners of one of them.
+pub(super) fn corners_at(corners: &Corners, lane: usize) -> [usize; 3] {
+    [corners[0][lane] as usize, corners[1][lane] as usize, corners[2][lane] as usize]
+}
+
+/// The value at each corner; NaN where there is none.
 #[inline(always)]
-pub(super) fn gather<K: Simd, const N: usize>(simd: K, values: &[[f32; N]], corners: &Corners) -> [[f32x8<K>; 3]; N] {
-    let mut result = [[f32x8::splat(simd, f32::NAN); 3]; N];
+pub(super) fn gather<K: Simd>(simd: K, values: &[f32], corners: &Corners) -> [f32x8<K>; 3] {
+    let mut result = [f32x8::splat(simd, f32::NAN); 3];
     for k in 0..3 {
-        let mut lanes = [[f32::NAN; BATCH]; N];
+        let mut lanes = [f32::NAN; BATCH];
         for l in 0..BATCH {
-            if let Some(value) = values.get(corners[k][l]) {
-                for c in 0..N {
-                    lanes[c][l] = value[c];
-                }
-            }
+            lanes[l] = values.get(corners[k][l] as usize).copied().unwrap_or(f32::NAN);
         }
-        for c in 0..N {
-            result[c][k] = f32x8::from_slice(simd, &lanes[c]);
+        result[k] = f32x8::from_slice(simd, &lanes);
+    }
+    result
+}
+
+/// The points at each corner, by component; NaN where there is none.
+#[inline(always)]
+pub(super) fn gather_points<K: Simd>(simd: K, points: &[[f32; 3]], corners: &Corners) -> [[f32x8<K>; 3]; 3] {
+    let mut result = [[f32x8::splat(simd, f32::NAN); 3]; 3];
+    for k in 0..3 {
+        let four = |first: usize| {
+            let p = |l: usize| point(simd, points, corners[k][first + l] as usize);
+            let [a, b, c, d] = [p(0), p(1), p(2), p(3)];
+            let (ac, bd) = (a.zip_low(c), b.zip_low(d));
+            [ac.zip_low(bd), ac.zip_high(bd), a.zip_high(c).zip_low(b.zip_high(d))]
+        };
+        let (low, high) = (four(0), four(4));
+        for c in 0..3 {
+            result[c][k] = low[c].combine(high[c]);
         }
     }
     result
+}
+
+/// A point, and anything behind it.
+#[inline(always)]
+fn point<K: Simd>(simd: K, points: &[[f32; 3]], index: usize) -> f32x4<K> {
+    // Four numbers are read at once, except from the last point.
+    match points.get(index..index.wrapping_add(2)) {
+        Some(two) => f32x4::from_slice(simd, &two.as_flattened()[..4]),
+        None => last_point(simd, points, index),
+    }
+}
+
+#[cold]
+fn last_point<K: Simd>(simd: K, points: &[[f32; 3]], index: usize) -> f32x4<K> {
+    let [x, y, z] = points.get(index).copied().unwrap_or([f32::NAN; 3]);
+    f32x4::from_slice(simd, &[x, y, z, 0.0])
 }
 
 impl<K: Simd> Batch<K> {
@@ -110,9 +149,10 @@ impl<K: Simd> Batch<K> {
         let valid = (wrong & !FRACTION_BITS).simd_eq(0);
         let some = valid & left.simd_lt(right) & top.simd_lt(bottom);
         let (width, height) = (high_x - low_x, high_y - low_y);
-        let narrow = width.simd_lt(7 * STEPS + 1) & height.simd_lt(HIGHEST);
-        let one = narrow & (right - left).simd_eq(1) & (bottom - top).simd_eq(1);
-        Self { simd, x: grid_x, y: grid_y, left, top, bottom, some, narrow, one, right }
+        let small = width.simd_lt(WIDEST) & height.simd_lt(HIGHEST);
+        let one = small & (right - left).simd_eq(1) & (bottom - top).simd_eq(1);
+        let few = small & some & (right - left).simd_lt(5) & (bottom - top).simd_lt(5);
+        Self { simd, x: grid_x, y: grid_y, left, top, bottom, some, small, one, few, right }
     }
 
     /// The rows of one that lie in a band; none where it owns no sample.
@@ -130,7 +170,7 @@ impl<K: Simd> Batch<K> {
         Triangle::new(&pick(positions, corners)?)
     }
 
-    /// Makes ready those that are narrow. `first_row`: where the band begins.
+    /// Makes ready those that are small. `first_row`: where the band begins.
     #[inline(always)]
     pub(super) fn set_up(&self, first_row: i32) -> SetUp<K> {
         let [mut x, mut y] = [self.x, self.y];
@@ -177,7 +217,7 @@ fn grid_bits<K: Simd>(v: f32x8<K>) -> i32x8<K> {
     (v * STEPS as f32 + MAGIC).bitcast::<i32x8<K>>()
 }
 
-/// Eight narrow triangles, ready to be filled; see [`Triangle`](super::setup::Triangle).
+/// Eight small triangles, ready to be filled; see [`Triangle`](super::setup::Triangle).
 pub(super) struct SetUp<K: Simd> {
     /// Vertices 1 and 2 changed places.
     turned: mask32x8<K>,

@@ -3,13 +3,14 @@
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::{Level, Simd};
 use rayon::prelude::*;
 
 use crate::drawing::{Drawing, Surface};
 
-use super::batch::{BATCH, Batch, corners_of, gather};
+use super::batch::{BATCH, Batch, corners_of, gather_points};
 use super::fill::Size;
+use super::vectors::with_vectors;
 
 /// Triangles that are sorted into bands as one piece of work.
 const CHUNK: usize = 8192;
@@ -133,7 +134,7 @@ fn boxes(surface: &Surface, range: Range<usize>, many: bool, size: Size, mut fou
     let level = Level::new();
     let triangles = surface.triangles.get(range.clone()).unwrap_or_default();
     for (first, triangles) in (range.start..).step_by(BATCH).zip(triangles.chunks(BATCH)) {
-        let rows = dispatch!(level, simd => rows(simd, surface, triangles, many, size));
+        let rows = with_vectors!(level, simd => rows(simd, surface, triangles, many, size));
         for (l, rows) in rows.into_iter().enumerate().filter(|(_, [top, bottom])| top < bottom) {
             found(number(first + l), rows[0]..rows[1]);
         }
@@ -143,7 +144,7 @@ fn boxes(surface: &Surface, range: Range<usize>, many: bool, size: Size, mut fou
 /// The rows that eight triangles touch: first and end; (0, 0) for those that own no sample.
 #[inline(always)]
 fn rows<K: Simd>(simd: K, surface: &Surface, triangles: &[[u32; 3]], many: bool, size: Size) -> [[i32; 2]; BATCH] {
-    let [x, y, _] = gather(simd, &surface.positions, &corners_of(triangles));
+    let [x, y, _] = gather_points(simd, &surface.positions, &corners_of(triangles));
     let batch = Batch::new(simd, &x, &y, many, size);
     let mut some = batch.some;
     if !many && (batch.one & some).any_true() {

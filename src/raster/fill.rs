@@ -4,18 +4,19 @@
 //! eight that it is in, nor on the machine's vectors: values are computed from the triangle's origin, not added up along the
 //! way, and no operation is fused with another.
 //!
-//! All of it must become one function for each set of vector instructions, hence the many `#[inline(always)]`.
+//! All of it must become one function for each set of vector instructions, hence the many `#[inline(always)]`; but where
+//! nothing is optimised that function would ask for megabytes of stack, and the longest stay on their own.
 
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x4, f32x8, i32x8, mask32x8, u32x4, u32x8};
+use fearless_simd::{Simd, f32x4, f32x8, f64x4, i32x8, mask32x8, u32x4, u32x8};
 
 use crate::drawing::{Paint, Surface};
 
-use super::batch::{BATCH, Batch, Corners, corners, gather};
+use super::batch::{BATCH, Batch, Corners, Planes, SetUp, corners, corners_at, gather_points};
 use super::pixel::{self, Pixel};
-use super::setup::{Borders, Plane, STEPS};
+use super::setup::{Borders, Plane, ROWS, STEPS};
 use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader, Slow};
 
 /// Sides of a picture in pixels.
@@ -32,9 +33,9 @@ pub(super) struct Band<'a> {
     /// Places of the samples relative to the centre, in steps: as many as `fill` is told.
     pub(super) samples: &'a [[i32; 2]],
     /// Values from one row to the next; beyond `width` there is room for eight more.
-    pub(super) pitch: usize,
+    pub(super) pitch: u32,
     /// Values from one plane to the next.
-    pub(super) plane: usize,
+    pub(super) plane: u32,
     pub(super) colors: &'a mut [Pixel],
     /// Empty where nothing writes depths: then no test can fail.
     pub(super) depths: &'a mut [f32],
@@ -78,7 +79,7 @@ impl Counts {
 pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &Surface, triangles: &[u32]) {
     for triangles in triangles.chunks(BATCH) {
         let corners = corners(surface, triangles);
-        let [x, y, z] = gather(simd, &surface.positions, &corners);
+        let [x, y, z] = gather_points(simd, &surface.positions, &corners);
         let batch = Batch::new(simd, &x, &y, S > 1, band.size);
         match &surface.paint {
             Paint::Solid(_) | Paint::Faces(_) => {
@@ -89,7 +90,7 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
             }
             _ => {
                 for l in 0..triangles.len() {
-                    let corners = [corners[0][l], corners[1][l], corners[2][l]];
+                    let corners = corners_at(&corners, l);
                     if let Some(triangle) = batch.alone(l, &surface.positions, corners)
                         && let Some(shader) = Slow::new(simd, surface, &triangle, corners)
                     {
@@ -107,7 +108,7 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
 }
 
 /// Fills the eight triangles of a batch: the small ones are set up together.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     simd: K,
     band: &mut Band,
@@ -120,14 +121,11 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     let set_up = batch.set_up(band.rows.start);
     let colors = C::new(simd, surface, triangles, corners, &set_up, S > 1);
     let depths = set_up.planes(z);
-    let narrow = batch.narrow & set_up.has_area & colors.simple();
-    // What the one pixel gets that a tiny triangle can own.
-    let tiny = if S == 1 { batch.one & narrow } else { mask32x8::splat(simd, 0) };
-    let (mut first_depth, mut first_color) = ([0.0; BATCH], [0; BATCH]);
+    let small = batch.small & set_up.has_area & colors.simple();
+    let tiny = if S == 1 { batch.few & small } else { mask32x8::splat(simd, 0) };
+    let mut few = Few { owned: [0; BATCH], depths: [[0.0; BATCH]; MOST], colors: [[0; BATCH]; MOST] };
     if tiny.any_true() {
-        let [x, y] = set_up.first();
-        depths.hold(depths.at(x, y)).store_slice(&mut first_depth);
-        colors.at(x, y).store_slice(&mut first_color);
+        few.find(tiny, batch, &set_up, band.rows.end, &depths, &colors);
     }
     for l in 0..triangles.len() {
         let rows = batch.rows(l, &band.rows);
@@ -135,14 +133,27 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
             continue;
         }
         if tiny[l] != 0 {
-            band.set(surface, [batch.left[l], rows.start], first_depth[l], &depths.of(l), first_color[l]);
-        } else if narrow[l] != 0 {
+            let start = band.place(rows.start, batch.left[l]).start;
+            let mut owned = few.owned[l];
+            while owned != 0 {
+                let k = owned.trailing_zeros();
+                owned &= owned - 1;
+                if let (Some(there), Some(colors)) = (few.depths.get(k as usize), few.colors.get(k as usize)) {
+                    let pixel = start + (k / FEW) * band.pitch + k % FEW;
+                    band.set(surface, pixel, there[l], [depths.dx[l], depths.dy[l]], colors[l]);
+                }
+            }
+        } else if small[l] != 0 {
             let columns = batch.left[l]..batch.right[l];
             let origin = [set_up.origin[0][l], set_up.origin[1][l]];
             let painter = Painter::<K, S, C::Simple>::new(simd, origin, depths.of(l), band, surface, colors.of(l));
-            painter.narrow(band, columns, rows, &set_up.edges_of(l));
+            if columns.end - columns.start <= 4 {
+                painter.small::<true>(band, columns, rows, &set_up.edges_of(l));
+            } else {
+                painter.small::<false>(band, columns, rows, &set_up.edges_of(l));
+            }
         } else {
-            let corners = [corners[0][l], corners[1][l], corners[2][l]];
+            let corners = corners_at(corners, l);
             if let Some(triangle) = batch.alone(l, &surface.positions, corners)
                 && let Some(shader) = C::alone(simd, surface, &triangle, triangles[l], corners)
             {
@@ -154,11 +165,79 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     }
 }
 
+/// Triangles of at most so many columns and rows are not filled one by one.
+const FEW: u32 = 4;
+/// The pixels of their boxes.
+const MOST: usize = 16;
+
+/// What the pixels of tiny triangles get, in rows of [`FEW`] from the first of the box on.
+struct Few {
+    /// A bit for each pixel that the triangle owns.
+    owned: [u32; BATCH],
+    depths: [[f32; BATCH]; MOST],
+    colors: [[Pixel; BATCH]; MOST],
+}
+
+impl Few {
+    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant; `end`: the end of the
+    /// band.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn find<'a, K: Simd>(
+        &mut self,
+        tiny: mask32x8<K>,
+        batch: &Batch<K>,
+        set_up: &SetUp<K>,
+        end: i32,
+        depths: &Planes<K>,
+        colors: &impl Colors<'a, K>,
+    ) {
+        let zero = u32x8::splat(tiny.witness(), 0);
+        let (rows, columns) = (batch.bottom.min(end) - set_up.top, batch.right - batch.left);
+        let [x, y] = set_up.first();
+        let mut owned = zero;
+        let mut row_edges = set_up.edges;
+        for j in 0..FEW {
+            let row = tiny & rows.simd_gt(j as i32);
+            if !row.any_true() {
+                break;
+            }
+            let mut edges = row_edges;
+            for i in 0..FEW {
+                let mut own = row & columns.simd_gt(i as i32);
+                if !own.any_true() {
+                    break;
+                }
+                own &= (edges[0] | edges[1] | edges[2]).simd_gt(-1);
+                if own.any_true() {
+                    let k = (FEW * j + i) as usize;
+                    owned |= own.select(zero + (1 << k), zero);
+                    let (x, y) = (x + i as f32, y + j as f32);
+                    depths.hold(depths.at(x, y)).store_slice(&mut self.depths[k]);
+                    colors.at(x, y).store_slice(&mut self.colors[k]);
+                }
+                for (edge, a) in edges.iter_mut().zip(set_up.a) {
+                    *edge += a << 8;
+                }
+            }
+            for (edge, b) in row_edges.iter_mut().zip(set_up.b) {
+                *edge += b << 8;
+            }
+        }
+        owned.store_slice(&mut self.owned);
+    }
+}
+
 impl Band<'_> {
-    /// Sets the one pixel of a tiny triangle.
+    /// Where a pixel's values are.
     #[inline(always)]
-    fn set(&mut self, surface: &Surface, [column, row]: [i32; 2], depth: f32, plane: &Plane, color: Pixel) {
-        let start = (row - self.rows.start) as usize * self.pitch + column as usize;
+    fn place(&self, row: i32, column: i32) -> Place {
+        Place { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
+    }
+
+    /// Sets a pixel.
+    #[inline(always)]
+    fn set(&mut self, surface: &Surface, pixel: u32, depth: f32, [dx, dy]: [f32; 2], color: Pixel) {
+        let start = pixel as usize;
         let Some(pixel) = self.colors.get_mut(start) else { return };
         if let Some(counts) = &mut self.counts {
             counts.covered += 1;
@@ -173,7 +252,7 @@ impl Band<'_> {
             if !surface.translucent {
                 *old = depth;
                 if let Some(slope) = self.slopes.get_mut(start) {
-                    *slope = pack_slope(plane.dx, plane.dy);
+                    *slope = pack_slope(dx, dy);
                 }
             }
         }
@@ -184,33 +263,41 @@ impl Band<'_> {
     }
 }
 
+#[inline(always)]
+fn any<K: Simd>(masks: &[mask32x8<K>]) -> bool {
+    let mut all = masks[0];
+    for mask in &masks[1..] {
+        all |= *mask;
+    }
+    all.any_true()
+}
+
 fn in_pixels(steps: i32) -> f32 {
     steps as f32 / STEPS as f32
 }
 
-/// Eight pixels that are worked on together: eight of a row, or four of a row and the four below.
+/// Columns of a tile that is not `SQUARE`.
+const WIDTH: i32 = 8;
+
+/// Eight pixels that are worked on together: eight of a row, or, in a `SQUARE` tile, four of a row and the four below.
 #[derive(Clone, Copy)]
-struct Tile<K: Simd> {
+struct Tile<K: Simd, const SQUARE: bool> {
     columns: i32x8<K>,
     rows: i32x8<K>,
-    /// From the first four values to the others.
-    second: usize,
-    /// Rows from one tile to the next.
-    height: i32,
 }
 
-impl<K: Simd> Tile<K> {
-    #[inline(always)]
-    fn level(simd: K) -> Self {
-        let columns = i32x8::from_slice(simd, &[0, 1, 2, 3, 4, 5, 6, 7]);
-        Self { columns, rows: i32x8::splat(simd, 0), second: 4, height: 1 }
-    }
+impl<K: Simd, const SQUARE: bool> Tile<K, SQUARE> {
+    /// Rows from one tile to the next.
+    const HEIGHT: i32 = if SQUARE { 2 } else { 1 };
 
     #[inline(always)]
-    fn square(simd: K, pitch: usize) -> Self {
-        let columns = i32x8::from_slice(simd, &[0, 1, 2, 3, 0, 1, 2, 3]);
-        let rows = i32x8::from_slice(simd, &[0, 0, 0, 0, 1, 1, 1, 1]);
-        Self { columns, rows, second: pitch, height: 2 }
+    fn new(simd: K) -> Self {
+        let (columns, rows) = if SQUARE {
+            ([0, 1, 2, 3, 0, 1, 2, 3], [0, 0, 0, 0, 1, 1, 1, 1])
+        } else {
+            ([0, 1, 2, 3, 4, 5, 6, 7], [0; LANES])
+        };
+        Self { columns: i32x8::from_slice(simd, &columns), rows: i32x8::from_slice(simd, &rows) }
     }
 
     /// How far the centres are right of the origin, when the tile begins at column `i`. Exact: multiples of 1/256 below 2¹⁵.
@@ -224,11 +311,60 @@ impl<K: Simd> Tile<K> {
     fn y(&self, j: i32, origin: [f32; 2]) -> f32x8<K> {
         self.rows.to_float::<f32x8<K>>() + ((j as f32 + 0.5) - origin[1])
     }
+}
 
-    /// The values of the tile at `start`, to be read and written.
+/// Where a tile begins in the arrays of a band, and how far it is from there to the next row.
+#[derive(Clone, Copy)]
+struct Place {
+    // 32 bits: then the compiler knows that a sum in 64 does not overflow.
+    start: u32,
+    pitch: u32,
+}
+
+impl Place {
+    /// The same pixels in the plane of another sample.
     #[inline(always)]
-    fn of<'a, T>(&self, values: &'a mut [T], start: usize) -> Option<&'a mut [T]> {
-        values.get_mut(start..start + self.second + 4)
+    fn plane(self, start: u32) -> Self {
+        Self { start: self.start.wrapping_add(start), ..self }
+    }
+
+    /// The values of a tile. `None` outside of the array.
+    #[inline(always)]
+    fn load<K: Simd, T: SimdBase<K> + SimdCombine<K>, const SQUARE: bool>(
+        self,
+        simd: K,
+        values: &[T::Element],
+    ) -> Option<T::Combined>
+    where
+        T::Combined: SimdBase<K, Element = T::Element>,
+    {
+        let (start, pitch) = (self.start as usize, self.pitch as usize);
+        Some(if SQUARE {
+            let (first, last) = (values.get(start..start + 4)?, values.get(start + pitch..start + pitch + 4)?);
+            T::from_slice(simd, first).combine(T::from_slice(simd, last))
+        } else {
+            T::Combined::from_slice(simd, values.get(start..start + LANES)?)
+        })
+    }
+
+    /// Writes the values of a tile.
+    #[inline(always)]
+    fn store<K: Simd, T: SimdSplit<K> + SimdBase<K>, const SQUARE: bool>(self, tile: T, values: &mut [T::Element])
+    where
+        T::Split: SimdBase<K, Element = T::Element>,
+    {
+        let (start, pitch) = (self.start as usize, self.pitch as usize);
+        if SQUARE {
+            let (first, last) = tile.split();
+            if let Some(values) = values.get_mut(start..start + 4) {
+                first.store_slice(values);
+            }
+            if let Some(values) = values.get_mut(start + pitch..start + pitch + 4) {
+                last.store_slice(values);
+            }
+        } else if let Some(values) = values.get_mut(start..start + LANES) {
+            tile.store_slice(values);
+        }
     }
 }
 
@@ -257,108 +393,133 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         Self { simd, origin, z, depth_steps, depth_test, in_order, translucent, shader }
     }
 
-    /// Fills a triangle of eight columns at most, by its edge functions: for each its change to the right, its change down,
-    /// and its value at the centre of the first pixel.
-    #[inline(always)]
-    fn narrow(mut self, band: &mut Band, columns: Range<i32>, rows: Range<i32>, functions: &[[i32; 3]; 3]) {
-        let tile =
-            if columns.end - columns.start <= 4 { Tile::square(self.simd, band.pitch) } else { Tile::level(self.simd) };
+    /// Fills a triangle by its edge functions: for each its change to the right, its change down, and its value at the centre
+    /// of the first pixel. A `SQUARE` tile does for four columns at most.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn small<const SQUARE: bool>(
+        mut self,
+        band: &mut Band,
+        columns: Range<i32>,
+        rows: Range<i32>,
+        functions: &[[i32; 3]; 3],
+    ) {
+        let tile = Tile::<K, SQUARE>::new(self.simd);
         // The functions in whole pixels (as in `Borders`) on the tile, and by how much they are greater at other samples.
-        let mut edges = [i32x8::splat(self.simd, 0); 3];
+        let mut first_edges = [i32x8::splat(self.simd, 0); 3];
         let mut more = [[0; 3]; S];
         for k in 0..3 {
             let [a, b, start] = functions[k];
             let first = (start + a * band.samples[0][0] + b * band.samples[0][1]) >> 8;
-            edges[k] = tile.columns * a + tile.rows * b + first;
+            first_edges[k] = tile.columns * a + tile.rows * b + first;
             for (more, sample) in more.iter_mut().zip(band.samples) {
                 more[k] = ((start + a * sample[0] + b * sample[1]) >> 8) - first;
             }
         }
-        let down = [functions[0][1] * tile.height, functions[1][1] * tile.height, functions[2][1] * tile.height];
-        let x = tile.x(columns.start, self.origin);
-        let mut y = tile.y(rows.start, self.origin);
-        self.shader.columns(x);
-        let across = x * self.z.dx;
-        let mut start = (rows.start - band.rows.start) as usize * band.pitch + columns.start as usize;
-        let mut own = mask32x8::splat(self.simd, -1);
-        let mut j = rows.start;
-        while j < rows.end {
-            let mut covered = [mask32x8::splat(self.simd, 0); S];
-            for s in 0..S {
-                // Not negative inside, for all three: then their common sign bit is not set.
-                let outside = if s == 0 {
-                    edges[0] | edges[1] | edges[2]
-                } else {
-                    (edges[0] + more[s][0]) | (edges[1] + more[s][1]) | (edges[2] + more[s][2])
-                };
-                covered[s] = outside.simd_gt(-1);
+        let height = Tile::<K, SQUARE>::HEIGHT;
+        let mut i = columns.start;
+        // From the left to the right: eight columns, from above to below.
+        while i < columns.end {
+            let mut edges = first_edges;
+            self.shader.columns(tile.x(i, self.origin));
+            let across = tile.x(i, self.origin) * self.z.dx;
+            let mut y = tile.y(rows.start, self.origin);
+            let mut place = band.place(rows.start, i);
+            let mut own = mask32x8::splat(self.simd, -1);
+            let mut j = rows.start;
+            while j < rows.end {
+                let mut covered = [mask32x8::splat(self.simd, 0); S];
+                for s in 0..S {
+                    // Not negative inside, for all three: then their common sign bit is not set.
+                    let outside = if s == 0 {
+                        edges[0] | edges[1] | edges[2]
+                    } else {
+                        (edges[0] + more[s][0]) | (edges[1] + more[s][1]) | (edges[2] + more[s][2])
+                    };
+                    covered[s] = outside.simd_gt(-1);
+                }
+                if any(&covered) {
+                    self.shader.rows(y);
+                    let center = across + (y * self.z.dy + self.z.value);
+                    if band.counts.is_some() {
+                        // What lies beyond belongs to the next band, or to nobody.
+                        own = tile.rows.simd_lt(rows.end - j) & tile.columns.simd_lt(band.size.width - i);
+                    }
+                    self.paint::<SQUARE>(place, band, center, &mut covered, own);
+                }
+                for (edge, function) in edges.iter_mut().zip(functions) {
+                    *edge += function[1] * height;
+                }
+                y += height as f32;
+                place.start = place.start.wrapping_add(place.pitch * height as u32);
+                j += height;
             }
-            self.shader.rows(y);
-            let center = across + (y * self.z.dy + self.z.value);
-            if band.counts.is_some() {
-                // What lies beyond belongs to the next band, or to nobody.
-                own = tile.rows.simd_lt(rows.end - j) & tile.columns.simd_lt(band.size.width - columns.start);
+            for (edge, function) in first_edges.iter_mut().zip(functions) {
+                *edge += function[0] * WIDTH;
             }
-            self.paint(&tile, band, start, center, &mut covered, own);
-            for k in 0..3 {
-                edges[k] += down[k];
-            }
-            y += tile.height as f32;
-            start += tile.height as usize * band.pitch;
-            j += tile.height;
+            i += WIDTH;
         }
     }
 
     /// Fills any triangle, row by row between its borders.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn wide(mut self, band: &mut Band, rows: Range<i32>, vertices: &[[i32; 2]; 3]) {
-        let tile = Tile::level(self.simd);
-        let all = mask32x8::splat(self.simd, -1);
-        let mut borders = [Borders::default(); S];
-        for (borders, &sample) in borders.iter_mut().zip(band.samples) {
-            *borders = Borders::new(vertices, sample);
-        }
-        for j in rows {
-            let mut ends = [(0, 0); S];
-            let (mut first, mut last) = (i32::MAX, 0);
-            for s in 0..S {
-                ends[s] = borders[s].row(j, band.size.width);
-                if ends[s].0 < ends[s].1 {
-                    (first, last) = (first.min(ends[s].0), last.max(ends[s].1));
+        let borders = Borders::new(self.simd, vertices, band.samples, band.size.width);
+        // Where a pixel has one sample four rows are bounded together.
+        let together = ROWS / S;
+        let lanes = if S == 1 { [0.0, 1.0, 2.0, 3.0] } else { [0.0; ROWS] };
+        let lanes = f64x4::from_slice(self.simd, &lanes);
+        for four in rows.clone().step_by(together) {
+            let (from, to) = borders.rows(lanes + f64::from(four));
+            if S > 1 {
+                self.row::<ROWS>(band, four, &from, &to);
+            } else {
+                for (j, (&from, &to)) in (four..rows.end).zip(from.iter().zip(&to)) {
+                    self.row(band, j, &[from], &[to]);
                 }
-            }
-            if first >= last {
-                continue;
-            }
-            let y = tile.y(j, self.origin);
-            self.shader.rows(y);
-            let down = y * self.z.dy + self.z.value;
-            let mut start = (j - band.rows.start) as usize * band.pitch + first as usize;
-            let mut i = first;
-            while i < last {
-                let mut covered = [mask32x8::splat(self.simd, 0); S];
-                for (covered, &(from, to)) in covered.iter_mut().zip(&ends) {
-                    *covered = tile.columns.simd_lt(to - i);
-                    if S > 1 {
-                        *covered &= tile.columns.simd_gt(from - i - 1);
-                    }
-                }
-                let x = tile.x(i, self.origin);
-                self.shader.columns(x);
-                self.paint(&tile, band, start, x * self.z.dx + down, &mut covered, all);
-                i += 8;
-                start += 8;
             }
         }
     }
 
+    /// Fills a row, for each sample between two columns.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn row<const N: usize>(&mut self, band: &mut Band, j: i32, from: &[i32; N], to: &[i32; N]) {
+        let (mut first, mut last) = (i32::MAX, 0);
+        for (&from, &to) in from.iter().zip(to).filter(|(from, to)| from < to) {
+            (first, last) = (first.min(from), last.max(to));
+        }
+        if first >= last {
+            return;
+        }
+        let tile = Tile::<K, false>::new(self.simd);
+        let y = tile.y(j, self.origin);
+        self.shader.rows(y);
+        let down = y * self.z.dy + self.z.value;
+        let mut place = band.place(j, first);
+        let mut columns = tile.columns + first;
+        let mut x = tile.x(first, self.origin);
+        let end = place.start.wrapping_add((last - first) as u32);
+        while place.start < end {
+            let mut covered = [mask32x8::splat(self.simd, -1); S];
+            for (covered, (&from, &to)) in covered.iter_mut().zip(from.iter().zip(to)) {
+                *covered = columns.simd_lt(to);
+                if S > 1 {
+                    *covered &= columns.simd_ge(from);
+                }
+            }
+            self.shader.columns(x);
+            self.paint::<false>(place, band, x * self.z.dx + down, &mut covered, mask32x8::splat(self.simd, -1));
+            columns += WIDTH;
+            x += LANES as f32;
+            place.start = place.start.wrapping_add(WIDTH.cast_unsigned());
+        }
+    }
+
     /// Paints a tile where it is covered. `center`: its depths at the centres of pixels; `own`: the pixels that are counted.
-    #[inline(always)]
-    fn paint(
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn paint<const SQUARE: bool>(
         &self,
-        tile: &Tile<K>,
+        place: Place,
         band: &mut Band,
-        start: usize,
         center: f32x8<K>,
         covered: &mut [mask32x8<K>; S],
         own: mask32x8<K>,
@@ -369,24 +530,23 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
             }
         }
         if self.depth_test {
-            for (s, covered) in covered.iter_mut().enumerate() {
-                let Some(depths) = tile.of(band.depths, s * band.plane + start) else { return };
-                let z = if S == 1 { center } else { center + self.depth_steps[s] };
+            for (s, (covered, &step)) in (0..).zip(covered.iter_mut().zip(&self.depth_steps)) {
+                let z = if S == 1 { center } else { center + step };
                 let z = z.max(self.z.low).min(self.z.high);
-                let Some(old) = load::<K, f32x4<K>>(self.simd, depths) else { return };
+                let place = place.plane(s * band.plane);
+                let Some(old) = place.load::<K, f32x4<K>, SQUARE>(self.simd, band.depths) else { return };
                 if !self.in_order {
                     *covered &= z.simd_gt(old);
                 }
                 if !self.translucent {
-                    store(covered.select(z, old), depths);
+                    place.store::<K, f32x8<K>, SQUARE>(covered.select(z, old), band.depths);
                 }
             }
             if !self.translucent
-                && let Some(slopes) = tile.of(band.slopes, start)
-                && let Some(old) = load::<K, u32x4<K>>(self.simd, slopes)
+                && let Some(old) = place.load::<K, u32x4<K>, SQUARE>(self.simd, band.slopes)
             {
                 let slope = u32x8::splat(self.simd, pack_slope(self.z.dx, self.z.dy));
-                store(covered[0].select(slope, old), slopes);
+                place.store::<K, u32x8<K>, SQUARE>(covered[0].select(slope, old), band.slopes);
             }
         }
         if let Some(counts) = &mut band.counts {
@@ -394,46 +554,20 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                 Counts::add(self.simd, &mut counts.lanes[1], *covered & own);
             }
         }
+        if !any(covered) {
+            return;
+        }
         let mut wanted = covered[0];
         for covered in &covered[1..] {
             wanted |= *covered;
         }
-        if !wanted.any_true() {
-            return;
-        }
         let colors = self.shader.colors(wanted);
-        for (s, covered) in covered.iter().enumerate() {
-            let Some(pixels) = tile.of(band.colors, s * band.plane + start) else { return };
-            let Some(old) = load::<K, u32x4<K>>(self.simd, pixels) else { return };
+        for (s, covered) in (0..).zip(&*covered) {
+            let place = place.plane(s * band.plane);
+            let Some(old) = place.load::<K, u32x4<K>, SQUARE>(self.simd, band.colors) else { return };
             let colors = if self.translucent { over(colors, old) } else { colors };
-            store(covered.select(colors, old), pixels);
+            place.store::<K, u32x8<K>, SQUARE>(covered.select(colors, old), band.colors);
         }
-    }
-}
-
-/// The first four and the last four values of a tile.
-#[inline(always)]
-fn load<K: Simd, T: SimdBase<K> + SimdCombine<K>>(simd: K, tile: &[T::Element]) -> Option<T::Combined>
-where
-    T::Element: Copy,
-{
-    let (first, last) = (tile.get(..4)?, tile.get(tile.len() - 4..)?);
-    Some(T::from_slice(simd, first).combine(T::from_slice(simd, last)))
-}
-
-/// Writes the first four and the last four values of a tile.
-#[inline(always)]
-fn store<K: Simd, T: SimdSplit<K>>(values: T, tile: &mut [T::Element])
-where
-    T::Split: SimdBase<K, Element = T::Element>,
-{
-    let (first, last) = values.split();
-    let end = tile.len();
-    if let Some(values) = tile.get_mut(..4) {
-        first.store_slice(values);
-    }
-    if let Some(values) = tile.get_mut(end - 4..) {
-        last.store_slice(values);
     }
 }
 

@@ -16,6 +16,7 @@ mod setup;
 mod shade;
 mod surfaces;
 pub mod text;
+mod vectors;
 
 use std::time::Duration;
 

@@ -5,11 +5,15 @@
 //! E(p) = (b − a) × (p − a) is positive inside; where E = 0 the **top-left rule** decides: a top edge (horizontal, with the
 //! triangle below it) or a left edge owns its points, the others do not.
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f64x4, i32x8};
+
 /// Steps of the snapping grid per pixel.
 pub(super) const STEPS: i32 = 256;
 /// Half a pixel in steps: the place of a centre.
 pub(super) const HALF: i32 = STEPS / 2;
-/// Triangles less high than this, in steps, and eight pixels wide have edge functions (in steps²) that 32 bits hold.
+/// Triangles less wide and less high than this, in steps, have edge functions (in steps²) that 32 bits hold.
+pub(super) const WIDEST: i32 = 32 * STEPS;
 pub(super) const HIGHEST: i32 = 128 * STEPS;
 
 /// A position (pixels) becomes one on the grid by v · STEPS + `MAGIC`, rounded (ties to even): between 2²³ and 2²⁴ an `f32`
@@ -108,26 +112,33 @@ impl Triangle {
     }
 }
 
-/// Where the rows of a triangle begin and end, for one sample of each pixel: two lines at the left, two at the right.
+/// Where the rows of a triangle begin and end: two lines at the left, two at the right. Four at a time: the rows of the four
+/// samples of a pixel, or where a pixel has one sample, four rows that follow one another.
 ///
 /// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, is not negative inside. It
 /// is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a where a > 0, and ends before that
 /// x + 1 where a < 0: in both cases at ⌊x⌋ + 1. x is at least ½/|a| ≥ 2⁻²⁵ away from whole numbers, while its three roundings
 /// together are below 2⁻¹²/|a|: the result is that of exact arithmetic.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Borders {
+#[derive(Clone, Copy)]
+pub(super) struct Borders<K: Simd> {
     /// x at row 0, and its change from row to row.
-    lines: [(f64, f64); 4],
+    lines: [(f64x4<K>, f64x4<K>); 4],
     /// The rows that the triangle has.
-    first: i32,
-    end: i32,
+    first: f64x4<K>,
+    end: f64x4<K>,
+    width: f64x4<K>,
 }
 
-impl Borders {
-    /// Of a triangle whose edge functions are positive inside.
+/// Rows that [`Borders`] finds together.
+pub(super) const ROWS: usize = 4;
+
+impl<K: Simd> Borders<K> {
+    /// Of a triangle whose edge functions are positive inside. `samples`: one or four; `width`: that of the picture.
     #[inline(always)]
-    pub(super) fn new(v: &[[i32; 2]; 3], sample: [i32; 2]) -> Self {
-        let mut lines = [(0.0, -1.0), (0.0, -1.0), (0.0, 1e9), (0.0, 1e9)];
+    pub(super) fn new(simd: K, v: &[[i32; 2]; 3], samples: &[[i32; 2]], width: i32) -> Self {
+        let sample: [[i32; 2]; ROWS] = std::array::from_fn(|l| samples[l % samples.len()]);
+        let constant = |value: f64| (f64x4::splat(simd, 0.0), f64x4::splat(simd, value));
+        let mut lines = [constant(-1.0), constant(-1.0), constant(1e9), constant(1e9)];
         let (mut left, mut right) = (0, 2);
         for k in 0..3 {
             let (from, to) = (v[k], v[(k + 1) % 3]);
@@ -137,10 +148,11 @@ impl Borders {
                 continue;
             }
             // Only a left edge, whose a is positive, owns its points; the other is moved inwards by the least there is.
-            let place = |c: usize| i64::from(HALF + sample[c] - from[c]);
-            let c = i64::from(a) * place(0) + i64::from(b) * place(1) - i64::from(a < 0);
+            let place = |l: usize, c: usize| i64::from(HALF + sample[l][c] - from[c]);
+            let c = |l: usize| i64::from(a) * place(l, 0) + i64::from(b) * place(l, 1) - i64::from(a < 0);
             let inverse = -1.0 / f64::from(a);
-            let line = (((c >> 8) as f64 + 0.5) * inverse, f64::from(b) * inverse);
+            let starts: [f64; ROWS] = std::array::from_fn(|l| ((c(l) >> 8) as f64 + 0.5) * inverse);
+            let line = (f64x4::from_slice(simd, &starts), f64x4::splat(simd, f64::from(b) * inverse));
             let side = if a > 0 { &mut left } else { &mut right };
             lines[*side] = line;
             *side += 1;
@@ -152,26 +164,33 @@ impl Borders {
             lines[3] = lines[2];
         }
         // Rows with a sample in the box; those on its lower border belong to no one.
-        let row = |y: i32| (y - HALF - sample[1] + STEPS - 1) >> 8;
-        let first = row(v[0][1].min(v[1][1]).min(v[2][1]));
-        let end = row(v[0][1].max(v[1][1]).max(v[2][1]));
-        Self { lines, first, end }
+        let rows = |y: i32| {
+            let row = |l: usize| f64::from((y - HALF - sample[l][1] + STEPS - 1) >> 8);
+            f64x4::from_slice(simd, &[row(0), row(1), row(2), row(3)])
+        };
+        let first = rows(v[0][1].min(v[1][1]).min(v[2][1]));
+        let end = rows(v[0][1].max(v[1][1]).max(v[2][1]));
+        Self { lines, first, end, width: f64x4::splat(simd, f64::from(width)) }
     }
 
-    /// The first pixel of row `j` inside the triangle and the first one behind it, between 0 and `width`.
+    /// The first pixels of rows inside the triangle and the first ones behind it, between 0 and the width; those of rows that
+    /// have no pixel inside are equal or the wrong way round.
     #[inline(always)]
-    pub(super) fn row(&self, j: i32, width: i32) -> (i32, i32) {
+    pub(super) fn rows(&self, j: f64x4<K>) -> ([i32; ROWS], [i32; ROWS]) {
         // 1.5 · 2⁵² leaves no bits for fractions: the sum is rounded, and its low bits are the integer.
         const MAGIC: f64 = 6_755_399_441_055_744.0;
-        if j < self.first || j >= self.end {
-            return (0, 0);
-        }
-        let y = f64::from(j);
-        let x = |k: usize| self.lines[k].0 + self.lines[k].1 * y;
+        let x = |k: usize| self.lines[k].0 + self.lines[k].1 * j;
         // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x is no whole number.
-        #[expect(clippy::cast_possible_truncation, reason = "the low 32 bits hold the whole number")]
-        let after = |x: f64| (lesser(greater(x, -0.75), f64::from(width)) + 0.5 + MAGIC).to_bits() as i32;
-        (after(greater(x(0), x(1))), after(lesser(x(2), x(3))).min(width))
+        let after = |x: f64x4<K>| {
+            let bits = (x + 0.5 + MAGIC).bitcast::<i32x8<K>>();
+            [bits[0], bits[2], bits[4], bits[6]]
+        };
+        let zero = f64x4::splat(self.width.witness(), -0.75);
+        let from = x(0).max(x(1)).max(zero).min(self.width);
+        // A row that there is not ends at 0.
+        let own = j.simd_ge(self.first) & j.simd_lt(self.end);
+        let to = own.select(x(2).min(x(3)).max(zero).min(self.width - 0.75), zero);
+        (after(from), after(to))
     }
 }
 

@@ -272,7 +272,7 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
         }
         let mut simple = present & steepest.simd_lt(STEEPEST);
         if !surface.inverse_w.is_empty() {
-            let [w] = gather(simd, surface.inverse_w.as_chunks::<1>().0, corners);
+            let w = gather(simd, &surface.inverse_w, corners);
             let spread = planes[0].spread().max(planes[1].spread()).max(planes[2].spread());
             let (far, near) = (w[0].min(w[1]).min(w[2]), w[0].max(w[1]).max(w[2]));
             // Not so where one is missing and thus no number.
@@ -356,7 +356,7 @@ fn gather_colors<K: Simd>(simd: K, colors: &[Rgba], corners: &Corners) -> ([u32x
     let (mut packed, mut present) = ([[0; BATCH]; 3], [-1; BATCH]);
     for k in 0..3 {
         for l in 0..BATCH {
-            match colors.get(corners[k][l]) {
+            match colors.get(corners[k][l] as usize) {
                 Some(c) => packed[k][l] = u32::from_le_bytes([c.r, c.g, c.b, c.a]),
                 None => present[l] = 0,
             }

@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use fearless_simd::{Level, dispatch};
+use fearless_simd::Level;
 use tiny_skia::Pixmap;
 
 use crate::drawing::Drawing;
@@ -13,6 +13,7 @@ use super::fill::{Band, Counts, Size, fill};
 use super::pixel::{Pixel, mean, premultiply};
 use super::setup::samples;
 use super::shade::LANES;
+use super::vectors::with_vectors;
 
 /// The samples of a band should stay in a processor's own cache: this many, each with colour and depth (8 bytes).
 const BAND_SAMPLES: usize = 1 << 16;
@@ -157,6 +158,8 @@ impl Scratch {
         slopes.resize(if frame.want_slopes { plane } else { 0 }, 0);
         #[expect(clippy::cast_possible_truncation, reason = "rows are at most 16384")]
         let (first, count) = ((job.band * frame.rows) as i32, rows as i32);
+        #[expect(clippy::cast_possible_truncation, reason = "a band has a million pixels at most")]
+        let (short_pitch, short_plane) = (pitch as u32, plane as u32);
         // Sixteen samples are four times four: one set of instructions for both.
         for (k, samples) in samples.chunks(together).enumerate() {
             let set = k * together * plane..(k + 1) * together * plane;
@@ -164,8 +167,8 @@ impl Scratch {
                 size,
                 rows: first..first + count,
                 samples,
-                pitch,
-                plane,
+                pitch: short_pitch,
+                plane: short_plane,
                 colors: &mut self.colors[set.clone()],
                 depths: depths.get_mut(set).unwrap_or_default(),
                 slopes: if k == 0 { slopes } else { &mut [] },
@@ -175,20 +178,17 @@ impl Scratch {
             for (surface, triangles) in frame.bins.band(job.band) {
                 let surface = &drawing.surfaces[surface];
                 if together == 1 {
-                    dispatch!(frame.level, simd => fill::<_, 1>(simd, &mut band, surface, triangles));
+                    with_vectors!(frame.level, simd => fill::<_, 1>(simd, &mut band, surface, triangles));
                 } else {
-                    dispatch!(frame.level, simd => fill::<_, 4>(simd, &mut band, surface, triangles));
+                    with_vectors!(frame.level, simd => fill::<_, 4>(simd, &mut band, surface, triangles));
                 }
             }
         }
-        for (row, pixels) in job.pixels.chunks_exact_mut(width).enumerate() {
-            let start = row * pitch;
-            match samples.len() {
-                1 => resolve::<1>(pixels, &self.colors[start..], plane),
-                4 => resolve::<4>(pixels, &self.colors[start..], plane),
-                _ => resolve::<16>(pixels, &self.colors[start..], plane),
-            }
-        }
+        with_vectors!(frame.level, _simd => match samples.len() {
+            1 => resolve::<1>(job.pixels, &self.colors, width, pitch, plane),
+            4 => resolve::<4>(job.pixels, &self.colors, width, pitch, plane),
+            _ => resolve::<16>(job.pixels, &self.colors, width, pitch, plane),
+        });
         if frame.depth_test && together > 1 {
             values.clear();
             values.extend_from_slice(&self.depths[..plane]);
@@ -196,10 +196,13 @@ impl Scratch {
     }
 }
 
-/// Writes the means of a row's samples, whose planes lie `plane` apart.
-fn resolve<const S: usize>(pixels: &mut [[u8; 4]], colors: &[Pixel], plane: usize) {
-    let samples: [&[Pixel]; S] = std::array::from_fn(|s| &colors[s * plane..s * plane + pixels.len()]);
-    for (i, pixel) in pixels.iter_mut().enumerate() {
-        *pixel = mean::<S>(std::array::from_fn(|s| samples[s][i])).to_le_bytes();
+/// Writes the means of the samples of each pixel, whose planes lie `plane` apart.
+#[inline(always)]
+fn resolve<const S: usize>(pixels: &mut [[u8; 4]], colors: &[Pixel], width: usize, pitch: usize, plane: usize) {
+    for (row, pixels) in pixels.chunks_exact_mut(width).enumerate() {
+        let samples: [&[Pixel]; S] = std::array::from_fn(|s| &colors[s * plane + row * pitch..][..width]);
+        for (i, pixel) in pixels.iter_mut().enumerate() {
+            *pixel = mean::<S>(std::array::from_fn(|s| samples[s][i])).to_le_bytes();
+        }
     }
 }
