@@ -11,6 +11,7 @@ mod look;
 mod paint;
 mod probe;
 mod screen;
+mod seek;
 mod status;
 mod strip;
 mod title;
@@ -20,7 +21,7 @@ use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
+    Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
 use self::act::Drag;
@@ -29,6 +30,7 @@ use self::easel::Job;
 use self::look::Auto;
 use self::paint::Painter;
 use self::screen::{Place, Screen};
+use self::seek::{Question, Seeker, What};
 use self::status::{Status, StatusAction};
 use self::strip::{Strip, StripAction};
 use self::title::{Title, TitleAction, picture_name};
@@ -36,7 +38,7 @@ use super::handles::point;
 use super::highlight::{Highlight, Movable};
 use super::state::{Look, Picture, State};
 use crate::appearance::Rgba;
-use crate::figure::{Figure, Observer};
+use crate::figure::{Depth, Figure, Observer};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::picture::Account;
@@ -61,6 +63,9 @@ pub struct Canvas {
     asked: Option<(Picture, Look)>,
     extras: Extras,
     highlight: Highlight,
+    /// What looks for what is pointed at, and for its depth.
+    seeker: Seeker,
+    depth_seeker: Seeker,
     drag: Option<Drag>,
     pinned: Option<Probe>,
     /// For a double-click, whose first click was not meant to pin.
@@ -82,6 +87,8 @@ impl Default for Canvas {
             asked: None,
             extras: Extras::default(),
             highlight: Highlight::default(),
+            seeker: Seeker::default(),
+            depth_seeker: Seeker::default(),
             drag: None,
             pinned: None,
             pinned_before: None,
@@ -105,6 +112,24 @@ fn setup<'a>(state: &'a State, extras: &'a Extras, size: views::Size) -> Setup<'
         labels: labels(state.settings.lang),
         size,
         extras,
+    }
+}
+
+/// What is asked about the scene as it is now.
+fn question(state: &State, extras: &Extras, what: What) -> Question {
+    let figure = state.document.figure();
+    Question {
+        what,
+        figure: Figure {
+            image: figure.image,
+            viewport: figure.viewport,
+            style: figure.style,
+            reveal: figure.reveal,
+            ..Figure::default()
+        },
+        camera: state.document.camera().clone(),
+        scene: Arc::clone(state.scenery.scene()),
+        extras: Extras { bounds: extras.bounds, ..Extras::default() },
     }
 }
 
@@ -151,8 +176,12 @@ impl Canvas {
             self.strip(ui, stages, state, texts);
         }
 
-        self.describe_probe(state, &mut status, texts);
+        self.describe_probe(&ctx, state, &mut status, texts);
         status.strip = state.layout.strip;
+        let loading = loading(state);
+        if !loading.is_empty() {
+            status.message = loading;
+        }
         status.hidden = if state.layout.maximized.is_none() {
             Picture::ALL.into_iter().filter(|p| !state.layout.shown[p.index()]).collect()
         } else {
@@ -333,20 +362,24 @@ impl Canvas {
                 let color = ui.visuals().error_fg_color;
                 ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);
             }
+            note(ui, rect, &loading(state));
             if pane.picture == Picture::Image && pane.response.hovered() && self.drag.is_none() {
                 cross(ui, state, pane);
             }
         }
     }
 
-    fn describe_probe(&self, state: &State, status: &mut Status, texts: &'static CanvasTexts) {
+    fn describe_probe(&mut self, ctx: &Context, state: &State, status: &mut Status, texts: &'static CanvasTexts) {
         let Some(probe) = self.extras.probe else {
             status.note = texts.probe_hint;
             return;
         };
         let setup = setup(state, &self.extras, views::Size { width: 1, height: 1, scale: 1.0 });
         let digits = state.settings.digits;
-        let depths = probe::depths(probe, &setup);
+        let asks = matches!(probe, Probe::Window(_)) && setup.figure.reveal.depth != Depth::Off;
+        let depths = asks
+            .then(|| self.depth_seeker.ask(ctx, question(state, &self.extras, What::Depths(probe))).depths)
+            .flatten();
         status.cells = probe::cells(probe, depths, &setup, digits.min(4), texts);
         status.exact = probe::cells(probe, depths, &setup, digits, texts);
         if self.pinned.is_some() {
@@ -357,6 +390,28 @@ impl Canvas {
             };
         }
     }
+}
+
+/// Which mesh files are being read, in a sentence; empty where none is.
+fn loading(state: &State) -> String {
+    let files = state.scenery.loading();
+    if files.is_empty() {
+        return String::new();
+    }
+    format!("{} {}…", crate::i18n::scenes::texts(state.settings.lang).loading, files.join(", "))
+}
+
+/// A sentence over a picture.
+fn note(ui: &Ui, picture: Rect, text: &str) {
+    if text.is_empty() {
+        return;
+    }
+    let font = TextStyle::Body.resolve(ui.style());
+    let color = ui.visuals().text_color();
+    let galley = ui.painter().layout(text.to_owned(), font, color, (picture.width() - 24.0).max(40.0));
+    let place = Align2::CENTER_CENTER.anchor_size(picture.center(), galley.size());
+    ui.painter().rect_filled(place.expand2(eframe::egui::vec2(8.0, 4.0)), 3.0, ui.visuals().panel_fill);
+    ui.painter().galley(place.min, galley, color);
 }
 
 /// Gives a picture all the room, or gives it back.

@@ -111,11 +111,13 @@ fn with_descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
 /// The edges of a box that is turned with its object; those without length are left out.
 fn box_edges(bounds: &Aabb, world_from_object: &DMat4) -> impl Iterator<Item = [DVec3; 2]> {
     let corners = bounds.corners().map(|p| (p, world_from_object.transform_point3(p)));
-    let mut edges = Vec::new();
+    let mut edges: Vec<[DVec3; 2]> = Vec::new();
     for (i, (a, a_world)) in corners.into_iter().enumerate() {
         for (b, b_world) in corners.into_iter().skip(i + 1) {
-            if (a - b).to_array().into_iter().filter(|d| *d != 0.0).count() == 1 && !edges.contains(&[a_world, b_world])
-            {
+            let along_one_axis = (a - b).to_array().into_iter().filter(|d| *d != 0.0).count() == 1;
+            // The corners of a flat box coincide in pairs.
+            let is_known = edges.contains(&[a_world, b_world]) || edges.contains(&[b_world, a_world]);
+            if along_one_axis && !is_known {
                 edges.push([a_world, b_world]);
             }
         }

@@ -84,6 +84,18 @@ fn a_problem_and_its_repairs_in_a_narrow_window() {
 }
 
 #[test]
+fn the_tree_of_the_scene_and_an_object_with_its_arrows() {
+    let mut window = first(Lang::PtBr, Theme::Light, [1120.0, 640.0]);
+    window.key(Key::F6);
+    window.click("Editar uma cópia");
+    window.click("Acrescentar");
+    window.click("cone");
+    window.run();
+    window.enter("translação x", "2");
+    assert_window("scene", &mut window);
+}
+
+#[test]
 fn changes_that_have_not_been_saved() {
     let mut window = Window::new(Lang::PtBr);
     window.harness.set_size([640.0, 400.0].into());

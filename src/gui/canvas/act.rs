@@ -6,8 +6,9 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
+use super::seek::What;
 use super::status::Status;
-use super::{Canvas, Pane, look, probe, setup, toggle_maximized};
+use super::{Canvas, Pane, look, probe, question, setup, toggle_maximized};
 use crate::camera::{Convention, Operation};
 use crate::figure::Observer;
 use crate::geometry::Angle;
@@ -319,7 +320,14 @@ impl Canvas {
             }
             return None;
         }
-        let found = probe::at(pane.picture, &setup, observer, pointer, pane.place.pixels(probe::REACH));
+        let what = What::Under {
+            picture: pane.picture,
+            observer: *observer,
+            size: pane.place.size,
+            pointer,
+            reach: pane.place.pixels(probe::REACH),
+        };
+        let asked = question(state, &self.extras, what);
         status.message = match pane.picture {
             Picture::Image => match pick::window_point_in_image(&setup, pointer) {
                 Some(point) => {
@@ -335,7 +343,7 @@ impl Canvas {
             },
             _ => texts.pointer_in_space.to_owned(),
         };
-        found
+        self.seeker.ask(ui.ctx(), asked).probe
     }
 
     // The keys.

@@ -149,17 +149,18 @@ impl Drop for Painter {
     }
 }
 
-/// The thread: takes the pictures in turn, so that none starves while another is dragged.
+/// The thread. Every picture that waits gets the same share of the time: a light one is not as late as a heavy one, and none
+/// starves while another is dragged.
 fn work(shared: &Shared, ctx: &egui::Context) {
     let mut easel = Easel::default();
-    let mut next = 0;
+    let mut shares = Shares::default();
     loop {
         let mut desk = shared.desk();
         let (i, job) = loop {
             if desk.quit {
                 return;
             }
-            let turn = (0..3).map(|k| (next + k) % 3).find(|&i| desk.wanted[i].is_some());
+            let turn = shares.next(std::array::from_fn(|i| desk.wanted[i].is_some()));
             if let Some((i, job)) = turn.and_then(|i| desk.wanted[i].take().map(|job| (i, job))) {
                 break (i, job);
             }
@@ -174,7 +175,7 @@ fn work(shared: &Shared, ctx: &egui::Context) {
             easel = Easel::default();
             None
         });
-        next = (i + 1) % 3;
+        shares.book(i, start.elapsed());
 
         let mut desk = shared.desk();
         desk.busy = None;
@@ -185,6 +186,29 @@ fn work(shared: &Shared, ctx: &egui::Context) {
         if !waited_for {
             ctx.request_repaint();
         }
+    }
+}
+
+/// How much time each picture has had, so that the next is the one that had least.
+#[derive(Default)]
+struct Shares {
+    had: [Duration; 3],
+    /// What the picture that came last had had before: who has not waited gets no credit for it.
+    floor: Duration,
+}
+
+impl Shares {
+    fn next(&mut self, waiting: [bool; 3]) -> Option<usize> {
+        for i in (0..3).filter(|&i| waiting[i]) {
+            self.had[i] = self.had[i].max(self.floor);
+        }
+        let next = (0..3).filter(|&i| waiting[i]).min_by_key(|&i| self.had[i])?;
+        self.floor = self.had[next];
+        Some(next)
+    }
+
+    fn book(&mut self, picture: usize, time: Duration) {
+        self.had[picture] += time;
     }
 }
 
@@ -236,6 +260,33 @@ mod tests {
             std::thread::yield_now();
         }
         assert_eq!(*called.lock().unwrap(), 1);
+    }
+
+    #[test]
+    fn a_light_picture_comes_more_often_than_a_heavy_one_and_none_starves() {
+        let mut shares = Shares::default();
+        let mut came = [0_u32; 3];
+        let takes = [60, 180, 20].map(Duration::from_millis);
+        for _ in 0..100 {
+            let i = shares.next([true; 3]).unwrap();
+            came[i] += 1;
+            shares.book(i, takes[i]);
+        }
+        assert!(came[1] >= 6 && came[0] >= 3 * came[1] - 3 && came[2] >= 3 * came[0] - 3, "{came:?}");
+        // Who had nothing to draw for long has no right to all the time after that.
+        for _ in 0..50 {
+            let i = shares.next([false, false, true]).unwrap();
+            shares.book(i, takes[i]);
+        }
+        let first: Vec<usize> = (0..12)
+            .map(|_| {
+                let i = shares.next([true; 3]).unwrap();
+                shares.book(i, takes[i]);
+                i
+            })
+            .collect();
+        assert!(first.contains(&2) && first.contains(&1) && first.contains(&0), "{first:?}");
+        assert_eq!(shares.next([false; 3]), None);
     }
 
     #[test]

@@ -124,7 +124,7 @@ fn clipping_cells(p: DVec3, setup: &Setup, digits: usize, texts: &CanvasTexts) -
 }
 
 /// What the depth buffer holds at a pixel, if anything.
-type Depths = Option<DepthReading>;
+pub(super) type Depths = Option<DepthReading>;
 
 /// What the depth buffer holds under the probe; `None` where the image does not show depths.
 pub(super) fn depths(probe: Probe, setup: &Setup) -> Option<Depths> {
