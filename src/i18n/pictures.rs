@@ -20,7 +20,7 @@ const EN: Labels = Labels {
     planes: ["left", "right", "bottom", "top", "near", "far"],
     divided_first: "divided before clipping",
     wrong: "wrong",
-    no_difference: "nothing is behind the eye",
+    no_difference: "nothing wrong falls into the volume",
 };
 
 const PT_BR: Labels = Labels {
@@ -39,7 +39,7 @@ const PT_BR: Labels = Labels {
     planes: ["esquerda", "direita", "baixo", "topo", "frente", "fundo"],
     divided_first: "dividido antes do recorte",
     wrong: "errado",
-    no_difference: "não há nada atrás do olho",
+    no_difference: "nada de errado cai no volume",
 };
 
 /// The words of a language.
