@@ -202,10 +202,6 @@ impl Culling<'_> {
     fn stretch(&self, part: &mut Part, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
         *part = Part { crossing: std::mem::take(&mut part.crossing), ..Part::default() };
         part.crossing.clear();
-        let positions = &self.image.positions[..];
-        let outward = self.vertices.view_from_object.outward();
-        let both_sides = !self.task.cull_back;
-        let mut areas = [0.0; 8];
         for ((k, byte), eight) in (first..).step_by(8).zip(kept).zip(triangles.chunks(8)) {
             let mut bits = 0;
             if self.task.watch_turning || self.crosses(eight) {
@@ -213,24 +209,53 @@ impl Culling<'_> {
                     bits |= u8::from(self.judge(part, k + to_u32(l), triangle)) << l;
                 }
             } else {
-                for (area, &[a, b, c]) in areas.iter_mut().zip(eight) {
-                    let [a, b, c] = [positions.get(a as usize), positions.get(b as usize), positions.get(c as usize)];
-                    *area = match (a, b, c) {
-                        (Some(&a), Some(&b), Some(&c)) => area_on_image(a, b, c),
-                        _ => 0.0,
-                    };
-                }
-                for (l, area) in areas.iter().enumerate().take(eight.len()) {
-                    bits |= u8::from((area * outward > 0.0) | ((area * outward < 0.0) & both_sides)) << l;
-                }
+                bits = self.turned_here(eight);
                 part.back += eight.len() - bits.count_ones() as usize;
             }
             *byte = bits;
             part.kept += bits.count_ones() as usize;
-            if bits != 0 && !self.used.is_empty() {
-                eight.iter().for_each(|&triangle| self.mark(triangle));
+            let mut left = if self.used.is_empty() { 0 } else { bits };
+            while left != 0 {
+                self.mark(eight[left.trailing_zeros() as usize]);
+                left &= left - 1;
             }
         }
+    }
+
+    /// The bits of those of up to eight triangles, none of which crosses a plane, that are to be drawn.
+    #[inline(always)]
+    fn turned_here(&self, eight: &[[u32; 3]]) -> u8 {
+        let positions = &self.image.positions[..];
+        // The two products of which the area is the difference, in single precision. Sides of triangles on the grid of subpixels
+        // are exact, and rounding keeps the order of the products, but for those that it makes equal.
+        let (mut first, mut second) = ([0.0_f32; 8], [0.0_f32; 8]);
+        for (l, &[a, b, c]) in eight.iter().enumerate().take(8) {
+            let [a, b, c] = [positions.get(a as usize), positions.get(b as usize), positions.get(c as usize)];
+            if let (Some(a), Some(b), Some(c)) = (a, b, c) {
+                first[l] = (b[1] - a[1]) * (c[0] - a[0]);
+                second[l] = (b[0] - a[0]) * (c[1] - a[1]);
+            }
+        }
+        let (mut front, mut behind) = (0, 0);
+        if !self.image.huge {
+            for l in 0..8 {
+                front |= u8::from(first[l] > second[l]) << l;
+                behind |= u8::from(first[l] < second[l]) << l;
+            }
+        }
+        let decided = front | behind;
+        for (l, &[a, b, c]) in eight.iter().enumerate().filter(|(l, _)| decided >> l & 1 == 0) {
+            let [a, b, c] = [positions.get(a as usize), positions.get(b as usize), positions.get(c as usize)];
+            if let (Some(&a), Some(&b), Some(&c)) = (a, b, c) {
+                let area = area_on_image(a, b, c);
+                front |= u8::from(area > 0.0) << l;
+                behind |= u8::from(area < 0.0) << l;
+            }
+        }
+        if self.vertices.view_from_object.mirrored() {
+            std::mem::swap(&mut front, &mut behind);
+        }
+        if self.task.cull_back { front } else { front | behind }
     }
 
     /// True where a vertex of the triangles is outside a plane.

@@ -278,6 +278,8 @@ pub(super) struct OnImage {
     pub(super) outcodes: Vec<PlaneSet>,
     /// The planes that any vertex is outside of.
     pub(super) outside: PlaneSet,
+    /// The picture is so large that differences of positions may not fit in single precision.
+    pub(super) huge: bool,
 }
 
 /// Vertices or triangles that are worked on as one piece.
@@ -295,6 +297,7 @@ impl OnImage {
     /// Takes each vertex once through all spaces, and holds it against the planes, if the object may cross any (`crosses`).
     pub(super) fn fill(&mut self, vertices: &Vertices, screen: &Screen, crosses: bool, want_inverse_w: bool) {
         let n = vertices.len();
+        self.huge = screen.half_width.max(screen.half_height) > 0.5 * 65_536.0;
         // What is there is overwritten.
         self.positions.resize(n, [0.0; 3]);
         self.inverse_w.resize(if want_inverse_w { n } else { 0 }, 0.0);
