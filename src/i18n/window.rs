@@ -78,7 +78,7 @@ texts! {
     help_numbers: "Number fields", "Campos numéricos";
     help_numbers_text: "Drag to the side (Shift: slowly). Click and type a number or an expression: 1/3, sqrt(2)/2, 45°, pi/3. Enter: done · Esc: as before · ↑ ↓: one step · Page ↑ ↓: ten steps", "Arraste para o lado (Shift: devagar). Clique e digite um número ou uma expressão: 1/3, sqrt(2)/2, 45°, pi/3. Enter: pronto · Esc: como antes · ↑ ↓: um passo · Page ↑ ↓: dez passos";
     help_pictures: "Pictures", "Imagens";
-    help_pictures_text: "Double-click: maximise. Drag C, PF, VUP and the planes F and B in the world. Click: pin what is pointed at.", "Duplo clique: maximizar. Arraste C, PF, VUP e os planos F e B no mundo. Clique: fixar o que se aponta.";
+    help_pictures_text: "Double-click: maximise. Drag C, PF, VUP and the planes F and B in the world, and the arrows of what is selected in the scene. Click: pin what is pointed at.", "Duplo clique: maximizar. Arraste C, PF, VUP e os planos F e B no mundo, e as setas do que está selecionado na cena. Clique: fixar o que se aponta.";
     help_commands: "Commands", "Comandos";
     close: "Close", "Fechar";
     show_world: "World", "Mundo";
