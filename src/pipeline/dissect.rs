@@ -10,10 +10,10 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use super::clip::{NOT_A_NUMBER, PLANES, distances, outcode};
+use super::clip::{NOT_A_NUMBER, PLANES, PlaneSet, distances, outcode};
 use super::cull::{Place, place};
 use super::shade::{color_at, mean_of_colors, mean_of_uv};
-use super::transform::{Projector, ViewFromObject};
+use super::transform::{ClipPoint, Projector, ViewFromObject};
 use crate::appearance::LineStyle;
 use crate::camera::{Camera, Projection};
 use crate::geometry::try_unit;
@@ -171,35 +171,46 @@ impl Knife {
 
     fn crossing(&mut self, object: &Object, view_from_object: &ViewFromObject, edges_only: bool) {
         let mesh = &object.mesh;
-        let clip = |i: u32| self.projector.clip(view_from_object.point(mesh.positions[i as usize]));
-        let has = |corners: &[u32]| {
-            let there = corners.iter().all(|&i| (i as usize) < mesh.positions.len());
-            there && corners.iter().all(|&i| outcode(&self.projector, clip(i)) != NOT_A_NUMBER)
-        };
+        let clip: Vec<ClipPoint> =
+            mesh.positions.iter().map(|&p| self.projector.clip(view_from_object.point(p))).collect();
+        let codes: Vec<PlaneSet> = clip.iter().map(|&p| outcode(&self.projector, p)).collect();
         let corner = |i: u32, own: usize| {
             let weights = std::array::from_fn(|k| f64::from(u8::from(k == own)));
-            Corner { weights, distances: distances(&self.projector, clip(i)), own: Some(own) }
+            Corner { weights, distances: distances(&self.projector, clip[i as usize]), own: Some(own) }
+        };
+        let parted = |of: &[u32]| {
+            let codes: Option<Vec<PlaneSet>> = of.iter().map(|&i| codes.get(i as usize).copied()).collect();
+            let [all, any] = codes?.iter().fold([PlaneSet::MAX, 0], |[all, any], code| [all & code, any | code]);
+            if any & NOT_A_NUMBER != 0 {
+                return None;
+            }
+            let whole = of.iter().enumerate().map(|(own, &i)| corner(i, own)).collect();
+            Some(match (all, any) {
+                (_, 0) => (whole, Vec::new()),
+                (0, _) => pieces(whole),
+                _ => (Vec::new(), vec![whole]),
+            })
         };
         let (mut inside, mut outside) = (Part::new(object), Part::new(object));
         let faces = object.faces && !edges_only;
         let mut made = Vec::new();
-        for (source, triangle) in (0_u32..).zip(&mesh.triangles).filter(|(_, t)| has(&t[..])) {
-            let (kept, cut) = pieces((0..3).map(|k| corner(triangle[k], k)).collect());
+        for (source, triangle) in (0_u32..).zip(&mesh.triangles) {
+            let Some((kept, cut)) = parted(&triangle[..]) else { continue };
             inside.polygon(*triangle, &kept, source);
             for piece in &cut {
                 outside.polygon(*triangle, piece, source);
             }
-            if faces && !cut.is_empty() {
+            if faces && !cut.is_empty() && !kept.is_empty() {
                 made.push((*triangle, kept));
             }
         }
-        for &[a, b] in mesh.edges.iter().filter(|ends| has(&ends[..])) {
-            let (kept, cut) = pieces(vec![corner(a, 0), corner(b, 1)]);
+        for &[a, b] in &mesh.edges {
+            let Some((kept, cut)) = parted(&[a, b]) else { continue };
             inside.edge([a, b, b], &kept);
             for piece in &cut {
                 outside.edge([a, b, b], piece);
             }
-            if !faces && !cut.is_empty() {
+            if !faces && !cut.is_empty() && !kept.is_empty() {
                 made.push(([a, b, b], kept));
             }
         }

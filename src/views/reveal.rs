@@ -63,9 +63,12 @@ impl Revealed {
     fn note_cuts(&mut self, parts: &Dissection, setup: &Setup, palette: Palette, place: impl Fn(DVec3) -> DVec3) {
         self.cuts = parts.cuts.iter().map(|&p| place(p)).collect();
         self.sides = parts.sides.iter().map(|side| side.map(&place)).collect();
-        if !self.cuts.is_empty() {
-            self.rows.push(Row::Mark(MarkShape::Diamond, palette.cut, setup.labels.cuts.to_owned()));
-        }
+        let meaning = setup.labels.cuts.to_owned();
+        self.rows.extend(match self.cuts.len() {
+            0 => None,
+            1..=MOST_MARKS => Some(Row::Mark(MarkShape::Diamond, palette.cut, meaning)),
+            _ => Some(Row::Swatch(palette.cut, meaning)),
+        });
     }
 }
 
