@@ -115,9 +115,9 @@ const PRINT: Palette = Palette {
     probe: hex(0x90_00_50),
     ghost: hex(0x4a_4a_4a),
     nothing: hex(0xb9_d3_ee),
-    outside: hex(0x90_00_80).with_alpha(105),
+    outside: hex(0x90_00_80).with_alpha(150),
     dropped: hex(0x33_33_33).with_alpha(100),
-    back: hex(0xb3_9d_f0),
+    back: hex(0xdd_d4_ff),
     cut: hex(0x90_00_50),
     wrong: hex(0xb0_10_10),
 };
@@ -147,6 +147,19 @@ mod tests {
                 assert!(c.contrast(p.paper) >= 4.5, "{theme:?} {c}: {:.2}", c.contrast(p.paper));
             }
         }
+    }
+
+    #[test]
+    fn on_paper_the_tints_are_told_apart_in_greys() {
+        let p = Palette::of(Theme::Print);
+        let grey = |c: Rgba| {
+            let share = f64::from(c.a) / 255.0;
+            let over = |own: u8, ground: u8| f64::from(own) * share + f64::from(ground) * (1.0 - share);
+            0.299 * over(c.r, p.paper.r) + 0.587 * over(c.g, p.paper.g) + 0.114 * over(c.b, p.paper.b)
+        };
+        let mut greys = [p.paper, p.back, p.dropped, p.outside, p.wrong].map(grey);
+        greys.sort_by(f64::total_cmp);
+        assert!(greys.windows(2).all(|pair| pair[1] - pair[0] > 25.0), "{greys:?}");
     }
 
     #[test]

@@ -12,6 +12,7 @@ use camera_lab::scene::{Mesh, Object, ObjectPaint, ObjectSpec, PointMark, Preset
 use camera_lab::views::observer::Preset;
 use camera_lab::views::{self, Palette, depth};
 use glam::{DMat4, DVec2, DVec3};
+use proptest::prelude::*;
 use tiny_skia::Pixmap;
 
 use crate::common::picture::assert_picture;
@@ -529,4 +530,42 @@ fn divided_before_clipping() {
     let figure = floor(Reveal { divide_first: true, outside: Outside::Tinted, ..Reveal::default() });
     assert_picture("reveal_divided_first", &image(&Pictured::of(figure.clone()).in_portuguese()));
     assert_picture("reveal_divided_first_canonical", &canonical(figure));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 40, ..super::pipeline_plan::reproducible(1) })]
+
+    #[test]
+    fn from_anywhere_the_plan_changes_no_pixel(
+        place in proptest::array::uniform6(-1.0..1.0),
+        (near, depth, view_angle) in (0.02..3.0, 0.2..12.0, 10.0..140.0),
+        parallel: bool,
+        (depths, outside, switches) in (0..3_usize, 0..4_usize, any::<[bool; 3]>()),
+        scene in proptest::sample::select(&[ScenePreset::Primitives, ScenePreset::House, ScenePreset::Corridor][..]),
+        shading in proptest::sample::select(&[Shading::Wireframe, Shading::Flat, Shading::Gouraud][..]),
+    ) {
+        let [x, y, z, a, b, c] = place;
+        let [clipping, divide_first, culled] = switches;
+        let reveal = Reveal {
+            depth: [Depth::Off, Depth::Stored, Depth::Linear][depths],
+            outside: [Outside::Usual, Outside::Cut, Outside::Tinted, Outside::Shown][outside],
+            clipping,
+            divide_first,
+            culled,
+        };
+        let mut figure = preset(scene, reveal);
+        figure.camera = Parameters {
+            position: DVec3::new(x, y, z) * 4.0,
+            focal_point: DVec3::new(a, b, c),
+            projection: if parallel { Projection::Parallel } else { Projection::Perspective },
+            near,
+            far: near + depth,
+            view_angle,
+            ..figure.camera
+        };
+        figure.style = Style { shading, antialias: 1, ..Style::default() };
+        prop_assume!(Camera::new(&figure.camera).is_ok());
+        let pictured = || Pictured::of(figure.clone()).sized(80, 60);
+        prop_assert!(painted(&pictured()) == painted(&pictured().forced()));
+    }
 }
