@@ -24,6 +24,8 @@ pub(super) struct Coverage {
 }
 
 const UNTOUCHED: (u32, u32) = (u32::MAX, 0);
+/// Pixels that are looked at together whether the mask covers any.
+const BLOCK: usize = 32;
 
 impl Coverage {
     /// Makes the mask fit some rows of a picture.
@@ -120,10 +122,17 @@ impl Coverage {
                 continue;
             }
             let range = j * self.width + first as usize..j * self.width + end as usize;
-            for (share, pixel) in self.shares[range.clone()].iter_mut().zip(&mut pixels[range]) {
-                match std::mem::take(share) {
-                    0 => {}
-                    s => *pixel = over(scale(source, u32::from(s)), u32::from_le_bytes(*pixel)).to_le_bytes(),
+            let (shares, pixels) = (&mut self.shares[range.clone()], &mut pixels[range]);
+            for (shares, pixels) in shares.chunks_mut(BLOCK).zip(pixels.chunks_mut(BLOCK)) {
+                // Between the strokes of a set most is empty.
+                if shares.iter().fold(0, |all, &share| all | share) == 0 {
+                    continue;
+                }
+                for (share, pixel) in shares.iter_mut().zip(pixels) {
+                    match std::mem::take(share) {
+                        0 => {}
+                        s => *pixel = over(scale(source, u32::from(s)), u32::from_le_bytes(*pixel)).to_le_bytes(),
+                    }
                 }
             }
         }

@@ -12,8 +12,8 @@ pub struct DepthBuffer {
     height: usize,
     /// Place of the values relative to the pixel centres, in pixels.
     offset: [f32; 2],
-    /// Rows of a band, and values from one row to the next.
-    rows: usize,
+    /// Rows of a band, as the exponent of 2, and values from one row to the next.
+    rows_log: u32,
     pitch: usize,
     bands: Vec<BandDepth>,
 }
@@ -30,9 +30,9 @@ pub(super) struct BandDepth {
 }
 
 impl DepthBuffer {
-    /// Makes the buffer fit a picture in bands of `rows`, and empties it.
+    /// Makes the buffer fit a picture in bands of `rows` (a power of two), and empties it.
     pub(super) fn reset(&mut self, [width, height]: [usize; 2], offset: [i32; 2], rows: usize, pitch: usize) {
-        (self.width, self.height, self.rows, self.pitch) = (width, height, rows, pitch);
+        (self.width, self.height, self.rows_log, self.pitch) = (width, height, rows.ilog2(), pitch);
         self.offset = offset.map(|v| v as f32 / STEPS as f32);
         self.bands.resize_with(height.div_ceil(rows), BandDepth::default);
         for band in &mut self.bands {
@@ -46,9 +46,10 @@ impl DepthBuffer {
     }
 
     /// The depth at a pixel and the slope of the face there.
+    #[inline]
     fn value(&self, x: usize, y: usize) -> Option<(f32, [f32; 2])> {
-        let band = self.bands.get(y / self.rows).filter(|band| band.used && x < self.width)?;
-        let index = (y % self.rows) * self.pitch + x;
+        let band = self.bands.get(y >> self.rows_log).filter(|band| band.used && x < self.width)?;
+        let index = (y - (y >> self.rows_log << self.rows_log)) * self.pitch + x;
         let depth = *band.values.get(index)?;
         let slope = band.slopes.get(index).map_or([0.0; 2], |&packed| unpack_slope(packed));
         (depth > f32::NEG_INFINITY).then_some((depth, slope))
@@ -81,21 +82,28 @@ impl DepthBuffer {
     /// does not hide the lines on it, in the corner of a room as little as on an edge.
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
-        let (i, j) = (x.floor(), y.floor());
+        let (i, j) = (floor(x), floor(y));
         // Depths have some 16 bits where perspective crowds them; slopes lose 1/128 when they are packed.
         let base = 1e-4 * p[2].abs() + 1e-6;
         let mut inside = false;
-        for (i, j) in [(i, j), (i + 1.0, j), (i, j + 1.0), (i + 1.0, j + 1.0)] {
-            if !(i >= 0.0 && j >= 0.0 && i < self.width as f32 && j < self.height as f32) {
+        for (i, j) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)] {
+            let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
+            if column >= self.width || row >= self.height {
                 continue;
             }
-            #[expect(clippy::cast_possible_truncation, reason = "checked just above")]
-            let Some((depth, [dx, dy])) = self.value(i as usize, j as usize) else { return true };
-            if depth + dx * (x - i) + dy * (y - j) <= p[2] + base + 0.02 * (dx.abs() + dy.abs()) {
+            let Some((depth, [dx, dy])) = self.value(column, row) else { return true };
+            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + base + 0.02 * (dx.abs() + dy.abs()) {
                 return true;
             }
             inside = true;
         }
         !inside
     }
+}
+
+/// The whole number below; the library's function is slow on processors for which no instruction may be assumed.
+#[expect(clippy::cast_possible_truncation, reason = "`as` saturates, short of the last number")]
+fn floor(v: f32) -> i32 {
+    let whole = v.clamp(-1e9, 1e9) as i32;
+    whole - i32::from(whole as f32 > v)
 }

@@ -23,9 +23,9 @@ const LONGEST: f32 = 1e6;
 /// The most points that are tried on one segment: enough for the longest diagonal.
 const MOST_STEPS: f32 = 60_000.0;
 /// Polylines that are held against the depth buffer as one piece of work.
-const CHUNK: usize = 256;
+const CHUNK: usize = 16;
 /// Fewer polylines than this are not worth a second thread.
-const FEW: usize = 512;
+const FEW: usize = 64;
 
 /// Draws strokes; keeps its buffers from one picture to the next.
 #[derive(Clone, Debug, Default)]
