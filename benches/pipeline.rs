@@ -1,18 +1,25 @@
-//! Time from a scene to its drawing and to its picture: `cargo bench --no-default-features --bench pipeline [-- WORDS…]`.
+//! Time of each stage from a scene to its drawing: `cargo bench --no-default-features --bench pipeline [-- WORDS…]`.
 //!
-//! One bumpy sphere fills most of the picture. Each row tells of many frames, with as many threads as there are: the least time of
-//! each stage, of the pipeline and of the raster, and least and median of both together. Words choose rows (`1000000 gouraud`).
+//! Each row tells of many frames, one made in the memory of the one before, with as many threads as there are: the least time
+//! of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex through all spaces, the
+//! divide and the viewport included. Rows: one bumpy sphere that fills most of the picture, wholly inside and across three
+//! planes; faces put in order; many objects, of which few are in view; the three pictures of the default figure. Words choose
+//! rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
-use std::sync::{Arc, OnceLock};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
+use std::time::Instant;
 
-use camera_lab::appearance::{Rgba, Shading, Style};
+use camera_lab::appearance::{Rgba, Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Parameters};
+use camera_lab::figure::Figure;
+use camera_lab::i18n::{Lang, pictures};
+use camera_lab::picture::{Source, Studio, View, clock};
 use camera_lab::pipeline::{Options, Pipeline, Stage, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene};
+use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, primitives};
+use camera_lab::views::{Size, scene_of};
 use glam::{DMat4, DVec3};
 use tiny_skia::Pixmap;
 
@@ -43,74 +50,133 @@ fn mesh(triangles: f64) -> Mesh {
     mesh
 }
 
-fn clock() -> Duration {
-    static START: OnceLock<Instant> = OnceLock::new();
-    START.get_or_init(Instant::now).elapsed()
+/// What is timed.
+const STAGES: [Stage; 7] = [
+    Stage::Traverse,
+    Stage::Transform,
+    Stage::CullFaces,
+    Stage::Clip,
+    Stage::Light,
+    Stage::HiddenSurfaces,
+    Stage::Lines,
+];
+
+fn object(mesh: Arc<Mesh>, world_from_object: DMat4) -> Object {
+    Object {
+        name: "thing".into(),
+        mesh,
+        world_from_object,
+        paint: ObjectPaint::Solid(Rgba::rgb(220, 150, 60)),
+        lit: true,
+        two_sided: false,
+        faces: true,
+        edges: None,
+    }
+}
+
+fn scene(objects: Vec<Object>) -> Scene {
+    let light = Light::Directional { direction: DVec3::new(-1.0, -2.0, -1.5) };
+    Scene { objects, lights: vec![light], ..Scene::default() }
+}
+
+fn parameters(distance: f64, near: f64) -> Parameters {
+    let position = DVec3::new(0.6, 0.64, 0.48) * distance;
+    Parameters { position, aspect: 1.0, near, view_angle: 40.0, ..Parameters::default() }
+}
+
+/// The least of each number over many frames.
+struct Least(Vec<f64>);
+
+impl Least {
+    fn row(name: &str, frames: usize, mut frame: impl FnMut() -> Vec<f64>) {
+        let mut least = Self(frame());
+        for _ in 1..frames {
+            least.0.iter_mut().zip(frame()).for_each(|(least, time)| *least = least.min(time));
+        }
+        print!("{name:<32}");
+        least.0.iter().for_each(|time| print!(" {:>15.3}", time * 1e3));
+        println!();
+    }
+}
+
+/// Times a scene, with its raster.
+fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, style: &Style) {
+    let target = Target { width: 640, height: 640, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
+    let (mut pipeline, mut raster) = (Pipeline::default(), Rasterizer::default());
+    let (Ok(camera), Some(mut pixmap)) = (Camera::new(parameters), Pixmap::new(target.width, target.height)) else {
+        return;
+    };
+    let options = Options { clock: Some(clock), ..Options::default() };
+    Least::row(name, frames, || {
+        let start = Instant::now();
+        let frame = pipeline.frame(scene, &camera, target, style, options);
+        let middle = Instant::now();
+        raster.paint_into(&frame.drawing, &mut pixmap);
+        let end = Instant::now();
+        let stages = STAGES.iter().map(|&stage| frame.report[stage as usize].time.unwrap_or_default());
+        let times = stages.chain([middle - start, end - middle, end - start]).map(|time| time.as_secs_f64()).collect();
+        pipeline.recycle(frame.drawing);
+        times
+    });
 }
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
-    let timed = [Stage::Transform, Stage::CullFaces, Stage::Clip, Stage::Light];
-    print!("{:>9} {:>8} {:>9}", "triangles", "shading", "view");
-    timed.iter().for_each(|stage| print!(" {:>10}", stage.name()));
-    println!(" {:>10} {:>10} {:>10} {:>10}", "pipeline", "raster", "both ms", "median");
-    let target = Target { width: 640, height: 640, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
+    let wanted = |name: &str| words.iter().all(|word| name.contains(word.as_str()));
+    let style = |shading| Style { shading, antialias: 1, ..Style::default() };
+    print!("{:<32}", "least ms");
+    STAGES.iter().for_each(|stage| print!(" {:>15}", stage.name()));
+    println!(" {:>15} {:>15} {:>15}", "pipeline", "raster", "both");
+
     for triangles in [1e3, 1e4, 1e5, 1e6] {
-        let mesh = Arc::new(mesh(triangles));
-        for (name, shading) in [("flat", Shading::Flat), ("gouraud", Shading::Gouraud)] {
+        let frames = if triangles > 5e5 { 50 } else { 200 };
+        let ball = scene(vec![object(Arc::new(mesh(triangles)), DMat4::from_rotation_x(0.4))]);
+        for (shading, name) in [(Shading::Flat, "flat"), (Shading::Gouraud, "gouraud"), (Shading::Phong, "phong")] {
             for (view, distance, near) in [("inside", 3.2, 0.5), ("crossing", 2.2, 1.4)] {
-                let row = format!("{triangles} {name} {view}");
-                if !words.iter().all(|w| row.contains(w.as_str())) {
-                    continue;
+                let name = format!("{triangles} {name} {view}");
+                if wanted(&name) {
+                    measure(&name, frames, &ball, &parameters(distance, near), &style(shading));
                 }
-                let scene = Scene {
-                    objects: vec![Object {
-                        name: "sphere".into(),
-                        mesh: mesh.clone(),
-                        world_from_object: DMat4::from_rotation_x(0.4),
-                        paint: ObjectPaint::Solid(Rgba::rgb(220, 150, 60)),
-                        lit: true,
-                        two_sided: false,
-                        faces: true,
-                        edges: None,
-                    }],
-                    lights: vec![Light::Directional { direction: DVec3::new(-1.0, -2.0, -1.5) }],
-                    ..Scene::default()
-                };
-                let camera = Camera::new(&Parameters {
-                    position: DVec3::new(0.6, 0.64, 0.48) * distance,
-                    aspect: 1.0,
-                    near,
-                    view_angle: 40.0,
-                    ..Parameters::default()
-                });
-                let Ok(camera) = camera else { continue };
-                let style = Style { shading, antialias: 1, ..Style::default() };
-                let options = Options { clock: Some(clock), ..Options::default() };
-                let (mut pipeline, mut raster) = (Pipeline::default(), Rasterizer::default());
-                let Some(mut pixmap) = Pixmap::new(target.width, target.height) else { continue };
-                let frames = if triangles > 5e5 { 50 } else { 200 };
-                let mut times = vec![Vec::new(); timed.len() + 3];
-                for _ in 0..frames {
-                    let start = Instant::now();
-                    let frame = pipeline.frame(&scene, &camera, target, &style, options);
-                    let middle = Instant::now();
-                    raster.paint_into(&frame.drawing, &mut pixmap);
-                    let end = Instant::now();
-                    for (k, stage) in timed.iter().enumerate() {
-                        let time = frame.report[*stage as usize].time.unwrap_or_default();
-                        times[k].push(time.as_secs_f64() * 1e3);
-                    }
-                    for (k, time) in [middle - start, end - middle, end - start].into_iter().enumerate() {
-                        times[timed.len() + k].push(time.as_secs_f64() * 1e3);
-                    }
-                    pipeline.recycle(frame.drawing);
-                }
-                print!("{triangles:>9} {name:>8} {view:>9}");
-                times.iter_mut().for_each(|times| times.sort_by(f64::total_cmp));
-                times.iter().for_each(|times| print!(" {:>10.3}", times[0]));
-                println!(" {:>10.3}", times[timed.len() + 2][frames / 2]);
             }
+        }
+    }
+    for (visibility, name) in [(Visibility::Painter, "painter"), (Visibility::Bsp, "bsp")] {
+        for triangles in [1e3, 1e4] {
+            let name = format!("{triangles} {name}");
+            if wanted(&name) {
+                let ball = scene(vec![object(Arc::new(mesh(triangles)), DMat4::IDENTITY)]);
+                measure(&name, 10, &ball, &parameters(3.2, 0.5), &Style { visibility, ..style(Shading::Flat) });
+            }
+        }
+    }
+    for side in [10_u32, 32, 100, 316] {
+        let name = format!("{} objects, few in view", side * side);
+        if wanted(&name) {
+            let cube = Arc::new(primitives::cube());
+            let place = |k: u32| DVec3::new(f64::from(k % side), 0.0, f64::from(k / side)) * 3.0;
+            let objects = (0..side * side).map(|k| object(cube.clone(), DMat4::from_translation(place(k))));
+            measure(&name, 50, &scene(objects.collect()), &parameters(8.0, 1.0), &style(Shading::Flat));
+        }
+    }
+    let figure = Figure::default();
+    let (Ok(camera), Ok(scene)) = (Camera::new(&figure.camera), scene_of(&figure, &mut |_| Ok(Vec::new()))) else {
+        return;
+    };
+    let labels = pictures::labels(Lang::En);
+    let source = Source { figure: &figure, camera: &camera, scene: &scene, labels, force_all_stages: false };
+    for view in View::ALL {
+        let name = format!("default figure, {}", view.name());
+        if wanted(&name) {
+            let mut studio = Studio::default().with_clock(clock);
+            let size = Size { width: 640, height: 640, scale: 1.0 };
+            Least::row(&name, 50, || {
+                let Some(account) = studio.redraw(source, view, size) else { return Vec::new() };
+                let time = |stage: Stage| account.stages[stage as usize].time.unwrap_or_default().as_secs_f64();
+                let times = STAGES.map(time);
+                let fill = time(Stage::Fill);
+                let total = account.total.as_secs_f64();
+                times.into_iter().chain([total - fill, fill, total]).collect()
+            });
         }
     }
 }

@@ -72,6 +72,7 @@ pub(super) struct ObjectLight<'a> {
     vertices: Vertices<'a>,
     /// Takes normals to view space, and makes them of any length.
     normal_matrix: Rows,
+    exact_normal_matrix: DMat3,
     /// Takes `ViewFromObject::offset`, times `offset_unit`, to view space in the unit of the lights.
     position_matrix: Rows,
     /// A power of two that keeps offsets in the range of single precision.
@@ -100,13 +101,15 @@ impl<'a> ObjectLight<'a> {
         let lighting = lights.lighting(both_sides);
         let needs_positions = lighting.needs_positions();
         let of_normals = vertices.view_from_object.normal_matrix();
+        let of_normals = of_normals * power_of_two_below_inverse(largest(of_normals));
         let of_offsets = vertices.view_from_object.of_offsets() * lights.scale;
         let offset_unit = 1.0 / power_of_two_below_inverse(largest(of_offsets));
         Self {
             lighting,
             mesh,
             vertices,
-            normal_matrix: rows(of_normals * power_of_two_below_inverse(largest(of_normals))),
+            normal_matrix: rows(of_normals),
+            exact_normal_matrix: of_normals,
             position_matrix: rows(of_offsets * (1.0 / offset_unit)),
             offset_unit,
             needs_positions,
@@ -169,8 +172,11 @@ impl<'a> ObjectLight<'a> {
 
     /// The unit normal of a vertex in view space; zero where there is none.
     pub(super) fn unit_normal(&self, i: u32) -> DVec3 {
-        let normal = self.mesh.normals.get(i as usize).copied().unwrap_or_default();
-        try_unit(self.vertices.view_from_object.normal_matrix() * normal).unwrap_or_default()
+        /// Squares of shorter vectors are too small, and of longer ones too large.
+        const SAFE: std::ops::Range<f64> = 1e-200..1e200;
+        let normal = self.exact_normal_matrix * self.mesh.normals.get(i as usize).copied().unwrap_or_default();
+        let square = normal.length_squared();
+        if SAFE.contains(&square) { normal / square.sqrt() } else { try_unit(normal).unwrap_or_default() }
     }
 
     fn offset(&self, p_object: DVec3) -> DVec3 {

@@ -6,7 +6,7 @@ use super::faces::Faces;
 use super::light::{Lights, ObjectLight};
 use super::plan::LitAt;
 use super::spare::Spare;
-use super::transform::Vertices;
+use super::transform::{Vertices, each_chunk};
 use super::visibility::Layer;
 use crate::appearance::Rgba;
 use crate::drawing::{Paint, Phong, Surface};
@@ -48,7 +48,7 @@ impl Shaded<'_> {
         }
         let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
         let triangles = &self.object.mesh.triangles;
-        let mut on_faces = |color: &(dyn Fn(u32) -> Rgba + Sync)| {
+        let on_faces = |spare: &mut Spare, color: &(dyn Fn(u32) -> Rgba + Sync)| {
             Paint::Faces(light.faces(spare.colors(), faces.source.len(), |k| {
                 let face = faces.source[k];
                 (triangles[face as usize], color(face))
@@ -56,10 +56,10 @@ impl Shaded<'_> {
         };
         let paint = match (self.lit, &self.object.paint) {
             (LitAt::Nowhere, _) | (_, ObjectPaint::Texture { .. }) => self.own_paint(faces),
-            (LitAt::Faces, ObjectPaint::Solid(color)) => on_faces(&|_| *color),
-            (LitAt::Faces, ObjectPaint::Faces(colors)) => on_faces(&|face| color_at(colors, face)),
+            (LitAt::Faces, ObjectPaint::Solid(color)) => on_faces(spare, &|_| *color),
+            (LitAt::Faces, ObjectPaint::Faces(colors)) => on_faces(spare, &|face| color_at(colors, face)),
             (LitAt::Faces, ObjectPaint::Vertices(colors)) => {
-                on_faces(&|face| mean_color(colors, triangles[face as usize]))
+                on_faces(spare, &|face| mean_color(colors, triangles[face as usize]))
             }
             (LitAt::Vertices, ObjectPaint::Solid(color)) => {
                 self.lit_vertices(faces, &light, spare.colors(), &|_| *color)
@@ -67,9 +67,9 @@ impl Shaded<'_> {
             (LitAt::Vertices | LitAt::Pixels, ObjectPaint::Vertices(colors)) => {
                 self.lit_vertices(faces, &light, spare.colors(), &|i| color_at(colors, i))
             }
-            (LitAt::Pixels, ObjectPaint::Solid(color)) => self.phong(faces, &light, *color),
+            (LitAt::Pixels, ObjectPaint::Solid(color)) => self.phong(faces, &light, spare, *color),
             (LitAt::Vertices, ObjectPaint::Faces(colors)) => return vec![self.unshared(faces, &light, colors)],
-            (LitAt::Pixels, ObjectPaint::Faces(colors)) => return self.surfaces_by_color(faces, &light, colors),
+            (LitAt::Pixels, ObjectPaint::Faces(colors)) => return self.surfaces_by_color(faces, &light, spare, colors),
         };
         vec![Surface {
             positions: std::mem::take(&mut faces.image.positions),
@@ -141,18 +141,27 @@ impl Shaded<'_> {
         Paint::Vertices(colors)
     }
 
-    fn phong(&self, faces: &Faces, light: &ObjectLight, color: Rgba) -> Paint {
-        let all = 0..self.vertex_count();
-        let normal = |i| light.unit_normal(i);
-        let normals = all.clone().map(normal).chain(faces.cuts.iter().map(|cut| cut.mean(normal)));
-        let view = |i| self.vertices.view(i);
-        let positions = all.map(view).chain(faces.cuts.iter().map(|cut| cut.mean(view)));
-        Paint::Phong(Phong {
-            normals: normals.map(|n| n.as_vec3().to_array()).collect(),
-            positions: positions.map(|p| self.lights.position(p)).collect(),
-            color,
-            lighting: light.lighting.clone(),
-        })
+    fn phong(&self, faces: &Faces, light: &ObjectLight, spare: &mut Spare, color: Rgba) -> Paint {
+        let (normal, view) = (|i| light.unit_normal(i), |i| self.vertices.view(i));
+        let mut normals = spare.vectors.pop().unwrap_or_default();
+        let mut positions = spare.vectors.pop().unwrap_or_default();
+        self.at_vertices(&mut normals, |i| normal(i).as_vec3().to_array());
+        self.at_vertices(&mut positions, |i| self.lights.position(view(i)));
+        for cut in &faces.cuts {
+            normals.push(cut.mean(normal).as_vec3().to_array());
+            positions.push(self.lights.position(cut.mean(view)));
+        }
+        Paint::Phong(Phong { normals, positions, color, lighting: light.lighting.clone() })
+    }
+
+    /// Fills an array, whatever was in it, with an attribute of every vertex of the mesh.
+    fn at_vertices(&self, values: &mut Vec<[f32; 3]>, attribute: impl Fn(u32) -> [f32; 3] + Sync + Send) {
+        values.resize(self.vertices.len(), [0.0; 3]);
+        each_chunk(values, |values, first| {
+            for (value, i) in values.iter_mut().zip(u32::try_from(first).unwrap_or(u32::MAX)..) {
+                *value = attribute(i);
+            }
+        });
     }
 
     /// Gouraud shading of faces that have colours of their own: no vertex is shared any more, so that each has one colour.
@@ -180,7 +189,13 @@ impl Shaded<'_> {
     }
 
     /// Phong shading of faces that have colours of their own: one surface for each colour, in the order in which they occur.
-    fn surfaces_by_color(&self, faces: &Faces, light: &ObjectLight, colors: &[Rgba]) -> Vec<Surface> {
+    fn surfaces_by_color(
+        &self,
+        faces: &Faces,
+        light: &ObjectLight,
+        spare: &mut Spare,
+        colors: &[Rgba],
+    ) -> Vec<Surface> {
         let mut surfaces: Vec<(Rgba, Surface)> = Vec::new();
         for (triangle, &face) in faces.triangles.iter().zip(&faces.source) {
             let color = color_at(colors, face);
@@ -188,7 +203,7 @@ impl Shaded<'_> {
                 let surface = Surface {
                     positions: faces.image.positions.clone(),
                     inverse_w: faces.image.inverse_w.clone(),
-                    ..self.bare(self.phong(faces, light, color))
+                    ..self.bare(self.phong(faces, light, spare, color))
                 };
                 surfaces.push((color, surface));
                 surfaces.len() - 1
