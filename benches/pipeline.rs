@@ -2,8 +2,8 @@
 //!
 //! Each row tells of many frames, one made in the memory of the one before, with as many threads as there are: the least time
 //! of each stage in milliseconds, of the pipeline, of the raster and of both. "transform" takes a vertex through all spaces, the
-//! divide and the viewport included. Rows: one bumpy sphere that fills most of the picture, wholly inside and across three
-//! planes; faces put in order; many objects, of which few are in view; the three pictures of the default figure. Words choose
+//! divide and the viewport included. Rows: one bumpy sphere that fills most of the picture, wholly inside, across some
+//! planes, and for the most part out of the picture; faces put in order; many objects, of which few are in view; the three pictures of the default figure. Words choose
 //! rows (`1000000 gouraud`).
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
@@ -132,10 +132,13 @@ fn main() {
         let frames = if triangles > 5e5 { 50 } else { 200 };
         let ball = scene(vec![object(Arc::new(mesh(triangles)), DMat4::from_rotation_x(0.4))]);
         for (shading, name) in [(Shading::Flat, "flat"), (Shading::Gouraud, "gouraud"), (Shading::Phong, "phong")] {
-            for (view, distance, near) in [("inside", 3.2, 0.5), ("crossing", 2.2, 1.4)] {
+            for (view, distance, near, angle) in
+                [("inside", 3.2, 0.5, 40.0), ("crossing", 2.2, 1.4, 40.0), ("zoomed", 2.2, 0.5, 4.0)]
+            {
                 let name = format!("{triangles} {name} {view}");
                 if wanted(&name) {
-                    measure(&name, frames, &ball, &parameters(distance, near), &style(shading));
+                    let camera = Parameters { view_angle: angle, ..parameters(distance, near) };
+                    measure(&name, frames, &ball, &camera, &style(shading));
                 }
             }
         }

@@ -204,7 +204,10 @@ impl Culling<'_> {
         part.crossing.clear();
         for ((k, byte), eight) in (first..).step_by(8).zip(kept).zip(triangles.chunks(8)) {
             let mut bits = 0;
-            if self.task.watch_turning || self.crosses(eight) {
+            let [every, any] = self.outcodes(eight);
+            if every != 0 {
+                // All of them are outside of the same plane.
+            } else if self.task.watch_turning || any != 0 {
                 for (l, &triangle) in eight.iter().enumerate() {
                     bits |= u8::from(self.judge(part, k + to_u32(l), triangle)) << l;
                 }
@@ -258,11 +261,17 @@ impl Culling<'_> {
         if self.task.cull_back { front } else { front | behind }
     }
 
-    /// True where a vertex of the triangles is outside a plane.
-    fn crosses(&self, triangles: &[[u32; 3]]) -> bool {
-        let code = |i: u32| self.image.outcodes.get(i as usize).copied().unwrap_or(0);
-        !self.image.outcodes.is_empty()
-            && triangles.iter().fold(0, |all, &[a, b, c]| all | code(a) | code(b) | code(c)) != 0
+    /// The planes that every vertex of the triangles is outside of, and those that any is.
+    #[inline(always)]
+    fn outcodes(&self, triangles: &[[u32; 3]]) -> [PlaneSet; 2] {
+        let codes = &self.image.outcodes[..];
+        if codes.is_empty() {
+            return [0, 0];
+        }
+        triangles.iter().flatten().fold([PlaneSet::MAX, 0], |[every, any], &i| {
+            let code = codes.get(i as usize).copied().unwrap_or(0);
+            [every & code, any | code]
+        })
     }
 
     fn mark(&self, triangle: [u32; 3]) {
