@@ -30,7 +30,7 @@ texts! {
     of_preset: "of the named scene", "da cena nomeada";
     of_preset_hint: "It belongs to the named scene and cannot be changed. “Edit a copy” makes it an object of the figure.", "Pertence à cena nomeada e não pode ser mudado. “Editar uma cópia” faz dele um objeto da figura.";
     row_hint: "Click: select · drag: hang on another object · Del: delete", "Clique: selecionar · arraste: pendurar em outro objeto · Del: excluir";
-    nothing_selected: "Select an object or a light to change it. In the world picture, its arrows move it.", "Selecione um objeto ou uma luz para mudar. Na imagem do mundo, suas setas o movem.";
+    nothing_selected: "Select an object or a light to change it, here or with a click in the world or in the image. In the world, its arrows move it.", "Selecione um objeto ou uma luz para mudar, aqui ou com um clique no mundo ou na imagem. No mundo, suas setas o movem.";
     empty: "There is no object yet.", "Ainda não há objetos.";
 
     object: "Object", "Objeto";

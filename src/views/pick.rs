@@ -69,6 +69,31 @@ pub(super) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec
     Some(from + (to - from) * t)
 }
 
+/// The name of the object whose face a place (pixels) of the world picture shows; `None` where there is none.
+#[must_use]
+pub fn object_in_world(setup: &Setup, observer: &Observer, pointer: DVec2) -> Option<String> {
+    let ray = ray_in_world(setup, observer, pointer)?;
+    first_object(setup, ray)
+}
+
+/// The name of the object whose face a place (pixels) of the image shows; `None` where there is none.
+#[must_use]
+pub fn object_in_image(setup: &Setup, pointer: DVec2) -> Option<String> {
+    let point = window_point_in_image(setup, pointer)?;
+    let ray = setup.camera.ray_through_window(point);
+    // Before the window nothing is seen.
+    let per_depth = ray.direction / ray.direction.dot(setup.camera.direction_of_projection());
+    first_object(setup, Ray { origin: ray.origin + per_depth * setup.camera.near(), ..ray })
+}
+
+fn first_object(setup: &Setup, ray: Ray) -> Option<String> {
+    let bounds = setup.extras.bounds.or_else(|| setup.scene.bounds())?;
+    let far = ray.origin + ray.direction * (bounds.center().distance(ray.origin) + 2.0 * bounds.radius());
+    let faced = setup.scene.objects.iter().filter(|o| o.faces);
+    let hits = faced.filter_map(|o| Some((crossing(o, ray.origin, far, !o.two_sided)?, o)));
+    hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, object)| object.name.clone())
+}
+
 /// Every point that can be caught: vertices, ends of lines, marks.
 fn vertices(scene: &Scene) -> impl Iterator<Item = DVec3> {
     let lines = scene.lines.iter().flat_map(|l| l.points.iter().copied());
@@ -211,6 +236,20 @@ mod tests {
             assert!(can_be_seen(DVec3::ONE, setup.scene, &screen));
             assert_eq!(vertex_in_image(setup, place, 8.0), Some(DVec3::NEG_ONE));
             assert_eq!(vertex_in_image(setup, place + 20.0, 8.0), None);
+        });
+    }
+
+    #[test]
+    fn the_object_that_is_seen_is_the_one_that_is_found() {
+        with_cube(Parameters::default(), |setup| {
+            let observer = world::observer(setup, Preset::Front);
+            let screen = world::screen(setup, &observer).unwrap();
+            let middle = screen.place(DVec3::Z).unwrap();
+            assert_eq!(object_in_world(setup, &observer, middle).as_deref(), Some("cube"));
+            assert_eq!(object_in_world(setup, &observer, DVec2::ONE), None);
+            let middle = image::screen(setup).place(DVec3::ZERO).unwrap();
+            assert_eq!(object_in_image(setup, middle).as_deref(), Some("cube"));
+            assert_eq!(object_in_image(setup, DVec2::ONE), None);
         });
     }
 

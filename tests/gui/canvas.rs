@@ -523,3 +523,35 @@ fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
     assert_eq!(lamp, DVec3::Y * 3.0);
 }
+
+#[test]
+fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
+    let mut h = stage(with_cone);
+    h.state_mut().state.tree.select(None);
+    h.run();
+    // The cone is at (1.5, 1 … 5, 0) and 4 wide.
+    let rect = place(&h, WORLD);
+    let at = with_setup(&h, rect, |setup| {
+        let screen_center = DVec2::new(f64::from(rect.width()) / 2.0, f64::from(rect.height()) / 2.0);
+        (0..400)
+            .map(|i| screen_center + DVec2::new(f64::from(i % 20) * 6.0 - 60.0, f64::from(i / 20) * 6.0 - 60.0))
+            .find(|p| views::pick::object_in_world(setup, &world_observer(&h), *p).as_deref() == Some("cone"))
+            .unwrap()
+    });
+    let at = rect.min + vec2(at.x as f32, at.y as f32);
+    let click = |h: &mut Harness<Stage>| {
+        drag(h, at, Vec2::ZERO, PointerButton::Primary, Modifiers::NONE);
+        h.run();
+    };
+    let selected =
+        |h: &Harness<Stage>| h.state().state.tree.selected(&h.state().state.document.figure().scene).cloned();
+    click(&mut h);
+    assert_eq!(selected(&h), None, "the tree is not open");
+    h.state_mut().state.settings.tab = camera_lab::gui::state::Tab::Scene;
+    // Not as a double-click.
+    for _ in 0..20 {
+        h.step();
+    }
+    click(&mut h);
+    assert_eq!(selected(&h), Some(Selected::Object("cone".to_owned())));
+}

@@ -15,7 +15,8 @@ use crate::geometry::Angle;
 use crate::gui::handles::{self, HandleDrag};
 use crate::gui::highlight::Movable;
 use crate::gui::numbers::significant;
-use crate::gui::state::{Look, Picture, State};
+use crate::gui::panels::scene::Selected;
+use crate::gui::state::{Look, Picture, Side, State, Tab};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::faults::camera_error;
 use crate::i18n::scenes;
@@ -108,9 +109,29 @@ impl Canvas {
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
             self.pinned_before = self.pinned;
             self.pinned = hovered;
+            self.select(state, pane);
         }
         if response.clicked() || response.drag_started() {
             response.request_focus();
+        }
+    }
+
+    /// While the tree of the scene is open, selects the object that was clicked.
+    fn select(&self, state: &mut State, pane: &Pane) {
+        let is_open = state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left);
+        let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| is_open) else { return };
+        let pointer = pane.place.pixel(pointer);
+        let setup = setup(state, &self.extras, pane.place.size);
+        let found = match pane.picture {
+            Picture::World => pick::object_in_world(&setup, &self.seen[0], pointer),
+            Picture::Image => pick::object_in_image(&setup, pointer),
+            // What is seen there has been clipped and projected: it is taken in the other two.
+            Picture::Canonical => None,
+        };
+        let selected = found.and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
+        if selected.is_some() {
+            state.tree.select(selected);
+            pane.response.ctx.request_repaint();
         }
     }
 

@@ -30,6 +30,20 @@ pub enum Selected {
     Light(usize),
 }
 
+impl Selected {
+    /// What an object of the built scene stands for, by its name.
+    #[must_use]
+    pub fn of_object(scene: &SceneSpec, name: &str) -> Option<Self> {
+        let whole = name.split_once('/').map_or(name, |(whole, _)| whole);
+        let own = [name, whole].into_iter().find(|name| scene.objects.iter().any(|o| o.name == *name));
+        if let Some(own) = own {
+            return Some(Self::Object(own.to_owned()));
+        }
+        let is_of_preset = tree::preset_objects(scene.preset).iter().any(|o| o.name == name);
+        is_of_preset.then(|| Self::OfPreset(name.to_owned()))
+    }
+}
+
 /// What the tree remembers from one frame to the next.
 #[derive(Debug, Default)]
 pub struct SceneTree {
