@@ -66,10 +66,14 @@ fn grid(v: f32) -> i128 {
     (f64::from(v) * 256.0).round_ties_even() as i128
 }
 
-/// Does the triangle own the centre of the pixel? By the definition of the top-left rule, in whole numbers.
+/// Does the triangle own the centre of the pixel?
 fn owns(triangle: [[f32; 3]; 3], x: u32, y: u32) -> bool {
+    owns_point(triangle, [i128::from(x) * 256 + 128, i128::from(y) * 256 + 128])
+}
+
+/// Does the triangle own the point (in 1/256 pixel)? By the definition of the top-left rule, in whole numbers.
+fn owns_point(triangle: [[f32; 3]; 3], p: [i128; 2]) -> bool {
     let v = triangle.map(|p| [grid(p[0]), grid(p[1])]);
-    let p = [i128::from(x) * 256 + 128, i128::from(y) * 256 + 128];
     let cross =
         |a: [i128; 2], b: [i128; 2], c: [i128; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     let area = cross(v[0], v[1], v[2]);
@@ -156,6 +160,103 @@ fn tiny_triangles_cover_exactly_the_pixels_they_own() {
         );
     }
     assert!(covered > 300, "{covered}");
+}
+
+/// Samples of a pixel that the triangle owns, of `side`² on a turned lattice: no two of them in one row or column.
+fn owned_samples(triangle: [[f32; 3]; 3], x: u32, y: u32, side: u32) -> u32 {
+    let step = 256 / i128::from(side * side);
+    let place = |pixel: u32, k: u32| i128::from(pixel) * 256 + step * i128::from(k) + step / 2;
+    let mut owned = 0;
+    for (i, j) in (0..side).flat_map(|i| (0..side).map(move |j| (i, j))) {
+        let point = [place(x, side * i + j), place(y, side * j + side - 1 - i)];
+        owned += u32::from(owns_point(triangle, point));
+    }
+    owned
+}
+
+#[test]
+fn a_triangle_covers_exactly_the_samples_it_owns() {
+    let mut random = Random(9);
+    for (antialias, side) in [(1, 1), (4, 2), (16, 4)] {
+        let mut partly = 0;
+        for round in 0..60 {
+            // Of a pixel's size, of some pixels, wide ones, and slivers across the picture.
+            let size = [1.5, 9.0, 60.0, 120.0][round % 4];
+            let near = [random.unit() * 90.0, random.unit() * 40.0];
+            let mut triangle = std::array::from_fn(|_| {
+                [near[0] + size * (random.unit() - 0.5), near[1] + 0.5 * size * (random.unit() - 0.5), 0.5]
+            });
+            if round % 8 == 7 {
+                let [a, b, _] = triangle;
+                triangle[2] = [0.5 * (a[0] + b[0]) + random.unit(), 0.5 * (a[1] + b[1]) + random.unit(), 0.5];
+            }
+            let s = surface(triangle.to_vec(), vec![[0, 1, 2]], Paint::Solid(BLACK));
+            let pixmap = paint(&drawing(90, 40, antialias, vec![s]));
+            let samples = side * side;
+            for (k, pixel) in (0..).zip(pixmap.pixels()) {
+                let owned = owned_samples(triangle, k % 90, k / 90, side);
+                // The mean of white and black samples, a half rounded up.
+                let expected = (2 * 255 * (samples - owned) + samples) / (2 * samples);
+                let found = u32::from(pixel.red());
+                assert_eq!(found, expected, "pixel ({}, {}) of {triangle:?}, {samples} samples", k % 90, k / 90);
+                partly += usize::from(owned > 0 && owned < samples);
+            }
+        }
+        assert!(side == 1 || partly > 1000, "{partly}");
+    }
+}
+
+/// A bumpy ball in perspective, as a picture of this side sees it: a closed mesh, front and back.
+fn ball(side: u32, rings: u32, turn: f64) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let sectors = 2 * rings;
+    let mut positions = Vec::new();
+    for i in 0..=rings {
+        for j in 0..sectors {
+            let theta = std::f64::consts::PI * f64::from(i) / f64::from(rings);
+            let phi = std::f64::consts::TAU * f64::from(j) / f64::from(sectors);
+            // At the poles all are one point, to the last bit.
+            let across = if i == 0 || i == rings { 0.0 } else { theta.sin() };
+            let r = 1.0 + 0.1 * across * (3.0 * phi).cos();
+            let (x, y, z) = (r * across * phi.cos(), r * theta.cos(), r * across * phi.sin());
+            let (sin, cos) = turn.sin_cos();
+            let (y, z) = (cos * y + sin * z, cos * z - sin * y);
+            let (x, y) = (cos * x + sin * y, cos * y - sin * x);
+            let scale = 1.2 * f64::from(side) / (3.5 - z);
+            let middle = 0.5 * f64::from(side);
+            positions.push([(middle + scale * x) as f32, (middle - scale * y) as f32, (1.0 / (3.5 - z)) as f32]);
+        }
+    }
+    let mut triangles = Vec::new();
+    for i in 0..rings {
+        for j in 0..sectors {
+            let a = i * sectors + j;
+            let b = i * sectors + (j + 1) % sectors;
+            triangles.extend([[a, b, b + sectors], [a, b + sectors, a + sectors]]);
+        }
+    }
+    (positions, triangles)
+}
+
+#[test]
+fn every_pixel_of_a_closed_mesh_has_as_many_fronts_as_backs() {
+    for (side, rings) in [(61, 3), (61, 8), (61, 40), (230, 6), (230, 90)] {
+        for turn in [0.3, 1.1, 2.0] {
+            let (positions, triangles) = ball(side, rings, turn);
+            let area = |t: &[u32; 3]| {
+                let [a, b, c] = t.map(|k| positions[k as usize].map(|v| grid(v)));
+                (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+            };
+            let coats = |front: bool| {
+                let chosen = triangles.iter().copied().filter(|t| (area(t) > 0) == front).collect();
+                let mut s = surface(positions.clone(), chosen, Paint::Solid(Rgba::rgba(0, 0, 0, 128)));
+                s.translucent = true;
+                paint(&drawing(side, side, 1, vec![s]))
+            };
+            // One half of the ball may hide parts of itself, but each way in has a way out.
+            assert!(coats(true) == coats(false), "{rings} rings turned by {turn}");
+            assert!(coats(true).pixels().iter().filter(|p| p.red() < 255).count() > (side * side / 4) as usize);
+        }
+    }
 }
 
 #[test]
