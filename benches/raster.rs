@@ -1,15 +1,16 @@
 //! Time to paint one closed mesh: `cargo bench --no-default-features --bench raster [-- WORDS…]`.
 //!
 //! A bumpy sphere fills most of the picture; back faces are culled already. Each row is the median of many pictures that are
-//! painted over one another, with as many threads as there are.
+//! painted over one another, with as many threads as there are. Behind that come rows for the parts: the background alone,
+//! the sorting and dropping of triangles that own no sample, strokes with and without regard to the depth buffer, texts.
 
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 #![expect(clippy::cast_possible_truncation, reason = "small numbers")]
 
 use std::time::Instant;
 
-use camera_lab::appearance::Rgba;
-use camera_lab::drawing::{Drawing, Paint, Surface};
+use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
+use camera_lab::drawing::{Anchor, Drawing, Label, Paint, StrokeSet, Surface};
 use camera_lab::raster::Rasterizer;
 
 /// The half of a bumpy sphere that can be seen, in perspective.
@@ -65,24 +66,80 @@ fn main() {
                     if !words.iter().all(|w| row.contains(w.as_str())) {
                         continue;
                     }
-                    let drawing = Drawing {
-                        painted_in_order: false,
-                        width,
-                        height,
-                        background: Rgba::rgb(255, 255, 255),
-                        antialias,
-                        surfaces: vec![mesh(width, height, triangles, gouraud)],
-                        strokes: Vec::new(),
-                        marks: Vec::new(),
-                        labels: Vec::new(),
-                    };
-                    let (median, least) = time(&drawing);
+                    let surfaces = vec![mesh(width, height, triangles, gouraud)];
+                    let (median, least) = time(&Drawing { surfaces, ..empty(width, height, antialias) });
                     let picture = format!("{width}x{height}");
                     println!("{picture:>10} {name:>8} {antialias:>8} {triangles:>8} {median:>10.3} {least:>10.3}");
                 }
             }
         }
     }
+    println!("\n{:>34} {:>8} {:>10} {:>10}", "part, 1920x1080", "samples", "median ms", "least ms");
+    for antialias in [1, 4] {
+        for (name, drawing) in parts(antialias) {
+            if words.iter().all(|w| name.contains(w.as_str())) {
+                let (median, least) = time(&drawing);
+                println!("{name:>34} {antialias:>8} {median:>10.3} {least:>10.3}");
+            }
+        }
+    }
+}
+
+fn empty(width: u32, height: u32, antialias: u8) -> Drawing {
+    Drawing {
+        painted_in_order: false,
+        width,
+        height,
+        background: Rgba::rgb(255, 255, 255),
+        antialias,
+        surfaces: Vec::new(),
+        strokes: Vec::new(),
+        marks: Vec::new(),
+        labels: Vec::new(),
+    }
+}
+
+/// Drawings of which all but one part is nothing, or of which that part is what they have more than another.
+fn parts(antialias: u8) -> Vec<(&'static str, Drawing)> {
+    let (width, height) = (1920, 1080);
+    let nothing = empty(width, height, antialias);
+    // All within a share of a pixel where no sample is.
+    let mut dust = mesh(width, height, 1_000_000, true);
+    dust.positions.iter_mut().for_each(|p| *p = [1e-5 * p[0] + 0.001, 1e-5 * p[1] + 0.001, p[2]]);
+    let ball = mesh(width, height, 1_000, true);
+    // Level lines through the ball, in pieces of 40 pixels: half of their length is hidden.
+    let strokes = |hidden| {
+        let (mut points, mut polylines) = (Vec::new(), Vec::new());
+        for row in (10..height - 10).step_by(40) {
+            for column in (0..width - 40).step_by(40) {
+                let first = points.len() as u32;
+                let depth = if (row / 40) % 2 == 0 { 0.4 } else { 0.2 };
+                points.extend([column, column + 40].map(|x| [x as f32, row as f32 + 0.3, depth]));
+                polylines.push(first..first + 2);
+            }
+        }
+        let style = LineStyle { color: Rgba::rgb(20, 20, 20), width: 1.5, dash: Dash::Solid, hidden, arrow: false };
+        vec![StrokeSet { points, polylines, style }]
+    };
+    let label = |k: u32| Label {
+        position: [100.0 + (k % 10) as f32 * 170.0, 80.0 + (k / 10) as f32 * 200.0, 0.5],
+        offset: [0.0, 0.0],
+        text: "(x_n, y_n) = (0.25, −1)".to_owned(),
+        size: 16.0,
+        color: Rgba::rgb(20, 20, 20),
+        halo: Rgba::rgba(255, 255, 255, 200),
+        anchor: Anchor::Left,
+        fade_if_hidden: true,
+    };
+    let with_ball = Drawing { surfaces: vec![ball], ..nothing.clone() };
+    vec![
+        ("background", nothing.clone()),
+        ("1M triangles that own nothing", Drawing { surfaces: vec![dust], ..nothing.clone() }),
+        ("ball", with_ball.clone()),
+        ("ball, 1269 strokes shown", Drawing { strokes: strokes(HiddenLines::Shown), ..with_ball.clone() }),
+        ("ball, 1269 strokes dashed behind", Drawing { strokes: strokes(HiddenLines::Dashed), ..with_ball.clone() }),
+        ("ball, 50 texts", Drawing { labels: (0..50).map(label).collect(), ..with_ball }),
+    ]
 }
 
 /// Median and least time of a picture in milliseconds.

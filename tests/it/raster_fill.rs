@@ -243,7 +243,7 @@ fn every_pixel_of_a_closed_mesh_has_as_many_fronts_as_backs() {
         for turn in [0.3, 1.1, 2.0] {
             let (positions, triangles) = ball(side, rings, turn);
             let area = |t: &[u32; 3]| {
-                let [a, b, c] = t.map(|k| positions[k as usize].map(|v| grid(v)));
+                let [a, b, c] = t.map(|k| positions[k as usize].map(grid));
                 (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
             };
             let coats = |front: bool| {
