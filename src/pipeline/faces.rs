@@ -319,3 +319,42 @@ impl Culling<'_> {
 fn to_u32(k: usize) -> u32 {
     u32::try_from(k).unwrap_or(u32::MAX)
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::super::transform::Projector;
+    use super::*;
+    use crate::camera::{Camera, Parameters};
+    use glam::DMat4;
+
+    #[test]
+    fn triangles_are_judged_as_whole_numbers_judge_them() {
+        let projector = Projector::new(&Camera::new(&Parameters::default()).unwrap());
+        let view_from_object = projector.view_from_object(DMat4::IDENTITY);
+        let vertices = Vertices { projector: &projector, view_from_object: &view_from_object, positions: &[] };
+        let task = FaceTask { cull_back: true, watch_turning: false, want_source: false, want_used: false };
+        // Slivers between far corners of a large picture: single precision rounds their products, and makes many equal.
+        let mut state = 1_u64;
+        let mut below = |limit: i64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            i64::try_from(state >> 33).unwrap() % limit
+        };
+        let mut seen = [0, 0];
+        for _ in 0..2000 {
+            let a = [below(1 << 20), below(1 << 20)];
+            let b = [a[0] + below(1 << 22), a[1] + below(1 << 22)];
+            let k = below(4) + 1;
+            let c = [0, 1].map(|i| a[i] + (b[i] - a[i]) * k / 4 + below(3) - 1);
+            let pixels = |p: [i64; 2]| [p[0], p[1]].map(|c| c as f32 / 256.0);
+            let positions = [a, b, c].map(pixels).map(|[x, y]| [x, y, 0.5]).to_vec();
+            let image = OnImage { positions, ..OnImage::default() };
+            let culling = Culling { image: &image, vertices: &vertices, used: &[], task };
+            let area = (b[1] - a[1]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[1] - a[1]);
+            assert_eq!(culling.turned_here(&[[0, 1, 2], [0, 2, 1]]), u8::from(area > 0) | u8::from(area < 0) << 1);
+            seen[usize::from(area > 0)] += 1;
+        }
+        assert!(seen.iter().all(|&n| n > 500), "{seen:?}");
+    }
+}
