@@ -7,9 +7,10 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::Texture;
 use crate::camera::Camera;
-use crate::drawing::{Paint, Surface};
+use crate::drawing::{Drawing, Paint, Surface};
 use crate::export::sheet;
 use crate::figure::Figure;
+use crate::pipeline::plan::ObjectPlan;
 use crate::pipeline::{Frame, Stage, StageReport};
 use crate::raster::{Rasterizer, Work};
 use crate::scene::Scene;
@@ -77,12 +78,14 @@ pub struct Studio {
     kept: [Option<Pixmap>; 3],
 }
 
-/// How a picture came about.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// How a picture came about; empty without a clock.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Account {
-    /// Every stage, in order.
+    /// Every stage, in order. Their times add up to the total.
     pub stages: Vec<StageReport>,
-    /// From the scene to the last pixel; zero without a clock.
+    /// What the plan says of each object that went through the pipeline: those of the scene first, in its order.
+    pub objects: Vec<ObjectPlan>,
+    /// From the scene to the last pixel.
     pub total: Duration,
 }
 
@@ -113,14 +116,17 @@ impl Studio {
 
     /// On pixels that are there already if they have the picture's size.
     fn paint_into(&mut self, source: Source<'_>, view: View, size: Size, pixmap: &mut Pixmap) -> Option<Account> {
+        let clock = self.engines[view as usize].clock;
+        let now = || clock.map_or(Duration::ZERO, |now| now());
+        let start = now();
         let extras = match view {
             View::World => Extras { painted_image: Some(self.painted_image(source, size)?), ..plain(source) },
             View::Canonical | View::Image => plain(source),
         };
+        let painted = now().saturating_sub(start);
         let setup = setup(source, size, &extras);
         let observers = source.figure.observers;
         let engine = &mut self.engines[view as usize];
-        let start = engine.clock.map(|now| now());
         let frame = match view {
             View::World => {
                 let observer = observers.world.unwrap_or_else(|| views::world::observer(&setup, Preset::Iso));
@@ -135,11 +141,11 @@ impl Studio {
         if !self.rasterizer.paint_into(&frame.drawing, pixmap) {
             return None;
         }
-        let clock = engine.clock;
-        let total = clock.zip(start).map_or(Duration::ZERO, |(now, start)| now().saturating_sub(start));
-        let stages = account(&frame, self.rasterizer.work());
+        let total = now().saturating_sub(start);
+        let account =
+            clock.map_or_else(Account::default, |_| Account::of(&frame, self.rasterizer.work(), painted, total));
         engine.pipeline.recycle(frame.drawing);
-        Some(Account { stages, total })
+        Some(account)
     }
 
     /// Paints all three side by side, together of this size. `None` as for [`paint`](Self::paint).
@@ -173,37 +179,53 @@ pub fn widths(sheet: Size) -> Option<[u32; 3]> {
     Some([room.div_ceil(3), (room + 1) / 3, room / 3])
 }
 
-/// The report of the pipeline, completed with what was done to pixels.
-#[must_use]
-pub fn account(frame: &Frame, work: Work) -> Vec<StageReport> {
+impl Account {
+    /// The report of the pipeline, completed with what was done to pixels; `painted` is the time that the image on the view
+    /// window took before. What is neither the pipeline's nor the rasterizer's work went into the scene that the picture shows:
+    /// the canonical volume's is clipped and projected, the world's has the camera's gear in it. It counts as traversal.
+    #[must_use]
+    pub fn of(frame: &Frame, work: Work, painted: Duration, total: Duration) -> Self {
+        let mut stages = frame.report.clone();
+        for report in stages.iter_mut().filter(|report| report.ran) {
+            complete(report, &frame.drawing, work, painted);
+        }
+        let known = stages.iter().filter_map(|report| report.time).sum();
+        if let Some(traversal) = stages.iter_mut().find(|report| report.stage == Stage::Traverse) {
+            traversal.time = Some(traversal.time.unwrap_or_default() + total.saturating_sub(known));
+        }
+        Self { stages, objects: frame.plan.objects.clone(), total }
+    }
+}
+
+/// Adds what was done to pixels.
+fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, painted: Duration) {
     let count = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
     let triangles = |which: &dyn Fn(&Surface) -> bool| {
-        let n = frame.drawing.surfaces.iter().filter(|s| which(s)).map(|s| s.triangles.len()).sum();
+        let n = drawing.surfaces.iter().filter(|s| which(s)).map(|s| s.triangles.len()).sum();
         Some((n, n))
     };
-    let pixels = frame.drawing.width as usize * frame.drawing.height as usize;
-    let mut stages = frame.report.clone();
-    for report in stages.iter_mut().filter(|report| report.ran) {
-        let own = |time: Duration| Some(report.time.unwrap_or_default() + time);
-        match report.stage {
-            Stage::Fill => {
-                report.time = own(work.surfaces);
-                report.counts = Some((work.triangles, count(work.covered)));
-            }
-            // Painted in order, the picture's triangles decide among themselves.
-            Stage::HiddenSurfaces if !frame.drawing.painted_in_order => {
-                report.counts = Some((count(work.covered), count(work.written)));
-            }
-            Stage::Interpolate => report.counts = triangles(&|s| !matches!(s.paint, Paint::Solid(_) | Paint::Faces(_))),
-            Stage::Texture => report.counts = triangles(&|s| matches!(s.paint, Paint::Texture { .. })),
-            Stage::Blend => report.counts = triangles(&|s| s.translucent),
-            Stage::Antialias => report.counts = Some((pixels * usize::from(frame.drawing.antialias), pixels)),
-            Stage::Write => report.counts = Some((pixels, pixels)),
-            Stage::Lines => report.time = own(work.strokes),
-            _ => {}
+    let pixels = drawing.width as usize * drawing.height as usize;
+    let own = |time: Duration| Some(report.time.unwrap_or_default() + time);
+    match report.stage {
+        Stage::Fill => {
+            report.time = own(work.surfaces);
+            report.counts = Some((work.triangles, count(work.covered)));
         }
+        // Painted in order, the picture's triangles decide among themselves.
+        Stage::HiddenSurfaces if !drawing.painted_in_order => {
+            report.counts = Some((count(work.covered), count(work.written)));
+        }
+        Stage::Interpolate => report.counts = triangles(&|s| !matches!(s.paint, Paint::Solid(_) | Paint::Faces(_))),
+        Stage::Texture => {
+            report.counts = triangles(&|s| matches!(s.paint, Paint::Texture { .. }));
+            report.time = (painted > Duration::ZERO).then_some(painted);
+        }
+        Stage::Blend => report.counts = triangles(&|s| s.translucent),
+        Stage::Antialias => report.counts = Some((pixels * usize::from(drawing.antialias), pixels)),
+        Stage::Write => report.counts = Some((pixels, pixels)),
+        Stage::Lines => report.time = own(work.strokes),
+        _ => {}
     }
-    stages
 }
 
 /// Room between two pictures on a sheet, in pixels.

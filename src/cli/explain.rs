@@ -8,7 +8,9 @@ use super::args::{ExplainArgs, LangArg, TableFormat};
 use super::{Failure, open, print, scene};
 use crate::i18n::{Lang, canvas, command_line as texts, pictures, pipeline};
 use crate::picture::{self, Account, Source, Studio};
-use crate::pipeline::StageReport;
+use crate::pipeline::plan::ObjectPlan;
+use crate::pipeline::{Place, StageReport};
+use crate::scene::{Object, Scene};
 use crate::views::Size;
 
 /// What programs read.
@@ -17,6 +19,18 @@ struct Explanation<'a> {
     view: &'a str,
     stages: Vec<StageLine>,
     total_micros: f64,
+    /// Only for the image, whose objects are those of the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    objects: Option<Vec<ObjectLine<'a>>>,
+}
+
+#[derive(Serialize)]
+struct ObjectLine<'a> {
+    name: &'a str,
+    place: &'static str,
+    /// The planes of the volume that it may cross, or that it is outside of.
+    planes: Vec<&'static str>,
+    reason: String,
 }
 
 #[derive(Serialize)]
@@ -52,11 +66,19 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let account = account(source, args.view(), size)
         .ok_or_else(|| Failure::BadInput(texts::too_large(lang, u64::from(size.width), u64::from(size.height))))?;
     let view = args.view().name();
+    let objects = (args.view() == picture::View::Image).then(|| objects(&scene, &account, lang));
     let text = match args.format {
-        TableFormat::Text => table(&account, title(lang, args.view()), size, lang),
+        TableFormat::Text => {
+            let mut text = table(&account, title(lang, args.view()), size, lang);
+            if let Some(objects) = objects.filter(|objects| !objects.is_empty()) {
+                text += "\n";
+                objects.iter().for_each(|object| text += &format!("{:<18} {}\n", object.name, object.reason));
+            }
+            text
+        }
         TableFormat::Json => {
             let stages = account.stages.iter().map(|report| line(report, lang)).collect();
-            let explanation = Explanation { view, stages, total_micros: micros(account.total) };
+            let explanation = Explanation { view, stages, total_micros: micros(account.total), objects };
             let json = serde_json::to_string_pretty(&explanation).map_err(|e| Failure::Failed(e.to_string()))?;
             json + "\n"
         }
@@ -71,6 +93,22 @@ fn title(lang: Lang, view: picture::View) -> &'static str {
         picture::View::Canonical => titles.canonical,
         picture::View::Image => titles.image,
     }
+}
+
+/// What becomes of each object of the scene.
+fn objects<'a>(scene: &'a Scene, account: &Account, lang: Lang) -> Vec<ObjectLine<'a>> {
+    let line = |(object, plan): (&'a Object, &ObjectPlan)| {
+        let (place, planes) = match plan.place {
+            Place::Empty => ("empty", 0),
+            Place::Crosses(0) => ("inside", 0),
+            Place::Crosses(planes) => ("crosses", planes),
+            Place::Outside(planes) => ("outside", planes),
+        };
+        let names = ["left", "right", "bottom", "top", "near", "far"];
+        let planes = (0..).zip(names).filter(|(i, _)| planes & (1 << i) != 0).map(|(_, name)| name).collect();
+        ObjectLine { name: &object.name, place, planes, reason: pipeline::object(lang, plan) }
+    };
+    scene.objects.iter().zip(&account.objects).map(line).collect()
 }
 
 /// The picture is drawn twice: the first time, memory that is new to the process would be most of what is measured.

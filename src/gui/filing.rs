@@ -15,6 +15,7 @@ use super::export::{self, Export};
 use super::native::{Answer, Asking, Question};
 use super::panels::{self, scene::SceneTree};
 use super::state::{State, Tab};
+use crate::figure::Figure;
 use crate::figure::write::update;
 use crate::files::{self, Opened};
 use crate::i18n::window::{self, Texts};
@@ -257,22 +258,22 @@ fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
     }
 }
 
-/// A figure that goes to another folder names its meshes anew, so that they are the same files.
-fn follow_meshes(state: &mut State, to: &Path) {
-    let (from, to) = (state.document.folder().map(Path::to_owned), to.parent());
-    if from.as_deref() == to {
-        return;
+/// The figure as it is written to `to`: in another folder it names its meshes anew, so that they are the same files.
+fn for_folder(document: &Document, to: &Path) -> Figure {
+    let mut figure = document.figure().clone();
+    let (from, to) = (document.folder(), to.parent());
+    if from == to {
+        return figure;
     }
-    state.document.edit(|figure| {
-        for object in &mut figure.scene.objects {
-            if let Some(Shape::Mesh { path }) = &mut object.shape {
-                let file = from.as_deref().unwrap_or(Path::new("")).join(&path);
-                if file.exists() {
-                    *path = named_in_figure(to, &file);
-                }
+    for object in &mut figure.scene.objects {
+        if let Some(Shape::Mesh { path }) = &mut object.shape {
+            let file = from.unwrap_or(Path::new("")).join(&path);
+            if file.exists() {
+                *path = named_in_figure(to, &file);
             }
         }
-    });
+    }
+    figure
 }
 
 fn open(state: &mut State, path: &Path) {
@@ -301,11 +302,14 @@ pub(super) fn take_over(state: &mut State, document: Document) {
 }
 
 fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<Wish>) {
-    follow_meshes(state, path);
-    let text = update(state.document.source(), state.document.figure());
+    let figure = for_folder(&state.document, path);
+    let text = update(state.document.source(), &figure);
     let name = path.display().to_string();
     match files::save(path, text.as_bytes()) {
         Ok(()) => {
+            if figure.scene != state.document.figure().scene {
+                state.document.edit(|own| own.scene = figure.scene);
+            }
             state.document.mark_saved(path.to_owned(), text);
             state.say(format!("{} {name}", window::texts(state.settings.lang).saved));
             if let Some(then) = then {

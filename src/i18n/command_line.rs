@@ -180,17 +180,28 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
     };
     match lang {
         Lang::En => {
-            format!("{what}: {triangles} triangles, {frames} frames\n{}", times("95 % within", "least", "median"))
+            let frames = if frames == 1 { "1 frame".to_owned() } else { format!("{frames} frames") };
+            format!("{what}: {triangles} triangles, {frames}\n{}", times("95 % within", "least", "median"))
         }
         Lang::PtBr => {
-            format!("{what}: {triangles} triângulos, {frames} quadros\n{}", times("95 % em até", "mínimo", "mediana"))
+            let frames = if frames == 1 { "1 quadro".to_owned() } else { format!("{frames} quadros") };
+            format!("{what}: {triangles} triângulos, {frames}\n{}", times("95 % em até", "mínimo", "mediana"))
         }
     }
 }
 
-/// A picture that is larger than pictures can be.
+/// A picture that is larger than pictures can be, or a sheet that is too narrow for three.
 #[must_use]
 pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
+    if width < 11 {
+        return pick(
+            lang,
+            format!("--size is {width}x{height}; allowed: a width from 11 pixels on, so that three pictures have room"),
+            format!(
+                "--size é {width}x{height}; permitido: uma largura a partir de 11 pixels, para que caibam três imagens"
+            ),
+        );
+    }
     pick(
         lang,
         format!(

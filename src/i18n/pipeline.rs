@@ -2,7 +2,8 @@
 
 use super::Lang;
 use super::messages::pick;
-use crate::pipeline::{PlaneSet, Reason, Stage, StageReport};
+use crate::pipeline::plan::ObjectPlan;
+use crate::pipeline::{Place, PlaneSet, Reason, Stage, StageReport};
 
 /// The name of a stage, short enough for a column.
 #[must_use]
@@ -56,9 +57,11 @@ const fn pick_name(lang: Lang, en: &'static str, pt_br: &'static str) -> &'stati
 pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     match (lang, stage) {
         (Lang::En, Stage::Traverse) => {
-            "Walks through the tree of the scene and multiplies the transforms. [3] §1.1, step 1"
+            "Walks through the tree of the scene, multiplies the transforms, and puts up what the picture shows besides. [3] §1.1, step 1"
         }
-        (Lang::PtBr, Stage::Traverse) => "Percorre a árvore da cena e multiplica as transformações. [3] §1.1, passo 1",
+        (Lang::PtBr, Stage::Traverse) => {
+            "Percorre a árvore da cena, multiplica as transformações e põe o que a imagem mostra além dela. [3] §1.1, passo 1"
+        }
         (Lang::En, Stage::CullObjects) => {
             "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1"
         }
@@ -77,8 +80,10 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::Light) => {
             "O modelo de reflexão: luz ambiente, difusa e especular. [2]; [3] §1.8; §1.1, passo 2"
         }
-        (Lang::En, Stage::Transform) => "World → view, each vertex once. [0] Eq. (5.7); [3] §1.1, step 3",
-        (Lang::PtBr, Stage::Transform) => "Mundo → visão, cada vértice uma vez. [0] Eq. (5.7); [3] §1.1, passo 3",
+        (Lang::En, Stage::Transform) => "World → view, each vertex of the faces once. [0] Eq. (5.7); [3] §1.1, step 3",
+        (Lang::PtBr, Stage::Transform) => {
+            "Mundo → visão, cada vértice das faces uma vez. [0] Eq. (5.7); [3] §1.1, passo 3"
+        }
         (Lang::En, Stage::CullFaces) => "Drops faces that turn their back to the eye. [3] §1.1, step 4",
         (Lang::PtBr, Stage::CullFaces) => "Descarta as faces que dão as costas ao olho. [3] §1.1, passo 4",
         (Lang::En, Stage::Clip) => "Cuts what crosses a plane of the volume, before the divide. [2]; [3] §1.1, step 5",
@@ -162,6 +167,12 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
     match reason {
         Reason::Always => text("every picture needs it", "toda imagem precisa dela"),
         Reason::NothingInView => text("nothing is in view", "não há nada no campo de visão"),
+        Reason::SomethingInView => text("something is in view", "há algo no campo de visão"),
+        Reason::FacesInView { objects: n } => pick(
+            lang,
+            format!("faces of {} are in view", objects(n)),
+            format!("há faces de {} no campo de visão", objects(n)),
+        ),
         Reason::Forced => text(
             "not needed; it runs because all stages were asked for",
             "desnecessária; é executada porque todas foram pedidas",
@@ -174,8 +185,14 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::NoneOutside { of: 0 } => text("there are no objects", "não há objetos"),
         Reason::NoneOutside { of } => pick(
             lang,
-            format!("none of {} is wholly outside the volume", objects(of)),
-            format!("nenhum de {} está totalmente fora do volume", objects(of)),
+            match of {
+                1 => "the object is not wholly outside the volume".to_owned(),
+                of => format!("none of {} is wholly outside the volume", objects(of)),
+            },
+            match of {
+                1 => "o objeto não está totalmente fora do volume".to_owned(),
+                of => format!("nenhum de {} está totalmente fora do volume", objects(of)),
+            },
         ),
         Reason::Wireframe => text("wireframe: only edges are drawn", "aramado: só as arestas são desenhadas"),
         Reason::NoFaces => text("no object in view has faces", "nenhum objeto visível tem faces"),
@@ -205,7 +222,7 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::BackFaces { objects: n, of } => pick(
             lang,
             format!("{}: closed or one-sided, so back faces cannot be seen", n_of(n, of)),
-            format!("{}: por ser fechado ou de um só lado, as faces de trás não se veem", n_of(n, of)),
+            format!("{}: em objetos fechados ou de um só lado, as faces de trás não se veem", n_of(n, of)),
         ),
         Reason::BothSidesSeen { .. } => text(
             "both sides of all faces may be seen: they are two-sided or translucent",
@@ -288,8 +305,44 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::LinesInView => {
             text("edges, lines, marks or texts are to be drawn", "há arestas, linhas, marcas ou textos a desenhar")
         }
+        Reason::DepthsShown => {
+            text("the picture shows depths instead of colours", "a imagem mostra profundidades em vez de cores")
+        }
+        Reason::DividedFirst => text(
+            "after the divide, as asked for: too late, what is behind the eye has folded over",
+            "depois da divisão, como foi pedido: tarde demais, o que está atrás do olho já dobrou para a frente",
+        ),
         Reason::NoLines => text("nothing but faces is in view", "só há faces no campo de visão"),
     }
+}
+
+/// What becomes of an object, and why.
+#[must_use]
+pub fn object(lang: Lang, plan: &ObjectPlan) -> String {
+    let mut text = match plan.place {
+        Place::Empty => return pick(lang, "has no vertices", "não tem vértices"),
+        Place::Outside(outside) => {
+            let names = planes(lang, outside);
+            return pick(
+                lang,
+                format!("outside: beyond {names}, dropped whole"),
+                format!("fora: além de {names}, descartado por inteiro"),
+            );
+        }
+        Place::Crosses(0) => pick(lang, "inside: not clipped", "dentro: sem recorte"),
+        Place::Crosses(crossed) => {
+            let names = planes(lang, crossed);
+            pick(lang, format!("may cross {names}: clipped there"), format!("pode cruzar {names}: recortado ali"))
+        }
+    };
+    if !plan.faces {
+        text += pick_name(lang, "; no faces", "; sem faces");
+    } else if plan.cull_back {
+        text += pick_name(lang, "; back faces dropped", "; faces de trás descartadas");
+    } else {
+        text += pick_name(lang, "; both sides of its faces may be seen", "; os dois lados das faces podem ser vistos");
+    }
+    text
 }
 
 /// The names of planes: "left and near".

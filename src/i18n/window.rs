@@ -160,6 +160,11 @@ texts! {
     shading_flat: "flat", "constante";
     shading_gouraud: "Gouraud", "Gouraud";
     shading_phong: "Phong", "Phong";
+    visibility: "hidden faces", "faces ocultas";
+    visibility_hint: "How it is decided which face is seen. The painter goes by centroids, and fails where faces overlap in a circle [2], [3]", "Como se decide qual face é vista. O pintor vai pelos centroides, e falha onde faces se sobrepõem em círculo [2], [3]";
+    visibility_depth_buffer: "depth buffer", "z-buffer";
+    visibility_painter: "painter", "pintor";
+    visibility_bsp: "BSP tree", "árvore BSP";
     hidden_lines: "hidden lines", "linhas ocultas";
     hidden_lines_hint: "Parts of lines that lie behind faces", "Partes de linhas atrás de faces";
     hidden_dashed: "dashed", "tracejadas";

@@ -52,15 +52,18 @@ impl<'a> Strokes<'a> {
         self.flush(&mut run, style, false);
     }
 
-    /// The edges of an object.
-    pub(super) fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) {
-        let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe, self.background) else { return };
+    /// The edges of an object. Gives how many ends were transformed: two for each edge.
+    pub(super) fn edges(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
+        let Some(line_style) = edge_style(object, style.shading == Shading::Wireframe, self.background) else {
+            return 0;
+        };
         self.asked += object.mesh.edges.len();
         for edge in &object.mesh.edges {
             if edge.iter().all(|&i| (i as usize) < vertices.len()) {
                 self.polyline(edge.map(|i| vertices.view(i)), line_style);
             }
         }
+        2 * object.mesh.edges.len()
     }
 
     /// The lines that stand in the world.

@@ -143,7 +143,10 @@ impl Pipeline {
                 }
                 meter.lap(Stage::Light);
             }
-            strokes.edges(object, &vertices, style);
+            let ends = strokes.edges(object, &vertices, style);
+            if !todo.faces {
+                meter.count_ends(ends);
+            }
             meter.lap(Stage::Lines);
         }
         match plan.order() {

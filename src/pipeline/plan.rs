@@ -124,6 +124,13 @@ pub enum Reason {
     Always,
     /// Left out: there is nothing in the volume that it could work on.
     NothingInView,
+    /// Runs: something is in view.
+    SomethingInView,
+    /// Runs: faces are in view.
+    FacesInView {
+        /// That have any.
+        objects: usize,
+    },
     /// Runs: everything was asked for, needed or not.
     Forced,
 
@@ -256,6 +263,11 @@ pub enum Reason {
     NoLines,
     /// Runs.
     LinesInView,
+
+    /// The picture shows depths instead of colours: no light, no lines, and depths that vary over faces.
+    DepthsShown,
+    /// Runs, but too late: the divide by w was asked for before it.
+    DividedFirst,
 }
 
 /// What the plan says of one stage.
@@ -496,7 +508,8 @@ impl Survey {
             Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport if self.in_view == 0 && !self.lines => {
                 (false, Reason::NothingInView)
             }
-            Stage::Traverse | Stage::Viewport | Stage::Transform | Stage::Write => (true, Reason::Always),
+            Stage::Traverse | Stage::Write => (true, Reason::Always),
+            Stage::Viewport | Stage::Transform => (true, Reason::SomethingInView),
             Stage::CullObjects if self.outside == 0 => (false, Reason::NoneOutside { of: self.objects }),
             Stage::CullObjects => (true, Reason::Outside { outside: self.outside, of: self.objects }),
             Stage::Normals | Stage::Light => with_faces(self.light(stage)),
@@ -511,7 +524,7 @@ impl Survey {
             Stage::Oblique => (true, Reason::ObliqueWindow),
             Stage::Divide if projector.perspective => (true, Reason::PerspectiveProjection),
             Stage::Divide => (false, Reason::ParallelProjection),
-            Stage::Fill => with_faces((true, Reason::Always)),
+            Stage::Fill => with_faces((true, Reason::FacesInView { objects: self.faces })),
             Stage::Interpolate => with_faces(match self.varies {
                 0 => (false, Reason::OneColorAFace),
                 objects => (true, Reason::VariesOverFaces { objects }),
@@ -530,6 +543,7 @@ impl Survey {
                 samples => (true, Reason::Samples { samples }),
             }),
             Stage::Lines if self.lines => (true, Reason::LinesInView),
+            Stage::Lines if self.in_view == 0 => (false, Reason::NothingInView),
             Stage::Lines => (false, Reason::NoLines),
         }
     }

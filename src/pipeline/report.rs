@@ -20,6 +20,15 @@ pub struct Frame {
     pub report: Vec<StageReport>,
 }
 
+impl Frame {
+    /// Gives a stage another reason: what the plan cannot know, because the scene was prepared for it.
+    pub fn say(&mut self, stage: Stage, reason: Reason) {
+        if let Some(report) = self.report.iter_mut().find(|report| report.stage == stage) {
+            report.reason = reason;
+        }
+    }
+}
+
 /// One stage of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StageReport {
@@ -37,7 +46,7 @@ pub struct StageReport {
     /// | cull objects | objects of the scene | those that may be in view |
     /// | normals | vertices whose normals are taken to view space | the same |
     /// | light | faces or vertices, whatever is lit before there are pixels | the same |
-    /// | transform, oblique window | vertices of objects that may be in view and have faces | the same |
+    /// | transform, oblique window | vertices of objects that may be in view and have faces, ends of edges of the others | the same |
     /// | cull faces | triangles of these objects | those that do not turn their back |
     /// | clip | these triangles | triangles inside the volume |
     /// | divide, viewport | vertices of these objects, and those that clipping made | the same |
@@ -115,6 +124,11 @@ impl Meter {
             }
             LitAt::Pixels => self.normals += vertices.len(),
         }
+    }
+
+    /// Counts the ends of the edges of an object whose faces are not drawn.
+    pub(super) fn count_ends(&mut self, ends: usize) {
+        self.vertices += ends;
     }
 
     pub(super) fn report(&self, plan: &Plan) -> Vec<StageReport> {

@@ -7,6 +7,8 @@ use crate::camera::{Camera, Projected, Projection, Viewport};
 use crate::drawing::{Drawing, Paint};
 use crate::figure::Depth;
 use crate::pipeline::fold::divided_first;
+use crate::pipeline::{Frame, Reason, Stage};
+use crate::scene::Scene;
 
 use super::legend::{Row, number};
 use super::{Palette, Setup, pick};
@@ -42,10 +44,29 @@ fn viewport(setup: &Setup) -> Viewport {
     setup.figure.viewport.unwrap_or_else(|| Viewport::whole(setup.figure.image))
 }
 
-/// The style in which faces leave their depth: a depth buffer needs faces, and a depth buffer.
+/// The style in which faces leave their depth: a depth buffer needs faces, and a depth buffer, but no colours.
 pub(super) fn style(style: &Style) -> Style {
-    let shading = if style.shading == Shading::Wireframe { Shading::Flat } else { style.shading };
-    Style { shading, visibility: Visibility::DepthBuffer, ..*style }
+    Style { shading: Shading::Flat, visibility: Visibility::DepthBuffer, ..*style }
+}
+
+/// Leaves of a scene what has depth: its faces, without light.
+pub(super) fn only(scene: &mut Scene) {
+    scene.lights.clear();
+    scene.lines.clear();
+    scene.marks.clear();
+    scene.texts.clear();
+    scene.objects.iter_mut().for_each(|object| object.edges = None);
+}
+
+/// Says of the stages that depths are shown: no light, and the depths vary over the faces.
+pub(super) fn account(frame: &mut Frame) {
+    for stage in [Stage::Normals, Stage::Light, Stage::Lines] {
+        frame.say(stage, Reason::DepthsShown);
+    }
+    let filled = frame.report.iter().any(|report| report.stage == Stage::Fill && report.ran);
+    if let Some(report) = frame.report.iter_mut().find(|report| report.stage == Stage::Interpolate) {
+        (report.ran, report.reason) = (filled, Reason::DepthsShown);
+    }
 }
 
 /// Depths, as grey levels of 0 … 1.

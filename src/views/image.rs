@@ -3,7 +3,8 @@
 use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
 use crate::camera::ViewWindow;
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
-use crate::pipeline::{Frame, Target};
+use crate::figure::Reveal;
+use crate::pipeline::{Frame, Reason, Stage, Target};
 
 use super::depth::{self, Greys};
 use super::gizmos::{Sheet, stroke};
@@ -73,22 +74,31 @@ pub fn frame_of(setup: &Setup, engine: &mut Engine) -> Frame {
         (None, false) => *style,
     };
     let (whole, screen) = (setup.size.target(paper), screen(setup));
-    let (mut revealed, wrong) = reveal::in_image(setup, palette);
-    let scene = std::mem::take(&mut revealed.scene);
-    let mut sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
-    if greys.is_some() {
-        sheet.scene.marks.clear();
-    }
-    revealed.mark(&mut sheet, palette);
-    probe::in_image(&mut sheet, setup, palette);
     let rect = frame(setup.size, setup.camera.window());
     let target = Target { width: rect.width, height: rect.height, ..whole };
-    let mut drawn = engine.frame(setup, &sheet.scene, setup.camera, target, &style);
+    // A scene of many objects is not copied where nothing is added to it.
+    let plain = setup.figure.reveal == Reveal::default() && setup.extras.probe.is_none();
+    let (revealed, wrong) = if plain { Default::default() } else { reveal::in_image(setup, palette) };
+    let mut drawn = if plain {
+        engine.frame(setup, setup.scene, setup.camera, target, &style)
+    } else {
+        let mut sheet = Sheet { scene: revealed.scene.clone(), screen: &screen, hidden: style.hidden_lines };
+        if greys.is_some() {
+            depth::only(&mut sheet.scene);
+        }
+        revealed.mark(&mut sheet, palette);
+        probe::in_image(&mut sheet, setup, palette);
+        engine.frame(setup, &sheet.scene, setup.camera, target, &style)
+    };
     if let Some((wrong, front)) = wrong.zip(reveal::front()) {
         add(&mut drawn.drawing, Engine::default().frame(setup, &wrong, &front, target, &style).drawing);
     }
     let mut rows = revealed.rows;
+    if setup.figure.reveal.divide_first {
+        drawn.say(Stage::Clip, Reason::DividedFirst);
+    }
     if let Some(greys) = greys {
+        depth::account(&mut drawn);
         greys.paint(&mut drawn.drawing);
         rows.extend(greys.legend(setup, palette));
     }

@@ -9,7 +9,7 @@ use crate::appearance::Texture;
 use crate::camera::Camera;
 use crate::figure::{Figure, Observer};
 use crate::gui::state::Picture;
-use crate::picture::{Account, account, clock};
+use crate::picture::{Account, clock};
 use crate::raster::Rasterizer;
 use crate::scene::Scene;
 use crate::views::{self, Engine, Extras, Labels, Setup, Size};
@@ -78,10 +78,12 @@ pub(super) struct Easel {
 impl Easel {
     /// `None`: the picture has no size, or no memory is left for it.
     pub(super) fn draw(&mut self, job: &Job) -> Option<Sheet> {
+        let start = clock();
         let mut extras = job.extras.clone();
         if job.picture == Picture::World {
             extras.painted_image = self.painted(job);
         }
+        let painted = clock().saturating_sub(start);
         let mut figure = job.figure.clone();
         if job.draft {
             figure.style.antialias = 1;
@@ -97,7 +99,6 @@ impl Easel {
         let engine = &mut self.engines[job.picture.index()];
         engine.clock = job.accounted.then_some(clock);
         self.rasterizer.measure(engine.clock);
-        let start = clock();
         let frame = match (job.picture, &job.observer) {
             (Picture::World, Some(observer)) => views::world::frame_of(&setup, observer, engine),
             (Picture::Canonical, Some(observer)) => views::canonical::frame_of(&setup, observer, engine),
@@ -105,8 +106,8 @@ impl Easel {
         };
         let pixmap = self.rasterizer.paint(&frame.drawing)?;
         let total = clock().saturating_sub(start);
-        let stages = || account(&frame, self.rasterizer.work());
-        let account = job.accounted.then(|| Account { stages: stages(), total });
+        let account = job.accounted.then(|| Account::of(&frame, self.rasterizer.work(), painted, total));
+        engine.pipeline.recycle(frame.drawing);
         Some(Sheet { account, ..tiles(&pixmap, job.max_side) })
     }
 
@@ -137,6 +138,7 @@ impl Easel {
         self.rasterizer.measure(None);
         let frame = views::image::frame_of(&setup, &mut self.engines[3]);
         let pixmap = self.rasterizer.paint(&frame.drawing)?;
+        self.engines[3].pipeline.recycle(frame.drawing);
         let (width, height) = (pixmap.width(), pixmap.height());
         let texture = Arc::new(Texture { width, height, rgba: pixmap.take() });
         self.painted = Some((image, Arc::clone(&texture)));

@@ -3,12 +3,12 @@
 use eframe::egui;
 
 use super::row;
-use crate::appearance::{HiddenLines, Shading, Theme};
+use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::gui::panels::{choice, section};
 use crate::gui::state::State;
 use crate::i18n::window;
 
-/// Shading, hidden lines, samples, theme.
+/// Shading, hidden surfaces and lines, samples, theme.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
     let old = state.document.figure().style;
@@ -22,6 +22,14 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         ];
         row(ui, "", t.shading, t.shading_hint, |ui| {
             choice(ui, t.shading, t.shading_hint, &mut style.shading, &shadings)
+        });
+        let orders = [
+            (Visibility::DepthBuffer, t.visibility_depth_buffer),
+            (Visibility::Painter, t.visibility_painter),
+            (Visibility::Bsp, t.visibility_bsp),
+        ];
+        row(ui, "", t.visibility, t.visibility_hint, |ui| {
+            choice(ui, t.visibility, t.visibility_hint, &mut style.visibility, &orders)
         });
         let lines = [
             (HiddenLines::Dashed, t.hidden_dashed),
