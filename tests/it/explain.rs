@@ -128,7 +128,8 @@ fn each_object_is_told_what_becomes_of_it() {
         ),
     );
     let told = json(&bench, &["explain", "figure.toml"]);
-    let objects: Vec<_> = told["objects"].as_array().unwrap().iter().map(|o| (&o["name"], &o["place"], &o["planes"])).collect();
+    let objects: Vec<_> =
+        told["objects"].as_array().unwrap().iter().map(|o| (&o["name"], &o["place"], &o["planes"])).collect();
     let right = serde_json::json!(["right"]);
     assert_eq!(objects[0], (&"in the middle".into(), &"inside".into(), &serde_json::json!([])));
     assert_eq!(objects[1], (&"half".into(), &"crosses".into(), &right));
