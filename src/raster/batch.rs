@@ -258,6 +258,14 @@ impl<K: Simd> SetUp<K> {
         ]
     }
 
+    /// Times the greatest difference of values at the vertices, what the terms of their gradient can be: a sliver has large ones
+    /// that nearly cancel, and then most of the gradient is rounding.
+    #[inline(always)]
+    pub(super) fn steepness(&self) -> f32x8<K> {
+        let m = self.m.map(|m| m.abs());
+        (m[0] + m[1]).max(m[2] + m[3])
+    }
+
     /// The planes through values at the vertices.
     #[inline(always)]
     pub(super) fn planes(&self, q: &[f32x8<K>; 3]) -> Planes<K> {

@@ -233,8 +233,8 @@ fn pack<K: Simd>(r: u32x8<K>, g: u32x8<K>, b: u32x8<K>) -> u32x8<K> {
     (r | (g << 8)) | ((b << 16) | 0xff00_0000)
 }
 
-/// A gradient (steps of 255 per pixel) above this comes from a sliver, and is mostly rounding. Below it, and less than a
-/// hundred pixels away, the error of a channel is far below half a step.
+/// Where the terms of a gradient (steps of 255 per pixel) can be above this, the triangle is a sliver, and the gradient mostly
+/// rounding. Below it, and less than a hundred pixels away, the error of a channel is far below half a step.
 const STEEPEST: f32 = 4096.0;
 
 /// The colours of vertices.
@@ -261,19 +261,17 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
         let (packed, present) = gather_colors(simd, vertex_colors(surface), corners);
         let zero = f32x8::splat(simd, 0.0);
         let mut planes = [Planes { value: zero, dx: zero, dy: zero, low: zero, high: zero }; RGB];
-        let mut steepest = zero;
         for (plane, shift) in planes.iter_mut().zip([0, 8, 16]) {
             let mut channel = [zero; 3];
             for k in 0..3 {
                 channel[k] = ((packed[k] >> shift) & 0xff).to_float();
             }
             *plane = set_up.planes(&channel);
-            steepest = steepest.max(plane.dx.abs()).max(plane.dy.abs());
         }
-        let mut simple = present & steepest.simd_lt(STEEPEST);
+        let spread = planes[0].spread().max(planes[1].spread()).max(planes[2].spread());
+        let mut simple = present & (spread * set_up.steepness()).simd_lt(STEEPEST);
         if !surface.inverse_w.is_empty() {
             let w = gather(simd, &surface.inverse_w, corners);
-            let spread = planes[0].spread().max(planes[1].spread()).max(planes[2].spread());
             let (far, near) = (w[0].min(w[1]).min(w[2]), w[0].max(w[1]).max(w[2]));
             // Not so where one is missing and thus no number.
             simple &= !perspective_matters(spread, far, near) & near.simd_eq(near);

@@ -26,6 +26,7 @@ mod pipeline_visibility;
 mod raster_fill;
 mod raster_lines;
 mod raster_pictures;
+mod raster_slivers;
 mod reveal;
 mod scene;
 mod stages;
