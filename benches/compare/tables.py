@@ -18,7 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 CRATES = os.path.join(os.environ.get("CARGO_TARGET_DIR", os.path.join(HERE, "crates", "target")), "release", "compare")
 NAMES = ["1k", "10k", "100k", "1M"]
 FRAMES = {"100": 400, "1k": 300, "10k": 150, "100k": 60, "1M": 20}
-TURNS = 3
+TURNS = 2
 
 
 def run(command, threads=None):
