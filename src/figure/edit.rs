@@ -92,19 +92,16 @@ fn merge_item(table: &mut dyn TableLike, key: &str, old: Option<&Item>, new: &It
     }
 }
 
-/// Merges tables of one list: those of the same name, else those at the same place, are the same table.
+/// Merges tables of one list: those of the same name are the same table; of the others, those that have most in common.
 fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &ArrayOfTables) {
-    let name = |table: &Table| table.get("name").map(ToString::to_string);
     let old: Vec<&Table> = old.iter().flat_map(|list| list.iter()).collect();
     let mut rest: Vec<Option<Table>> = mine.iter().cloned().map(Some).collect();
     let mut places: Vec<isize> = mine.iter().filter_map(Table::position).collect();
     places.sort_unstable();
     let mut places = places.into_iter();
-    let by_name: Vec<Option<usize>> =
-        new.iter().map(|table| old.iter().position(|was| name(was).is_some() && name(was) == name(table))).collect();
+    let sources = sources(&old, new);
     mine.clear();
-    for (i, table) in new.iter().enumerate() {
-        let source = by_name[i].or_else(|| (i < old.len() && !by_name.contains(&Some(i))).then_some(i));
+    for (table, source) in new.iter().zip(sources) {
         let found = source.and_then(|j| Some((old.get(j)?, rest.get_mut(j)?.take()?)));
         let merged = match found {
             Some((was, mut found)) => {
@@ -119,6 +116,30 @@ fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &Array
         };
         mine.push(merged);
     }
+}
+
+/// Which of the old tables each new one comes from: after the same names, the pair with the most equal keys first, and of
+/// equal ones that at the same place. An object that was renamed is found again although another was deleted or added.
+fn sources(old: &[&Table], new: &ArrayOfTables) -> Vec<Option<usize>> {
+    let name = |table: &Table| table.get("name").map(ToString::to_string);
+    let mut sources: Vec<Option<usize>> =
+        new.iter().map(|table| old.iter().position(|was| name(was).is_some() && name(was) == name(table))).collect();
+    let common = |was: &Table, table: &Table| {
+        table.iter().filter(|(key, value)| was.get(key).is_some_and(|was| same(was, value))).count()
+    };
+    let mut pairs = Vec::new();
+    for (i, table) in new.iter().enumerate().filter(|(i, _)| sources[*i].is_none()) {
+        for (j, was) in old.iter().enumerate().filter(|(j, _)| !sources.contains(&Some(*j))) {
+            pairs.push((common(was, table), i == j, i, j));
+        }
+    }
+    pairs.sort_by_key(|&(common, same_place, i, j)| (std::cmp::Reverse((common, same_place)), i, j));
+    for (_, _, i, j) in pairs {
+        if sources[i].is_none() && !sources.contains(&Some(j)) {
+            sources[i] = Some(j);
+        }
+    }
+    sources
 }
 
 /// The item without the places that its tables had in another document.

@@ -238,3 +238,29 @@ fn line_ends_of_windows_stay() {
 fn what_is_no_figure_is_replaced() {
     assert_eq!(update("[camera]\nnear = what", &Figure::default()), to_toml(&Figure::default()));
 }
+
+#[test]
+fn a_renamed_object_keeps_its_comments_although_another_is_deleted() {
+    let text = "[[scene.objects]]\n# the ring\nname = \"torus\"\nshape = \"torus\"\ntranslate = [1, 0, 0]\n\n\
+                [[scene.objects]]\n# the crate\nname = \"box\"\nshape = \"box\"\nscale = [2, 1, 1]\n";
+    let mut figure = read::parse(text).unwrap();
+    figure.scene.objects.remove(0);
+    figure.scene.objects[0].name = "crate".to_owned();
+    let edited = update(text, &figure);
+    assert!(edited.contains("# the crate") && !edited.contains("# the ring"), "{edited}");
+}
+
+#[test]
+fn a_renamed_object_keeps_its_comments_although_another_is_added_before_it() {
+    let text = "[[scene.objects]]\n# the ring\nname = \"torus\"\nshape = \"torus\"\n\n\
+                [[scene.objects]]\n# the crate\nname = \"box\"\nshape = \"box\"\nscale = [2, 1, 1]\n";
+    let mut figure = read::parse(text).unwrap();
+    let mut second = figure.scene.objects[0].clone();
+    second.name = "torus 2".to_owned();
+    figure.scene.objects.insert(1, second);
+    figure.scene.objects[2].name = "crate".to_owned();
+    let edited = update(text, &figure);
+    let at = |what: &str| edited.find(what).unwrap();
+    assert!(at("\"torus 2\"") < at("# the crate") && at("# the crate") < at("\"crate\""), "{edited}");
+    assert_eq!(edited.matches("# the").count(), 2, "{edited}");
+}
