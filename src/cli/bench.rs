@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::args::{BenchArgs, LangArg, TableFormat};
-use super::{Failure, open, print, scene};
-use crate::i18n::{Lang, command_line as texts, pictures};
+use super::args::{BenchArgs, TableFormat};
+use super::{Failure, Subject, print};
+use crate::i18n::{Lang, command_line as texts};
 use crate::picture::{self, Source, Studio, View};
 use crate::views::Size;
 
@@ -27,21 +27,11 @@ struct Measurement<'a> {
 }
 
 pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
-    let (given, frames) = (args.size(lang)?, args.frames(lang)?);
-    let (opened, camera) = open(&args.figure, &args.common, lang)?;
-    let scene = scene(&args.figure, &opened, lang)?;
-    let lang = args.common.lang.map_or(Lang::En, LangArg::lang);
-    let source = Source {
-        figure: &opened.figure,
-        camera: &camera,
-        scene: &scene,
-        labels: pictures::labels(lang),
-        force_all_stages: args.force_all_stages,
-    };
-    let size = given.unwrap_or(opened.figure.image);
-    let size = Size { width: size.width, height: size.height, scale: 1.0 };
-    let times = measure(source, args.view(), size, frames)
-        .ok_or_else(|| Failure::BadInput(texts::too_large(lang, u64::from(size.width), u64::from(size.height))))?;
+    let frames = args.frames(lang)?;
+    let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
+    let Subject { scene, size, lang, .. } = &subject;
+    let times = measure(subject.source(args.force_all_stages), args.view(), *size, frames)
+        .ok_or_else(|| subject.too_large())?;
     let measurement = Measurement {
         view: args.view().map_or("all", View::name),
         width: size.width,
@@ -58,10 +48,10 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
         }
         TableFormat::Text => {
             let Measurement { view, width, height, triangles, median_ms, min_ms, p95_ms, .. } = measurement;
-            texts::bench(lang, &format!("{view}, {width} × {height}"), triangles, frames, [median_ms, min_ms, p95_ms])
+            texts::bench(*lang, &format!("{view}, {width} × {height}"), triangles, frames, [median_ms, min_ms, p95_ms])
         }
     };
-    print(text.as_bytes(), lang)
+    print(text.as_bytes(), *lang)
 }
 
 /// The times of the frames, shortest first. `None` where pictures cannot be so large.

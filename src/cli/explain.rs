@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::args::{ExplainArgs, LangArg, TableFormat};
-use super::{Failure, open, print, scene};
-use crate::i18n::{Lang, canvas, command_line as texts, pictures, pipeline};
+use super::args::{ExplainArgs, TableFormat};
+use super::{Failure, Subject, print};
+use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
 use crate::picture::{self, Account, Source, Studio};
 use crate::pipeline::plan::ObjectPlan;
 use crate::pipeline::{Place, StageReport};
@@ -49,24 +49,13 @@ struct StageLine {
 }
 
 pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
-    let given = args.size(lang)?;
-    let (opened, camera) = open(&args.figure, &args.common, lang)?;
-    let scene = scene(&args.figure, &opened, lang)?;
-    // What goes to standard output does not depend on the system.
-    let lang = args.common.lang.map_or(Lang::En, LangArg::lang);
-    let source = Source {
-        figure: &opened.figure,
-        camera: &camera,
-        scene: &scene,
-        labels: pictures::labels(lang),
-        force_all_stages: args.force_all_stages,
-    };
-    let size = given.unwrap_or(opened.figure.image);
-    let size = Size { width: size.width, height: size.height, scale: 1.0 };
-    let account = account(source, args.view(), size)
-        .ok_or_else(|| Failure::BadInput(texts::too_large(lang, u64::from(size.width), u64::from(size.height))))?;
+    let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
+    let Subject { scene, size, lang, .. } = &subject;
+    let (size, lang) = (*size, *lang);
+    let account =
+        account(subject.source(args.force_all_stages), args.view(), size).ok_or_else(|| subject.too_large())?;
     let view = args.view().name();
-    let objects = (args.view() == picture::View::Image).then(|| objects(&scene, &account, lang));
+    let objects = (args.view() == picture::View::Image).then(|| objects(scene, &account, lang));
     let text = match args.format {
         TableFormat::Text => {
             let mut text = table(&account, title(lang, args.view()), size, lang);

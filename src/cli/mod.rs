@@ -17,15 +17,16 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::camera::{Camera, Convention, Operation};
+use crate::camera::{Camera, Convention, ImageSize, Operation};
 use crate::figure::Figure;
 use crate::figure::read::line_of_object;
 use crate::files::{self, FileError, Opened};
-use crate::i18n::{Lang, command_line as texts, messages};
+use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::inspect::{InspectError, camera_after};
+use crate::picture::Source;
 use crate::scene::Scene;
-use crate::views::scene_of;
-use args::{Command, CommandLine, FigureArgs};
+use crate::views::{Size, scene_of};
+use args::{Command, CommandLine, FigureArgs, LangArg};
 
 /// Why a command ends early.
 #[derive(Debug)]
@@ -106,6 +107,41 @@ fn scene(path: &Path, opened: &Opened, lang: Lang) -> Result<Scene, Failure> {
         let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
         Failure::BadInput(texts::in_file(lang, &path.display().to_string(), line, &messages::scene(lang, &error)))
     })
+}
+
+/// What `explain` and `bench` look at.
+struct Subject {
+    opened: Opened,
+    camera: Camera,
+    scene: Scene,
+    size: Size,
+    /// What goes to standard output does not depend on the system.
+    lang: Lang,
+}
+
+impl Subject {
+    fn open(path: &Path, args: &FigureArgs, size: Option<ImageSize>, lang: Lang) -> Result<Self, Failure> {
+        let (opened, camera) = open(path, args, lang)?;
+        let scene = scene(path, &opened, lang)?;
+        let ImageSize { width, height } = size.unwrap_or(opened.figure.image);
+        let size = Size { width, height, scale: 1.0 };
+        Ok(Self { opened, camera, scene, size, lang: args.lang.map_or(Lang::En, LangArg::lang) })
+    }
+
+    fn source(&self, force_all_stages: bool) -> Source<'_> {
+        Source {
+            figure: &self.opened.figure,
+            camera: &self.camera,
+            scene: &self.scene,
+            labels: pictures::labels(self.lang),
+            force_all_stages,
+        }
+    }
+
+    /// Why there is no picture of this size.
+    fn too_large(&self) -> Failure {
+        Failure::BadInput(texts::too_large(self.lang, u64::from(self.size.width), u64::from(self.size.height)))
+    }
 }
 
 /// Applies operations to the camera of a figure.
