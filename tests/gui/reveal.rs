@@ -1,6 +1,6 @@
 //! The section "Inside the pipeline": what it shows in the pictures, and the numbers under the pointer.
 
-use camera_lab::appearance::Rgba;
+use camera_lab::appearance::{Rgba, Visibility};
 use camera_lab::camera::Parameters;
 use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
 use camera_lab::gui::state::Picture;
@@ -48,6 +48,18 @@ fn choose(window: &mut Window, choice: &str, entry: &str) {
     window.harness.get_by_role_and_label(role, choice).click();
     window.run();
     window.click(entry);
+}
+
+#[test]
+fn the_way_of_finding_hidden_faces_is_chosen_and_undone() {
+    let mut window = window(Lang::En, Picture::Image);
+    window.key(Key::F7);
+    choose(&mut window, "hidden faces", "painter");
+    assert_eq!(window.state().document.figure().style.visibility, Visibility::Painter);
+    choose(&mut window, "hidden faces", "BSP tree");
+    assert_eq!(window.state().document.figure().style.visibility, Visibility::Bsp);
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.figure().style.visibility, Visibility::Painter);
 }
 
 #[test]

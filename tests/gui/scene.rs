@@ -228,7 +228,7 @@ fn deleting_asks_what_becomes_of_the_children() {
 #[test]
 fn a_named_scene_becomes_a_list_and_says_what_the_list_loses() {
     let mut window = Window::scene(Lang::PtBr);
-    window.pick("cena", "cubo");
+    window.pick("cena pronta", "cubo");
     window.run();
     window.click("Editar uma cópia");
     window.run();
