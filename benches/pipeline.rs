@@ -15,11 +15,11 @@ use camera_lab::appearance::{Rgba, Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::Figure;
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::picture::{Source, Studio, View, clock};
+use camera_lab::picture::{Source, Studio, clock};
 use camera_lab::pipeline::{Options, Pipeline, Stage, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, primitives};
-use camera_lab::views::{Size, scene_of};
+use camera_lab::views::{Size, View, scene_of};
 use glam::{DMat4, DVec3};
 use tiny_skia::Pixmap;
 

@@ -15,33 +15,7 @@ use crate::pipeline::{Frame, Stage, StageReport};
 use crate::raster::{Rasterizer, Work};
 use crate::scene::Scene;
 use crate::views::observer::Preset;
-use crate::views::{self, Engine, Extras, Labels, Palette, Setup, Size, image::frame};
-
-/// One of the three pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum View {
-    /// The world, with the camera in it.
-    World,
-    /// The canonical volume.
-    Canonical,
-    /// The projected image.
-    Image,
-}
-
-impl View {
-    /// All three, from left to right.
-    pub const ALL: [Self; 3] = [Self::World, Self::Canonical, Self::Image];
-
-    /// The word for it on the command line and in data that programs read.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::World => "world",
-            Self::Canonical => "canonical",
-            Self::Image => "image",
-        }
-    }
-}
+use crate::views::{self, Engine, Extras, Labels, Palette, Setup, Size, View, image::frame};
 
 /// The time since the first call: what stages are timed by.
 #[must_use]
@@ -108,15 +82,15 @@ impl Studio {
 
     /// Paints one picture as [`paint`](Self::paint) does, over the last one, and tells how it came about.
     pub fn redraw(&mut self, source: Source<'_>, view: View, size: Size) -> Option<Account> {
-        let mut pixmap = self.kept[view as usize].take().or_else(|| Pixmap::new(1, 1))?;
+        let mut pixmap = self.kept[view.index()].take().or_else(|| Pixmap::new(1, 1))?;
         let account = self.paint_into(source, view, size, &mut pixmap);
-        self.kept[view as usize] = Some(pixmap);
+        self.kept[view.index()] = Some(pixmap);
         account
     }
 
     /// On pixels that are there already if they have the picture's size.
     fn paint_into(&mut self, source: Source<'_>, view: View, size: Size, pixmap: &mut Pixmap) -> Option<Account> {
-        let clock = self.engines[view as usize].clock;
+        let clock = self.engines[view.index()].clock;
         let now = || clock.map_or(Duration::ZERO, |now| now());
         let start = now();
         let extras = match view {
@@ -126,7 +100,7 @@ impl Studio {
         let painted = now().saturating_sub(start);
         let setup = setup(source, size, &extras);
         let observers = source.figure.observers;
-        let engine = &mut self.engines[view as usize];
+        let engine = &mut self.engines[view.index()];
         let frame = match view {
             View::World => {
                 let observer = observers.world.unwrap_or_else(|| views::world::observer(&setup, Preset::Iso));

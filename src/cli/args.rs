@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValue;
 use clap::{Args, CommandFactory as _, Parser, Subcommand, ValueEnum};
 use glam::DVec3;
 
@@ -11,7 +12,7 @@ use crate::appearance;
 use crate::camera::{Convention, ImageSize, Operation};
 use crate::figure::read::MAX_SIDE;
 use crate::i18n::{Lang, command_line as texts, messages};
-use crate::picture;
+use crate::views::{View, Views};
 
 /// An interactive laboratory for the virtual camera of computer graphics.
 #[derive(Debug, Parser)]
@@ -68,8 +69,8 @@ pub(super) struct RenderArgs {
     #[command(flatten)]
     pub(super) common: FigureArgs,
     /// Which picture; `all` puts the three side by side
-    #[arg(long, value_enum, default_value_t)]
-    pub(super) view: ViewArg,
+    #[arg(long, value_enum, default_value_t = Views::One(View::Image))]
+    pub(super) view: Views,
     /// Width and height in pixels; without it, the figure's image size (for `all`: of each picture)
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
@@ -94,8 +95,8 @@ pub(super) struct ExplainArgs {
     #[command(flatten)]
     pub(super) common: FigureArgs,
     /// Which picture
-    #[arg(long, value_enum, default_value_t)]
-    view: OneViewArg,
+    #[arg(long, value_enum, default_value_t = View::Image)]
+    pub(super) view: View,
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
@@ -114,8 +115,8 @@ pub(super) struct BenchArgs {
     #[command(flatten)]
     pub(super) common: FigureArgs,
     /// Which picture; `all` draws the three, side by side in the given size
-    #[arg(long, value_enum, default_value_t)]
-    view: ViewArg,
+    #[arg(long, value_enum, default_value_t = Views::One(View::Image))]
+    pub(super) view: Views,
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
@@ -158,21 +159,24 @@ pub(super) enum TableFormat {
     Json,
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum OneViewArg {
-    World,
-    Canonical,
-    #[default]
-    Image,
+impl ValueEnum for View {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
 }
 
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(super) enum ViewArg {
-    World,
-    Canonical,
-    #[default]
-    Image,
-    All,
+impl ValueEnum for Views {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::CHOICES
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
@@ -282,10 +286,6 @@ impl RenderArgs {
         })
     }
 
-    pub(super) fn view(&self) -> Option<picture::View> {
-        self.view.view()
-    }
-
     /// Width and height before scaling, if they are given.
     pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
         size(self.size.as_deref(), lang)
@@ -301,27 +301,7 @@ impl RenderArgs {
     }
 }
 
-impl ViewArg {
-    /// One picture; `None`: all three.
-    fn view(self) -> Option<picture::View> {
-        match self {
-            Self::World => Some(picture::View::World),
-            Self::Canonical => Some(picture::View::Canonical),
-            Self::Image => Some(picture::View::Image),
-            Self::All => None,
-        }
-    }
-}
-
 impl ExplainArgs {
-    pub(super) fn view(&self) -> picture::View {
-        match self.view {
-            OneViewArg::World => picture::View::World,
-            OneViewArg::Canonical => picture::View::Canonical,
-            OneViewArg::Image => picture::View::Image,
-        }
-    }
-
     /// Width and height, if they are given.
     pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
         size(self.size.as_deref(), lang)
@@ -329,11 +309,6 @@ impl ExplainArgs {
 }
 
 impl BenchArgs {
-    /// One picture; `None`: all three.
-    pub(super) fn view(&self) -> Option<picture::View> {
-        self.view.view()
-    }
-
     /// Width and height, if they are given.
     pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
         size(self.size.as_deref(), lang)

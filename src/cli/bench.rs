@@ -7,8 +7,8 @@ use serde::Serialize;
 use super::args::{BenchArgs, TableFormat};
 use super::{Failure, Subject, print};
 use crate::i18n::{Lang, command_line as texts};
-use crate::picture::{self, Source, Studio, View};
-use crate::views::Size;
+use crate::picture::{self, Source, Studio};
+use crate::views::{Size, View, Views};
 
 /// Pictures that are drawn before the clock starts, so that buffers have their size.
 const WARM_UP: usize = 3;
@@ -30,10 +30,10 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     let frames = args.frames(lang)?;
     let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
     let Subject { scene, size, lang, .. } = &subject;
-    let times = measure(subject.source(args.force_all_stages), args.view(), *size, frames)
-        .ok_or_else(|| subject.too_large())?;
+    let times =
+        measure(subject.source(args.force_all_stages), args.view, *size, frames).ok_or_else(|| subject.too_large())?;
     let measurement = Measurement {
-        view: args.view().map_or("all", View::name),
+        view: args.view.name(),
         width: size.width,
         height: size.height,
         triangles: scene.objects.iter().map(|object| object.mesh.triangles.len()).sum(),
@@ -55,10 +55,10 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
 }
 
 /// The times of the frames, shortest first. `None` where pictures cannot be so large.
-fn measure(source: Source<'_>, view: Option<View>, size: Size, frames: usize) -> Option<Vec<Duration>> {
-    let pictures: Vec<(View, Size)> = match view {
-        Some(view) => vec![(view, size)],
-        None => {
+fn measure(source: Source<'_>, views: Views, size: Size, frames: usize) -> Option<Vec<Duration>> {
+    let pictures: Vec<(View, Size)> = match views {
+        Views::One(view) => vec![(view, size)],
+        Views::All => {
             let widths = picture::widths(size)?;
             View::ALL.into_iter().zip(widths).map(|(view, width)| (view, Size { width, ..size })).collect()
         }

@@ -11,7 +11,7 @@ use crate::picture::{self, Account, Source, Studio};
 use crate::pipeline::plan::ObjectPlan;
 use crate::pipeline::{Place, StageReport};
 use crate::scene::{Object, Scene};
-use crate::views::Size;
+use crate::views::{Size, View};
 
 /// What programs read.
 #[derive(Serialize)]
@@ -52,13 +52,12 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
     let Subject { scene, size, lang, .. } = &subject;
     let (size, lang) = (*size, *lang);
-    let account =
-        account(subject.source(args.force_all_stages), args.view(), size).ok_or_else(|| subject.too_large())?;
-    let view = args.view().name();
-    let objects = (args.view() == picture::View::Image).then(|| objects(scene, &account, lang));
+    let account = account(subject.source(args.force_all_stages), args.view, size).ok_or_else(|| subject.too_large())?;
+    let view = args.view.name();
+    let objects = (args.view == View::Image).then(|| objects(scene, &account, lang));
     let text = match args.format {
         TableFormat::Text => {
-            let mut text = table(&account, title(lang, args.view()), size, lang);
+            let mut text = table(&account, canvas::canvas(lang).view(args.view), size, lang);
             if let Some(objects) = objects.filter(|objects| !objects.is_empty()) {
                 text += "\n";
                 objects.iter().for_each(|object| text += &format!("{:<18} {}\n", object.name, object.reason));
@@ -73,15 +72,6 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
         }
     };
     print(text.as_bytes(), lang)
-}
-
-fn title(lang: Lang, view: picture::View) -> &'static str {
-    let titles = canvas::canvas(lang);
-    match view {
-        picture::View::World => titles.world,
-        picture::View::Canonical => titles.canonical,
-        picture::View::Image => titles.image,
-    }
 }
 
 /// What becomes of each object of the scene.
@@ -101,7 +91,7 @@ fn objects<'a>(scene: &'a Scene, account: &Account, lang: Lang) -> Vec<ObjectLin
 }
 
 /// The picture is drawn twice: the first time, memory that is new to the process would be most of what is measured.
-fn account(source: Source<'_>, view: picture::View, size: Size) -> Option<Account> {
+fn account(source: Source<'_>, view: View, size: Size) -> Option<Account> {
     let mut studio = Studio::default().with_clock(picture::clock);
     studio.redraw(source, view, size)?;
     studio.redraw(source, view, size)

@@ -8,7 +8,7 @@ use crate::figure::write::update;
 use crate::files;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Source, Studio, gap};
-use crate::views::Size;
+use crate::views::{Size, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let name = args.output.display().to_string();
@@ -20,7 +20,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     opened.figure.style.theme = args.theme().unwrap_or(opened.figure.style.theme);
     let scene = scene(&args.figure, &opened, lang)?;
     let figure = &opened.figure;
-    let [width, height] = pixels(given, figure.image, args.view().is_none(), scale);
+    let [width, height] = pixels(given, figure.image, args.view == Views::All, scale);
     let too_large = || Failure::BadInput(texts::too_large(lang, width, height));
     let size = match (u32::try_from(width), u32::try_from(height)) {
         (Ok(width), Ok(height)) => Size { width, height, scale },
@@ -34,9 +34,9 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         force_all_stages: args.force_all_stages,
     };
     let mut studio = Studio::default();
-    let pixmap = match args.view() {
-        Some(view) => studio.paint(source, view, size),
-        None => studio.paint_all(source, size),
+    let pixmap = match args.view {
+        Views::One(view) => studio.paint(source, view, size),
+        Views::All => studio.paint_all(source, size),
     }
     .ok_or_else(too_large)?;
     let bytes = png::encode(&pixmap, &update(&opened.text, &opened.figure))

@@ -33,16 +33,16 @@ use self::screen::{Place, Screen};
 use self::seek::{Question, Seeker, What};
 use self::status::{Status, StatusAction};
 use self::strip::{Strip, StripAction};
-use self::title::{Title, TitleAction, picture_name};
+use self::title::{Title, TitleAction};
 use super::handles::point;
 use super::highlight::{Highlight, Movable};
-use super::state::{Look, Picture, State};
+use super::state::{Look, State};
 use crate::appearance::Rgba;
 use crate::figure::{Depth, Figure, Observer};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::picture::Account;
-use crate::views::{self, Extras, Palette, Probe, Setup};
+use crate::views::{self, Extras, Palette, Probe, Setup, View};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
@@ -60,7 +60,7 @@ pub struct Canvas {
     autos: [Auto; 2],
     seen: [Observer; 2],
     /// What a title's button asked for.
-    asked: Option<(Picture, Look)>,
+    asked: Option<(View, Look)>,
     extras: Extras,
     highlight: Highlight,
     /// What looks for what is pointed at, and for its depth.
@@ -98,7 +98,7 @@ impl Default for Canvas {
 
 /// A picture in this frame.
 struct Pane {
-    picture: Picture,
+    picture: View,
     place: Place,
     response: Response,
 }
@@ -134,7 +134,7 @@ fn question(state: &State, extras: &Extras, what: What) -> Question {
 }
 
 impl Canvas {
-    /// How often each picture has been drawn since the window was opened, in the order of [`Picture::ALL`].
+    /// How often each picture has been drawn since the window was opened, in the order of [`View::ALL`].
     #[must_use]
     pub fn drawn(&self) -> [u64; 3] {
         self.painter.as_ref().map_or([0; 3], Painter::drawn)
@@ -183,7 +183,7 @@ impl Canvas {
             status.message = loading;
         }
         status.hidden = if state.layout.maximized.is_none() {
-            Picture::ALL.into_iter().filter(|p| !state.layout.shown[p.index()]).collect()
+            View::ALL.into_iter().filter(|p| !state.layout.shown[p.index()]).collect()
         } else {
             Vec::new()
         };
@@ -212,9 +212,9 @@ impl Canvas {
 
     /// Lays the pictures out, with their titles and the bars between them.
     fn panes(&mut self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) -> Vec<Pane> {
-        let visible: Vec<Picture> = match state.layout.maximized {
+        let visible: Vec<View> = match state.layout.maximized {
             Some(picture) => vec![picture],
-            None => Picture::ALL.into_iter().filter(|p| state.layout.shown[p.index()]).collect(),
+            None => View::ALL.into_iter().filter(|p| state.layout.shown[p.index()]).collect(),
         };
         let (rects, bars) = arrange(room, &visible, state.layout.arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
@@ -251,7 +251,7 @@ impl Canvas {
         panes
     }
 
-    fn take_action(&mut self, ui: &Ui, state: &mut State, picture: Picture, action: Option<TitleAction>) {
+    fn take_action(&mut self, ui: &Ui, state: &mut State, picture: View, action: Option<TitleAction>) {
         match action {
             None => return,
             Some(TitleAction::Look(look)) => self.asked = Some((picture, look)),
@@ -267,7 +267,7 @@ impl Canvas {
         let wanted = state.look.take();
         let asked = self.asked.take();
         let steady = ui.input(|i| i.pointer.any_down());
-        for pane in panes.iter().filter(|pane| pane.picture != Picture::Image) {
+        for pane in panes.iter().filter(|pane| pane.picture != View::Image) {
             let (picture, i) = (pane.picture, pane.picture.index());
             let look = wanted.or(asked.filter(|(p, _)| *p == picture || state.layout.linked).map(|(_, look)| look));
             if let Some(look) = look {
@@ -288,7 +288,7 @@ impl Canvas {
     }
 
     /// Looks at a picture from somewhere else.
-    fn turn(&mut self, state: &mut State, picture: Picture, observer: Observer) {
+    fn turn(&mut self, state: &mut State, picture: View, observer: Observer) {
         self.seen[picture.index()] = observer;
         *look::slot(state.document.observers_mut(), picture) = Some(observer);
     }
@@ -304,7 +304,7 @@ impl Canvas {
             if pane.place.size.width == 0 || pane.place.size.height == 0 {
                 continue;
             }
-            let only_world = pane.picture == Picture::World;
+            let only_world = pane.picture == View::World;
             painter.ask(Job {
                 picture: pane.picture,
                 figure: Figure {
@@ -319,7 +319,7 @@ impl Canvas {
                 labels: labels(state.settings.lang),
                 size: pane.place.size,
                 draft: moving && figure.style.antialias > 1 && painter.is_heavy(pane.picture, self.patience),
-                observer: (pane.picture != Picture::Image).then(|| self.seen[pane.picture.index()]),
+                observer: (pane.picture != View::Image).then(|| self.seen[pane.picture.index()]),
                 extras: Extras {
                     probe: self.extras.probe,
                     ghost: self.extras.ghost.clone().filter(|_| only_world),
@@ -335,12 +335,12 @@ impl Canvas {
         for (i, sheet) in painter.collect(self.patience).into_iter().enumerate() {
             if let Some(mut sheet) = sheet {
                 self.accounts[i] = sheet.as_mut().and_then(|sheet| sheet.account.take());
-                self.screens[i].set(ctx, picture_name(words::canvas(state.settings.lang), Picture::ALL[i]), sheet);
+                self.screens[i].set(ctx, words::canvas(state.settings.lang).view(View::ALL[i]), sheet);
             }
         }
         let palette = Palette::of(figure.style.theme);
         for pane in panes {
-            let ground = if pane.picture == Picture::Image { palette.surround } else { palette.paper };
+            let ground = if pane.picture == View::Image { palette.surround } else { palette.paper };
             let Rgba { r, g, b, .. } = ground;
             ui.painter().rect_filled(pane.place.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
             self.screens[pane.picture.index()].paint(ui, &pane.place);
@@ -363,7 +363,7 @@ impl Canvas {
                 ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);
             }
             note(ui, rect, &loading(state));
-            if pane.picture == Picture::Image && pane.response.hovered() && self.drag.is_none() {
+            if pane.picture == View::Image && pane.response.hovered() && self.drag.is_none() {
                 cross(ui, state, pane);
             }
         }
@@ -415,20 +415,20 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
 }
 
 /// Gives a picture all the room, or gives it back.
-fn toggle_maximized(state: &mut State, picture: Picture) {
+fn toggle_maximized(state: &mut State, picture: View) {
     state.layout.maximized = if state.layout.maximized == Some(picture) { None } else { Some(picture) };
 }
 
 /// A picture in words.
-fn describe(state: &State, picture: Picture) -> String {
+fn describe(state: &State, picture: View) -> String {
     let lang = state.settings.lang;
     match picture {
-        Picture::World => {
+        View::World => {
             let camera = state.document.camera();
             words::describe_world(lang, &point(camera.position(), 4), &point(camera.focal_point(), 4))
         }
-        Picture::Canonical => words::describe_canonical(lang),
-        Picture::Image => {
+        View::Canonical => words::describe_canonical(lang),
+        View::Image => {
             let image = state.document.figure().image;
             words::describe_image(lang, image.width, image.height)
         }

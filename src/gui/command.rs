@@ -2,9 +2,10 @@
 
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::state::{Look, Picture, Side, State, Tab};
+use super::state::{Look, Side, State, Tab};
 use crate::appearance::Theme;
 use crate::i18n::window::Texts;
+use crate::views::View;
 
 /// Something that can be done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,7 +49,7 @@ pub enum Command {
     /// Shows the panel on the left with one of its tabs.
     Tab(Tab),
     /// Shows or hides a picture.
-    Show(Picture),
+    Show(View),
     /// Looks at both 3D pictures from somewhere.
     Look(Look),
     /// Turning one 3D picture turns the other.
@@ -69,9 +70,9 @@ impl Command {
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
     pub const VIEW: [Self; 21] = [
-        Self::Show(Picture::World),
-        Self::Show(Picture::Canonical),
-        Self::Show(Picture::Image),
+        Self::Show(View::World),
+        Self::Show(View::Canonical),
+        Self::Show(View::Image),
         Self::Look(Look::Front),
         Self::Look(Look::Top),
         Self::Look(Look::Side),
@@ -134,9 +135,9 @@ impl Command {
             Self::Tab(Tab::Camera) => (t.camera_tab, t.camera_tab_hint),
             Self::Tab(Tab::Scene) => (t.scene_tab, t.scene_tab_hint),
             Self::Tab(Tab::Drawing) => (t.drawing_tab, t.drawing_tab_hint),
-            Self::Show(Picture::World) => (t.show_world, t.show_picture_hint),
-            Self::Show(Picture::Canonical) => (t.show_canonical, t.show_picture_hint),
-            Self::Show(Picture::Image) => (t.show_image, t.show_picture_hint),
+            Self::Show(View::World) => (t.show_world, t.show_picture_hint),
+            Self::Show(View::Canonical) => (t.show_canonical, t.show_picture_hint),
+            Self::Show(View::Image) => (t.show_image, t.show_picture_hint),
             Self::Look(Look::Front) => (t.look_front, t.look_front_hint),
             Self::Look(Look::Top) => (t.look_top, t.look_top_hint),
             Self::Look(Look::Side) => (t.look_side, t.look_side_hint),
@@ -174,9 +175,9 @@ impl Command {
             Self::Tab(Tab::Camera) => (Modifiers::NONE, Key::F5),
             Self::Tab(Tab::Scene) => (Modifiers::NONE, Key::F6),
             Self::Tab(Tab::Drawing) => (Modifiers::NONE, Key::F7),
-            Self::Show(Picture::World) => (Modifiers::COMMAND, Key::Num1),
-            Self::Show(Picture::Canonical) => (Modifiers::COMMAND, Key::Num2),
-            Self::Show(Picture::Image) => (Modifiers::COMMAND, Key::Num3),
+            Self::Show(View::World) => (Modifiers::COMMAND, Key::Num1),
+            Self::Show(View::Canonical) => (Modifiers::COMMAND, Key::Num2),
+            Self::Show(View::Image) => (Modifiers::COMMAND, Key::Num3),
             Self::Look(Look::Front) => (Modifiers::ALT, Key::Num1),
             Self::Look(Look::Top) => (Modifiers::ALT, Key::Num2),
             Self::Look(Look::Side) => (Modifiers::ALT, Key::Num3),

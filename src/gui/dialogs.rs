@@ -14,7 +14,7 @@ use super::state::State;
 use crate::appearance::Theme;
 use crate::i18n::canvas::canvas;
 use crate::i18n::window::{self, Texts};
-use crate::picture::View;
+use crate::views::{View, Views};
 
 /// Shows the question that is open, if any, and acts on the answer.
 pub fn show(ctx: &egui::Context, state: &mut State) {
@@ -151,10 +151,10 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
     ui.heading(t.export_heading);
     ui.add_space(6.0);
     let what = [
-        (None, t.export_all),
-        (Some(View::World), t.show_world),
-        (Some(View::Canonical), t.show_canonical),
-        (Some(View::Image), t.show_image),
+        (Views::All, t.export_all),
+        (Views::One(View::World), t.show_world),
+        (Views::One(View::Canonical), t.show_canonical),
+        (Views::One(View::Image), t.show_image),
     ];
     row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
     let times = [(Some(1), "1 ×"), (Some(2), "2 ×"), (Some(3), "3 ×"), (Some(4), "4 ×"), (None, t.export_typed)];

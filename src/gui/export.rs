@@ -13,14 +13,14 @@ use crate::figure::Figure;
 use crate::figure::write::update;
 use crate::files;
 use crate::i18n::{Lang, messages, pictures};
-use crate::picture::{Source, Studio, View};
-use crate::views::{Size, scene_of};
+use crate::picture::{Source, Studio};
+use crate::views::{Size, Views, scene_of};
 
 /// Which picture, how large, in which theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Export {
     /// One picture, or all three side by side.
-    pub what: Option<View>,
+    pub what: Views,
     /// Pixels.
     pub width: u32,
     /// Pixels.
@@ -40,7 +40,8 @@ impl Export {
     /// All three pictures as on the screen, for paper.
     #[must_use]
     pub fn new(state: &State) -> Self {
-        let mut export = Self { what: None, width: 0, height: 0, times: Some(2), theme: Theme::Print, scale: 1.0 };
+        let mut export =
+            Self { what: Views::All, width: 0, height: 0, times: Some(2), theme: Theme::Print, scale: 1.0 };
         export.fit_screen(state);
         export
     }
@@ -50,8 +51,8 @@ impl Export {
         let Some(times) = self.times else { return };
         let sizes = state.picture_sizes;
         let [width, height] = match self.what {
-            Some(view) => sizes[view as usize],
-            None => together(sizes),
+            Views::One(view) => sizes[view.index()],
+            Views::All => together(sizes),
         };
         let side = |pixels: u32| (pixels.max(1) * times).min(MAX_SIDE);
         (self.width, self.height) = (side(width), side(height));
@@ -68,12 +69,6 @@ fn together(sizes: [[u32; 2]; 3]) -> [u32; 2] {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sides of a screen")]
     let side = |v: f64| v.round() as u32;
     [3 * side((area * 4.0 / 3.0).sqrt()), side((area * 0.75).sqrt())]
-}
-
-/// The word for a choice of pictures, as on the command line.
-#[must_use]
-pub fn word(what: Option<View>) -> &'static str {
-    what.map_or("all", View::name)
 }
 
 /// Paints and writes on a thread; sends the path, or a sentence that says what went wrong.
@@ -106,8 +101,8 @@ fn picture(figure: &Figure, source: &str, folder: &Path, export: Export, lang: L
     let size = Size { width: export.width, height: export.height, scale: export.scale };
     let mut studio = Studio::default();
     let pixmap = match export.what {
-        Some(view) => studio.paint(from, view, size),
-        None => studio.paint_all(from, size),
+        Views::One(view) => studio.paint(from, view, size),
+        Views::All => studio.paint_all(from, size),
     };
     let pixmap = pixmap.ok_or_else(|| crate::i18n::window::texts(lang).picture_too_large.to_owned())?;
     png::encode(&pixmap, &update(source, figure)).map_err(|error| messages::png(lang, &error))

@@ -184,7 +184,7 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
         Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
         Purpose::Export(export) => {
             let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            folder.join(format!("{stem}-{}.png", export::word(export.what))).display().to_string()
+            folder.join(format!("{stem}-{}.png", export.what.name())).display().to_string()
         }
     }
 }

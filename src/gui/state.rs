@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::camera::CameraError;
 use crate::figure::Figure;
 use crate::i18n::{Lang, faults};
-use crate::views::{Ghost, Probe};
+use crate::views::{Ghost, Probe, View};
 
 use super::Start;
 use super::document::Document;
@@ -13,32 +13,6 @@ use super::filing::Filing;
 use super::panels::operations::Operations;
 use super::panels::scene::SceneTree;
 use super::scenery::Scenery;
-
-/// One of the three pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Picture {
-    /// The scene, the camera and its view volume.
-    World,
-    /// The canonical volume.
-    Canonical,
-    /// What the camera sees.
-    Image,
-}
-
-impl Picture {
-    /// All, from left to right.
-    pub const ALL: [Self; 3] = [Self::World, Self::Canonical, Self::Image];
-
-    /// Its place in [`Picture::ALL`].
-    #[must_use]
-    pub const fn index(self) -> usize {
-        match self {
-            Self::World => 0,
-            Self::Canonical => 1,
-            Self::Image => 2,
-        }
-    }
-}
 
 /// From where a three-dimensional picture is to be seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -76,10 +50,10 @@ impl Arrangement {
 /// Which pictures are shown, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// False: the picture is hidden and not drawn. In the order of [`Picture::ALL`]; at least one is true.
+    /// False: the picture is hidden and not drawn. In the order of [`View::ALL`]; at least one is true.
     pub shown: [bool; 3],
     /// The picture that has all the room, whatever `shown` says.
-    pub maximized: Option<Picture>,
+    pub maximized: Option<View>,
     /// How the pictures share the room; `None`: as suits the room.
     pub arrangement: Option<Arrangement>,
     /// Orbiting one three-dimensional picture turns the other too.
@@ -87,7 +61,7 @@ pub struct Layout {
     /// The stages of the pipeline are shown under the pictures.
     pub strip: bool,
     /// Whose stages.
-    pub strip_of: Picture,
+    pub strip_of: View,
 }
 
 impl Default for Layout {
@@ -98,7 +72,7 @@ impl Default for Layout {
             arrangement: None,
             linked: false,
             strip: false,
-            strip_of: Picture::Image,
+            strip_of: View::Image,
         }
     }
 }
@@ -106,23 +80,23 @@ impl Default for Layout {
 impl Layout {
     /// True where the picture is on the screen.
     #[must_use]
-    pub fn is_shown(&self, picture: Picture) -> bool {
+    pub fn is_shown(&self, picture: View) -> bool {
         match self.maximized {
             Some(only) => only == picture,
-            None => self.shown[picture as usize],
+            None => self.shown[picture.index()],
         }
     }
 
     /// Shows or hides a picture; the last one stays.
-    pub fn toggle(&mut self, picture: Picture) {
+    pub fn toggle(&mut self, picture: View) {
         if let Some(only) = self.maximized.take() {
             self.shown = [false; 3];
-            self.shown[only as usize] = true;
+            self.shown[only.index()] = true;
         }
-        let shown = &mut self.shown[picture as usize];
+        let shown = &mut self.shown[picture.index()];
         *shown = !*shown;
         if self.shown == [false; 3] {
-            self.shown[picture as usize] = true;
+            self.shown[picture.index()] = true;
         }
     }
 }
@@ -246,7 +220,7 @@ pub struct State {
     pub operations: Operations,
     /// Files and the questions about them.
     pub filing: Filing,
-    /// Width and height of each picture on the screen, in pixels, in the order of [`Picture::ALL`]; written by the pictures.
+    /// Width and height of each picture on the screen, in pixels, in the order of [`View::ALL`]; written by the pictures.
     pub picture_sizes: [[u32; 2]; 3],
     /// Pixels for one unit of stroke width in the pictures; written by the pictures.
     pub screen_scale: f32,

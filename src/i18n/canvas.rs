@@ -1,6 +1,7 @@
 //! The words around the three pictures: titles, hints, readouts, and descriptions for screen readers.
 
 use super::Lang;
+use crate::views::View;
 
 /// The texts of the canvas in one language.
 #[derive(Debug)]
@@ -131,6 +132,18 @@ pub struct CanvasTexts {
     pub near_plane: &'static str,
     /// The distance of the back plane.
     pub far_plane: &'static str,
+}
+
+impl CanvasTexts {
+    /// The name of a picture.
+    #[must_use]
+    pub fn view(&self, view: View) -> &'static str {
+        match view {
+            View::World => self.world,
+            View::Canonical => self.canonical,
+            View::Image => self.image,
+        }
+    }
 }
 
 static EN: CanvasTexts = CanvasTexts {

@@ -26,6 +26,7 @@ mod placing;
 mod probe;
 mod reveal;
 mod screen;
+mod view;
 pub mod world;
 
 use std::sync::Arc;
@@ -42,6 +43,7 @@ use crate::scene::{self, ReadFile, Scene, SceneError};
 pub use arrows::Arrows;
 pub use handles::Handle;
 pub use palette::Palette;
+pub use view::{View, Views};
 
 /// What all three pictures are made from.
 #[derive(Clone, Copy, Debug)]

@@ -8,14 +8,13 @@ use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::canvas::Canvas;
 use camera_lab::gui::panels::scene::Selected;
-use camera_lab::gui::state::Picture;
 use camera_lab::gui::{Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;
 use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
 use camera_lab::views::arrows::{Arrows, arrow_at};
 use camera_lab::views::handles::{Handle, handles};
-use camera_lab::views::{self, Extras, Probe, Setup, Size};
+use camera_lab::views::{self, Extras, Probe, Setup, Size, View};
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, vec2,
 };
@@ -262,7 +261,7 @@ fn a_picture_can_be_hidden_and_shown_again() {
 #[test]
 fn a_double_click_gives_a_picture_all_the_room_and_takes_it_back() {
     let mut h = stage(|_| ());
-    for expected in [Some(Picture::Canonical), None] {
+    for expected in [Some(View::Canonical), None] {
         let center = place(&h, CANONICAL).left_top() + vec2(15.0, 15.0);
         h.hover_at(center);
         h.run();

@@ -2,9 +2,10 @@
 
 use camera_lab::appearance::Theme;
 use camera_lab::gui::command::Command;
-use camera_lab::gui::state::{Look, Picture, Side};
+use camera_lab::gui::state::{Look, Side};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
+use camera_lab::views::View;
 use eframe::egui::{self, Key, Modifiers};
 
 use super::window::Window;
@@ -84,12 +85,12 @@ fn the_theme_is_that_of_the_pictures_and_of_the_window() {
 fn pictures_are_hidden_and_shown_and_looked_at() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::Num1);
-    assert!(window.state().layout.is_shown(Picture::World));
+    assert!(window.state().layout.is_shown(View::World));
     window.command_key(Key::Num1);
-    assert!(!window.state().layout.is_shown(Picture::World));
+    assert!(!window.state().layout.is_shown(View::World));
     // The last one stays.
     window.command_key(Key::Num3);
-    assert!(window.state().layout.is_shown(Picture::Image));
+    assert!(window.state().layout.is_shown(View::Image));
     window.command_key(Key::Num1);
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num2);
     window.run();

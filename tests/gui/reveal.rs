@@ -3,10 +3,10 @@
 use camera_lab::appearance::{Rgba, Visibility};
 use camera_lab::camera::Parameters;
 use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
-use camera_lab::gui::state::Picture;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
+use camera_lab::views::View;
 use eframe::egui::{Key, Pos2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
@@ -14,11 +14,11 @@ use glam::DVec3;
 use super::window::Window;
 
 /// A window on whose image a camera at (0, 0, 5) sees the cube, with F = 2 and B = 8.
-fn window(lang: Lang, picture: Picture) -> Window {
+fn window(lang: Lang, picture: View) -> Window {
     window_with(lang, picture, [900.0, 700.0], |_| ())
 }
 
-fn window_with(lang: Lang, picture: Picture, size: [f32; 2], change: impl FnOnce(&mut Figure)) -> Window {
+fn window_with(lang: Lang, picture: View, size: [f32; 2], change: impl FnOnce(&mut Figure)) -> Window {
     let mut figure = camera_lab::gui::fresh();
     figure.scene.preset = Preset::Cube;
     figure.camera = Parameters { position: DVec3::Z * 5.0, near: 2.0, far: 8.0, ..Parameters::default() };
@@ -52,7 +52,7 @@ fn choose(window: &mut Window, choice: &str, entry: &str) {
 
 #[test]
 fn the_way_of_finding_hidden_faces_is_chosen_and_undone() {
-    let mut window = window(Lang::En, Picture::Image);
+    let mut window = window(Lang::En, View::Image);
     window.key(Key::F7);
     choose(&mut window, "hidden faces", "painter");
     assert_eq!(window.state().document.figure().style.visibility, Visibility::Painter);
@@ -64,7 +64,7 @@ fn the_way_of_finding_hidden_faces_is_chosen_and_undone() {
 
 #[test]
 fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
-    let mut window = window(Lang::En, Picture::Image);
+    let mut window = window(Lang::En, View::Image);
     window.key(Key::F7);
     let at = middle(&window, "Image: what");
     // Beside the lines that cross at the pointer, and the probe's own mark.
@@ -87,7 +87,7 @@ fn the_depth_buffer_is_shown_with_its_numbers_and_undone() {
 
 #[test]
 fn the_section_speaks_portuguese() {
-    let mut window = window(Lang::PtBr, Picture::Image);
+    let mut window = window(Lang::PtBr, View::Image);
     window.key(Key::F7);
     choose(&mut window, "imagem", "distâncias");
     assert_eq!(window.state().document.figure().reveal.depth, Depth::Linear);
@@ -99,7 +99,7 @@ fn the_section_speaks_portuguese() {
 
 #[test]
 fn each_switch_shows_something_and_is_undone() {
-    let mut window = window_with(Lang::En, Picture::World, [900.0, 700.0], |_| ());
+    let mut window = window_with(Lang::En, View::World, [900.0, 700.0], |_| ());
     window.key(Key::F7);
     for (switch, reveal) in [
         ("Vertices of clipping", Reveal { clipping: true, ..Reveal::default() }),
@@ -124,7 +124,7 @@ fn a_vertex_says_its_outcode_and_its_distances() {
         (Lang::PtBr, "Vértices do recorte", "Outcode 000010 frente"),
     ] {
         // F = 4.5: the corner (1, 1, 1), 4 units before C, is cut off; seen from the front it lies to the right of the middle.
-        let mut window = window_with(lang, Picture::World, [1280.0, 720.0], |figure| figure.camera.near = 4.5);
+        let mut window = window_with(lang, View::World, [1280.0, 720.0], |figure| figure.camera.near = 4.5);
         window.key(Key::F7);
         window.click(switch);
         let corner = {

@@ -1,7 +1,7 @@
 //! The strip under the pictures: every stage of the pipeline, and why it was left out.
 
-use camera_lab::gui::state::Picture;
 use camera_lab::i18n::Lang;
+use camera_lab::views::View;
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -55,7 +55,7 @@ fn the_strip_is_of_the_picture_that_is_chosen_and_a_hidden_one_costs_nothing() {
     window.run();
     window.harness.get_by_role_and_label(Role::Button, "Mundo").click();
     window.run();
-    assert_eq!(window.state().layout.strip_of, Picture::World);
+    assert_eq!(window.state().layout.strip_of, View::World);
     assert!(window.says("Esta imagem está escondida") && !window.stage("escrita"));
     assert_eq!(window.app_mut().canvas.drawn(), drawn);
     window.click("Esconder o pipeline (F10)");

@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
-use camera_lab::gui::state::Picture;
 use camera_lab::gui::{App, Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
+use camera_lab::views::View;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, Ui, UiBuilder, Vec2};
 use egui_kittest::kittest::Queryable;
@@ -28,7 +28,7 @@ impl Window {
         figure.style.antialias = 1;
         let mut state = State::new(Start { figure, file: None, lang }).expect("a possible camera");
         state.filing.native = false;
-        state.layout.maximized = Some(Picture::Image);
+        state.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
     }
 
@@ -38,7 +38,7 @@ impl Window {
         let file = Some((path.to_owned(), opened.text));
         let mut state = State::new(Start { figure: opened.figure, file, lang: Lang::En }).expect("a possible camera");
         state.filing.native = false;
-        state.layout.maximized = Some(Picture::Image);
+        state.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
     }
 

@@ -5,8 +5,8 @@
 use camera_lab::camera::Camera;
 use camera_lab::figure::read::parse;
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::picture::{Source, Studio, View};
-use camera_lab::views::{Size, scene_of};
+use camera_lab::picture::{Source, Studio};
+use camera_lab::views::{Size, View, scene_of};
 
 use crate::common::picture::assert_picture;
 

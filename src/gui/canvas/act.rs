@@ -16,13 +16,13 @@ use crate::gui::handles::{self, HandleDrag};
 use crate::gui::highlight::Movable;
 use crate::gui::numbers::significant;
 use crate::gui::panels::scene::Selected;
-use crate::gui::state::{Look, Picture, Side, State, Tab};
+use crate::gui::state::{Look, Side, State, Tab};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::faults::camera_error;
 use crate::i18n::scenes;
 use crate::views::arrows::{arrow_at, pull};
 use crate::views::handles::{Handle, handle_at};
-use crate::views::{Probe, pick};
+use crate::views::{Probe, View, pick};
 
 /// Logarithm of the zoom for one point of the wheel.
 const ZOOM_PER_POINT: f64 = 0.004;
@@ -39,9 +39,9 @@ const ARROW_REACH: f32 = 7.0;
 /// What is held with the pointer.
 pub(super) enum Drag {
     /// The eye of a three-dimensional picture turns.
-    Orbit { picture: Picture, pressed: [Observer; 2] },
+    Orbit { picture: View, pressed: [Observer; 2] },
     /// The eye of a three-dimensional picture moves.
-    Pan { picture: Picture, pressed: Observer },
+    Pan { picture: View, pressed: Observer },
     /// Something in the world is moved.
     Handle(Box<HandleDrag>),
     /// What is selected is moved along an axis.
@@ -58,10 +58,10 @@ pub(super) struct ArrowDrag {
 }
 
 impl Drag {
-    fn picture(&self) -> Picture {
+    fn picture(&self) -> View {
         match self {
             Self::Orbit { picture, .. } | Self::Pan { picture, .. } => *picture,
-            Self::Handle(_) | Self::Arrow(_) => Picture::World,
+            Self::Handle(_) | Self::Arrow(_) => View::World,
         }
     }
 }
@@ -123,10 +123,10 @@ impl Canvas {
         let pointer = pane.place.pixel(pointer);
         let setup = setup(state, &self.extras, pane.place.size);
         let found = match pane.picture {
-            Picture::World => pick::object_in_world(&setup, &self.seen[0], pointer),
-            Picture::Image => pick::object_in_image(&setup, pointer),
+            View::World => pick::object_in_world(&setup, &self.seen[0], pointer),
+            View::Image => pick::object_in_image(&setup, pointer),
             // What is seen there has been clipped and projected: it is taken in the other two.
-            Picture::Canonical => None,
+            View::Canonical => None,
         };
         let selected = found.and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
         if selected.is_some() {
@@ -163,11 +163,11 @@ impl Canvas {
     fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
         let picture = pane.picture;
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
-        if picture == Picture::Image {
+        if picture == View::Image {
             return None;
         }
         let from = pane.place.pixel(origin);
-        if picture == Picture::World && primary {
+        if picture == View::World && primary {
             let setup = setup(state, &self.extras, pane.place.size);
             let observer = self.seen[0];
             if let Some(handle) = handle_at(&setup, &observer, from, pane.place.pixels(handles::REACH)) {
@@ -192,7 +192,7 @@ impl Canvas {
             None => {}
             Some(Drag::Orbit { picture, pressed }) => {
                 let (picture, pressed) = (*picture, *pressed);
-                for other in [Picture::World, Picture::Canonical] {
+                for other in [View::World, View::Canonical] {
                     if other == picture || state.layout.linked {
                         self.turn(state, other, look::orbited(pressed[other.index()], motion));
                     }
@@ -234,7 +234,7 @@ impl Canvas {
         match self.drag.take() {
             None => {}
             Some(Drag::Orbit { pressed: [world, canonical], picture }) => {
-                for (other, observer) in [(Picture::World, world), (Picture::Canonical, canonical)] {
+                for (other, observer) in [(View::World, world), (View::Canonical, canonical)] {
                     if other == picture || state.layout.linked {
                         self.turn(state, other, observer);
                     }
@@ -289,7 +289,7 @@ impl Canvas {
     }
 
     fn wheel(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
-        if pane.picture == Picture::Image || !pane.response.hovered() {
+        if pane.picture == View::Image || !pane.response.hovered() {
             return;
         }
         let (wheel, pinch) = ui.input(|i| (f64::from(i.smooth_scroll_delta().y), f64::from(i.zoom_delta())));
@@ -319,7 +319,7 @@ impl Canvas {
         let (camera, digits) = (state.document.camera(), state.settings.digits.min(6));
         let observer = self.seen.get(pane.picture.index()).unwrap_or(&self.seen[0]);
         status.aside = format!("{} × {} px", pane.place.size.width, pane.place.size.height);
-        if pane.picture == Picture::World
+        if pane.picture == View::World
             && let Some(handle) = handle_at(&setup, observer, pointer, pane.place.pixels(handles::REACH))
         {
             let lines = [handles::readout(handle, camera, digits, texts), handles::hint(handle, camera, digits, texts)];
@@ -329,7 +329,7 @@ impl Canvas {
             self.extras.hot = Some(handle);
             return probed(handle, state);
         }
-        if pane.picture == Picture::World
+        if pane.picture == View::World
             && let Some(axis) = arrow_at(&setup, observer, pointer, pane.place.pixels(ARROW_REACH))
         {
             let lines = arrow_lines(state, digits);
@@ -350,7 +350,7 @@ impl Canvas {
         };
         let asked = question(state, &self.extras, what);
         status.message = match pane.picture {
-            Picture::Image => match pick::window_point_in_image(&setup, pointer) {
+            View::Image => match pick::window_point_in_image(&setup, pointer) {
                 Some(point) => {
                     let image = state.document.figure().image;
                     let pixel = probe::pair(probe::pixel_of(image, camera, point), 17);
@@ -391,7 +391,7 @@ impl Canvas {
         }
     }
 
-    fn key(&mut self, state: &mut State, picture: Picture, key: Key, modifiers: Modifiers) {
+    fn key(&mut self, state: &mut State, picture: View, key: Key, modifiers: Modifiers) {
         let arrow = match key {
             Key::ArrowRight => DVec2::X,
             Key::ArrowLeft => DVec2::NEG_X,
@@ -402,15 +402,15 @@ impl Canvas {
         match (key, picture) {
             (Key::Plus | Key::Equals | Key::Minus, _) => {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
-                if picture == Picture::Image {
+                if picture == View::Image {
                     operate(state, Operation::Zoom(factor));
                 } else {
                     self.turn(state, picture, self.seen[picture.index()].zoom(factor));
                 }
             }
-            (Key::Home, Picture::World | Picture::Canonical) => self.asked = Some((picture, Look::Fit)),
-            (Key::PageUp, Picture::World | Picture::Image) => operate(state, Operation::Dolly(STEP_FACTOR)),
-            (Key::PageDown, Picture::World | Picture::Image) => operate(state, Operation::Dolly(STEP_FACTOR.recip())),
+            (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, Look::Fit)),
+            (Key::PageUp, View::World | View::Image) => operate(state, Operation::Dolly(STEP_FACTOR)),
+            (Key::PageDown, View::World | View::Image) => operate(state, Operation::Dolly(STEP_FACTOR.recip())),
             _ if arrow != DVec2::ZERO => self.arrow(state, picture, arrow, modifiers),
             _ => {}
         }
@@ -418,12 +418,12 @@ impl Canvas {
 
     /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule a
     /// positive elevation would lower it. In the canonical volume, and with Shift in the world, the observer turns instead.
-    fn arrow(&mut self, state: &mut State, picture: Picture, arrow: DVec2, modifiers: Modifiers) {
-        if picture == Picture::Canonical || (picture == Picture::World && modifiers.shift) {
+    fn arrow(&mut self, state: &mut State, picture: View, arrow: DVec2, modifiers: Modifiers) {
+        if picture == View::Canonical || (picture == View::World && modifiers.shift) {
             let step = STEP / look::DEGREES_PER_POINT;
             #[expect(clippy::cast_possible_truncation, reason = "a few steps")]
             let motion = Vec2::new(-(arrow.x * step) as f32, (arrow.y * step) as f32);
-            for other in [Picture::World, Picture::Canonical] {
+            for other in [View::World, View::Canonical] {
                 if other == picture || state.layout.linked {
                     self.turn(state, other, look::orbited(self.seen[other.index()], motion));
                 }
@@ -455,11 +455,11 @@ fn probed(handle: Handle, state: &State) -> Option<Probe> {
     }
 }
 
-fn keys_hint(picture: Picture, texts: &CanvasTexts) -> &'static str {
+fn keys_hint(picture: View, texts: &CanvasTexts) -> &'static str {
     match picture {
-        Picture::World => texts.keys_in_world,
-        Picture::Canonical => texts.keys_in_canonical,
-        Picture::Image => texts.keys_in_image,
+        View::World => texts.keys_in_world,
+        View::Canonical => texts.keys_in_canonical,
+        View::Image => texts.keys_in_image,
     }
 }
 

@@ -2,7 +2,8 @@
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-use crate::gui::state::{Arrangement, Picture};
+use crate::gui::state::Arrangement;
+use crate::views::View;
 
 /// Room between two pictures, in points: the bar that is dragged.
 pub(super) const GAP: f32 = 5.0;
@@ -78,10 +79,10 @@ impl Shares {
 /// The pictures' places and the bars between them.
 pub(super) fn arrange(
     room: Rect,
-    pictures: &[Picture],
+    pictures: &[View],
     wanted: Option<Arrangement>,
     shares: &Shares,
-) -> (Vec<(Picture, Rect)>, Vec<Bar>) {
+) -> (Vec<(View, Rect)>, Vec<Bar>) {
     let arrangement = match (wanted, pictures.len()) {
         (None, count) => best(room.size(), count),
         (Some(Arrangement::Above), 0..=2) => Arrangement::Column,
@@ -182,7 +183,7 @@ mod tests {
             let wishes = [None].into_iter().chain(Arrangement::ALL.map(Some));
             for (count, wanted) in wishes.flat_map(|wanted| [1, 2, 3].map(|count| (count, wanted))) {
                 let room = room(size.0, size.1);
-                let (panes, bars) = arrange(room, &Picture::ALL[..count], wanted, &Shares::default());
+                let (panes, bars) = arrange(room, &View::ALL[..count], wanted, &Shares::default());
                 assert_eq!((panes.len(), bars.len()), (count, count - 1));
                 let mut area = bars.iter().map(|b| b.rect.area()).sum::<f32>();
                 for (i, (_, rect)) in panes.iter().enumerate() {
@@ -201,12 +202,12 @@ mod tests {
     fn a_bar_follows_the_pointer_and_stops_before_a_picture_vanishes() {
         let room = room(1320.0, 950.0);
         let mut shares = Shares::default();
-        let (_, bars) = arrange(room, &Picture::ALL, None, &shares);
+        let (_, bars) = arrange(room, &View::ALL, None, &shares);
         shares.drag(&bars[0], pos2(10.0 + 660.0, 100.0));
-        let (panes, bars) = arrange(room, &Picture::ALL, None, &shares);
+        let (panes, bars) = arrange(room, &View::ALL, None, &shares);
         assert_eq!(panes[0].1.right(), 10.0 + 660.0 - GAP / 2.0);
         shares.drag(&bars[0], pos2(-500.0, 100.0));
-        let (panes, bars) = arrange(room, &Picture::ALL, None, &shares);
+        let (panes, bars) = arrange(room, &View::ALL, None, &shares);
         assert!(panes[0].1.width() > 190.0);
         shares.reset(&bars[0]);
         assert_eq!(shares, Shares::default());

@@ -8,10 +8,10 @@ use tiny_skia::Pixmap;
 use crate::appearance::Texture;
 use crate::camera::Camera;
 use crate::figure::{Figure, Observer};
-use crate::gui::state::Picture;
 use crate::picture::{Account, clock};
 use crate::raster::Rasterizer;
 use crate::scene::Scene;
+use crate::views::View;
 use crate::views::{self, Engine, Extras, Labels, Setup, Size};
 
 /// Width of the image that is painted on the view window in the world, in texels.
@@ -20,7 +20,7 @@ const PAINTED_WIDTH: u32 = 512;
 /// Everything that makes a picture. Two equal jobs make the same pixels.
 #[derive(Clone, Debug)]
 pub(super) struct Job {
-    pub(super) picture: Picture,
+    pub(super) picture: View,
     /// Of the figure only what no other field holds: image size, viewport, style and what is revealed; the rest is as in a new figure.
     pub(super) figure: Figure,
     pub(super) camera: Camera,
@@ -80,7 +80,7 @@ impl Easel {
     pub(super) fn draw(&mut self, job: &Job) -> Option<Sheet> {
         let start = clock();
         let mut extras = job.extras.clone();
-        if job.picture == Picture::World {
+        if job.picture == View::World {
             extras.painted_image = self.painted(job);
         }
         let painted = clock().saturating_sub(start);
@@ -100,8 +100,8 @@ impl Easel {
         engine.clock = job.accounted.then_some(clock);
         self.rasterizer.measure(engine.clock);
         let frame = match (job.picture, &job.observer) {
-            (Picture::World, Some(observer)) => views::world::frame_of(&setup, observer, engine),
-            (Picture::Canonical, Some(observer)) => views::canonical::frame_of(&setup, observer, engine),
+            (View::World, Some(observer)) => views::world::frame_of(&setup, observer, engine),
+            (View::Canonical, Some(observer)) => views::canonical::frame_of(&setup, observer, engine),
             _ => views::image::frame_of(&setup, engine),
         };
         let pixmap = self.rasterizer.paint(&frame.drawing)?;
@@ -114,7 +114,7 @@ impl Easel {
     /// The image, small, as it is painted on the view window; drawn again only when the camera or the scene has changed.
     fn painted(&mut self, job: &Job) -> Option<Arc<Texture>> {
         let image = Job {
-            picture: Picture::Image,
+            picture: View::Image,
             size: painted_size(job.camera.window().aspect()),
             observer: None,
             draft: false,

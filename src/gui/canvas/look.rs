@@ -7,10 +7,10 @@ use glam::DVec2;
 
 use crate::camera::Camera;
 use crate::figure::{Observer, Observers, Outside};
-use crate::gui::state::{Look, Picture};
+use crate::gui::state::Look;
 use crate::scene::Scene;
 use crate::views::observer::{Preset, VIEW_ANGLE};
-use crate::views::{self, Setup};
+use crate::views::{self, Setup, View};
 
 /// Degrees of orbit for one point of pointer motion.
 pub(super) const DEGREES_PER_POINT: f64 = 0.5;
@@ -40,7 +40,7 @@ impl Auto {
     /// do with the last one.
     pub(super) fn observer(
         &mut self,
-        picture: Picture,
+        picture: View,
         setup: &Setup,
         (scene, subject): (&Arc<Scene>, u64),
         steady: bool,
@@ -55,7 +55,7 @@ impl Auto {
         };
         // What lies outside the canonical volume needs room.
         let outside = setup.figure.reveal.outside;
-        let reshaped = kept.aspect != aspect || (picture == Picture::Canonical && kept.outside != outside);
+        let reshaped = kept.aspect != aspect || (picture == View::Canonical && kept.outside != outside);
         if reshaped || kept.camera != *setup.camera || !Arc::ptr_eq(&kept.scene, scene) {
             (kept.aspect, kept.outside) = (aspect, outside);
             kept.camera = setup.camera.clone();
@@ -75,18 +75,18 @@ impl Auto {
 }
 
 /// The observer that looks in the same direction and has everything in the picture.
-fn fit(picture: Picture, setup: &Setup, observer: &Observer) -> Observer {
+fn fit(picture: View, setup: &Setup, observer: &Observer) -> Observer {
     match picture {
-        Picture::Canonical => views::canonical::fit(setup, observer),
-        Picture::World | Picture::Image => views::world::fit(setup, observer),
+        View::Canonical => views::canonical::fit(setup, observer),
+        View::World | View::Image => views::world::fit(setup, observer),
     }
 }
 
 /// The observer that looks from a side and has everything in the picture.
-fn preset(picture: Picture, setup: &Setup, preset: Preset) -> Observer {
+fn preset(picture: View, setup: &Setup, preset: Preset) -> Observer {
     match picture {
-        Picture::Canonical => views::canonical::observer(setup, preset),
-        Picture::World | Picture::Image => views::world::observer(setup, preset),
+        View::Canonical => views::canonical::observer(setup, preset),
+        View::World | View::Image => views::world::observer(setup, preset),
     }
 }
 
@@ -98,7 +98,7 @@ fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
 }
 
 /// What a button of the toolbar or a key asks for. `None`: the figure says nothing any more, and [`Auto`] looks.
-pub(super) fn looked(picture: Picture, setup: &Setup, look: Look, now: &Observer) -> Option<Observer> {
+pub(super) fn looked(picture: View, setup: &Setup, look: Look, now: &Observer) -> Option<Observer> {
     match look {
         Look::Iso => None,
         Look::Front => Some(preset(picture, setup, Preset::Front)),
@@ -122,19 +122,19 @@ pub(super) fn zoomed_at(observer: Observer, factor: f64, pointer: DVec2, size: v
 }
 
 /// Where the observer of a picture is written in a figure.
-pub(super) fn slot(observers: &mut Observers, picture: Picture) -> &mut Option<Observer> {
+pub(super) fn slot(observers: &mut Observers, picture: View) -> &mut Option<Observer> {
     match picture {
-        Picture::Canonical => &mut observers.canonical,
-        Picture::World | Picture::Image => &mut observers.world,
+        View::Canonical => &mut observers.canonical,
+        View::World | View::Image => &mut observers.world,
     }
 }
 
 /// What a figure says about the observer of a picture.
-pub(super) fn told(observers: &Observers, picture: Picture) -> Option<Observer> {
+pub(super) fn told(observers: &Observers, picture: View) -> Option<Observer> {
     match picture {
-        Picture::World => observers.world,
-        Picture::Canonical => observers.canonical,
-        Picture::Image => None,
+        View::World => observers.world,
+        View::Canonical => observers.canonical,
+        View::Image => None,
     }
 }
 
@@ -202,7 +202,7 @@ mod tests {
                 size: views::Size { width, height: 300, scale: 1.0 },
                 extras: &extras,
             };
-            auto.observer(Picture::World, &setup, (&scene, 0), steady)
+            auto.observer(View::World, &setup, (&scene, 0), steady)
         };
         let near = DVec3::new(3.0, 4.0, 5.0);
         let first = seen(near, 400, false);

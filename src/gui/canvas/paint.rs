@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use eframe::egui;
 
 use super::easel::{Easel, Job, Sheet};
-use crate::gui::state::Picture;
+use crate::views::View;
 
 /// Draws pictures, on a thread of its own where there are threads.
 pub(super) struct Painter {
@@ -84,7 +84,7 @@ impl Painter {
     }
 
     /// True for a picture that takes longer than `patience`: while the hand moves, a draft of it is better than a late one.
-    pub(super) fn is_heavy(&self, picture: Picture, patience: Duration) -> bool {
+    pub(super) fn is_heavy(&self, picture: View, patience: Duration) -> bool {
         self.full_cost[picture.index()] > patience
     }
 
@@ -225,7 +225,7 @@ mod tests {
     fn job(size: u32) -> Job {
         let camera = Camera::new(&Figure::default().camera).unwrap();
         Job {
-            picture: Picture::Image,
+            picture: View::Image,
             figure: Figure::default(),
             camera,
             scene: Arc::new(Scene::default()),

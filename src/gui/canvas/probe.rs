@@ -6,9 +6,9 @@ use crate::camera::{Camera, ImageSize, Projected, Viewport};
 use crate::figure::{Depth, Observer};
 use crate::gui::handles::point;
 use crate::gui::numbers::significant;
-use crate::gui::state::Picture;
 use crate::i18n::canvas::CanvasTexts;
 use crate::pipeline::dissect;
+use crate::views::View;
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Setup, pick};
 
@@ -16,12 +16,12 @@ use crate::views::{Probe, Setup, pick};
 pub(super) const REACH: f32 = 7.0;
 
 /// What is at `pointer` (pixels) in a picture: a vertex within `reach` pixels, or a pixel of the image.
-pub(super) fn at(picture: Picture, setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<Probe> {
+pub(super) fn at(picture: View, setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<Probe> {
     match picture {
-        Picture::World => pick::vertex_in_world(setup, observer, pointer, reach).map(Probe::Point),
-        Picture::Canonical => pick::vertex_in_canonical(setup, observer, pointer, reach).map(Probe::Point),
+        View::World => pick::vertex_in_world(setup, observer, pointer, reach).map(Probe::Point),
+        View::Canonical => pick::vertex_in_canonical(setup, observer, pointer, reach).map(Probe::Point),
         // What a pixel of the depth buffer holds is the depth of a face, not of a vertex behind or beside it.
-        Picture::Image => vertex_unless_depths(setup, pointer, reach).map(Probe::Point).or_else(|| {
+        View::Image => vertex_unless_depths(setup, pointer, reach).map(Probe::Point).or_else(|| {
             let point = pick::window_point_in_image(setup, pointer)?;
             let pixel = pixel_of(setup.figure.image, setup.camera, point);
             Some(Probe::Window(center_of(setup.figure.image, setup.camera, pixel)))

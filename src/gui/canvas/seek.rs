@@ -11,9 +11,9 @@ use glam::DVec2;
 use super::probe::{self, Depths};
 use crate::camera::Camera;
 use crate::figure::{Figure, Observer};
-use crate::gui::state::Picture;
 use crate::i18n::{Lang, pictures::labels};
 use crate::scene::Scene;
+use crate::views::View;
 use crate::views::{Extras, Probe, Setup, Size};
 
 /// More vertices and triangles than this take longer to look through than a frame has.
@@ -26,7 +26,7 @@ const PATIENCE: Duration = Duration::from_millis(4);
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum What {
     /// What is at a place (pixels) of a picture, within reach.
-    Under { picture: Picture, observer: Observer, size: Size, pointer: DVec2, reach: f64 },
+    Under { picture: View, observer: Observer, size: Size, pointer: DVec2, reach: f64 },
     /// What the depth buffer holds where the probe is.
     Depths(Probe),
 }
@@ -209,7 +209,7 @@ mod tests {
             Observer { target: glam::DVec3::ZERO, distance: 1.0, azimuth: 0.0, elevation: 0.0, parallel: false };
         let size = Size { width: 400, height: 300, scale: 1.0 };
         Question {
-            what: What::Under { picture: Picture::Image, observer: nobody, size, pointer, reach: 7.0 },
+            what: What::Under { picture: View::Image, observer: nobody, size, pointer, reach: 7.0 },
             camera: Camera::new(&figure.camera).unwrap(),
             figure,
             scene: Arc::new(scene),

@@ -6,9 +6,9 @@ use eframe::egui::{
 
 use super::icons::{Icon, icon_button};
 use super::probe::Cell;
-use super::title::picture_name;
-use crate::gui::state::{Arrangement, Picture};
+use crate::gui::state::Arrangement;
 use crate::i18n::canvas::CanvasTexts;
+use crate::views::View;
 
 /// A cell is as wide as its space's name and three numbers of four digits, in heights of a line.
 const CELL_WIDTH: f32 = 11.5;
@@ -17,7 +17,7 @@ const CELL_WIDTH: f32 = 11.5;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum StatusAction {
     /// Show a hidden picture.
-    ShowAgain(Picture),
+    ShowAgain(View),
     /// Share the room in another way; `None`: as suits the room.
     Arrange(Option<Arrangement>),
     /// Show the stages of the pipeline, or hide them.
@@ -38,7 +38,7 @@ pub(super) struct Status {
     /// The stages of the pipeline are shown.
     pub(super) strip: bool,
     /// The pictures that can be shown again.
-    pub(super) hidden: Vec<Picture>,
+    pub(super) hidden: Vec<View>,
     /// The coordinates of the probe.
     pub(super) cells: Vec<Cell>,
     /// The same with all digits, for the tooltip.
@@ -106,7 +106,7 @@ impl Status {
                 ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));
             }
             for &picture in self.hidden.iter().rev() {
-                if ui.small_button(picture_name(texts, picture)).clicked() {
+                if ui.small_button(texts.view(picture)).clicked() {
                     action = Some(StatusAction::ShowAgain(picture));
                 }
             }

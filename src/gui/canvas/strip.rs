@@ -10,12 +10,11 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
-use super::title::picture_name;
-use crate::gui::state::Picture;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::{Lang, pipeline as words};
 use crate::picture::Account;
 use crate::pipeline::{Stage, StageReport};
+use crate::views::View;
 
 /// The least width of a cell, in heights of its letters.
 const CELL_WIDTH: f32 = 8.2;
@@ -24,7 +23,7 @@ const CELL_WIDTH: f32 = 8.2;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum StripAction {
     /// Show the stages of another picture.
-    Of(Picture),
+    Of(View),
     /// Hide the strip.
     Close,
 }
@@ -33,7 +32,7 @@ pub(super) enum StripAction {
 pub(super) struct Strip<'a> {
     pub(super) lang: Lang,
     pub(super) texts: &'a CanvasTexts,
-    pub(super) picture: Picture,
+    pub(super) picture: View,
     /// `None`: the picture is hidden, or has not been drawn yet.
     pub(super) account: Option<&'a Account>,
     /// The picture is hidden.
@@ -88,11 +87,11 @@ impl Strip<'_> {
             let mut chosen = self.picture;
             ui.add(Label::new(RichText::new(self.texts.strip).strong()).selectable(false));
             egui::ComboBox::from_id_salt("strip of")
-                .selected_text(picture_name(self.texts, chosen))
+                .selected_text(self.texts.view(chosen))
                 .width(96.0)
                 .show_ui(ui, |ui| {
-                    for picture in Picture::ALL {
-                        ui.selectable_value(&mut chosen, picture, picture_name(self.texts, picture));
+                    for picture in View::ALL {
+                        ui.selectable_value(&mut chosen, picture, self.texts.view(picture));
                     }
                 })
                 .response

@@ -3,8 +3,9 @@
 use eframe::egui::{self, Align2, Id, Popup, Rect, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
 use super::icons::{Icon, icon_button, left_center};
-use crate::gui::state::{Look, Picture};
+use crate::gui::state::Look;
 use crate::i18n::canvas::CanvasTexts;
+use crate::views::View;
 
 /// What a title's buttons ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +22,7 @@ pub(super) enum TitleAction {
 
 /// What a title shows.
 pub(super) struct Title<'a> {
-    pub(super) picture: Picture,
+    pub(super) picture: View,
     pub(super) texts: &'a CanvasTexts,
     pub(super) linked: bool,
     pub(super) maximized: bool,
@@ -41,11 +42,11 @@ impl Title<'_> {
     /// Draws the title in `rect`. Where there is no room for all buttons, those that say from where to look become a menu.
     pub(super) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
         let mut action = None;
-        let name = picture_name(self.texts, self.picture);
+        let name = self.texts.view(self.picture);
         let font = TextStyle::Button.resolve(ui.style());
         let galley = WidgetText::from(name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
         let side = ui.spacing().interact_size.y;
-        let solid = matches!(self.picture, Picture::World | Picture::Canonical);
+        let solid = matches!(self.picture, View::World | View::Canonical);
         let room_for_all = rect.width() >= galley.size().x + 8.0 * (side + 1.0) + 18.0;
         let looks: u8 = if !solid {
             0
@@ -120,15 +121,6 @@ impl Title<'_> {
             }
         });
         action
-    }
-}
-
-/// The name of a picture.
-pub(super) fn picture_name(texts: &CanvasTexts, picture: Picture) -> &'static str {
-    match picture {
-        Picture::World => texts.world,
-        Picture::Canonical => texts.canonical,
-        Picture::Image => texts.image,
     }
 }
 

@@ -1,0 +1,76 @@
+//! The three pictures, by name.
+
+/// One of the three pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum View {
+    /// The world, with the camera in it.
+    World,
+    /// The canonical volume.
+    Canonical,
+    /// The projected image.
+    Image,
+}
+
+impl View {
+    /// All three, from left to right.
+    pub const ALL: [Self; 3] = [Self::World, Self::Canonical, Self::Image];
+
+    /// Its place in [`View::ALL`].
+    #[must_use]
+    pub const fn index(self) -> usize {
+        match self {
+            Self::World => 0,
+            Self::Canonical => 1,
+            Self::Image => 2,
+        }
+    }
+
+    /// The word for it on the command line, in names of files and in data that programs read.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::World => "world",
+            Self::Canonical => "canonical",
+            Self::Image => "image",
+        }
+    }
+}
+
+/// What is drawn at once: one picture, or all three side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Views {
+    /// One of the three.
+    One(View),
+    /// All three.
+    All,
+}
+
+impl Views {
+    /// Every choice.
+    pub const CHOICES: [Self; 4] =
+        [Self::One(View::World), Self::One(View::Canonical), Self::One(View::Image), Self::All];
+
+    /// The word for it on the command line, in names of files and in data that programs read.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::One(view) => view.name(),
+            Self::All => "all",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_picture_has_its_place_and_every_choice_its_own_word() {
+        for (i, view) in View::ALL.into_iter().enumerate() {
+            assert_eq!(view.index(), i);
+            assert_eq!(Views::CHOICES[i], Views::One(view));
+        }
+        let words: std::collections::BTreeSet<_> = Views::CHOICES.into_iter().map(Views::name).collect();
+        assert_eq!(words.len(), 4);
+    }
+}
