@@ -18,6 +18,7 @@
 //! its test.
 
 mod basis;
+mod descriptors;
 mod image_map;
 mod operations;
 mod parameters;
@@ -29,8 +30,9 @@ mod warnings;
 mod window;
 
 pub use basis::Basis;
+pub use descriptors::{Amount, Descriptor, Freedom, OPERATIONS, OperationError};
 pub use image_map::{ImageSize, Viewport};
-pub use operations::{Changes, Convention, Operation, OperationError};
+pub use operations::{Changes, Convention, Operation};
 pub use parameters::{CameraError, Derived, Parameters, Projection, Range};
 pub use stations::{Projected, Stations};
 pub use warnings::Warning;

@@ -5,9 +5,6 @@
 //! guinada (yaw) about x_c and arfagem (pitch) about y_c; the field, and the author's own library, turn yaw about **v**
 //! and pitch about **u**, as is done here.
 
-use std::fmt;
-use std::str::FromStr;
-
 use super::basis::{Frame, Pose};
 use super::parameters::check_range;
 use super::{Camera, CameraError, Parameters, Range};
@@ -64,24 +61,6 @@ pub struct Changes {
 }
 
 impl Operation {
-    /// The names, as they are written on the command line.
-    pub const NAMES: [&'static str; 8] = ["elevation", "azimuth", "roll", "yaw", "pitch", "zoom", "dolly", "pan"];
-
-    /// Its name, as it is written on the command line.
-    #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Elevation(_) => "elevation",
-            Self::Azimuth(_) => "azimuth",
-            Self::Roll(_) => "roll",
-            Self::Yaw(_) => "yaw",
-            Self::Pitch(_) => "pitch",
-            Self::Zoom(_) => "zoom",
-            Self::Dolly(_) => "dolly",
-            Self::Pan { .. } => "pan",
-        }
-    }
-
     /// Which parameters change.
     #[must_use]
     pub const fn changes(&self) -> Changes {
@@ -260,102 +239,5 @@ impl Turn {
     /// Rodrigues: x cos α + (k × x) sin α + k (k · x)(1 − cos α).
     fn rotated(&self, k: Dd3, x: Dd3) -> Dd3 {
         (x * self.cosine).plus(k.cross(x) * self.sine).plus(k * (k.dot(x) * self.versine))
-    }
-}
-
-/// Why a text is no operation.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum OperationError {
-    /// No `=`.
-    #[error("{text:?} is no operation; write NAME=VALUE, where NAME is one of {}", Operation::NAMES.join(", "))]
-    NoValue {
-        /// What was found.
-        text: String,
-    },
-    /// A name that is none of [`Operation::NAMES`].
-    #[error("there is no operation {name:?}; allowed: {}", Operation::NAMES.join(", "))]
-    UnknownName {
-        /// What was found.
-        name: String,
-    },
-    /// Not one finite number of degrees.
-    #[error("{name}={value}: the value must be a finite number of degrees, such as {name}=30")]
-    NotAnAngle {
-        /// The operation.
-        name: &'static str,
-        /// What was found.
-        value: String,
-    },
-    /// Not one finite number greater than 0.
-    #[error("{name}={value}: the value must be a finite number greater than 0, such as {name}=1.5")]
-    NotAFactor {
-        /// The operation.
-        name: &'static str,
-        /// What was found.
-        value: String,
-    },
-    /// Not two finite numbers.
-    #[error("pan={value}: the value must be two finite numbers DX,DY in scene units, such as pan=1,-0.5")]
-    NotAStep {
-        /// What was found.
-        value: String,
-    },
-}
-
-fn number(text: &str) -> Option<f64> {
-    text.trim().parse().ok().filter(|x: &f64| x.is_finite())
-}
-
-impl FromStr for Operation {
-    type Err = OperationError;
-
-    /// Reads `NAME=VALUE`, where the value of `pan` is `DX,DY`.
-    fn from_str(text: &str) -> Result<Self, OperationError> {
-        let (name, value) = text.split_once('=').ok_or_else(|| OperationError::NoValue { text: text.to_owned() })?;
-        let angle = |name, make: fn(Angle) -> Self| {
-            number(value)
-                .map(|degrees| make(Angle::from_degrees(degrees)))
-                .ok_or_else(|| OperationError::NotAnAngle { name, value: value.to_owned() })
-        };
-        let factor = |name, make: fn(f64) -> Self| {
-            number(value)
-                .filter(|factor| *factor > 0.0)
-                .map(make)
-                .ok_or_else(|| OperationError::NotAFactor { name, value: value.to_owned() })
-        };
-        match name.trim() {
-            "elevation" => angle("elevation", Self::Elevation),
-            "azimuth" => angle("azimuth", Self::Azimuth),
-            "roll" => angle("roll", Self::Roll),
-            "yaw" => angle("yaw", Self::Yaw),
-            "pitch" => angle("pitch", Self::Pitch),
-            "zoom" => factor("zoom", Self::Zoom),
-            "dolly" => factor("dolly", Self::Dolly),
-            "pan" => value
-                .split_once(',')
-                .and_then(|(dx, dy)| Some(Self::Pan { dx: number(dx)?, dy: number(dy)? }))
-                .ok_or_else(|| OperationError::NotAStep { value: value.to_owned() }),
-            name => Err(OperationError::UnknownName { name: name.to_owned() }),
-        }
-    }
-}
-
-impl fmt::Display for Operation {
-    /// Writes `NAME=VALUE`, which [`Operation::from_str`] reads back.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = self.name();
-        // `2`, not `2.0`; but `1e-120`, not a hundred zeros.
-        let short = |x: f64| {
-            if x == 0.0 || (1e-5..1e16).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
-        };
-        match *self {
-            Self::Zoom(factor) | Self::Dolly(factor) => write!(f, "{name}={}", short(factor)),
-            Self::Pan { dx, dy } => write!(f, "{name}={},{}", short(dx), short(dy)),
-            Self::Elevation(angle)
-            | Self::Azimuth(angle)
-            | Self::Roll(angle)
-            | Self::Yaw(angle)
-            | Self::Pitch(angle) => write!(f, "{name}={}", short(angle.degrees())),
-        }
     }
 }

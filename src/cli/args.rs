@@ -10,6 +10,7 @@ use glam::DVec3;
 use super::Failure;
 use crate::appearance;
 use crate::camera::{Convention, ImageSize, Operation};
+use crate::expression::{self, Dimension};
 use crate::figure::read::MAX_SIDE;
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::views::{View, Views};
@@ -249,11 +250,13 @@ impl FigureArgs {
 impl InspectArgs {
     pub(super) fn points(&self, lang: Lang) -> Result<Vec<DVec3>, Failure> {
         let read = |text: &String| {
-            let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
-            match numbers.as_deref() {
-                Some([x, y, z]) => Ok(DVec3::new(*x, *y, *z)),
-                _ => Err(Failure::BadInput(texts::point(lang, text))),
-            }
+            let parts: Vec<&str> = expression::parts(text).collect();
+            let [x, y, z] = parts[..] else { return Err(Failure::BadInput(texts::point(lang, text, None))) };
+            let number = |part| {
+                expression::evaluate(part, Dimension::Number)
+                    .map_err(|error| Failure::BadInput(texts::point(lang, text, Some((part, &error)))))
+            };
+            Ok(DVec3::new(number(x)?, number(y)?, number(z)?))
         };
         self.points.iter().map(read).collect()
     }
@@ -327,11 +330,6 @@ fn size(text: Option<&str>, lang: Lang) -> Result<Option<ImageSize>, Failure> {
     text.split_once(['x', 'X', '×'])
         .and_then(|(width, height)| Some(Some(ImageSize { width: side(width)?, height: side(height)? })))
         .ok_or_else(|| Failure::BadInput(texts::size(lang, text)))
-}
-
-/// A finite number.
-fn number(text: &str) -> Option<f64> {
-    text.trim().parse().ok().filter(|x: &f64| x.is_finite())
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! A change of a figure → the change of its text, with comments and order kept.
 
-use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike};
+use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
 use super::Figure;
 use super::read;
@@ -75,6 +75,11 @@ fn merge_item(table: &mut dyn TableLike, key: &str, old: Option<&Item>, new: &It
         (Some(Item::ArrayOfTables(mine)), Item::ArrayOfTables(new)) => {
             merge_list(mine, old.and_then(Item::as_array_of_tables), new);
         }
+        (Some(Item::Value(Value::Array(mine))), Item::Value(Value::Array(new)))
+            if mine.len() == new.len() && new.iter().all(|x| !x.is_array()) =>
+        {
+            merge_vector(mine, old.and_then(Item::as_array), new);
+        }
         (Some(Item::Value(mine)), Item::Value(new)) if !(mine.is_inline_table() && new.is_inline_table()) => {
             let decor = mine.decor().clone();
             *mine = new.clone();
@@ -88,6 +93,18 @@ fn merge_item(table: &mut dyn TableLike, key: &str, old: Option<&Item>, new: &It
         }
         _ => {
             table.insert(key, without_place(new.clone()));
+        }
+    }
+}
+
+/// Takes over the components that have changed, so that the others stay as they are written.
+fn merge_vector(mine: &mut Array, old: Option<&Array>, new: &Array) {
+    for (i, component) in new.iter().enumerate() {
+        let same = old.and_then(|old| old.get(i)).is_some_and(|was| was.to_string() == component.to_string());
+        if let Some(mine) = mine.get_mut(i).filter(|_| !same) {
+            let decor = mine.decor().clone();
+            *mine = component.clone();
+            *mine.decor_mut() = decor;
         }
     }
 }

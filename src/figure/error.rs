@@ -1,6 +1,7 @@
 //! Why a text is no figure.
 
 use crate::camera::CameraError;
+use crate::expression::{self, ExpressionError};
 
 /// The first fault of a figure file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -53,6 +54,16 @@ pub enum Problem {
     Value {
         /// The value as it is written, shortened.
         found: String,
+        /// What would do.
+        allowed: Allowed,
+    },
+    /// A number that is written as a text, which cannot be read.
+    #[error("is {text:?}: {error} in {}; allowed: {allowed:?}", expression::marked(text, &error.span))]
+    Expression {
+        /// The text.
+        text: String,
+        /// What is wrong with it.
+        error: Box<ExpressionError>,
         /// What would do.
         allowed: Allowed,
     },

@@ -9,6 +9,7 @@ use super::read::default_segments;
 use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PRESETS, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Depth, Figure, Observer, Outside, Reveal};
 use crate::camera::Projection;
+use crate::numbers;
 use crate::scene::{LightSpec, ObjectSpec, Shape};
 
 /// The figure file of `figure`, its keys in the order of the documentation.
@@ -163,7 +164,7 @@ impl Text {
 
 /// The shortest decimal number that reads back as the same `f64`.
 fn number(x: f64) -> String {
-    if x.is_finite() { format!("{x:?}") } else { x.to_string().to_lowercase() }
+    if x.is_finite() { numbers::exact(x) } else { x.to_string().to_lowercase() }
 }
 
 fn vector(v: DVec3) -> String {

@@ -3,10 +3,10 @@
 use eframe::egui::{CursorIcon, Modifiers};
 use glam::{DVec2, DVec3};
 
-use super::numbers::significant;
 use crate::camera::{Camera, CameraError, Parameters};
 use crate::figure::Observer;
 use crate::i18n::canvas::CanvasTexts;
+use crate::numbers::significant;
 use crate::views::handles::{self, Handle};
 use crate::views::{Setup, Size};
 

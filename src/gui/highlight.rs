@@ -10,6 +10,7 @@ use super::panels::scene::Selected;
 use super::state::State;
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
+use crate::numbers::round_to;
 use crate::scene::edit::{descendants, placements};
 use crate::scene::{LightSpec, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Arrows, Palette};
@@ -206,7 +207,7 @@ impl Movable {
         let mut place = self.place;
         if let Some(axes) = self.axes() {
             let unit = axes[axis].1;
-            place[axis] = rounded(place[axis] + way / unit, pixel / unit);
+            place[axis] = round_to(place[axis] + way / unit, pixel / unit);
         }
         place
     }
@@ -234,17 +235,6 @@ impl Movable {
     }
 }
 
-/// The multiple of the power of ten at or below `pixel` that is nearest.
-fn rounded(value: f64, pixel: f64) -> f64 {
-    let power = pixel.log10().floor();
-    if !(-15.0..=15.0).contains(&power) {
-        return value;
-    }
-    let scale = 10_f64.powf(power.abs());
-    let rounded = if power < 0.0 { (value * scale).round() / scale } else { (value / scale).round() * scale };
-    rounded + 0.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -255,12 +245,5 @@ mod tests {
         assert_eq!(box_edges(&unit, &DMat4::from_scale(DVec3::new(1.0, 2.0, 3.0))).count(), 12);
         let flat = Aabb { min: DVec3::new(-1.0, 0.0, -1.0), max: DVec3::new(1.0, 0.0, 1.0) };
         assert_eq!(box_edges(&flat, &DMat4::IDENTITY).count(), 4);
-    }
-
-    #[test]
-    fn places_have_no_digits_below_a_pixel() {
-        assert_eq!(rounded(1.234_567, 0.02), 1.23);
-        assert_eq!(rounded(-0.001, 0.02), 0.0);
-        assert_eq!(rounded(1234.5, 30.0), 1230.0);
     }
 }

@@ -1,14 +1,15 @@
 //! A field for one number: drag it, type a number or an expression, or step it with the arrow keys.
 //!
-//! egui's own field clamps what is typed without a word, knows no expressions, and rounds the value that it shows before it is
-//! edited. This one shows what it cannot show in full with an `…`, changes the value only when something else was typed, and
-//! keeps a faulty text, with the reason, until it is mended.
+//! egui's own field drops a text that it cannot read, and rounds the value that it shows before it is edited. This one keeps a
+//! faulty text, with the reason, until it is mended, changes the value only when something else was typed, and shows what
+//! it cannot show in full with an `…`.
 
 use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextEdit, TextWrapMode, WidgetInfo};
 
-use super::expression::{self, ExpressionError, Kind};
-use super::numbers;
+use crate::expression::{self, Dimension, ExpressionError, ExpressionProblem};
+use crate::i18n::messages;
 use crate::i18n::window::Texts;
+use crate::numbers::{self, round_to};
 
 /// What dragging and the arrow keys do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,23 +33,6 @@ impl Step {
     }
 }
 
-/// The multiple of a power of ten, not above `unit`, that is nearest to `value`.
-fn round_to(value: f64, unit: f64) -> f64 {
-    let power = unit.abs().log10().floor();
-    if !(-300.0..300.0).contains(&power) {
-        return value;
-    }
-    // Dividing by a power of ten that is a whole number rounds once; multiplying by 0.001 rounds twice.
-    let rounded = if power < 0.0 {
-        let scale = 10f64.powf(-power);
-        (value * scale).round() / scale
-    } else {
-        let scale = 10f64.powf(power);
-        (value / scale).round() * scale
-    };
-    if rounded.is_finite() { rounded } else { value }
-}
-
 /// One number field; [`NumberField::show`] it.
 #[derive(Clone, Debug)]
 pub struct NumberField<'a> {
@@ -57,7 +41,7 @@ pub struct NumberField<'a> {
     hint: &'a str,
     prefix: &'a str,
     unit: &'static str,
-    kind: Kind,
+    dimension: Dimension,
     step: Step,
     whole: bool,
     width: f32,
@@ -91,7 +75,7 @@ impl<'a> NumberField<'a> {
             hint: "",
             prefix: "",
             unit: "",
-            kind: Kind::Number,
+            dimension: Dimension::Number,
             step,
             whole: false,
             width: 64.0,
@@ -108,7 +92,7 @@ impl<'a> NumberField<'a> {
     /// A field for an angle in degrees.
     #[must_use]
     pub fn angle(name: impl Into<String>, step: f64) -> Self {
-        Self { unit: "°", kind: Kind::Angle, ..Self::new(name, Step::Add(step)) }
+        Self { unit: "°", dimension: Dimension::Angle, ..Self::new(name, Step::Add(step)) }
     }
 
     /// Whole numbers only; what is typed is rounded.
@@ -232,7 +216,7 @@ impl<'a> NumberField<'a> {
     }
 
     fn evaluate(&self, text: &str) -> Result<f64, ExpressionError> {
-        expression::evaluate(text, self.kind).map(|v| self.fit(v))
+        expression::evaluate(text, self.dimension).map(|v| self.fit(v))
     }
 
     /// Takes over what was typed when the field has lost the focus; Escape drops it.
@@ -284,9 +268,13 @@ impl<'a> NumberField<'a> {
                     let preview = numbers::significant(v, numbers::EXACT_DIGITS);
                     response.show_tooltip_text(format!("= {preview}{}", self.unit));
                 }
-                Ok(_)
-                | Err(ExpressionError::Empty | ExpressionError::Unfinished | ExpressionError::MissingParenthesis) => {}
-                Err(error) => response.show_tooltip_text(error.text(texts)),
+                Ok(_) => {}
+                Err(error) => match error.problem {
+                    ExpressionProblem::Empty
+                    | ExpressionProblem::Unfinished
+                    | ExpressionProblem::MissingParenthesis => {}
+                    problem => response.show_tooltip_text(messages::expression(texts.lang, &problem)),
+                },
             }
         }
         response

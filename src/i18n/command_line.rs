@@ -3,7 +3,8 @@
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Lang;
-use super::messages::pick;
+use super::messages::{in_expression, pick};
+use crate::expression::ExpressionError;
 
 /// Arguments that are at fault, in one paragraph.
 #[must_use]
@@ -92,14 +93,18 @@ pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> Strin
     }
 }
 
-/// A text that is no point.
+/// A text that is not a point; of its parts the one that is not a number, with the reason, if there are three.
 #[must_use]
-pub fn point(lang: Lang, text: &str) -> String {
-    pick(
-        lang,
-        format!("--point is {text:?}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3"),
-        format!("--point é {text:?}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3"),
-    )
+pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) -> String {
+    let why = fault.map_or_else(String::new, |(part, error)| format!(": {}", in_expression(lang, part, error)));
+    match lang {
+        Lang::En => {
+            format!("--point is {text:?}{why}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3")
+        }
+        Lang::PtBr => {
+            format!("--point é {text:?}{why}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3")
+        }
+    }
 }
 
 /// A text that is no pixel.

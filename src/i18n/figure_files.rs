@@ -3,7 +3,7 @@
 use std::io;
 
 use super::Lang;
-use super::messages::{camera, pick};
+use super::messages::{camera, in_expression, pick};
 use crate::export::png::PngError;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
@@ -56,6 +56,14 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
         Problem::Value { found, allowed } => {
             let allowed = self::allowed(lang, allowed);
             pick(lang, format!("is {found}; allowed: {allowed}"), format!("é {found}; permitido: {allowed}"))
+        }
+        Problem::Expression { text, error, allowed } => {
+            let (why, allowed) = (in_expression(lang, text, error), self::allowed(lang, allowed));
+            pick(
+                lang,
+                format!("is {text:?}: {why}; allowed: {allowed}"),
+                format!("é {text:?}: {why}; permitido: {allowed}"),
+            )
         }
         Problem::Missing { allowed } => {
             let allowed = self::allowed(lang, allowed);

@@ -6,7 +6,8 @@
 use super::Lang;
 use super::figure_files::problem;
 pub use super::figure_files::{figure, file, png};
-use crate::camera::{CameraError, Derived, Operation, OperationError, Range, Warning};
+use crate::camera::{Amount, CameraError, Derived, Descriptor, Operation, OperationError, Range, Warning};
+use crate::expression::{self, ExpressionError, ExpressionProblem};
 use crate::figure::error::{Allowed, Problem};
 use crate::inspect::InspectError;
 use crate::scene::SceneError;
@@ -96,36 +97,62 @@ fn derived(lang: Lang, quantity: Derived) -> String {
     }
 }
 
-/// Why a text is no operation.
+/// Why a text is not an operation.
 #[must_use]
 pub fn operation(lang: Lang, error: &OperationError) -> String {
-    let names = Operation::NAMES.join(", ");
-    match error {
-        OperationError::NoValue { text } => pick(
-            lang,
-            format!("{text:?} is no operation; allowed: NAME=VALUE, where NAME is one of {names}"),
-            format!("{text:?} não é uma operação; permitido: NOME=VALOR, em que NOME é um de {names}"),
-        ),
-        OperationError::UnknownName { name } => pick(
-            lang,
-            format!("there is no operation {name:?}; allowed: {names}"),
-            format!("não há a operação {name:?}; permitido: {names}"),
-        ),
-        OperationError::NotAnAngle { name, value } => pick(
-            lang,
-            format!("{name} is {value:?}; allowed: a finite number of degrees, such as {name}=30"),
-            format!("{name} é {value:?}; permitido: um número finito de graus, como {name}=30"),
-        ),
-        OperationError::NotAFactor { name, value } => pick(
-            lang,
-            format!("{name} is {value:?}; allowed: a finite number greater than 0, such as {name}=1.5"),
-            format!("{name} é {value:?}; permitido: um número finito maior que 0, como {name}=1.5"),
-        ),
-        OperationError::NotAStep { value } => pick(
-            lang,
-            format!("pan is {value:?}; allowed: two finite numbers DX,DY in scene units, such as pan=1,-0.5"),
-            format!("pan é {value:?}; permitido: dois números finitos DX,DY em unidades da cena, como pan=1,-0.5"),
-        ),
+    let names = || Operation::names().join(", ");
+    match (lang, error) {
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, OperationError::NoValue { text }) => {
+            format!("{text:?} não é uma operação; permitido: NOME=VALOR, em que NOME é um de {}", names())
+        }
+        (Lang::PtBr, OperationError::UnknownName { name }) => {
+            format!("não há a operação {name:?}; permitido: {}", names())
+        }
+        (Lang::PtBr, OperationError::NotANumber { descriptor, value, error }) => {
+            let (why, allowed) = (in_expression(lang, value, error), amount_in_portuguese(descriptor));
+            format!("{} é {value:?}: {why}; permitido: {allowed}", descriptor.word)
+        }
+        (
+            Lang::PtBr,
+            OperationError::NotAFactor { descriptor, value } | OperationError::WrongCount { descriptor, value },
+        ) => {
+            format!("{} é {value:?}; permitido: {}", descriptor.word, amount_in_portuguese(descriptor))
+        }
+    }
+}
+
+fn amount_in_portuguese(descriptor: &Descriptor) -> String {
+    let word = descriptor.word;
+    match descriptor.amount {
+        Amount::Angle => format!("um número finito de graus, como {word}=30"),
+        Amount::Factor => format!("um número finito maior que 0, como {word}=1.5"),
+        Amount::Length => format!("dois números finitos DX,DY em unidades da cena, como {word}=1,-0.5"),
+    }
+}
+
+/// Why an expression is not a number, and where in it that shows.
+pub(super) fn in_expression(lang: Lang, text: &str, error: &ExpressionError) -> String {
+    let (why, marked) = (expression(lang, &error.problem), expression::marked(text, &error.span));
+    match lang {
+        Lang::En => format!("{why} in {marked}"),
+        Lang::PtBr => format!("{why} em {marked}"),
+    }
+}
+
+/// Why an expression is not a number.
+#[must_use]
+pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
+    match (lang, problem) {
+        (Lang::En, problem) => problem.to_string(),
+        (Lang::PtBr, ExpressionProblem::Empty) => "falta um número".to_owned(),
+        (Lang::PtBr, ExpressionProblem::Unexpected(c)) => format!("inesperado: “{c}”"),
+        (Lang::PtBr, ExpressionProblem::Unfinished) => "a expressão não terminou".to_owned(),
+        (Lang::PtBr, ExpressionProblem::UnknownName(name)) => format!("nome desconhecido: “{name}”"),
+        (Lang::PtBr, ExpressionProblem::MissingParenthesis) => "falta um “)”".to_owned(),
+        (Lang::PtBr, ExpressionProblem::MixedUnits) => "ângulo e número não se misturam aqui".to_owned(),
+        (Lang::PtBr, ExpressionProblem::NotFinite) => "o resultado não é um número finito".to_owned(),
+        (Lang::PtBr, ExpressionProblem::TooLong) => "a expressão é longa demais".to_owned(),
     }
 }
 

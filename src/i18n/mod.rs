@@ -6,11 +6,13 @@ macro_rules! texts {
         /// Every text of this place in one language.
         #[derive(Debug)]
         pub struct Texts {
+            /// The language.
+            pub lang: crate::i18n::Lang,
             $(#[doc = concat!("`", $en, "`")] pub $name: &'static str,)*
         }
 
-        static EN: Texts = Texts { $($name: $en,)* };
-        static PT_BR: Texts = Texts { $($name: $pt,)* };
+        static EN: Texts = Texts { lang: crate::i18n::Lang::En, $($name: $en,)* };
+        static PT_BR: Texts = Texts { lang: crate::i18n::Lang::PtBr, $($name: $pt,)* };
 
         impl Texts {
             /// Name and text of each entry, for tests.

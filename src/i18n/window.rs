@@ -285,14 +285,6 @@ texts! {
 
     // Number fields.
     number_field_hint: "Drag, or click and type: 1/3, sqrt(2)/2, 45°", "Arraste, ou clique e digite: 1/3, sqrt(2)/2, 45°";
-    missing_number: "a number is missing", "falta um número";
-    unfinished: "the expression is not finished", "a expressão não terminou";
-    missing_parenthesis: "a “)” is missing", "falta um “)”";
-    unexpected: "unexpected", "inesperado:";
-    unknown_name: "unknown name", "nome desconhecido:";
-    mixed_units: "an angle and a number do not mix here", "ângulo e número não se misturam aqui";
-    not_finite: "the result is not a finite number", "o resultado não é um número finito";
-    too_long: "the expression is too long", "a expressão é longa demais";
 
     // Repairs.
     repair_focal_point: "Put PF ahead again", "Pôr PF de novo à frente";

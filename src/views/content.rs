@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, Projection};
 use crate::geometry::Aabb;
+use crate::numbers::nice_above;
 
 use super::Setup;
 use super::observer::Direction;
@@ -65,7 +66,7 @@ impl Content {
             return None;
         }
         let (low, high) = (DVec2::new(min.x, min.z), DVec2::new(max.x, max.z));
-        let step = nice_step((high - low).max_element().max(0.5 * radius) / 12.0)?;
+        let step = nice_above((high - low).max_element().max(0.5 * radius) / 12.0)?;
         let low = ((low - 0.5 * step) / step).floor() * step;
         let high = ((high + 0.5 * step) / step).ceil() * step;
         (low.is_finite() && high.is_finite()).then_some(Ground { low, high, step })
@@ -93,12 +94,6 @@ impl Ground {
         let along = stops(low.y, high.y).map(|z| [at(low.x, z), at(high.x, z)]);
         across.chain(along).collect()
     }
-}
-
-/// 1, 2 or 5 times a power of ten, at least `least`.
-fn nice_step(least: f64) -> Option<f64> {
-    let power = 10_f64.powf(least.log10().floor());
-    [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|s| *s >= least && s.is_finite())
 }
 
 /// The part of the volume that shows its shape without making the rest small: its cut at the depth where the content ends,

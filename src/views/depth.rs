@@ -10,8 +10,9 @@ use crate::pipeline::fold::divided_first;
 use crate::pipeline::{Frame, Reason, Stage};
 use crate::scene::Scene;
 
-use super::legend::{Row, number};
+use super::legend::Row;
 use super::{Palette, Setup, pick};
+use crate::numbers::typeset;
 
 /// The numbers of one pixel of the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,10 +138,10 @@ impl Greys {
             (Some(_), Projection::Perspective) => 2.0 / (1.0 / f + 1.0 / b),
             _ => f + (b - f) / 2.0,
         };
-        let distances = [f, middle, b].map(|d| number(d, 4));
+        let distances = [f, middle, b].map(|d| typeset(d, 4));
         let [near, halfway, far] = distances;
         let distances = [format!("−z_c = {near}"), halfway, far];
-        let stored = [0.0, 0.5, 1.0].map(|share| number(level(share), 4));
+        let stored = [0.0, 0.5, 1.0].map(|share| typeset(level(share), 4));
         let (title, texts) = match self.range {
             Some(_) => {
                 let [near, halfway, far] = stored;

@@ -198,42 +198,9 @@ fn short(v: f64) -> f32 {
     v as f32
 }
 
-/// A number with `digits` significant digits at most, and a true minus.
-pub(super) fn number(value: f64, digits: i32) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 { "0".to_owned() } else { value.to_string() };
-    }
-    #[expect(clippy::cast_possible_truncation, reason = "an exponent")]
-    let exponent = value.abs().log10().floor() as i32;
-    let text = if (-4..7).contains(&exponent) {
-        let places = usize::try_from(digits - 1 - exponent).unwrap_or(0);
-        let text = format!("{value:.places$}");
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    } else {
-        format!("{value:.2e}")
-    };
-    text.replace('-', "−")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_are_short() {
-        for (value, text) in [
-            (0.0, "0"),
-            (-0.5, "−0.5"),
-            (2.0 / 3.0, "0.6667"),
-            (1234.6, "1235"),
-            (123_456.0, "123456"),
-            (1e-7, "1.00e−7"),
-            (9.999_96, "10"),
-            (12.0, "12"),
-        ] {
-            assert_eq!(number(value, 4), text);
-        }
-    }
 
     #[test]
     fn a_legend_lies_inside_its_picture_or_is_left_out() {

@@ -200,3 +200,30 @@ fn a_full_disk_is_a_failure_not_bad_input() {
         (Some(1), "camera-lab: standard output cannot be written: the disk is full")
     );
 }
+
+#[test]
+fn numbers_may_be_expressions() {
+    let bench = bench("expressions");
+    let json = |arguments: &[&str]| {
+        let run = bench.run(&[&["inspect", "figure.toml"], arguments].concat());
+        String::from_utf8(run.done().to_vec()).unwrap()
+    };
+    assert_eq!(json(&["--op", "azimuth=360/8"]), json(&["--op", "azimuth=45"]));
+    assert_eq!(
+        json(&["--op", "azimuth=pi/4 rad", "--op", "zoom=1,5"]),
+        json(&["--op", "azimuth=45°", "--op", "zoom=1.5"])
+    );
+    assert_eq!(json(&["--op", "pan=cos(60°),-1"]), json(&["--op", "pan=0,5;−1"]));
+    let point = json(&["--point", "sqrt(2)/2,0,0"]);
+    assert!(point.contains("0.7071067811865476"), "{point}");
+    for (arguments, part) in [
+        (["--op", "azimuth=360/"], "azimuth is \"360/\": the expression is not finished in 360/▸◂; allowed"),
+        (["--op", "zoom=2x"], "unknown name “x” in 2▸x◂"),
+        (["--op", "zoom=1-1"], "greater than 0"),
+        (["--point", "1,sqr(2),3"], "--point is \"1,sqr(2),3\": unknown name “sqr” in ▸sqr◂(2); allowed"),
+        (["--point", "1,2"], "--point is \"1,2\"; allowed"),
+    ] {
+        let run = bench.run(&[&["inspect", "figure.toml"], &arguments[..]].concat());
+        assert!(run.refused(2).contains(part), "{part}: {}", run.err);
+    }
+}

@@ -10,26 +10,34 @@ use std::path::{Path, PathBuf};
 const TABLE: &[(&str, &[&str])] = &[
     ("appearance", &[]),
     ("geometry", &[]),
-    ("camera", &["geometry"]),
+    ("numbers", &[]),
+    // The sine of whole degrees is exact there.
+    ("expression", &["geometry"]),
+    ("camera", &["geometry", "numbers", "expression"]),
     ("scene", &["geometry"]),
     ("drawing", &[]),
     ("pipeline", &["geometry", "camera", "scene", "drawing"]),
     ("raster", &["drawing"]),
-    ("figure", &["geometry", "camera", "scene"]),
+    ("figure", &["geometry", "camera", "scene", "expression", "numbers"]),
     ("inspect", &["camera", "figure"]),
-    ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing"]),
+    ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "numbers"]),
     ("export", &["drawing", "raster", "inspect"]),
     ("files", &["figure", "export"]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
     ("numerics", &["camera", "geometry", "scene", "pipeline", "raster"]),
     // The enums of errors, warnings, labels and stages.
-    ("i18n", &["camera", "scene", "figure", "inspect", "export", "files", "views", "numerics", "pipeline"]),
+    (
+        "i18n",
+        &["expression", "camera", "scene", "figure", "inspect", "export", "files", "views", "numerics", "pipeline"],
+    ),
     ("exercises", &["camera", "figure", "inspect", "numerics"]),
     ("cli", EVERYTHING),
     ("gui", EVERYTHING),
 ];
 
 const EVERYTHING: &[&str] = &[
+    "numbers",
+    "expression",
     "geometry",
     "camera",
     "scene",

@@ -264,3 +264,18 @@ fn a_renamed_object_keeps_its_comments_although_another_is_added_before_it() {
     assert!(at("\"torus 2\"") < at("# the crate") && at("# the crate") < at("\"crate\""), "{edited}");
     assert_eq!(edited.matches("# the").count(), 2, "{edited}");
 }
+
+#[test]
+fn expressions_stay_when_something_else_changes() {
+    let text =
+        "[camera]\nposition = [\"sqrt(2)\", 4, 5] # on the diagonal\nview_angle = \"2*atan(1/2) rad\"\nnear = 0.5\n";
+    let mut figure = read::parse(text).unwrap();
+    figure.camera.near = 0.25;
+    figure.camera.position.y = 3.0;
+    let edited = update(text, &figure);
+    assert!(edited.contains("position = [\"sqrt(2)\", 3.0, 5] # on the diagonal\n"), "{edited}");
+    assert!(edited.contains("view_angle = \"2*atan(1/2) rad\"\nnear = 0.25\n"), "{edited}");
+    assert_eq!(read::parse(&edited).unwrap(), figure);
+    figure.camera.view_angle = 60.0;
+    assert!(update(&edited, &figure).contains("view_angle = 60.0\n"), "its own change replaces it");
+}

@@ -84,7 +84,7 @@ fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
         focal_point: section.vector("focal_point", default.focal_point),
         view_up: section.vector("view_up", default.view_up),
         projection: section.word("projection", PROJECTIONS, default.projection),
-        view_angle: section.number("view_angle", default.view_angle),
+        view_angle: section.angle("view_angle", default.view_angle),
         height: section.number("height", default.height),
         aspect: section.number("aspect", default.aspect),
         near: section.number("near", default.near),
@@ -185,8 +185,8 @@ fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
     let observer = Observer {
         target: section.vector("target", DVec3::ZERO),
         distance: section.positive("distance", 10.0),
-        azimuth: section.number("azimuth", 30.0),
-        elevation: section.number_in("elevation", -90.0, 90.0, 20.0),
+        azimuth: section.angle("azimuth", 30.0),
+        elevation: section.angle_in("elevation", -90.0, 90.0, 20.0),
         parallel: section.word("projection", PROJECTIONS, Projection::Perspective) == Projection::Parallel,
     };
     faults.extend(section.finish());

@@ -55,7 +55,7 @@ fn read_objects(sections: Vec<Section<'_>>, preset: Preset, faults: &mut Vec<Fau
             shape,
             parent: section.text("parent"),
             translate: section.vector("translate", DVec3::ZERO),
-            rotate: section.vector("rotate", DVec3::ZERO),
+            rotate: section.angles("rotate", DVec3::ZERO),
             scale: read_scale(&mut section),
             color: section.color("color"),
             segments: section.integer("segments", SEGMENTS.0, SEGMENTS.1, segments),

@@ -5,6 +5,7 @@ use toml_edit::{Item, TableLike, Value};
 
 use super::snippet;
 use crate::appearance::Rgba;
+use crate::expression::{self, Dimension, ExpressionError};
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
 use crate::figure::words::{self, Words};
@@ -107,18 +108,57 @@ impl<'a> Section<'a> {
         })
     }
 
+    /// As [`Self::read`], for values with numbers in them.
+    fn read_numbers<T>(
+        &mut self,
+        key: &'static str,
+        default: T,
+        allowed: Allowed,
+        read: impl FnOnce(&Value) -> Result<T, Refused>,
+    ) -> T {
+        let Some(item) = self.ask(key) else { return default };
+        match item.as_value().map_or(Err(Refused::Value), read) {
+            Ok(value) => return value,
+            Err(Refused::Value) => self.refuse(key, allowed),
+            Err(Refused::Expression { text, error }) => {
+                self.fault(key, Problem::Expression { text, error: Box::new(error), allowed });
+            }
+        }
+        default
+    }
+
     pub(super) fn number(&mut self, key: &'static str, default: f64) -> f64 {
-        self.read(key, default, Allowed::Number, number)
+        self.quantity(key, Dimension::Number, default)
+    }
+
+    /// Degrees.
+    pub(super) fn angle(&mut self, key: &'static str, default: f64) -> f64 {
+        self.quantity(key, Dimension::Angle, default)
+    }
+
+    fn quantity(&mut self, key: &'static str, dimension: Dimension, default: f64) -> f64 {
+        self.read_numbers(key, default, Allowed::Number, |value| number(value, dimension))
     }
 
     pub(super) fn number_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
-        self.read(key, default, Allowed::NumberIn(least, most), |value| {
-            number(value).filter(|x| (least..=most).contains(x))
+        self.quantity_in(key, Dimension::Number, least, most, default)
+    }
+
+    /// Degrees.
+    pub(super) fn angle_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
+        self.quantity_in(key, Dimension::Angle, least, most, default)
+    }
+
+    fn quantity_in(&mut self, key: &'static str, dimension: Dimension, least: f64, most: f64, default: f64) -> f64 {
+        self.read_numbers(key, default, Allowed::NumberIn(least, most), |value| {
+            number(value, dimension).and_then(|x| (least..=most).contains(&x).then_some(x).ok_or(Refused::Value))
         })
     }
 
     pub(super) fn positive(&mut self, key: &'static str, default: f64) -> f64 {
-        self.read(key, default, Allowed::PositiveNumber, |value| number(value).filter(|x| *x > 0.0))
+        self.read_numbers(key, default, Allowed::PositiveNumber, |value| {
+            number(value, Dimension::Number).and_then(|x| (x > 0.0).then_some(x).ok_or(Refused::Value))
+        })
     }
 
     /// An integer from `least` to `most`, which fit the type.
@@ -147,7 +187,12 @@ impl<'a> Section<'a> {
     }
 
     pub(super) fn vector(&mut self, key: &'static str, default: DVec3) -> DVec3 {
-        self.read(key, default, Allowed::Vector, vector)
+        self.read_numbers(key, default, Allowed::Vector, |value| vector(value, Dimension::Number))
+    }
+
+    /// Degrees about x, y and z.
+    pub(super) fn angles(&mut self, key: &'static str, default: DVec3) -> DVec3 {
+        self.read_numbers(key, default, Allowed::Vector, |value| vector(value, Dimension::Angle))
     }
 
     pub(super) fn points(&mut self, key: &'static str, allowed: Allowed) -> Option<Vec<DVec3>> {
@@ -156,9 +201,9 @@ impl<'a> Section<'a> {
             self.missing(key, allowed);
             return None;
         }
-        self.read(key, None, allowed, |value| {
-            let points: Option<Vec<_>> = value.as_array()?.iter().map(vector).collect();
-            points.filter(|points| !pairs || points.len() % 2 == 0).map(Some)
+        self.read_numbers(key, None, allowed, |value| {
+            let list = value.as_array().filter(|list| !pairs || list.len() % 2 == 0).ok_or(Refused::Value)?;
+            list.iter().map(|point| vector(point, Dimension::Number)).collect::<Result<Vec<_>, _>>().map(Some)
         })
     }
 
@@ -242,18 +287,30 @@ impl<'a> Section<'a> {
     }
 }
 
-/// A finite number; integers are numbers too.
-fn number(value: &Value) -> Option<f64> {
+/// Why a value with numbers in it is refused.
+enum Refused {
+    /// It is none of what is allowed.
+    Value,
+    /// A text in it cannot be read as a number.
+    Expression { text: String, error: ExpressionError },
+}
+
+/// A finite number, an integer, or an expression as a text.
+fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
     match value {
         #[expect(clippy::cast_precision_loss, reason = "the nearest f64 is what a number in a figure means")]
-        Value::Integer(i) => Some(*i.value() as f64),
-        Value::Float(x) => Some(*x.value()).filter(|x| x.is_finite()),
-        _ => None,
+        Value::Integer(i) => Ok(*i.value() as f64),
+        Value::Float(x) => Some(*x.value()).filter(|x| x.is_finite()).ok_or(Refused::Value),
+        Value::String(text) => {
+            let text = text.value();
+            expression::evaluate(text, dimension).map_err(|error| Refused::Expression { text: text.clone(), error })
+        }
+        Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => Err(Refused::Value),
     }
 }
 
-fn vector(value: &Value) -> Option<DVec3> {
-    let list = value.as_array().filter(|list| list.len() == 3)?;
-    let mut numbers = list.iter().map(number);
-    Some(DVec3::new(numbers.next()??, numbers.next()??, numbers.next()??))
+fn vector(value: &Value, dimension: Dimension) -> Result<DVec3, Refused> {
+    let list = value.as_array().filter(|list| list.len() == 3).ok_or(Refused::Value)?;
+    let numbers: Vec<f64> = list.iter().map(|value| number(value, dimension)).collect::<Result<_, _>>()?;
+    Ok(DVec3::from_slice(&numbers))
 }

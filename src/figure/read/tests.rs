@@ -359,3 +359,52 @@ proptest::proptest! {
         let _ = parse(&format!("{}{new}{}", &text[..at], &text[end..]));
     }
 }
+
+#[test]
+fn numbers_may_be_written_as_expressions() {
+    let figure = parse(
+        r#"
+        [camera]
+        position = ["sqrt(2)/2", 0, "1/3"]
+        view_angle = "2*atan(1/2) rad"
+        aspect = "16/9"
+        near = "0,5"
+        [[scene.objects]]
+        shape = "points"
+        points = [["cos(60°)", 0, "2e3"]]
+        rotate = ["pi/6", "45°", 10]
+        [observers.world]
+        azimuth = "360/8"
+        "#,
+    )
+    .unwrap();
+    let p = figure.camera;
+    assert_eq!(p.position, DVec3::new(std::f64::consts::SQRT_2 / 2.0, 0.0, 1.0 / 3.0));
+    assert!((p.view_angle - 53.130_102_354_155_98).abs() < 1e-13);
+    assert_eq!((p.aspect, p.near), (16.0 / 9.0, 0.5));
+    assert_eq!(figure.scene.objects[0].shape, Some(Shape::Points(vec![DVec3::new(0.5, 0.0, 2000.0)])));
+    assert_eq!(figure.scene.objects[0].rotate, DVec3::new(30.0, 45.0, 10.0));
+    assert_eq!(figure.observers.world.unwrap().azimuth, 45.0);
+}
+
+#[test]
+fn a_bad_expression_is_named_with_its_place() {
+    for (text, line, key, problem, at) in [
+        ("[camera]\nview_angle = \"2*atn(1/2)\"", 2, "[camera] view_angle", "unknown name “atn”", "2*▸atn◂(1/2)"),
+        ("[camera]\nnear = \"45°\"", 2, "[camera] near", "do not mix", "▸45°◂"),
+        ("\n[camera]\nposition = [1, \"(2\", 3]", 3, "[camera] position", "is missing", "(2▸◂"),
+        ("[observers.world]\ndistance = \"1/0\"", 2, "[observers.world] distance", "not a finite number", "▸1/0◂"),
+        ("[camera]\nfar = \"\"", 2, "[camera] far", "a number is missing", "▸◂"),
+    ] {
+        let error = parse(text).unwrap_err();
+        assert_eq!((error.line, error.key.as_str()), (line, key));
+        assert!(matches!(error.problem, Problem::Expression { .. }), "{error}");
+        let message = error.to_string();
+        assert!(message.contains(problem) && message.contains(at), "{message}");
+    }
+    // What is read is held against the limits as any number is.
+    let (_, key, problem) = error("[observers.world]\nelevation = \"100°\"");
+    assert_eq!(key, "[observers.world] elevation");
+    assert_eq!(problem, Problem::Value { found: "\"100°\"".to_owned(), allowed: Allowed::NumberIn(-90.0, 90.0) });
+    assert_eq!(place("[image]\nwidth = \"640\""), (2, "[image] width".to_owned()), "whole numbers are digits");
+}

@@ -12,6 +12,7 @@ use eframe::egui::{
 use super::icons::{Icon, icon_button};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::{Lang, pipeline as words};
+use crate::numbers;
 use crate::picture::Account;
 use crate::pipeline::{Stage, StageReport};
 use crate::views::View;
@@ -126,7 +127,7 @@ impl Strip<'_> {
         format!(
             "{}: {} · {} {ran} · {} {out} · {}",
             self.texts.strip_total,
-            duration(account.total),
+            numbers::duration(account.total),
             self.texts.strip_ran,
             self.texts.strip_out,
             self.texts.strip_hint
@@ -142,10 +143,15 @@ impl Strip<'_> {
         }
         let mut parts = Vec::new();
         if let Some((from, to)) = report.counts {
-            parts.push(format!("{} → {} {}", spaced(from), spaced(to), words::unit(self.lang, report)));
+            parts.push(format!(
+                "{} → {} {}",
+                numbers::in_threes(from),
+                numbers::in_threes(to),
+                words::unit(self.lang, report)
+            ));
         }
         if let Some(time) = report.time {
-            parts.push(duration(time));
+            parts.push(numbers::duration(time));
         }
         parts.push(reason);
         format!("{name}: {}", parts.join(" · "))
@@ -191,10 +197,12 @@ impl Strip<'_> {
         let name = words::stage(self.lang, report.stage);
         let written = painter.text(at(0.0), Align2::LEFT_TOP, name, font.clone(), ink);
         if report.ran {
-            let counts = report.counts.map_or_else(String::new, |(from, to)| format!("{}→{}", short(from), short(to)));
+            let counts = report
+                .counts
+                .map_or_else(String::new, |(from, to)| format!("{}→{}", numbers::count(from), numbers::count(to)));
             let counted = painter.text(at(1.0), Align2::LEFT_TOP, counts, font.clone(), visuals.weak_text_color());
             if let Some(time) = report.time {
-                let text = painter.layout_no_wrap(duration(time), font, ink);
+                let text = painter.layout_no_wrap(numbers::duration(time), font, ink);
                 let left = place.right() - 5.0 - text.size().x;
                 // Beside the counts, or above them where they take the room.
                 let row = if left > counted.right() + 3.0 || left < written.right() + 3.0 { 1.0 } else { 0.0 };
@@ -211,57 +219,5 @@ impl Strip<'_> {
             painter.hline(written.x_range(), middle, Stroke::new(1.0, ink));
             painter.text(at(1.0), Align2::LEFT_TOP, words::reason(self.lang, report.reason), font, ink);
         }
-    }
-}
-
-/// A time in three digits.
-fn duration(time: Duration) -> String {
-    let micros = time.as_secs_f64() * 1e6;
-    match micros {
-        m if m < 9.95 => format!("{m:.1} µs"),
-        m if m < 999.5 => format!("{m:.0} µs"),
-        m if m < 9_995.0 => format!("{:.2} ms", m / 1e3),
-        m if m < 99_950.0 => format!("{:.1} ms", m / 1e3),
-        m if m < 999_500.0 => format!("{:.0} ms", m / 1e3),
-        m => format!("{:.2} s", m / 1e6),
-    }
-}
-
-/// A number in few characters.
-#[expect(clippy::cast_precision_loss, reason = "three digits are shown")]
-fn short(n: usize) -> String {
-    match n {
-        0..10_000 => n.to_string(),
-        10_000..100_000 => format!("{:.1}k", n as f64 / 1e3),
-        100_000..1_000_000 => format!("{:.0}k", n as f64 / 1e3),
-        _ => format!("{:.2}M", n as f64 / 1e6),
-    }
-}
-
-/// A number with its digits in threes.
-fn spaced(n: usize) -> String {
-    let digits = n.to_string();
-    let mut out = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            out.push('\u{202f}');
-        }
-        out.push(digit);
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_and_times_fit_into_a_cell() {
-        assert_eq!([0, 9_999, 12_345, 512_000, 1_234_567].map(short), ["0", "9999", "12.3k", "512k", "1.23M"]);
-        assert_eq!(spaced(1_234_567), "1\u{202f}234\u{202f}567");
-        assert_eq!(spaced(12), "12");
-        let times = [1.24e-6, 34e-6, 1.234e-3, 45.67e-3, 0.4567, 2.0];
-        let said = times.map(|s| duration(Duration::from_secs_f64(s)));
-        assert_eq!(said, ["1.2 µs", "34 µs", "1.23 ms", "45.7 ms", "457 ms", "2.00 s"]);
     }
 }

@@ -116,12 +116,6 @@ impl Vector<'_> {
     }
 }
 
-/// The power of ten at or below `x`.
-pub(super) fn nice(x: f64) -> f64 {
-    let power = 10f64.powf(x.log10().floor());
-    if power.is_finite() && power > 0.0 { power } else { 1.0 }
-}
-
 /// A choice out of few, with the name that screen readers say.
 pub(super) fn choice<T: PartialEq + Copy>(
     ui: &mut egui::Ui,

@@ -3,122 +3,62 @@
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
 use super::{TEXT_LINE, section};
-use crate::camera::{Camera, Convention, Operation};
-use crate::geometry::Angle;
+use crate::camera::{Amount, Camera, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::numbers;
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::i18n::faults;
 use crate::i18n::window::{self, Texts};
+use crate::numbers;
 use crate::views::Ghost;
 
-/// A row of the panel: an operation along one of its degrees of freedom.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
-    /// C about **u** through PF.
-    Elevation,
-    /// C about **v** through PF.
-    Azimuth,
-    /// VUP about **n**.
-    Roll,
-    /// PF about **v** through C.
-    Yaw,
-    /// PF about **u** through C.
-    Pitch,
-    /// The window.
-    Zoom,
-    /// C along DOP.
-    Dolly,
-    /// C and PF along **u**.
-    PanU,
-    /// C and PF along **v**.
-    PanV,
+/// The operation of a slider, by how far it has been pulled: degrees; a power of two; scene units. 0 changes nothing.
+fn pulled(freedom: Freedom, pull: f64) -> Operation {
+    match freedom.descriptor().amount {
+        Amount::Angle | Amount::Length => freedom.by(pull),
+        Amount::Factor => freedom.by(pull.exp2()),
+    }
 }
 
-impl Kind {
-    /// All, as they are listed.
-    pub const ALL: [Self; 9] = [
-        Self::Elevation,
-        Self::Azimuth,
-        Self::Roll,
-        Self::Yaw,
-        Self::Pitch,
-        Self::Zoom,
-        Self::Dolly,
-        Self::PanU,
-        Self::PanV,
-    ];
+/// The operation of a button: one step forwards or backwards.
+fn stepped(freedom: Freedom, step: f64, forwards: bool) -> Operation {
+    freedom.by(if forwards { step } else { freedom.descriptor().amount.inverse(step) })
+}
 
-    /// The operation by an amount: degrees; a power of two; scene units. 0 changes nothing.
-    #[must_use]
-    pub fn by(self, amount: f64) -> Operation {
-        let angle = Angle::from_degrees(amount);
-        match self {
-            Self::Elevation => Operation::Elevation(angle),
-            Self::Azimuth => Operation::Azimuth(angle),
-            Self::Roll => Operation::Roll(angle),
-            Self::Yaw => Operation::Yaw(angle),
-            Self::Pitch => Operation::Pitch(angle),
-            Self::Zoom => Operation::Zoom(amount.exp2()),
-            Self::Dolly => Operation::Dolly(amount.exp2()),
-            Self::PanU => Operation::Pan { dx: amount, dy: 0.0 },
-            Self::PanV => Operation::Pan { dx: 0.0, dy: amount },
-        }
+fn name(freedom: Freedom, t: &Texts) -> &'static str {
+    match freedom {
+        Freedom::Elevation => t.elevation,
+        Freedom::Azimuth => t.azimuth,
+        Freedom::Roll => t.roll,
+        Freedom::Yaw => t.yaw,
+        Freedom::Pitch => t.pitch,
+        Freedom::Zoom => t.zoom,
+        Freedom::Dolly => t.dolly,
+        Freedom::PanU => t.pan_u,
+        Freedom::PanV => t.pan_v,
     }
+}
 
-    /// The operation of a button: one step forwards or backwards.
-    fn step(self, step: f64, forwards: bool) -> Operation {
-        match self {
-            Self::Zoom => Operation::Zoom(if forwards { step } else { 1.0 / step }),
-            Self::Dolly => Operation::Dolly(if forwards { step } else { 1.0 / step }),
-            _ => self.by(if forwards { step } else { -step }),
-        }
-    }
-
-    fn is_factor(self) -> bool {
-        matches!(self, Self::Zoom | Self::Dolly)
-    }
-
-    fn is_pan(self) -> bool {
-        matches!(self, Self::PanU | Self::PanV)
-    }
-
-    fn name(self, t: &Texts) -> &'static str {
-        match self {
-            Self::Elevation => t.elevation,
-            Self::Azimuth => t.azimuth,
-            Self::Roll => t.roll,
-            Self::Yaw => t.yaw,
-            Self::Pitch => t.pitch,
-            Self::Zoom => t.zoom,
-            Self::Dolly => t.dolly,
-            Self::PanU => t.pan_u,
-            Self::PanV => t.pan_v,
-        }
-    }
-
-    /// What changes, and how.
-    fn effect(self, t: &Texts) -> &'static str {
-        match self {
-            Self::Elevation => t.elevation_effect,
-            Self::Azimuth => t.azimuth_effect,
-            Self::Roll => t.roll_effect,
-            Self::Yaw => t.yaw_effect,
-            Self::Pitch => t.pitch_effect,
-            Self::Zoom => t.zoom_effect,
-            Self::Dolly => t.dolly_effect,
-            Self::PanU => t.pan_u_effect,
-            Self::PanV => t.pan_v_effect,
-        }
+/// What changes, and how.
+fn effect(freedom: Freedom, t: &Texts) -> &'static str {
+    match freedom {
+        Freedom::Elevation => t.elevation_effect,
+        Freedom::Azimuth => t.azimuth_effect,
+        Freedom::Roll => t.roll_effect,
+        Freedom::Yaw => t.yaw_effect,
+        Freedom::Pitch => t.pitch_effect,
+        Freedom::Zoom => t.zoom_effect,
+        Freedom::Dolly => t.dolly_effect,
+        Freedom::PanU => t.pan_u_effect,
+        Freedom::PanV => t.pan_v_effect,
     }
 }
 
 /// The panel's own state.
 #[derive(Clone, Debug)]
 pub struct Operations {
-    /// What a button does: degrees, factor or scene units, in the order of [`Kind::ALL`].
-    pub steps: [f64; 9],
+    /// What a button does: degrees, factor or scene units, in the order of [`OPERATIONS`].
+    pub steps: [f64; OPERATIONS.len()],
     /// Whose signs.
     pub convention: Convention,
     scrub: Option<Scrub>,
@@ -127,18 +67,14 @@ pub struct Operations {
 /// A slider that is being held.
 #[derive(Clone, Debug)]
 struct Scrub {
-    kind: Kind,
+    freedom: Freedom,
     start: Camera,
     amount: f64,
 }
 
 impl Default for Operations {
     fn default() -> Self {
-        Self {
-            steps: [15.0, 15.0, 15.0, 5.0, 5.0, 1.25, 1.25, 0.5, 0.5],
-            convention: Convention::default(),
-            scrub: None,
-        }
+        Self { steps: OPERATIONS.map(|descriptor| descriptor.step), convention: Convention::default(), scrub: None }
     }
 }
 
@@ -150,8 +86,8 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
         ui.add_enabled_ui(possible, |ui| {
-            for (index, kind) in Kind::ALL.into_iter().enumerate() {
-                ui.push_id(index, |ui| operation(ui, t, state, index, kind));
+            for Descriptor { freedom, .. } in &OPERATIONS {
+                ui.push_id(freedom, |ui| operation(ui, t, state, *freedom));
             }
         });
         let mut vtk = state.operations.convention == Convention::Vtk;
@@ -163,109 +99,104 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     }
 }
 
-fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, index: usize, kind: Kind) {
-    let amount = state.operations.scrub.as_ref().filter(|scrub| scrub.kind == kind).map(|scrub| scrub.amount);
+fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
+    let amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map(|scrub| scrub.amount);
     let row = ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 1.0;
         let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, TEXT_LINE);
         ui.horizontal(|ui| {
-            ui.label(RichText::new(kind.name(t)).strong());
+            ui.label(RichText::new(name(freedom, t)).strong());
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let small = match amount {
-                    Some(amount) => RichText::new(describe(kind, amount)).small().strong(),
-                    None => RichText::new(kind.effect(t)).small().weak(),
+                    Some(amount) => RichText::new(describe(freedom, amount)).small().strong(),
+                    None => RichText::new(effect(freedom, t)).small().weak(),
                 };
                 ui.add(egui::Label::new(small).truncate());
             });
         });
         ui.spacing_mut().interact_size.y = height;
-        controls(ui, t, state, index, kind);
+        controls(ui, t, state, freedom);
     });
     ui.add_space(1.0);
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     if state.ghost.is_none() && hovered && !ui.input(|input| input.pointer.any_down()) {
         let before = state.document.camera().clone();
-        let operation = kind.step(state.operations.steps[index], true);
+        let operation = stepped(freedom, state.operations.steps[freedom as usize], true);
         state.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
     }
 }
 
 /// How far a slider has been pulled.
-fn describe(kind: Kind, amount: f64) -> String {
+fn describe(freedom: Freedom, amount: f64) -> String {
     let sign = if amount > 0.0 { "+" } else { "" };
-    match kind {
-        Kind::Zoom | Kind::Dolly => format!("× {}", numbers::significant(amount.exp2(), 4)),
-        Kind::PanU | Kind::PanV => format!("{sign}{}", numbers::significant(amount, 4)),
-        _ => format!("{sign}{}°", numbers::significant(amount, 5)),
+    match freedom.descriptor().amount {
+        Amount::Factor => format!("× {}", numbers::significant(amount.exp2(), 4)),
+        Amount::Length => format!("{sign}{}", numbers::significant(amount, 4)),
+        Amount::Angle => format!("{sign}{}°", numbers::significant(amount, 5)),
     }
 }
 
 /// − step + and the slider.
-fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, index: usize, kind: Kind) {
-    let name = kind.name(t);
+fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
+    let name = name(freedom, t);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
-        button(ui, t, state, index, kind, false);
-        let step = &mut state.operations.steps[index];
-        let field = if kind.is_factor() {
-            NumberField::new(format!("{name}: {}", t.step), Step::Multiply(1.1)).prefix("×")
-        } else if kind.is_pan() {
-            NumberField::new(format!("{name}: {}", t.step), Step::Multiply(1.1))
-        } else {
-            NumberField::angle(format!("{name}: {}", t.step), 5.0)
+        button(ui, t, state, freedom, false);
+        let step = &mut state.operations.steps[freedom as usize];
+        let title = format!("{name}: {}", t.step);
+        let field = match freedom.descriptor().amount {
+            Amount::Factor => NumberField::new(title, Step::Multiply(1.1)).prefix("×"),
+            Amount::Length => NumberField::new(title, Step::Multiply(1.1)),
+            Amount::Angle => NumberField::angle(title, 5.0),
         };
         let before = *step;
         field.width(58.0).hint(t.step_hint).show(ui, t, step);
         if !(*step > 0.0 && step.is_finite()) {
             *step = before;
         }
-        button(ui, t, state, index, kind, true);
-        slider(ui, t, state, kind);
+        button(ui, t, state, freedom, true);
+        slider(ui, t, state, freedom);
     });
 }
 
-fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, index: usize, kind: Kind, forwards: bool) {
+fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, forwards: bool) {
     let sign = if forwards { "+" } else { "−" };
     let button = egui::Button::new(sign).min_size(egui::vec2(24.0, 0.0));
-    let name = format!("{} {sign}", kind.name(t));
-    if ui.add(button).accessible_name(name).on_hover_text(kind.effect(t)).clicked() {
-        apply(state, kind.step(state.operations.steps[index], forwards));
+    let name = format!("{} {sign}", name(freedom, t));
+    if ui.add(button).accessible_name(name).on_hover_text(effect(freedom, t)).clicked() {
+        apply(state, stepped(freedom, state.operations.steps[freedom as usize], forwards));
     }
 }
 
 /// Pulls the camera from where it was taken; springs back when it is let go.
-fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, kind: Kind) {
-    let range = match kind {
-        Kind::Zoom | Kind::Dolly => 3.0,
-        Kind::PanU | Kind::PanV => {
-            state.operations.scrub.as_ref().map_or(state.document.camera(), |s| &s.start).distance()
+fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
+    let (range, grain) = match freedom.descriptor().amount {
+        Amount::Factor => (3.0, 0.05),
+        Amount::Length => {
+            let start = state.operations.scrub.as_ref().map_or(state.document.camera(), |s| &s.start);
+            (start.distance(), 0.0)
         }
-        _ => 180.0,
+        Amount::Angle => (180.0, 1.0),
     };
-    let grain = match kind {
-        Kind::Zoom | Kind::Dolly => 0.05,
-        Kind::PanU | Kind::PanV => 0.0,
-        _ => 1.0,
-    };
-    let mut amount = state.operations.scrub.as_ref().filter(|scrub| scrub.kind == kind).map_or(0.0, |s| s.amount);
+    let mut amount = state.operations.scrub.as_ref().filter(|scrub| scrub.freedom == freedom).map_or(0.0, |s| s.amount);
     ui.spacing_mut().slider_width = ui.available_width().max(40.0);
     theme::strengthen_rail(ui);
     let slider = Slider::new(&mut amount, -range..=range).show_value(false).step_by(grain);
     let response = ui.add(slider).on_hover_text(t.scrub_hint);
-    let response = response.accessible_name(format!("{}: {}", kind.name(t), t.scrub));
+    let response = response.accessible_name(format!("{}: {}", name(freedom, t), t.scrub));
     if response.drag_started() {
-        state.operations.scrub = Some(Scrub { kind, start: state.document.camera().clone(), amount: 0.0 });
+        state.operations.scrub = Some(Scrub { freedom, start: state.document.camera().clone(), amount: 0.0 });
     }
     if response.dragged() {
         let convention = state.operations.convention;
-        if let Some(scrub) = state.operations.scrub.as_mut().filter(|scrub| scrub.kind == kind) {
-            state.ghost = Some(Ghost { before: scrub.start.clone(), operation: kind.by(amount), convention });
+        if let Some(scrub) = state.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
+            state.ghost = Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
             if scrub.amount != amount {
                 scrub.amount = amount;
                 let after = if amount == 0.0 {
                     Ok(scrub.start.clone())
                 } else {
-                    kind.by(amount).apply(&scrub.start, convention)
+                    pulled(freedom, amount).apply(&scrub.start, convention)
                 };
                 match after {
                     Ok(camera) => state.document.set_camera(camera),
@@ -274,7 +205,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, kind: Kind) {
             }
         }
     } else if response.changed() {
-        apply(state, kind.by(amount));
+        apply(state, pulled(freedom, amount));
     }
 }
 

@@ -5,11 +5,11 @@ use eframe::egui::{self, RichText};
 use super::{TEXT_LINE, section};
 use crate::camera::Convention;
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::numbers;
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
+use crate::numbers;
 
 /// The numbers of the figure.
 fn report(state: &State) -> Option<Report> {

@@ -5,15 +5,16 @@ use eframe::egui;
 use super::{Form, Number, Vector, row};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::panels::{nice, section};
+use crate::gui::panels::section;
 use crate::gui::state::State;
 use crate::i18n::window::Texts;
+use crate::numbers::power_of_ten;
 
 /// C, PF and VUP.
 pub(super) fn placement(ui: &mut egui::Ui, form: &mut Form) {
     let t = form.t;
     // A drag of a hundred points moves by about the distance to PF.
-    let step = nice(form.good.distance() / 10.0);
+    let step = power_of_ten(form.good.distance() / 10.0).unwrap_or(1.0);
     section(ui, t.camera, "placement", true, |ui| {
         form.vector(
             ui,
@@ -158,7 +159,7 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut Form) {
             sides(ui, form);
         }
         let window = form.good.window();
-        let size = |value| crate::gui::numbers::short(value, 9);
+        let size = |value| crate::numbers::short(value, 9);
         row(ui, "W × H", "", t.height_hint, |ui| {
             ui.label(format!("{} × {}", size(window.width()), size(window.height())));
         });
@@ -221,7 +222,7 @@ fn closed(parameters: &Parameters) -> Parameters {
 fn sides(ui: &mut egui::Ui, form: &mut Form) {
     let t = form.t;
     let Some(ViewWindow { mut left, mut right, mut bottom, mut top }) = form.parameters.window else { return };
-    let step = nice((right - left).abs().max((top - bottom).abs()) / 10.0);
+    let step = power_of_ten((right - left).abs().max((top - bottom).abs()) / 10.0).unwrap_or(1.0);
     let marked = form.is_marked("window");
     let mut outputs = Vec::new();
     for pair in

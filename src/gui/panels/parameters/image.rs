@@ -46,7 +46,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
 
 fn complain(ui: &mut egui::Ui, t: &Texts, outputs: &[FieldOutput]) {
     for error in outputs.iter().filter_map(|output| output.error.as_ref()) {
-        complaint(ui, &error.text(t));
+        complaint(ui, &crate::i18n::messages::expression(t.lang, &error.problem));
     }
 }
 

@@ -12,11 +12,11 @@ use super::{complaint, row};
 use crate::camera::{Camera, CameraError, Parameters};
 use crate::gui::command::Command;
 use crate::gui::number_field::{FieldOutput, NumberField};
-use crate::gui::numbers;
 use crate::gui::repair::{Repair, repairs};
 use crate::gui::state::{State, Tab};
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{Lang, faults, scenes};
+use crate::numbers;
 
 /// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -109,7 +109,7 @@ impl Form {
     /// What is wrong with a value, below its field: the fault of the text that was typed, or of the value.
     fn complain(&mut self, ui: &mut egui::Ui, key: &str, fields: &[FieldOutput]) {
         for error in fields.iter().filter_map(|field| field.error.as_ref()) {
-            complaint(ui, &error.text(self.t));
+            complaint(ui, &crate::i18n::messages::expression(self.t.lang, &error.problem));
         }
         if self.error.as_ref().is_some_and(|error| error.keys().first() == Some(&key)) {
             self.problem(ui);

@@ -8,6 +8,7 @@ use crate::camera::{Camera, Projection};
 use crate::gui::filing::{self, MeshFor, Purpose};
 use crate::gui::state::State;
 use crate::i18n::scenes::{self, Texts};
+use crate::numbers;
 use crate::scene::edit::{free_name, placements};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape};
 
@@ -123,19 +124,12 @@ fn size_in(camera: &Camera) -> f64 {
         Projection::Perspective => camera.window().height() / 2.0 / camera.near() * camera.distance(),
     };
     let wanted = half / 5.0;
-    let power = 10_f64.powf(wanted.log10().floor());
-    let nice = [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|s| *s <= wanted).unwrap_or(power);
-    if nice.is_finite() && nice > 0.0 { nice } else { 1.0 }
+    numbers::nice_below(wanted).unwrap_or(1.0)
 }
 
 /// Each component to the multiple of a power of ten, not above `unit`, that is nearest.
 fn round_to(v: DVec3, unit: f64) -> DVec3 {
-    let digits = -unit.log10().floor();
-    if !(-15.0..=15.0).contains(&digits) {
-        return v;
-    }
-    let scale = 10_f64.powf(digits.abs());
-    v.map(|x| if digits >= 0.0 { (x * scale).round() / scale } else { (x / scale).round() * scale } + 0.0)
+    v.map(|x| numbers::round_to(x, unit))
 }
 
 #[cfg(test)]

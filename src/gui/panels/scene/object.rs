@@ -7,10 +7,10 @@ use super::{Edit, Form, Selected, Typing, tree};
 use crate::appearance::Rgba;
 use crate::gui::filing::{self, MeshFor, Purpose};
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::numbers::short;
 use crate::gui::panels::{Vector, complaint, row};
 use crate::gui::state::State;
 use crate::i18n::scenes::{self, Texts};
+use crate::numbers::short;
 use crate::scene::edit::{self, Children, descendants, free_name, placements};
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, SceneSpec, Shape};
 

@@ -1,0 +1,265 @@
+//! Numbers as people read them: digits, steps that read well, times and counts.
+
+use std::time::Duration;
+
+/// More digits than these are exact: the shortest text that reads back as the same `f64`.
+pub const EXACT_DIGITS: usize = 17;
+
+/// `value` with so many significant digits; from [`EXACT_DIGITS`] on, the shortest text that reads back as the same `f64`.
+#[must_use]
+pub fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    let scientific =
+        if digits >= EXACT_DIGITS { format!("{value:e}") } else { format!("{:.*e}", digits.max(1) - 1, value) };
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if !(-5..=9).contains(&exponent) {
+        return format!("{}e{exponent}", trim(mantissa));
+    }
+    if digits >= EXACT_DIGITS {
+        return value.to_string();
+    }
+    // The digits of the mantissa, not `value` rounded again, so that the rounding is that of the scientific form.
+    let rounded: f64 = scientific.parse().unwrap_or(value);
+    let decimals = usize::try_from(i32::try_from(digits).unwrap_or(17) - 1 - exponent).unwrap_or(0);
+    trim(&format!("{rounded:.decimals$}")).to_owned()
+}
+
+/// As [`significant`], with a true minus, as in print.
+#[must_use]
+pub fn typeset(value: f64, digits: usize) -> String {
+    significant(value, digits).replace('-', "−")
+}
+
+/// The shortest text with a point or an exponent that reads back as the same `f64`, as programs write it: `2.0`, `1e300`.
+#[must_use]
+pub fn exact(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// A time in three digits.
+#[must_use]
+pub fn duration(time: Duration) -> String {
+    let micros = time.as_secs_f64() * 1e6;
+    match micros {
+        m if m < 9.95 => format!("{m:.1} µs"),
+        m if m < 999.5 => format!("{m:.0} µs"),
+        m if m < 9_995.0 => format!("{:.2} ms", m / 1e3),
+        m if m < 99_950.0 => format!("{:.1} ms", m / 1e3),
+        m if m < 999_500.0 => format!("{:.0} ms", m / 1e3),
+        m => format!("{:.2} s", m / 1e6),
+    }
+}
+
+/// A count in five characters at most, up to a billion.
+#[must_use]
+#[expect(clippy::cast_precision_loss, reason = "three digits are shown")]
+pub fn count(n: usize) -> String {
+    match n {
+        0..10_000 => n.to_string(),
+        10_000..99_950 => format!("{:.1}k", n as f64 / 1e3),
+        99_950..999_500 => format!("{:.0}k", n as f64 / 1e3),
+        999_500..9_995_000 => format!("{:.2}M", n as f64 / 1e6),
+        9_995_000..99_950_000 => format!("{:.1}M", n as f64 / 1e6),
+        _ => format!("{:.0}M", n as f64 / 1e6),
+    }
+}
+
+/// A count with its digits in threes.
+#[must_use]
+pub fn in_threes(n: usize) -> String {
+    let digits = n.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push('\u{202f}');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// The multiple of a power of ten, not above `unit`, that is nearest to `value`; never −0. Where `unit` is so small or so
+/// large that there is no such power, `value` itself.
+#[must_use]
+pub fn round_to(value: f64, unit: f64) -> f64 {
+    let power = unit.abs().log10().floor();
+    if !(-300.0..300.0).contains(&power) {
+        return value;
+    }
+    // Dividing by a power of ten that is a whole number rounds once; multiplying by 0.001 rounds twice.
+    let scale = 10f64.powf(power.abs());
+    let rounded = if power < 0.0 { (value * scale).round() / scale } else { (value / scale).round() * scale };
+    // Adding 0 turns −0 into 0.
+    if rounded.is_finite() { rounded + 0.0 } else { value }
+}
+
+/// The power of ten at or below `x`; `None` where `x` is not a positive number that has one.
+#[must_use]
+pub fn power_of_ten(x: f64) -> Option<f64> {
+    let power = 10f64.powf(x.log10().floor());
+    (power.is_finite() && power > 0.0).then_some(power)
+}
+
+/// The greatest of 1, 2 and 5 times a power of ten that is at or below `x`; `None` as for [`power_of_ten`].
+#[must_use]
+pub fn nice_below(x: f64) -> Option<f64> {
+    let power = power_of_ten(x)?;
+    [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|step| *step <= x).or(Some(power))
+}
+
+/// The least of 1, 2 and 5 times a power of ten that is at or above `x`; `None` as for [`power_of_ten`].
+#[must_use]
+pub fn nice_above(x: f64) -> Option<f64> {
+    let power = power_of_ten(x)?;
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * power).find(|step| *step >= x && step.is_finite())
+}
+
+/// Drops zeros that say nothing.
+fn trim(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// `value` in at most `room` characters: exactly where that fits, otherwise cut off, with `…` to say so.
+#[must_use]
+pub fn short(value: f64, room: usize) -> String {
+    let exact = significant(value, EXACT_DIGITS);
+    if exact.chars().count() <= room {
+        return exact;
+    }
+    let (mantissa, exponent) = match exact.split_once('e') {
+        Some((mantissa, exponent)) => (mantissa, format!("e{exponent}")),
+        None => (exact.as_str(), String::new()),
+    };
+    let keep = room.saturating_sub(1 + exponent.len());
+    let point = mantissa.find('.').unwrap_or(mantissa.len());
+    if exponent.is_empty() && point > keep {
+        let scientific = format!("{value:e}");
+        return short_scientific(&scientific, room);
+    }
+    let cut: String = mantissa.chars().take(keep.max(1)).collect();
+    format!("{cut}…{exponent}")
+}
+
+fn short_scientific(text: &str, room: usize) -> String {
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+    let keep = room.saturating_sub(2 + exponent.len()).max(1);
+    if mantissa.len() <= keep {
+        return format!("{mantissa}e{exponent}");
+    }
+    let cut: String = mantissa.chars().take(keep).collect();
+    format!("{cut}…e{exponent}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn significant_digits_are_kept_and_empty_zeros_dropped() {
+        for (value, digits, text) in [
+            (0.0, 6, "0"),
+            (-0.0, 6, "0"),
+            (1.0, 6, "1"),
+            (std::f64::consts::PI, 3, "3.14"),
+            (-std::f64::consts::PI, 6, "-3.14159"),
+            (1234.5678, 6, "1234.57"),
+            (1234.5678, 2, "1200"),
+            (0.000_012_345, 3, "0.0000123"),
+            (1e-7, 6, "1e-7"),
+            (1.5e300, 6, "1.5e300"),
+            (9.999_999, 3, "10"),
+            (0.1 + 0.2, 6, "0.3"),
+            (0.1 + 0.2, 17, "0.30000000000000004"),
+            (f64::MAX, 17, "1.7976931348623157e308"),
+        ] {
+            assert_eq!(significant(value, digits), text);
+        }
+    }
+
+    #[test]
+    fn times_and_counts_are_short() {
+        assert_eq!([0, 9_999, 12_345, 512_000, 1_234_567].map(count), ["0", "9999", "12.3k", "512k", "1.23M"]);
+        assert_eq!(
+            [99_949, 99_950, 999_499, 999_500, 123_456_789].map(count),
+            ["99.9k", "100k", "999k", "1.00M", "123M"]
+        );
+        assert_eq!(in_threes(1_234_567), "1\u{202f}234\u{202f}567");
+        assert_eq!(in_threes(12), "12");
+        let times = [1.24e-6, 34e-6, 1.234e-3, 45.67e-3, 0.4567, 2.0];
+        let said = times.map(|s| duration(Duration::from_secs_f64(s)));
+        assert_eq!(said, ["1.2 µs", "34 µs", "1.23 ms", "45.7 ms", "457 ms", "2.00 s"]);
+    }
+
+    #[test]
+    fn values_are_rounded_to_what_reads_well() {
+        for (value, unit, rounded) in [
+            (0.123, 0.1, 0.1),
+            (-0.04, 0.1, 0.0),
+            (12.0, 0.1, 12.0),
+            (1234.0, 20.0, 1230.0),
+            (-77.0, 20.0, -80.0),
+            (1.234_567, 0.02, 1.23),
+            (1234.5, 30.0, 1230.0),
+            (1.5, 0.0, 1.5),
+            (0.3 + 1e-17, 1e-3, 0.3),
+            (1.5, f64::NAN, 1.5),
+            (1e300, 1e-20, 1e300),
+        ] {
+            assert_eq!(round_to(value, unit), rounded, "{value} to {unit}");
+        }
+        assert!(round_to(-0.04, 0.1).is_sign_positive());
+    }
+
+    #[test]
+    fn nice_steps_are_one_two_and_five() {
+        for (x, below, above) in [
+            (1.0, 1.0, 1.0),
+            (1.5, 1.0, 2.0),
+            (3.0, 2.0, 5.0),
+            (7.0, 5.0, 10.0),
+            (0.034, 0.02, 0.05),
+            (450.0, 200.0, 500.0),
+        ] {
+            assert_eq!((nice_below(x), nice_above(x)), (Some(below), Some(above)), "{x}");
+        }
+        for x in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!((power_of_ten(x), nice_below(x), nice_above(x)), (None, None, None), "{x}");
+        }
+        assert_eq!(power_of_ten(250.0), Some(100.0));
+    }
+
+    #[test]
+    fn printed_and_exact_numbers() {
+        let printed = [0.0, -0.5, 2.0 / 3.0, 1234.6, 1e-7, 9.999_96].map(|v| typeset(v, 4));
+        assert_eq!(printed, ["0", "−0.5", "0.6667", "1235", "1e−7", "10"]);
+        assert_eq!([2.0, -0.0, 1e300, 0.1].map(exact), ["2.0", "-0.0", "1e300", "0.1"]);
+    }
+
+    #[test]
+    fn all_digits_read_back_exactly() {
+        for value in [1.0 / 3.0, 1e22, 5e-324, 123_456_789.123_456_78, -2.5e-6, f64::MAX] {
+            assert_eq!(significant(value, EXACT_DIGITS).parse(), Ok(value));
+        }
+    }
+
+    #[test]
+    fn short_numbers_fit_and_say_when_they_are_cut() {
+        for (value, room, text) in [
+            (0.5, 7, "0.5"),
+            (-12.25, 7, "-12.25"),
+            (std::f64::consts::FRAC_1_SQRT_2, 7, "0.7071…"),
+            (1.234_567_89e-9, 9, "1.234…e-9"),
+            (123_456_789.5, 7, "1.23…e8"),
+            (1e100, 7, "1e100"),
+        ] {
+            assert_eq!(short(value, room), text);
+            assert!(short(value, room).chars().count() <= room);
+        }
+    }
+}
