@@ -32,4 +32,5 @@ pub mod picture;
 pub mod pipeline;
 pub mod raster;
 pub mod scene;
+pub mod text;
 pub mod views;

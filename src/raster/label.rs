@@ -4,9 +4,9 @@ use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Tr
 
 use crate::appearance::{MarkShape, Rgba};
 use crate::drawing::{Anchor, Label, Mark};
+use crate::text::{self, Element};
 
 use super::depth::DepthBuffer;
-use super::text;
 
 /// What is left of the opacity where a face stands before a label or a mark.
 const FADED: f32 = 0.45;
@@ -18,7 +18,7 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
     if !finite(label.position, label.size) || !label.offset.iter().all(|v| v.is_finite()) {
         return;
     }
-    let Some(path) = text::outline(&label.text, label.size) else { return };
+    let Some(path) = text_path(&label.text, label.size) else { return };
     let width = text::measure(&label.text, label.size).width;
     let left = match label.anchor {
         Anchor::Left => 0.0,
@@ -32,6 +32,21 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
     let stroke = Stroke { width: HALO * label.size, line_join: LineJoin::Round, ..Stroke::default() };
     pixmap.stroke_path(&path, &paint(label.halo, opacity), &stroke, place, None);
     pixmap.fill_path(&path, &paint(label.color, opacity), FillRule::Winding, place, None);
+}
+
+/// The outline of a text; `None` where there is nothing to fill.
+fn text_path(text: &str, size: f32) -> Option<Path> {
+    let mut builder = PathBuilder::new();
+    for element in text::outline(text, size) {
+        match element {
+            Element::Move([x, y]) => builder.move_to(x, y),
+            Element::Line([x, y]) => builder.line_to(x, y),
+            Element::Quad([cx, cy], [x, y]) => builder.quad_to(cx, cy, x, y),
+            Element::Cubic([ax, ay], [bx, by], [x, y]) => builder.cubic_to(ax, ay, bx, by, x, y),
+            Element::Close => builder.close(),
+        }
+    }
+    builder.finish()
 }
 
 /// Draws a point mark.

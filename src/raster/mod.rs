@@ -2,7 +2,7 @@
 //!
 //! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many threads as
 //! there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and with their depth,
-//! come strokes (`line`), marks and texts (`label`, [`text`]). The bytes do not depend on the number of threads.
+//! come strokes (`line`), marks and texts (`label`). The bytes do not depend on the number of threads.
 
 mod batch;
 mod bins;
@@ -15,7 +15,6 @@ mod pixel;
 mod setup;
 mod shade;
 mod surfaces;
-pub mod text;
 mod vectors;
 
 use std::time::Duration;

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use crate::appearance::Rgba;
 use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
+use crate::text::{measure, x_height};
 
 /// A rectangle in pixels: its middle and half its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,32 +130,15 @@ fn cost(b: &Box2, taken: &[Box2], marks: usize, lines: &[[DVec2; 2]], picture: D
     sum + 1.2 * crossed / em
 }
 
-/// Half the width and height of a text in pixels, a little too large rather than too small: views do not know the font.
+/// Half the width and height in pixels of what a text takes around its middle, its halo included.
 pub(super) fn half_size(text: &str, size: f32) -> DVec2 {
-    let mut width = 0.0;
-    let mut lowered = 1.0;
-    let mut braces = false;
-    for c in text.chars() {
-        match c {
-            '_' => lowered = 0.72,
-            '{' if lowered < 1.0 => braces = true,
-            '}' if braces => (braces, lowered) = (false, 1.0),
-            _ => {
-                width += lowered
-                    * match c {
-                        'i' | 'j' | 'l' | '.' | ',' | ' ' | '\'' | '(' | ')' => 0.38,
-                        'm' | 'w' | 'M' | 'W' | '−' | '=' | '+' => 0.92,
-                        _ if c.is_uppercase() => 0.72,
-                        _ => 0.63,
-                    };
-                if !braces {
-                    lowered = 1.0;
-                }
-            }
-        }
-    }
-    let drop = if text.contains('_') { 0.62 } else { 0.54 };
-    DVec2::new(width / 2.0 + 0.08, drop) * f64::from(size)
+    /// The part of the halo that should stay free, in ems.
+    const HALO: f64 = 0.08;
+    let extent = measure(text, size);
+    // A label's point is at half the height of an x.
+    let middle = 0.5 * x_height(size);
+    let half = DVec2::new(f64::from(0.5 * extent.width), f64::from((extent.above - middle).max(extent.below + middle)));
+    half + HALO * f64::from(size)
 }
 
 #[cfg(test)]

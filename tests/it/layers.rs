@@ -15,12 +15,13 @@ const TABLE: &[(&str, &[&str])] = &[
     ("expression", &["geometry"]),
     ("camera", &["geometry", "numbers", "expression"]),
     ("scene", &["geometry"]),
+    ("text", &[]),
     ("drawing", &[]),
     ("pipeline", &["geometry", "camera", "scene", "drawing"]),
-    ("raster", &["drawing"]),
+    ("raster", &["drawing", "text"]),
     ("figure", &["geometry", "camera", "scene", "expression", "numbers"]),
     ("inspect", &["camera", "figure"]),
-    ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "numbers"]),
+    ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "numbers", "text"]),
     ("export", &["drawing", "raster", "inspect"]),
     ("files", &["figure", "export"]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
@@ -38,6 +39,7 @@ const TABLE: &[(&str, &[&str])] = &[
 const EVERYTHING: &[&str] = &[
     "numbers",
     "expression",
+    "text",
     "geometry",
     "camera",
     "scene",
@@ -62,7 +64,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("rfd", &["gui"]),
     ("clap", &["cli", "i18n"]),
     ("toml_edit", &["figure"]),
-    ("skrifa", &["raster"]),
+    ("skrifa", &["text"]),
     ("tiny_skia", &["raster", "export", "files", "picture", "gui"]),
 ];
 

@@ -6,8 +6,8 @@ use camera_lab::camera::{Camera, Convention, Operation, Parameters, Projection, 
 use camera_lab::drawing::{Anchor, Drawing, Label};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::raster::text::measure;
 use camera_lab::scene::{Preset as ScenePreset, Scene};
+use camera_lab::text::{measure, x_height};
 use camera_lab::views::observer::Preset;
 use camera_lab::views::{self, Extras, Ghost, Palette, Probe, Setup, Size};
 use glam::{DVec2, DVec3, DVec4};
@@ -144,9 +144,8 @@ fn text_box(label: &Label) -> [f32; 4] {
     let extent = measure(&label.text, label.size);
     assert_eq!(label.anchor, Anchor::Center);
     let (x, y) = (label.position[0] + label.offset[0], label.position[1] + label.offset[1]);
-    let half = extent.width / 2.0;
-    // The tops of capitals, and the lowest subscript.
-    [x - half, y - 0.46 * label.size, x + half, y + 0.46 * label.size]
+    let (half, middle) = (extent.width / 2.0, x_height(label.size) / 2.0);
+    [x - half, y - extent.above + middle, x + half, y + extent.below + middle]
 }
 
 #[test]

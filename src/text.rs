@@ -1,0 +1,302 @@
+//! Labels in the bundled font: how much room they take, and their outlines as points and curves. Pixels and vector output are
+//! fed by the same functions, so both agree.
+
+use std::sync::LazyLock;
+
+use skrifa::instance::{LocationRef, Size};
+use skrifa::metrics::GlyphMetrics;
+use skrifa::outline::{DrawSettings, OutlineGlyphCollection, OutlinePen};
+use skrifa::{FontRef, GlyphId, MetadataProvider};
+
+/// `DejaVu Sans`: free licence (beside it), Latin with accents, Greek, arrows and mathematical signs.
+static FONT_BYTES: &[u8] = include_bytes!("../assets/fonts/DejaVuSans.ttf");
+
+/// Size of a subscript, as a share of the text's.
+const SUBSCRIPT_SIZE: f32 = 0.7;
+/// How far the baseline of a subscript lies below the text's, in ems of the text.
+const SUBSCRIPT_DROP: f32 = 0.2;
+
+/// What the font knows, read once.
+struct Font {
+    charmap: skrifa::charmap::Charmap<'static>,
+    metrics: GlyphMetrics<'static>,
+    outlines: OutlineGlyphCollection<'static>,
+    /// Font units per em.
+    units_per_em: f32,
+    /// Height of the letter x in ems.
+    x_height: f32,
+}
+
+/// `None` only if the bundled bytes were not a font; a test holds them to be one.
+static FONT: LazyLock<Option<Font>> = LazyLock::new(|| {
+    let font = FontRef::new(FONT_BYTES).ok()?;
+    let metrics = font.metrics(Size::unscaled(), LocationRef::default());
+    let glyph_metrics = font.glyph_metrics(Size::unscaled(), LocationRef::default());
+    let charmap = font.charmap();
+    let em = f32::from(metrics.units_per_em);
+    // The font's table is too old to hold the height of x: the letter itself tells it.
+    let x_height = charmap.map('x').and_then(|x| glyph_metrics.bounds(x)).map_or(0.5 * em, |b| b.y_max);
+    Some(Font {
+        charmap,
+        metrics: glyph_metrics,
+        outlines: font.outline_glyphs(),
+        units_per_em: em,
+        x_height: x_height / em,
+    })
+});
+
+/// The room that a text takes, in the unit of its size (pixels).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extent {
+    /// From the origin to where the next letter would begin.
+    pub width: f32,
+    /// How far its letters reach above the baseline.
+    pub above: f32,
+    /// How far its letters reach below the baseline; 0 where they stand on it.
+    pub below: f32,
+}
+
+/// A piece of a text whose characters all stand on the line, or are all lowered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Run<'a> {
+    /// The characters.
+    pub text: &'a str,
+    /// A subscript: smaller and lower.
+    pub lowered: bool,
+}
+
+/// A step of an outline, in pixels: x to the right, y downwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Element {
+    /// A contour begins here.
+    Move([f32; 2]),
+    /// A straight line to a point.
+    Line([f32; 2]),
+    /// A quadratic Bézier curve: control point, end.
+    Quad([f32; 2], [f32; 2]),
+    /// A cubic Bézier curve: two control points, end.
+    Cubic([f32; 2], [f32; 2], [f32; 2]),
+    /// The contour is closed.
+    Close,
+}
+
+/// One character with its place: `x` and the baseline `y` (downwards) in ems of the text, `scale` of its own size.
+struct Placed {
+    glyph: GlyphId,
+    x: f32,
+    y: f32,
+    scale: f32,
+}
+
+/// The room that `text` takes at `size` (height of the em in pixels), subscripts included.
+#[must_use]
+pub fn measure(text: &str, size: f32) -> Extent {
+    let Some(font) = FONT.as_ref() else { return Extent::default() };
+    let (glyphs, width) = set(font, text);
+    let mut extent = Extent { width: width * size, above: 0.0, below: 0.0 };
+    for Placed { glyph, y, scale, .. } in glyphs {
+        let Some(bounds) = font.metrics.bounds(glyph) else { continue };
+        let to_ems = scale / font.units_per_em;
+        extent.above = extent.above.max((bounds.y_max * to_ems - y) * size);
+        extent.below = extent.below.max((y - bounds.y_min * to_ems) * size);
+    }
+    extent
+}
+
+/// Height of the letter x at `size`.
+#[must_use]
+pub fn x_height(size: f32) -> f32 {
+    FONT.as_ref().map_or(0.0, |font| font.x_height * size)
+}
+
+/// The outline of `text` at `size` (height of the em in pixels): filled by the non-zero rule it is the text. The origin is
+/// the left end of the baseline, y points down. `_c` and `_{abc}` are set as subscripts. A character that the font lacks
+/// becomes the font's box. Empty where there is nothing to fill (no text, blanks only, or a size that is not positive).
+#[must_use]
+pub fn outline(text: &str, size: f32) -> Vec<Element> {
+    let mut elements = Vec::new();
+    let Some(font) = FONT.as_ref().filter(|_| size.is_finite() && size > 0.0) else { return elements };
+    for placed in set(font, text).0 {
+        let Some(glyph) = font.outlines.get(placed.glyph) else { continue };
+        let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
+        let scale = placed.scale * size / font.units_per_em;
+        let mut pen = Pen { elements: &mut elements, scale, x: placed.x * size, y: placed.y * size };
+        // A glyph that cannot be read leaves its place empty.
+        let _ = glyph.draw(settings, &mut pen);
+    }
+    elements
+}
+
+/// Sets a line: every glyph at its place, and the width, in ems.
+fn set(font: &Font, text: &str) -> (Vec<Placed>, f32) {
+    let mut placed = Vec::with_capacity(text.len());
+    let mut x = 0.0;
+    for run in runs(text) {
+        let (scale, y) = if run.lowered { (SUBSCRIPT_SIZE, SUBSCRIPT_DROP) } else { (1.0, 0.0) };
+        for c in run.text.chars().filter(|c| !c.is_control()) {
+            let glyph = font.charmap.map(c).unwrap_or(GlyphId::NOTDEF);
+            placed.push(Placed { glyph, x, y, scale });
+            x += scale * font.metrics.advance_width(glyph).unwrap_or(0.0) / font.units_per_em;
+        }
+    }
+    (placed, x)
+}
+
+/// The runs of a text: `_c` lowers one character, `_{abc}` several. A `_` with nothing to lower stands for itself.
+#[must_use]
+pub fn runs(text: &str) -> Vec<Run<'_>> {
+    let mut runs = Vec::new();
+    let mut push = |text, lowered| runs.push(Run { text, lowered });
+    let mut rest = text;
+    while let Some(at) = rest.find('_') {
+        let (before, mark) = rest.split_at(at);
+        let after = &mark[1..];
+        push(before, false);
+        rest = if let Some((group, after)) = after.strip_prefix('{').and_then(|group| group.split_once('}')) {
+            push(group, true);
+            after
+        } else if let Some(next) = after.chars().next() {
+            let (next, after) = after.split_at(next.len_utf8());
+            push(next, true);
+            after
+        } else {
+            push(mark, false);
+            after
+        };
+    }
+    push(rest, false);
+    runs.retain(|run| !run.text.is_empty());
+    runs
+}
+
+/// Takes an outline in font units (y up) to pixels (y down).
+struct Pen<'a> {
+    elements: &'a mut Vec<Element>,
+    scale: f32,
+    x: f32,
+    y: f32,
+}
+
+impl Pen<'_> {
+    fn at(&self, x: f32, y: f32) -> [f32; 2] {
+        [self.x + self.scale * x, self.y - self.scale * y]
+    }
+}
+
+impl OutlinePen for Pen<'_> {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.elements.push(Element::Move(self.at(x, y)));
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.elements.push(Element::Line(self.at(x, y)));
+    }
+
+    fn quad_to(&mut self, cx: f32, cy: f32, x: f32, y: f32) {
+        self.elements.push(Element::Quad(self.at(cx, cy), self.at(x, y)));
+    }
+
+    fn curve_to(&mut self, ax: f32, ay: f32, bx: f32, by: f32, x: f32, y: f32) {
+        self.elements.push(Element::Cubic(self.at(ax, ay), self.at(bx, by), self.at(x, y)));
+    }
+
+    fn close(&mut self) {
+        self.elements.push(Element::Close);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
+
+    use super::*;
+
+    #[test]
+    fn the_font_is_there_and_has_what_the_labels_need() {
+        let font = FONT.as_ref().unwrap();
+        for c in "ABCxyzuvn0123456789áàâãçéêíóôõúüÁÀÂÃÇÉÊÍÓÔÕÚαβθφλμ·×°−±√≤≥≠→←↑↓′″½²³".chars()
+        {
+            assert!(font.charmap.map(c).is_some(), "{c} is missing");
+        }
+    }
+
+    #[test]
+    fn subscripts_are_found() {
+        let cases: [(&str, &str); 8] = [
+            ("x_c", "x[c]"),
+            ("M_{prp}·p", "M[prp]·p"),
+            ("a_", "a_"),
+            ("_{", "[{]"),
+            ("", ""),
+            ("_é_ç", "[é][ç]"),
+            ("p_{}q", "pq"),
+            ("a__b", "a[_]b"),
+        ];
+        for (text, expected) in cases {
+            let found: String = runs(text)
+                .iter()
+                .map(|r| if r.lowered { format!("[{}]", r.text) } else { r.text.to_owned() })
+                .collect();
+            assert_eq!(found, expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn widths_add_up_and_scale() {
+        let w = |t| measure(t, 20.0).width;
+        assert!((w("ab") - w("a") - w("b")).abs() < 1e-3);
+        assert!((measure("abc", 40.0).width - 2.0 * w("abc")).abs() < 1e-3);
+        assert!((w("x_c") - w("x") - 0.7 * w("c")).abs() < 1e-3);
+        // DejaVu Sans: the letter x is 1212 of 2048 units wide and 1120 high.
+        assert!((w("x") - 20.0 * 1212.0 / 2048.0).abs() < 1e-3);
+        assert!((x_height(20.0) - 20.0 * 1120.0 / 2048.0).abs() < 1e-3);
+    }
+
+    /// Least and greatest x and y of what an outline goes through.
+    fn bounds(elements: &[Element]) -> [f32; 4] {
+        let points = elements.iter().filter_map(|element| match *element {
+            Element::Move(p) | Element::Line(p) | Element::Quad(_, p) | Element::Cubic(_, _, p) => Some(p),
+            Element::Close => None,
+        });
+        points.fold([f32::MAX, f32::MAX, f32::MIN, f32::MIN], |[left, top, right, bottom], [x, y]| {
+            [left.min(x), top.min(y), right.max(x), bottom.max(y)]
+        })
+    }
+
+    #[test]
+    fn an_outline_stands_on_its_baseline_and_spans_the_x_height() {
+        let [_, top, _, bottom] = bounds(&outline("x", 2048.0));
+        assert!(bottom.abs() < 1.0 && (top + 1120.0).abs() < 1.0, "{top} {bottom}");
+    }
+
+    #[test]
+    fn what_is_measured_is_what_is_drawn() {
+        for text in ["x", "PF", "far (B)", "fffttt", "@@@@", "WWWW", "x_c", "M_{prp}", "Ângulo θ", "gjpqy", "x_{gq}"]
+        {
+            let Extent { width, above, below } = measure(text, 100.0);
+            let [left, top, right, bottom] = bounds(&outline(text, 100.0));
+            assert!((above + top).abs() < 0.1 && (below - bottom.max(0.0)).abs() < 0.1, "{text}: {above} {below}");
+            // Side bearings: letters keep a little distance from the ends of their room.
+            assert!(
+                (-3.0..12.0).contains(&left) && (-4.0..12.0).contains(&(width - right)),
+                "{text}: {left} {right} {width}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_missing_character_shows_as_a_box() {
+        let [left, top, right, bottom] = bounds(&outline("\u{10FFFD}", 20.0));
+        assert!(right - left > 4.0 && bottom - top > 8.0);
+    }
+
+    #[test]
+    fn nothing_to_draw_is_empty() {
+        for text in ["", "  ", "\n\t"] {
+            assert_eq!(outline(text, 12.0), []);
+        }
+        for size in [0.0, -3.0, f32::NAN, f32::INFINITY] {
+            assert_eq!(outline("a", size), []);
+        }
+    }
+}
