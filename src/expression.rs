@@ -17,6 +17,7 @@
 use std::ops::Range;
 
 use crate::geometry::Angle;
+use crate::limits::MAX_EXPRESSION;
 
 /// What the number measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,11 +67,8 @@ pub enum ExpressionProblem {
     TooLong,
 }
 
-/// The longest expression, in characters.
-const MAX_LENGTH: usize = 500;
-
-/// Nesting that nobody types by hand; keeps the stack small.
-const MAX_DEPTH: u32 = 60;
+const MAX_LENGTH: usize = MAX_EXPRESSION.0;
+const MAX_DEPTH: u32 = MAX_EXPRESSION.1;
 
 /// The value of `text`; of an angle, its degrees.
 ///

@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 
 use crate::export::png::{self, PngError};
 use crate::figure::{Figure, FigureError, read};
-
-/// More bytes than any figure, picture or mesh has.
-const MAX_BYTES: u64 = 1 << 30;
+use crate::limits::MAX_FILE_BYTES;
+use crate::scene::{ReadError, ReadProblem};
 
 /// Why a file cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -23,7 +22,7 @@ pub enum FileError {
     #[error("is a directory")]
     Directory,
     /// It is larger than any file that is meant for this program.
-    #[error("has more than {MAX_BYTES} bytes")]
+    #[error("has more than {MAX_FILE_BYTES} bytes")]
     TooLarge,
     /// A picture that holds no figure.
     #[error(transparent)]
@@ -70,8 +69,28 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
         return Err(FileError::Directory);
     }
     let mut bytes = Vec::new();
-    file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
-    if bytes.len() as u64 > MAX_BYTES { Err(FileError::TooLarge) } else { Ok(bytes) }
+    file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
+    if bytes.len() as u64 > MAX_FILE_BYTES { Err(FileError::TooLarge) } else { Ok(bytes) }
+}
+
+/// The bytes of a file that a scene names, such as a mesh.
+///
+/// # Errors
+/// As [`read_file`], as a value that can be kept.
+pub fn read_for_scene(path: &Path) -> Result<Vec<u8>, ReadError> {
+    read_file(path).map_err(|error| {
+        let problem = match error {
+            FileError::Directory => ReadProblem::Directory,
+            FileError::TooLarge => ReadProblem::TooLarge,
+            FileError::Read(error) | FileError::Write(error) => {
+                ReadProblem::System { kind: error.kind(), detail: error.to_string() }
+            }
+            error @ (FileError::Png(_) | FileError::Figure(_)) => {
+                ReadProblem::System { kind: io::ErrorKind::InvalidData, detail: error.to_string() }
+            }
+        };
+        ReadError { file: path.display().to_string(), problem }
+    })
 }
 
 /// Saves `bytes`: the file is there afterwards as a whole, or, after an error, as it was before.

@@ -27,6 +27,7 @@ pub mod geometry;
 pub mod gui;
 pub mod i18n;
 pub mod inspect;
+pub mod limits;
 pub mod numbers;
 pub mod picture;
 pub mod pipeline;

@@ -11,8 +11,8 @@ use super::Failure;
 use crate::appearance;
 use crate::camera::{Convention, ImageSize, Operation};
 use crate::expression::{self, Dimension};
-use crate::figure::read::MAX_SIDE;
 use crate::i18n::{Lang, command_line as texts, messages};
+use crate::limits::MAX_SIDE;
 use crate::views::{View, Views};
 
 /// An interactive laboratory for the virtual camera of computer graphics.

@@ -99,10 +99,7 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
 
 /// The scene of a figure; its meshes are looked for beside the figure file.
 fn scene(path: &Path, opened: &Opened, lang: Lang) -> Result<Scene, Failure> {
-    let mut read_file = |mesh: &str| {
-        let beside = path.with_file_name(mesh);
-        files::read_file(&beside).map_err(|error| messages::file(lang, &beside.display().to_string(), &error))
-    };
+    let mut read_file = |mesh: &str| files::read_for_scene(&path.with_file_name(mesh));
     scene_of(&opened.figure, &mut read_file).map_err(|error| {
         let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
         Failure::BadInput(texts::in_file(lang, &path.display().to_string(), line, &messages::scene(lang, &error)))

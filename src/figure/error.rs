@@ -2,6 +2,7 @@
 
 use crate::camera::CameraError;
 use crate::expression::{self, ExpressionError};
+use crate::scene::SceneError;
 
 /// The first fault of a figure file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -73,25 +74,13 @@ pub enum Problem {
         /// What would do.
         allowed: Allowed,
     },
-    /// Two objects have the same name.
-    #[error("the name {name} is there twice")]
-    DuplicateName {
-        /// The name.
-        name: String,
-    },
-    /// A parent that no object is called.
-    #[error("no object is called {name}")]
-    UnknownParent {
-        /// The name.
-        name: String,
+    /// The objects or lights make no scene.
+    #[error("{error}")]
+    Scene {
+        /// Why not.
+        error: Box<SceneError>,
         /// The object that was probably meant.
         near: Option<String>,
-    },
-    /// An object is its own ancestor.
-    #[error("{name} is its own ancestor")]
-    ParentCycle {
-        /// The name of the object.
-        name: String,
     },
     /// The values of `[camera]` make no camera.
     #[error(transparent)]

@@ -1,7 +1,5 @@
 //! The words of a figure file: each name as it is written there, with its value.
 
-use glam::DVec3;
-
 use super::{Depth, Outside};
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
 use crate::camera::Projection;
@@ -15,15 +13,7 @@ pub const PROJECTIONS: Words<Projection> =
     &[("perspective", Projection::Perspective), ("parallel", Projection::Parallel)];
 
 /// `[scene] preset`
-pub const PRESETS: Words<Preset> = &{
-    let mut presets = [("", Preset::Empty); Preset::ALL.len()];
-    let mut i = 0;
-    while i < presets.len() {
-        presets[i] = (Preset::ALL[i].name(), Preset::ALL[i]);
-        i += 1;
-    }
-    presets
-};
+pub const PRESETS: Words<Preset> = Preset::NAMED;
 
 /// `[style] shading`
 pub const SHADINGS: Words<Shading> = &[
@@ -51,42 +41,10 @@ pub const DEPTHS: Words<Depth> = &[("linear", Depth::Linear)];
 pub const OUTSIDES: Words<Outside> = &[("cut", Outside::Cut), ("tinted", Outside::Tinted), ("shown", Outside::Shown)];
 
 /// `[[scene.objects]] shape`; those that have data are empty here.
-pub const SHAPES: Words<Shape> = &[
-    ("box", Shape::Box),
-    ("prism", Shape::Prism),
-    ("pyramid", Shape::Pyramid),
-    ("sphere", Shape::Sphere),
-    ("ellipsoid", Shape::Ellipsoid),
-    ("cylinder", Shape::Cylinder),
-    ("cone", Shape::Cone),
-    ("torus", Shape::Torus),
-    ("grid", Shape::Grid),
-    ("points", Shape::Points(Vec::new())),
-    ("segments", Shape::Segments(Vec::new())),
-    ("mesh", Shape::Mesh { path: String::new() }),
-];
+pub const SHAPES: Words<Shape> = Shape::NAMED;
 
 /// `[[scene.lights]] kind`; the vectors are what a light has that gives none.
-pub const LIGHTS: Words<LightSpec> = &[
-    ("directional", LightSpec::Directional(DVec3::new(-1.0, -2.0, -1.0))),
-    ("point", LightSpec::Point(DVec3::new(0.0, 5.0, 0.0))),
-];
-
-/// What the kind of `shape` is called.
-#[must_use]
-pub fn shape_name(shape: &Shape) -> &'static str {
-    let same = |other: &Shape| std::mem::discriminant(other) == std::mem::discriminant(shape);
-    SHAPES.iter().find(|(_, other)| same(other)).map_or("", |(word, _)| word)
-}
-
-/// What the kind of `light` is called.
-#[must_use]
-pub fn light_name(light: LightSpec) -> &'static str {
-    match light {
-        LightSpec::Directional(_) => "directional",
-        LightSpec::Point(_) => "point",
-    }
-}
+pub const LIGHTS: Words<LightSpec> = LightSpec::NAMED;
 
 /// The value called `name`.
 #[must_use]

@@ -5,8 +5,7 @@ use std::fmt::Write as _;
 use glam::DVec3;
 
 pub use super::edit::update;
-use super::read::default_segments;
-use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PRESETS, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
+use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Depth, Figure, Observer, Outside, Reveal};
 use crate::camera::Projection;
 use crate::numbers;
@@ -48,7 +47,7 @@ pub fn to_toml(figure: &Figure) -> String {
         out.key("depth_far", number(v.depth_far));
     }
     out.section("[scene]");
-    out.key("preset", quoted(words::name(PRESETS, figure.scene.preset)));
+    out.key("preset", quoted(figure.scene.preset.name()));
     for object in &figure.scene.objects {
         write_object(&mut out, object);
     }
@@ -72,12 +71,20 @@ fn write_object(out: &mut Text, object: &ObjectSpec) {
     out.section("[[scene.objects]]");
     out.key("name", quoted(&object.name));
     if let Some(shape) = &object.shape {
-        out.key("shape", quoted(words::shape_name(shape)));
+        out.key("shape", quoted(shape.name()));
         match shape {
             Shape::Points(points) => out.key("points", vectors(points)),
             Shape::Segments(pairs) => out.key("points", vectors(pairs.as_flattened())),
             Shape::Mesh { path } => out.key("path", quoted(path)),
-            _ => {}
+            Shape::Box
+            | Shape::Prism
+            | Shape::Pyramid
+            | Shape::Sphere
+            | Shape::Ellipsoid
+            | Shape::Cylinder
+            | Shape::Cone
+            | Shape::Torus
+            | Shape::Grid => {}
         }
     }
     if let Some(parent) = &object.parent {
@@ -96,14 +103,14 @@ fn write_object(out: &mut Text, object: &ObjectSpec) {
     if let Some(color) = object.color {
         out.key("color", quoted(&color.to_string()));
     }
-    if object.segments != default_segments(object.shape.as_ref()) {
+    if object.segments != Shape::usual_segments(object.shape.as_ref()) {
         out.key("segments", object.segments);
     }
 }
 
 fn write_light(out: &mut Text, light: LightSpec) {
     out.section("[[scene.lights]]");
-    out.key("kind", quoted(words::light_name(light)));
+    out.key("kind", quoted(light.name()));
     match light {
         LightSpec::Directional(direction) => out.key("direction", vector(direction)),
         LightSpec::Point(position) => out.key("position", vector(position)),

@@ -151,12 +151,12 @@ impl Canvas {
         let stages = if state.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
         let (pictures, stages) = room.split_top_bottom_at_y((room.bottom() - stages).max(room.top()));
 
-        let (ctx, lang) = (ui.ctx().clone(), state.settings.lang);
+        let ctx = ui.ctx().clone();
         if state.tree.settle() {
             ctx.request_repaint();
         }
-        if let Err(problem) = state.scenery.update(&ctx, &state.document, lang, self.patience) {
-            state.say_error(problem);
+        if let Err(error) = state.scenery.update(&ctx, &state.document, self.patience) {
+            state.say_error(crate::i18n::messages::scene(state.settings.lang, &error));
         }
         self.extras.ghost = state.ghost.clone();
         self.extras.bounds = state.scenery.bounds();

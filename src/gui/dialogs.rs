@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
 
 use super::command::Command;
-use super::export::{Export, MAX_SIDE};
+use super::export::Export;
 use super::filing::{self, Dialog, Purpose};
 use super::number_field::{NumberField, Step};
 use super::panels::{choice, row};
@@ -187,7 +187,7 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) {
     ui.label("×");
     field(t.export_width).show(ui, t, &mut width);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
-    let side = |v: f64| v.round().clamp(1.0, f64::from(MAX_SIDE)) as u32;
+    let side = |v: f64| v.round().clamp(1.0, f64::from(crate::limits::MAX_SIDE)) as u32;
     (export.width, export.height) = (side(width), side(height));
 }
 

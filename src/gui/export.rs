@@ -33,9 +33,6 @@ pub struct Export {
     pub scale: f32,
 }
 
-/// The greatest side of a picture, in pixels.
-pub const MAX_SIDE: u32 = 16_384;
-
 impl Export {
     /// All three pictures as on the screen, for paper.
     #[must_use]
@@ -54,7 +51,7 @@ impl Export {
             Views::One(view) => sizes[view.index()],
             Views::All => together(sizes),
         };
-        let side = |pixels: u32| (pixels.max(1) * times).min(MAX_SIDE);
+        let side = |pixels: u32| (pixels.max(1) * times).min(crate::limits::MAX_SIDE);
         (self.width, self.height) = (side(width), side(height));
         self.scale = times as f32 * state.screen_scale;
     }
@@ -93,8 +90,7 @@ pub fn start(ctx: &egui::Context, state: &State, export: Export, path: PathBuf, 
 /// The bytes of the PNG, with the figure file in it.
 fn picture(figure: &Figure, source: &str, folder: &Path, export: Export, lang: Lang) -> Result<Vec<u8>, String> {
     let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
-    let mut beside =
-        |path: &str| files::read_file(&folder.join(path)).map_err(|error| messages::file(lang, path, &error));
+    let mut beside = |path: &str| files::read_for_scene(&folder.join(path));
     let scene = scene_of(figure, &mut beside).map_err(|error| messages::scene(lang, &error))?;
     let from =
         Source { figure, camera: &camera, scene: &scene, labels: pictures::labels(lang), force_all_stages: false };

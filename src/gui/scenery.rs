@@ -13,7 +13,6 @@ use super::document::Document;
 use crate::appearance::{HiddenLines, Theme};
 use crate::files;
 use crate::geometry::Aabb;
-use crate::i18n::{Lang, messages, scenes};
 use crate::scene::import::{Part, read};
 use crate::scene::{self, MeshError, MeshFiles, Preset, Scene, SceneError, SceneSpec, Shape};
 
@@ -29,7 +28,6 @@ pub struct Scenery {
     bounds: Option<Aabb>,
     /// Counts the scenes that have nothing to do with each other.
     subject: u64,
-    lang: Lang,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -64,17 +62,13 @@ struct Loading {
 struct Task {
     paths: BTreeSet<String>,
     folder: PathBuf,
-    lang: Lang,
     ctx: egui::Context,
     send: Sender<(String, Parts)>,
 }
 
 impl Task {
     fn run(self) {
-        let mut read_file = |name: &str| {
-            let file = self.folder.join(name);
-            files::read_file(&file).map_err(|error| messages::file(self.lang, &file.display().to_string(), &error))
-        };
+        let mut read_file = |name: &str| files::read_for_scene(&self.folder.join(name));
         for path in self.paths {
             let parts = read(&path, &mut read_file);
             // Nobody waits any more when another figure has been opened.
@@ -118,12 +112,11 @@ impl Scenery {
 
     /// Why the file of an object cannot be used.
     #[must_use]
-    pub fn problem_of(&self, object: &str) -> Option<String> {
+    pub fn problem_of(&self, object: &str) -> Option<SceneError> {
         let spec = &self.made_from.as_ref()?.spec;
         let Some(Shape::Mesh { path }) = &spec.objects.iter().find(|o| o.name == object)?.shape else { return None };
         let error = self.broken.get(path)?.clone();
-        let error = SceneError::Mesh { name: object.to_owned(), path: path.clone(), error };
-        Some(scenes::scene_error(self.lang, &error))
+        Some(SceneError::Mesh { name: object.to_owned(), path: path.clone(), error })
     }
 
     /// Tries the files again that could not be read, and reads the others anew.
@@ -137,15 +130,8 @@ impl Scenery {
     /// Waits up to `patience` for a file that is being begun; `ctx` is asked for a frame when one is read.
     ///
     /// # Errors
-    /// What cannot be read or built, as a sentence. It is said once, not in each frame.
-    pub fn update(
-        &mut self,
-        ctx: &egui::Context,
-        document: &Document,
-        lang: Lang,
-        patience: Duration,
-    ) -> Result<(), String> {
-        self.lang = lang;
+    /// What cannot be read or built. It is said once, not in each frame.
+    pub fn update(&mut self, ctx: &egui::Context, document: &Document, patience: Duration) -> Result<(), SceneError> {
         let figure = document.figure();
         if self.loading.is_none() && self.made_from.as_ref().is_some_and(|made| made.is_of(document)) {
             return Ok(());
@@ -183,7 +169,7 @@ impl Scenery {
     }
 
     /// Takes over what has been read; true where something has. Waits up to `patience` until all is.
-    fn receive(&mut self, patience: Duration, wanted: &MadeFrom, said: &mut Result<(), String>) -> bool {
+    fn receive(&mut self, patience: Duration, wanted: &MadeFrom, said: &mut Result<(), SceneError>) -> bool {
         let mut arrived = false;
         while let Some(loading) = &mut self.loading {
             match loading.done.recv_timeout(patience) {
@@ -199,8 +185,7 @@ impl Scenery {
                             let shape = Some(Shape::Mesh { path: path.clone() });
                             if let Some(object) = wanted.spec.objects.iter().find(|o| o.shape == shape) {
                                 let name = object.name.clone();
-                                let error = SceneError::Mesh { name, path: path.clone(), error: error.clone() };
-                                *said = Err(messages::scene(self.lang, &error));
+                                *said = Err(SceneError::Mesh { name, path: path.clone(), error: error.clone() });
                             }
                             self.broken.insert(path, error);
                         }
@@ -225,13 +210,8 @@ impl Scenery {
             return false;
         }
         let (send, done) = channel();
-        let task = Task {
-            paths: missing.clone(),
-            folder: wanted.folder.clone().unwrap_or_default(),
-            lang: self.lang,
-            ctx: ctx.clone(),
-            send,
-        };
+        let task =
+            Task { paths: missing.clone(), folder: wanted.folder.clone().unwrap_or_default(), ctx: ctx.clone(), send };
         let again = task.clone();
         // Where there are no threads it is done here.
         if std::thread::Builder::new().name("meshes".to_owned()).spawn(move || task.run()).is_err() {
@@ -242,7 +222,7 @@ impl Scenery {
     }
 
     /// Builds the scene; what has no mesh is left out of it.
-    fn build(&mut self, wanted: MadeFrom) -> Result<(), String> {
+    fn build(&mut self, wanted: MadeFrom) -> Result<(), SceneError> {
         let mut spec = wanted.spec.clone();
         for object in &mut spec.objects {
             if matches!(&object.shape, Some(Shape::Mesh { path }) if !self.files.knows(path)) {
@@ -255,9 +235,7 @@ impl Scenery {
             ..crate::appearance::Style::default()
         };
         self.made_from = Some(wanted);
-        let mut nothing_is_read = |_: &str| Err(String::new());
-        let scene = scene::build_with(&spec, &style, &mut nothing_is_read, &mut self.files)
-            .map_err(|error| messages::scene(self.lang, &error))?;
+        let scene = scene::build_with(&spec, &style, &mut scene::no_files, &mut self.files)?;
         self.bounds = scene.bounds();
         self.scene = Arc::new(scene);
         Ok(())

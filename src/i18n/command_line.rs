@@ -5,6 +5,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use super::Lang;
 use super::messages::{in_expression, pick};
 use crate::expression::ExpressionError;
+use crate::limits::MAX_SIDE;
 
 /// Arguments that are at fault, in one paragraph.
 #[must_use]
@@ -122,8 +123,8 @@ pub fn pixel(lang: Lang, text: &str) -> String {
 pub fn size(lang: Lang, text: &str) -> String {
     pick(
         lang,
-        format!("--size is {text:?}; allowed: WxH with integers from 1 to 16384, such as --size 800x600"),
-        format!("--size é {text:?}; permitido: LxA com inteiros de 1 a 16384, como --size 800x600"),
+        format!("--size is {text:?}; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600"),
+        format!("--size é {text:?}; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600"),
     )
 }
 
@@ -210,10 +211,10 @@ pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
     pick(
         lang,
         format!(
-            "the picture would have {width} × {height} pixels (see --size and --scale); allowed: at most 16384 on each side and 134 million in all"
+            "the picture would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all"
         ),
         format!(
-            "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo 16384 de cada lado e 134 milhões ao todo"
+            "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo"
         ),
     )
 }

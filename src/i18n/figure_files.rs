@@ -3,11 +3,14 @@
 use std::io;
 
 use super::Lang;
+use super::meshes::mesh;
 use super::messages::{camera, in_expression, pick};
 use crate::export::png::PngError;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
 use crate::files::FileError;
+use crate::limits::{MAX_FILE_BYTES, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::scene::{ReadError, ReadProblem, SceneError};
 
 /// Why a text is no figure: line, key, what was found, what is allowed.
 #[must_use]
@@ -28,7 +31,7 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
     match problem {
         Problem::NotUtf8 { byte } => pick(
             lang,
-            format!("byte {byte:#04x} is no UTF-8; allowed: text in UTF-8"),
+            format!("byte {byte:#04x} is not UTF-8; allowed: text in UTF-8"),
             format!("o byte {byte:#04x} não é UTF-8; permitido: texto em UTF-8"),
         ),
         Problem::TooLarge { limit } => pick(
@@ -69,25 +72,67 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
             let allowed = self::allowed(lang, allowed);
             pick(lang, format!("is missing; needed: {allowed}"), format!("está faltando; necessário: {allowed}"))
         }
-        Problem::DuplicateName { name } => pick(
-            lang,
-            format!("is {name:?}, as an object before it; allowed: a name of its own"),
-            format!("é {name:?}, como um objeto anterior; permitido: um nome próprio"),
-        ),
-        Problem::UnknownParent { name, near } => {
-            let near = meant(lang, near.as_deref());
-            pick(
-                lang,
-                format!("is {name:?}, and no object is called so{near}; allowed: the name of an object"),
-                format!("é {name:?}, e nenhum objeto se chama assim{near}; permitido: o nome de um objeto"),
-            )
-        }
-        Problem::ParentCycle { name } => pick(
-            lang,
-            format!("makes {name:?} its own ancestor; allowed: parents that form a tree"),
-            format!("torna {name:?} ancestral de si mesmo; permitido: pais que formem uma árvore"),
-        ),
+        Problem::Scene { error, near } => in_scene(lang, error, near.as_deref()),
         Problem::Camera(error) => camera(lang, error),
+    }
+}
+
+/// What is wrong with a key of the scene, after the key.
+fn in_scene(lang: Lang, error: &SceneError, near: Option<&str>) -> String {
+    match (lang, error) {
+        (Lang::En, SceneError::DuplicateName { name }) => {
+            format!("is {name:?}, as an object before it; allowed: a name of its own")
+        }
+        (Lang::PtBr, SceneError::DuplicateName { name }) => {
+            format!("é {name:?}, como um objeto anterior; permitido: um nome próprio")
+        }
+        (Lang::En, SceneError::UnknownParent { parent, .. }) => {
+            let near = meant(lang, near);
+            format!("is {parent:?}, and no object is called so{near}; allowed: the name of an object")
+        }
+        (Lang::PtBr, SceneError::UnknownParent { parent, .. }) => {
+            let near = meant(lang, near);
+            format!("é {parent:?}, e nenhum objeto se chama assim{near}; permitido: o nome de um objeto")
+        }
+        (Lang::En, SceneError::Cycle { chain }) => {
+            format!("goes round in a circle ({}); allowed: parents that form a tree", chain.join(" → "))
+        }
+        (Lang::PtBr, SceneError::Cycle { chain }) => {
+            format!("forma um ciclo ({}); permitido: pais que formem uma árvore", chain.join(" → "))
+        }
+        (Lang::En, SceneError::NotFinite { .. }) => {
+            "leads to numbers that are not finite; allowed: transforms whose product stays below about 1e308".to_owned()
+        }
+        (Lang::PtBr, SceneError::NotFinite { .. }) => {
+            "leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308"
+                .to_owned()
+        }
+        (Lang::En, SceneError::ZeroScale { .. }) => "is 0 along an axis; allowed: any other numbers".to_owned(),
+        (Lang::PtBr, SceneError::ZeroScale { .. }) => {
+            "é 0 em algum eixo; permitido: quaisquer outros números".to_owned()
+        }
+        (_, SceneError::Segments { found, .. }) => {
+            let allowed = Allowed::IntegerIn(i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS));
+            problem(lang, &Problem::Value { found: found.to_string(), allowed })
+        }
+        (_, SceneError::Mesh { path, error, .. }) => format!("{path:?}: {}", mesh(lang, error)),
+        (Lang::En, SceneError::Light { .. }) => "must be three finite numbers, not all 0 for a direction".to_owned(),
+        (Lang::PtBr, SceneError::Light { .. }) => "deve ter três números finitos, nem todos 0 numa direção".to_owned(),
+    }
+}
+
+/// Why the objects and lights of a figure make no scene; names the object and the key.
+#[must_use]
+pub fn scene(lang: Lang, error: &SceneError) -> String {
+    let (key, why) = (error.key(), in_scene(lang, error, None));
+    match error {
+        SceneError::DuplicateName { .. } | SceneError::Cycle { .. } => format!("[[scene.objects]] {key} {why}"),
+        SceneError::UnknownParent { name, .. }
+        | SceneError::Mesh { name, .. }
+        | SceneError::NotFinite { name, .. }
+        | SceneError::ZeroScale { name }
+        | SceneError::Segments { name, .. } => format!("[[scene.objects]] {name:?}: {key} {why}"),
+        SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
     }
 }
 
@@ -178,25 +223,48 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
 pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
     match error {
         FileError::Read(error) => {
-            let why = system(lang, error);
+            let why = system(lang, error.kind(), &error.to_string());
             pick(lang, format!("{name} cannot be read: {why}"), format!("{name} não pode ser lido: {why}"))
         }
         FileError::Write(error) => {
-            let why = system(lang, error);
+            let why = system(lang, error.kind(), &error.to_string());
             pick(lang, format!("{name} cannot be written: {why}"), format!("{name} não pode ser gravado: {why}"))
         }
-        FileError::Directory => pick(
-            lang,
-            format!("{name} is a directory; allowed: a file"),
-            format!("{name} é um diretório; permitido: um arquivo"),
-        ),
-        FileError::TooLarge => pick(
-            lang,
-            format!("{name} is larger than any figure or picture; allowed: at most 1 GiB"),
-            format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo 1 GiB"),
-        ),
+        FileError::Directory => directory(lang, name),
+        FileError::TooLarge => too_large(lang, name),
         FileError::Png(error) => format!("{name}: {}", png(lang, error)),
         FileError::Figure(error) => format!("{name}, {}", figure(lang, error)),
+    }
+}
+
+/// Why a file that a scene names cannot be read.
+pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
+    let name = &error.file;
+    match &error.problem {
+        ReadProblem::System { kind, detail } => {
+            let why = system(lang, *kind, detail);
+            match lang {
+                Lang::En => format!("{name} cannot be read: {why}"),
+                Lang::PtBr => format!("{name} não pode ser lido: {why}"),
+            }
+        }
+        ReadProblem::Directory => directory(lang, name),
+        ReadProblem::TooLarge => too_large(lang, name),
+    }
+}
+
+fn directory(lang: Lang, name: &str) -> String {
+    match lang {
+        Lang::En => format!("{name} is a directory; allowed: a file"),
+        Lang::PtBr => format!("{name} é um diretório; permitido: um arquivo"),
+    }
+}
+
+fn too_large(lang: Lang, name: &str) -> String {
+    let gib = MAX_FILE_BYTES >> 30;
+    match lang {
+        Lang::En => format!("{name} is larger than any figure or picture; allowed: at most {gib} GiB"),
+        Lang::PtBr => format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB"),
     }
 }
 
@@ -221,19 +289,19 @@ pub fn png(lang: Lang, error: &PngError) -> String {
 }
 
 /// What the system said, in our words where the case is common.
-fn system(lang: Lang, error: &io::Error) -> String {
-    match error.kind() {
+fn system(lang: Lang, kind: io::ErrorKind, detail: &str) -> String {
+    match kind {
         io::ErrorKind::NotFound => {
             pick(lang, "there is no such file or directory", "o arquivo ou diretório não existe")
         }
         io::ErrorKind::PermissionDenied => pick(lang, "permission denied", "permissão negada"),
         io::ErrorKind::IsADirectory => pick(lang, "it is a directory", "é um diretório"),
         io::ErrorKind::NotADirectory => {
-            pick(lang, "a part of the path is no directory", "uma parte do caminho não é um diretório")
+            pick(lang, "a part of the path is not a directory", "uma parte do caminho não é um diretório")
         }
         io::ErrorKind::StorageFull => pick(lang, "the disk is full", "o disco está cheio"),
         io::ErrorKind::ReadOnlyFilesystem => pick(lang, "the disk is read-only", "o disco é somente de leitura"),
-        _ => error.to_string(),
+        _ => detail.to_owned(),
     }
 }
 

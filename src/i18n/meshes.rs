@@ -1,6 +1,7 @@
 //! What is wrong with a mesh file, in both languages.
 
 use super::Lang;
+use super::figure_files::unreadable;
 use crate::scene::{GltfFault, MeshError, ObjFault};
 
 /// Why a mesh file cannot be used.
@@ -10,7 +11,7 @@ pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
         Lang::PtBr => pt.to_owned(),
     };
     match error {
-        MeshError::Unreadable { reason } => reason.clone(),
+        MeshError::Unreadable(error) => unreadable(lang, error),
         MeshError::Format => text(
             "the format is not known; allowed: a name that ends with .obj, .gltf or .glb",
             "o formato não é conhecido; permitido: um nome que termine com .obj, .gltf ou .glb",
@@ -44,6 +45,7 @@ fn obj(lang: Lang, fault: &ObjFault) -> String {
 
 fn gltf(lang: Lang, fault: &GltfFault) -> String {
     match fault {
+        GltfFault::File { uri, error } => format!("\"{uri}\": {}", unreadable(lang, error)),
         _ if lang == Lang::En => fault.to_string(),
         GltfFault::Container { detail } => format!("o arquivo GLB não é válido ({detail})"),
         GltfFault::Value => "um valor que o glTF não permite".to_owned(),
@@ -52,7 +54,6 @@ fn gltf(lang: Lang, fault: &GltfFault) -> String {
         GltfFault::Unsupported { what } => format!("{what} não pode ser lido por este programa"),
         GltfFault::NoBytes => "faltam os bytes do buffer".to_owned(),
         GltfFault::DataUri => "o URI de dados não é um base64 válido".to_owned(),
-        GltfFault::File { uri, reason } => format!("\"{uri}\": {reason}"),
         GltfFault::OutOfBuffer => "os dados passam do fim do buffer".to_owned(),
         GltfFault::Index { found, vertices } => {
             format!("o índice {found} indica um vértice que não existe; há {vertices}")

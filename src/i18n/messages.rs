@@ -4,14 +4,10 @@
 //! error without a text does not compile.
 
 use super::Lang;
-use super::figure_files::problem;
-pub use super::figure_files::{figure, file, png};
+pub use super::figure_files::{figure, file, png, scene};
 use crate::camera::{Amount, CameraError, Derived, Descriptor, Operation, OperationError, Range, Warning};
 use crate::expression::{self, ExpressionError, ExpressionProblem};
-use crate::figure::error::{Allowed, Problem};
 use crate::inspect::InspectError;
-use crate::scene::SceneError;
-use crate::scene::primitives::{MAX_SEGMENTS, MIN_SEGMENTS};
 
 /// One of the two texts.
 pub(super) fn pick(lang: Lang, en: impl Into<String>, pt_br: impl Into<String>) -> String {
@@ -229,65 +225,5 @@ pub fn warning(lang: Lang, warning: &Warning) -> String {
                 "a janela de projeção tem razão de aspecto {window:.6} e a imagem {image:.6}: as formas são esticadas"
             ),
         ),
-    }
-}
-
-/// Why a specification is no scene; names the key.
-#[must_use]
-pub fn scene(lang: Lang, error: &SceneError) -> String {
-    let object = |name: &str| format!("[[scene.objects]] {name:?}");
-    match error {
-        SceneError::DuplicateName { name } => {
-            format!("[[scene.objects]] name {}", problem(lang, &Problem::DuplicateName { name: name.clone() }))
-        }
-        SceneError::UnknownParent { name, parent } => {
-            let why = problem(lang, &Problem::UnknownParent { name: parent.clone(), near: None });
-            format!("{}: parent {why}", object(name))
-        }
-        SceneError::Cycle { chain } => {
-            let chain = chain.join(" → ");
-            pick(
-                lang,
-                format!("[[scene.objects]] parent goes round in a circle ({chain}); allowed: parents that form a tree"),
-                format!("[[scene.objects]] parent forma um ciclo ({chain}); permitido: pais que formem uma árvore"),
-            )
-        }
-        SceneError::NotFinite { name, key } => {
-            let object = object(name);
-            pick(
-                lang,
-                format!(
-                    "{object}: {key} leads to numbers that are not finite; allowed: transforms whose product stays below about 1e308"
-                ),
-                format!(
-                    "{object}: {key} leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308"
-                ),
-            )
-        }
-        SceneError::ZeroScale { name } => format!(
-            "{}: scale {}",
-            object(name),
-            pick(
-                lang,
-                "is 0 along an axis; allowed: any other numbers",
-                "é 0 em algum eixo; permitido: quaisquer outros números"
-            )
-        ),
-        SceneError::Segments { name, found } => {
-            let allowed = Allowed::IntegerIn(i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS));
-            let why = problem(lang, &Problem::Value { found: found.to_string(), allowed });
-            format!("{}: segments {why}", object(name))
-        }
-        SceneError::Mesh { name, path, error } => {
-            format!("{}: path {path:?}: {}", object(name), super::meshes::mesh(lang, error))
-        }
-        SceneError::Light { index, key } => {
-            let which = index + 1;
-            pick(
-                lang,
-                format!("[[scene.lights]] {which}: {key} must be three finite numbers, not all 0 for a direction"),
-                format!("[[scene.lights]] {which}: {key} deve ter três números finitos, nem todos 0 numa direção"),
-            )
-        }
     }
 }

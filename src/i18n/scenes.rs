@@ -1,7 +1,7 @@
 //! The words of the scene: its tree, its objects and lights, and what is wrong with them.
 
 use super::{Lang, meshes};
-use crate::scene::primitives::{MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::scene::{Beyond, LightSpec, SceneError, Shape};
 
 /// The words of a language.

@@ -23,12 +23,8 @@ use tiny_skia::{Color, Pixmap};
 
 use crate::appearance::Rgba;
 use crate::drawing::Drawing;
+use crate::limits::{MAX_PIXELS, MAX_SIDE};
 pub use depth::DepthBuffer;
-
-/// The longest side of a picture, in pixels.
-pub const MAX_SIDE: u32 = 16384;
-/// The most pixels of a picture: 15360 × 8640, with a little room.
-pub const MAX_PIXELS: u64 = 1 << 27;
 
 /// Draws pictures; keeps its buffers from one to the next.
 #[derive(Clone, Debug, Default)]

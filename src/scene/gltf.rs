@@ -13,7 +13,7 @@ use base64::Engine as _;
 use glam::{DMat4, DQuat, DVec3};
 
 use super::Mesh;
-use super::hierarchy::ReadFile;
+use super::ReadFile;
 use super::import::{GltfFault, MeshError, Part};
 use super::soup::Soup;
 use crate::appearance::Rgba;
@@ -123,7 +123,8 @@ fn buffers(
                 }
                 None => {
                     let name = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
-                    read_file(&name).map_err(|reason| fault(GltfFault::File { uri: uri.to_owned(), reason }))?
+                    read_file(&name)
+                        .map_err(|error| fault(GltfFault::File { uri: uri.to_owned(), error: Box::new(error) }))?
                 }
             },
         };

@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
-use super::hierarchy::ReadFile;
 use super::soup::TooLarge;
-use super::{Mesh, gltf, obj};
+use super::{Mesh, ReadError, ReadFile, gltf, obj};
 use crate::appearance::Rgba;
 
 /// One object of a mesh file.
@@ -28,12 +27,9 @@ pub struct Part {
 /// Why a mesh file cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MeshError {
-    /// The shell could not read it.
-    #[error("{reason}")]
-    Unreadable {
-        /// The shell's sentence.
-        reason: String,
-    },
+    /// It could not be read.
+    #[error(transparent)]
+    Unreadable(Box<ReadError>),
     /// The ending of its name says nothing.
     #[error("the format is not known; the name must end with .obj, .gltf or .glb")]
     Format,
@@ -153,12 +149,12 @@ pub enum GltfFault {
     #[error("the data URI is no valid base64")]
     DataUri,
     /// A file beside the glTF file cannot be read.
-    #[error("\"{uri}\": {reason}")]
+    #[error("\"{uri}\": {error}")]
     File {
         /// As the file names it.
         uri: String,
-        /// The shell's sentence.
-        reason: String,
+        /// Why.
+        error: Box<ReadError>,
     },
     /// An accessor goes beyond its buffer.
     #[error("the data lies beyond the end of its buffer")]
@@ -244,12 +240,12 @@ impl MeshFiles {
     }
 }
 
-/// Reads a mesh file: what takes long of building a scene, for who wants to do it beside other things.
+/// Reads a mesh file: the part of building a scene that takes long, for those who want to do it beside other things.
 ///
 /// # Errors
 /// [`MeshError`].
 pub fn read(path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Vec<Part>>, MeshError> {
-    let bytes = read_file(path).map_err(|reason| MeshError::Unreadable { reason })?;
+    let bytes = read_file(path).map_err(|error| MeshError::Unreadable(Box::new(error)))?;
     Ok(Arc::new(import(path, &bytes, read_file)?))
 }
 

@@ -1,8 +1,9 @@
 //! What is drawn: meshes in world space, lights, and the lines, marks and texts that stand in the world.
 
+mod build;
 pub mod edit;
+mod error;
 mod gltf;
-pub mod hierarchy;
 pub mod import;
 pub mod mesh;
 mod obj;
@@ -10,6 +11,7 @@ pub mod palette;
 mod polygon;
 mod presets;
 pub mod primitives;
+mod resolve;
 mod soup;
 pub mod spec;
 
@@ -19,10 +21,12 @@ use glam::{DMat4, DVec3};
 
 use crate::appearance::{LineStyle, MarkShape, Rgba};
 use crate::geometry::Aabb;
-pub use hierarchy::{DEFAULT_LIGHT, ReadFile, SceneError, build, build_with, check};
+pub use build::{build, build_with};
+pub use error::{ReadError, ReadFile, ReadProblem, SceneError, no_files};
 pub use import::{GltfFault, MeshError, MeshFiles, ObjFault};
 pub use mesh::Mesh;
 pub use presets::{Beyond, objects as preset_objects};
+pub use resolve::{DEFAULT_LIGHT, check};
 pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 
 /// A scene, flat: every transform has been multiplied out.

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 use tobj::{LoadError, LoadOptions};
 
-use super::hierarchy::ReadFile;
+use super::ReadFile;
 use super::import::{MeshError, ObjFault, Part};
 use super::soup::Soup;
 use crate::appearance::Rgba;

@@ -11,11 +11,8 @@ use glam::{DVec2, DVec3};
 
 use super::mesh::Mesh;
 use crate::geometry::{Angle, try_unit};
+use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 
-/// The fewest segments of a curved shape.
-pub const MIN_SEGMENTS: u32 = 3;
-/// The most segments of a curved shape.
-pub const MAX_SEGMENTS: u32 = 512;
 /// The most meridians that a curved shape names as edges.
 pub const MAX_LINES: u32 = 16;
 

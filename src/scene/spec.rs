@@ -6,6 +6,27 @@ use std::str::FromStr;
 use glam::DVec3;
 
 use crate::appearance::Rgba;
+use crate::limits::DEFAULT_SEGMENTS;
+
+/// Makes `NAMED` and `name` from one list of names, patterns and values, in the order in which they are offered; where a
+/// variant has data, the value is the one that has none yet.
+macro_rules! named {
+    ($type:ident { $($name:literal: $pattern:pat, $value:expr;)* }) => {
+        impl $type {
+            /// Each with its name in a figure file, in the order of a menu; where there are data, they are those that a file
+            /// need not give.
+            pub const NAMED: &'static [(&'static str, Self)] = &[$(($name, $value)),*];
+
+            /// Its name in a figure file.
+            #[must_use]
+            pub const fn name(&self) -> &'static str {
+                match self {
+                    $($pattern => $name,)*
+                }
+            }
+        }
+    };
+}
 
 /// A named scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -33,38 +54,18 @@ pub enum Preset {
     Exercise53,
 }
 
-impl Preset {
-    /// All presets, in the order of a menu.
-    pub const ALL: [Self; 10] = [
-        Self::Primitives,
-        Self::Cube,
-        Self::House,
-        Self::Corridor,
-        Self::Pyramid,
-        Self::NdcCube,
-        Self::Exercise51,
-        Self::Exercise52,
-        Self::Exercise53,
-        Self::Empty,
-    ];
-
-    /// Its name in a figure file.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Empty => "empty",
-            Self::Primitives => "primitives",
-            Self::Cube => "cube",
-            Self::House => "house",
-            Self::Corridor => "corridor",
-            Self::Pyramid => "pyramid",
-            Self::NdcCube => "ndc-cube",
-            Self::Exercise51 => "exercise-5.1",
-            Self::Exercise52 => "exercise-5.2",
-            Self::Exercise53 => "exercise-5.3",
-        }
-    }
-}
+named! { Preset {
+    "primitives": Self::Primitives, Self::Primitives;
+    "cube": Self::Cube, Self::Cube;
+    "house": Self::House, Self::House;
+    "corridor": Self::Corridor, Self::Corridor;
+    "pyramid": Self::Pyramid, Self::Pyramid;
+    "ndc-cube": Self::NdcCube, Self::NdcCube;
+    "exercise-5.1": Self::Exercise51, Self::Exercise51;
+    "exercise-5.2": Self::Exercise52, Self::Exercise52;
+    "exercise-5.3": Self::Exercise53, Self::Exercise53;
+    "empty": Self::Empty, Self::Empty;
+} }
 
 impl fmt::Display for Preset {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -81,7 +82,8 @@ impl FromStr for Preset {
     type Err = UnknownPreset;
 
     fn from_str(text: &str) -> Result<Self, UnknownPreset> {
-        Self::ALL.into_iter().find(|p| p.name() == text).ok_or_else(|| UnknownPreset(text.to_owned()))
+        let found = Self::NAMED.iter().find(|(name, _)| *name == text);
+        found.map(|(_, preset)| *preset).ok_or_else(|| UnknownPreset(text.to_owned()))
     }
 }
 
@@ -118,24 +120,26 @@ pub enum Shape {
     },
 }
 
+named! { Shape {
+    "box": Self::Box, Self::Box;
+    "prism": Self::Prism, Self::Prism;
+    "pyramid": Self::Pyramid, Self::Pyramid;
+    "sphere": Self::Sphere, Self::Sphere;
+    "ellipsoid": Self::Ellipsoid, Self::Ellipsoid;
+    "cylinder": Self::Cylinder, Self::Cylinder;
+    "cone": Self::Cone, Self::Cone;
+    "torus": Self::Torus, Self::Torus;
+    "grid": Self::Grid, Self::Grid;
+    "points": Self::Points(_), Self::Points(Vec::new());
+    "segments": Self::Segments(_), Self::Segments(Vec::new());
+    "mesh": Self::Mesh { .. }, Self::Mesh { path: String::new() };
+} }
+
 impl Shape {
-    /// Its name in a figure file.
+    /// What `segments` means where a figure does not say it, for a shape or for a group.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Box => "box",
-            Self::Prism => "prism",
-            Self::Pyramid => "pyramid",
-            Self::Sphere => "sphere",
-            Self::Ellipsoid => "ellipsoid",
-            Self::Cylinder => "cylinder",
-            Self::Cone => "cone",
-            Self::Torus => "torus",
-            Self::Grid => "grid",
-            Self::Points(_) => "points",
-            Self::Segments(_) => "segments",
-            Self::Mesh { .. } => "mesh",
-        }
+    pub fn usual_segments(shape: Option<&Self>) -> u32 {
+        shape.map_or(DEFAULT_SEGMENTS, Self::default_segments)
     }
 
     /// What `segments` means where a figure does not say it: 6 sides of a prism, 10 cells of a grid, 32 segments of what is
@@ -145,14 +149,28 @@ impl Shape {
         match self {
             Self::Prism => 6,
             Self::Grid => 10,
-            _ => 32,
+            Self::Box
+            | Self::Pyramid
+            | Self::Sphere
+            | Self::Ellipsoid
+            | Self::Cylinder
+            | Self::Cone
+            | Self::Torus
+            | Self::Points(_)
+            | Self::Segments(_)
+            | Self::Mesh { .. } => DEFAULT_SEGMENTS,
         }
     }
 
     /// False where `segments` has no meaning.
     #[must_use]
     pub const fn has_segments(&self) -> bool {
-        !matches!(self, Self::Box | Self::Pyramid | Self::Points(_) | Self::Segments(_) | Self::Mesh { .. })
+        match self {
+            Self::Prism | Self::Sphere | Self::Ellipsoid | Self::Cylinder | Self::Cone | Self::Torus | Self::Grid => {
+                true
+            }
+            Self::Box | Self::Pyramid | Self::Points(_) | Self::Segments(_) | Self::Mesh { .. } => false,
+        }
     }
 }
 
@@ -196,7 +214,7 @@ impl ObjectSpec {
             rotate: DVec3::ZERO,
             scale: DVec3::ONE,
             color: None,
-            segments: 32,
+            segments: DEFAULT_SEGMENTS,
         }
     }
 
@@ -245,6 +263,11 @@ pub enum LightSpec {
     /// A lamp at this point.
     Point(DVec3),
 }
+
+named! { LightSpec {
+    "directional": Self::Directional(_), Self::Directional(DVec3::new(-1.0, -2.0, -1.0));
+    "point": Self::Point(_), Self::Point(DVec3::new(0.0, 5.0, 0.0));
+} }
 
 /// The `[scene]` section.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -199,7 +199,7 @@ mod tests {
             color: None,
             segments: 32,
         });
-        let scene = crate::views::scene_of(&figure, &mut |_| Err(String::new())).unwrap();
+        let scene = crate::views::scene_of(&figure, &mut crate::scene::no_files).unwrap();
         let camera = Camera::new(&parameters).unwrap();
         test(&Setup {
             figure: &figure,

@@ -194,7 +194,7 @@ fn files_that_are_no_figures_are_named() {
     for (name, part) in [
         ("missing.toml", "missing.toml cannot be read: there is no such file"),
         (".", ". is a directory"),
-        ("latin1.toml", "latin1.toml, line 2: byte 0xe2 is no UTF-8"),
+        ("latin1.toml", "latin1.toml, line 2: byte 0xe2 is not UTF-8"),
         ("nul.toml", "nul.toml, line 1"),
         ("cut.png", "cut.png: the PNG is damaged"),
     ] {

@@ -8,7 +8,7 @@ use base64::Engine as _;
 use camera_lab::appearance::{Rgba, Style, Theme};
 use camera_lab::scene::{
     GltfFault, Mesh, MeshError, MeshFiles, ObjFault, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError,
-    SceneSpec, Shape, build_with, primitives,
+    SceneSpec, Shape, build_with, no_files, primitives,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ fn spec(path: &str) -> SceneSpec {
 }
 
 fn load_spec(spec: &SceneSpec, files: &Folder) -> Result<Scene, SceneError> {
-    let mut read = |path: &str| files.get(path).cloned().ok_or_else(|| format!("no file {path}"));
+    let mut read = |path: &str| files.get(path).cloned().map_or_else(|| no_files(path), Ok);
     build_with(spec, &Style::default(), &mut read, &mut MeshFiles::default())
 }
 
@@ -187,7 +187,7 @@ fn broken_obj_files_are_refused_with_the_line() {
     assert_eq!(obj(points), Err(MeshError::Empty));
     assert_eq!(obj(""), Err(MeshError::Empty));
     assert_eq!(load("m.stl", &folder([("m.stl", b"solid")])), Err(MeshError::Format));
-    assert_eq!(load("gone.obj", &folder([])), Err(MeshError::Unreadable { reason: "no file gone.obj".to_owned() }));
+    assert_eq!(load("gone.obj", &folder([])), Err(MeshError::Unreadable(Box::new(no_files("gone.obj").unwrap_err()))));
 }
 
 #[test]

@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use camera_lab::appearance::{Rgba, Texture};
 use camera_lab::drawing::{Drawing, Lighting, Paint, Phong, Surface, ViewLight};
-use camera_lab::raster::{MAX_SIDE, Rasterizer};
+use camera_lab::limits::MAX_SIDE;
+use camera_lab::raster::Rasterizer;
 use tiny_skia::Pixmap;
 
 const BLACK: Rgba = Rgba::rgb(0, 0, 0);

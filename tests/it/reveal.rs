@@ -317,7 +317,7 @@ fn the_two_parts_are_the_whole_and_each_is_on_its_side() {
         let camera = Camera::new(&parameters).unwrap();
         let mut figure = Figure::default();
         figure.scene.preset = scene;
-        let whole = views::scene_of(&figure, &mut |_| Err(String::new())).unwrap();
+        let whole = views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
         let parts = dissect::dissect(&whole, &camera, false);
         let (area_inside, area_outside) = (area(&parts.inside), area(&parts.outside));
         assert!(area_outside > 0.1, "{scene:?}");
@@ -417,7 +417,7 @@ fn a_face_that_passes_the_eye_is_where_its_divided_corners_are() {
 #[test]
 fn culling_says_what_it_drops_and_why() {
     let figure = preset(ScenePreset::Cube, Reveal::default());
-    let scene = views::scene_of(&figure, &mut |_| Err(String::new())).unwrap();
+    let scene = views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
     let cube = scene.objects.iter().find(|o| o.mesh.convex).unwrap();
     let camera = |position: DVec3, focal_point: DVec3| {
         Camera::new(&Parameters { position, focal_point, near: 0.5, far: 20.0, ..Parameters::default() }).unwrap()

@@ -8,17 +8,13 @@ use camera_lab::appearance::{HiddenLines, Rgba, Style, Theme};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::read;
 use camera_lab::figure::write::to_toml;
-use camera_lab::files::open_figure;
+use camera_lab::files::{open_figure, read_for_scene};
 use camera_lab::geometry::Aabb;
 use camera_lab::scene::{
     Light, LightSpec, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, build,
-    primitives,
+    no_files, primitives,
 };
 use glam::{DMat4, DQuat, DVec3};
-
-fn no_files(path: &str) -> Result<Vec<u8>, String> {
-    Err(format!("no file {path} here"))
-}
 
 fn build_objects(objects: Vec<ObjectSpec>) -> Result<Scene, SceneError> {
     build(&SceneSpec { preset: Preset::Empty, objects, lights: Vec::new() }, &Style::default(), &mut no_files)
@@ -334,7 +330,7 @@ fn preset(preset: Preset) -> Scene {
 
 #[test]
 fn presets_have_names_that_read_back_and_can_be_built_in_every_theme() {
-    for p in Preset::ALL {
+    for p in Preset::NAMED.iter().map(|(_, p)| *p) {
         assert_eq!(p.name().parse(), Ok(p));
         for theme in [Theme::Light, Theme::Dark, Theme::Print] {
             let scene = build(
@@ -420,7 +416,7 @@ fn own_objects_can_hang_on_a_presets_objects_and_share_their_names() {
 #[test]
 fn each_preset_has_an_example_figure_with_its_recommended_camera() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
-    for preset in Preset::ALL {
+    for preset in Preset::NAMED.iter().map(|(_, preset)| *preset) {
         let figure = open_figure(&folder.join(format!("{preset}.toml"))).unwrap().figure;
         assert_eq!(figure.scene, SceneSpec { preset, ..SceneSpec::default() }, "{preset}");
         // What has no part in the projection is not in the file.
@@ -443,20 +439,20 @@ fn every_example_figure_can_be_drawn() {
     for entry in std::fs::read_dir(&folder).unwrap() {
         let path = entry.unwrap().path();
         let figure = open_figure(&path).unwrap().figure;
-        let mut read = |file: &str| std::fs::read(folder.join(file)).map_err(|e| e.to_string());
+        let mut read = |file: &str| read_for_scene(&folder.join(file));
         let scene = build(&figure.scene, &figure.style, &mut read).unwrap();
         Camera::new(&figure.camera).unwrap();
         let is_empty = scene.objects.is_empty();
         assert_eq!(is_empty, path.ends_with("empty.toml"), "{}", path.display());
         count += 1;
     }
-    assert!(count > Preset::ALL.len());
+    assert!(count > Preset::NAMED.len());
 }
 
 #[test]
 fn the_sample_mesh_is_whole() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/meshes");
-    let mut read = |file: &str| std::fs::read(folder.join(file)).map_err(|e| e.to_string());
+    let mut read = |file: &str| read_for_scene(&folder.join(file));
     let teapot = ObjectSpec::new("t", Shape::Mesh { path: "teapot.obj".to_owned() });
     let spec = SceneSpec { preset: Preset::Empty, objects: vec![teapot], lights: vec![] };
     let scene = build(&spec, &Style::default(), &mut read).unwrap();

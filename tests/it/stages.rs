@@ -18,7 +18,7 @@ const LIGHT: &str = "[[scene.lights]]\nkind = \"directional\"\ndirection = [-1, 
 fn assert_stage(name: &str, figure: &str) {
     let figure = parse(figure).unwrap();
     let camera = Camera::new(&figure.camera).unwrap();
-    let scene = scene_of(&figure, &mut |path| Err(format!("{path} is not needed"))).unwrap();
+    let scene = scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
     let source = |force_all_stages| Source {
         figure: &figure,
         camera: &camera,

@@ -26,7 +26,7 @@ impl Pictured {
     /// The picture of a figure at 320 × 240.
     pub(crate) fn of(figure: Figure) -> Self {
         let camera = Camera::new(&figure.camera).unwrap();
-        let scene = views::scene_of(&figure, &mut |path| Err(format!("{path} is not there"))).unwrap();
+        let scene = views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
         let size = Size { width: 320, height: 240, scale: 1.0 };
         Self { figure, camera, scene, extras: Extras::default(), size, lang: Lang::En }
     }

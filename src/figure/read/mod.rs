@@ -14,18 +14,9 @@ use super::words::{DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES
 use super::{Depth, Figure, Observer, Observers, Outside, Reveal};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
-pub(super) use scene::default_segments;
+use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
 pub use scene::line_of_object;
 use section::{Fault, Section};
-
-/// The longest figure file in bytes.
-pub const MAX_BYTES: usize = 8 << 20;
-
-/// The longest side of an image in pixels.
-pub const MAX_SIDE: u32 = 16_384;
-
-/// How far the corner of a viewport may lie outside the image, in pixels.
-const MAX_OFFSET: i64 = 32_768;
 
 /// Reads the bytes of a figure file, whatever they are.
 ///
@@ -33,8 +24,8 @@ const MAX_OFFSET: i64 = 32_768;
 /// [`FigureError`] names the first line that is at fault.
 pub fn parse_bytes(bytes: &[u8]) -> Result<Figure, FigureError> {
     let fault = |line, problem| FigureError { line, key: String::new(), problem };
-    if bytes.len() > MAX_BYTES {
-        return Err(fault(1, Problem::TooLarge { limit: MAX_BYTES }));
+    if bytes.len() > MAX_FIGURE_BYTES {
+        return Err(fault(1, Problem::TooLarge { limit: MAX_FIGURE_BYTES }));
     }
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let good = error.valid_up_to();

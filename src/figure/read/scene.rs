@@ -1,7 +1,5 @@
 //! The `[scene]` section: a preset, a tree of objects, lights.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
 use toml_edit::Document;
 
@@ -10,17 +8,10 @@ use super::section::{Fault, Section};
 use crate::appearance::Theme;
 use crate::figure::error::{Allowed, Problem};
 use crate::figure::near;
-use crate::figure::words::{LIGHTS, PRESETS, SHAPES};
+use crate::figure::words::{self, LIGHTS, PRESETS, SHAPES};
+use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
-use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape, preset_objects};
-
-/// The fewest and the most segments of a curved shape.
-const SEGMENTS: (i64, i64) = (3, 512);
-
-/// Segments of a shape where the file says nothing.
-pub(in crate::figure) fn default_segments(shape: Option<&Shape>) -> u32 {
-    shape.map_or(32, Shape::default_segments)
-}
+use crate::scene::{LightSpec, ObjectSpec, Preset, SceneError, SceneSpec, Shape, check, preset_objects};
 
 /// Reads `[scene]`. Where no preset is named it is the default one, unless objects are listed: then these alone are the scene.
 pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneSpec {
@@ -29,41 +20,80 @@ pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneS
     let preset = section.word("preset", PRESETS, alone);
     let lights = section.sections("lights", "[[scene.lights]]");
     faults.extend(section.finish());
-    SceneSpec {
+    let mut places = Places::default();
+    let spec = SceneSpec {
         preset,
-        objects: read_objects(objects, preset, faults),
-        lights: lights.into_iter().filter_map(|light| read_light(light, faults)).collect(),
+        objects: objects.into_iter().enumerate().map(|(i, o)| read_object(i, o, &mut places, faults)).collect(),
+        lights: lights.into_iter().filter_map(|light| read_light(light, &mut places, faults)).collect(),
+    };
+    if let Err(error) = check(&spec) {
+        faults.push(places.fault(&spec, error));
     }
+    spec
 }
 
-/// Where the names of an object stand.
+/// Where objects and lights stand in the text.
+#[derive(Default)]
 struct Places {
-    name: usize,
-    parent: usize,
+    /// Of each object: its start, and where its keys are.
+    objects: Vec<(usize, Vec<(&'static str, usize)>)>,
+    lights: Vec<usize>,
 }
 
-fn read_objects(sections: Vec<Section<'_>>, preset: Preset, faults: &mut Vec<Fault>) -> Vec<ObjectSpec> {
-    let mut objects = Vec::new();
-    let mut places = Vec::new();
-    for (i, mut section) in sections.into_iter().enumerate() {
-        let place = |key| section.place(key).unwrap_or(section.start());
-        places.push(Places { name: place("name"), parent: place("parent") });
-        let shape = read_shape(&mut section);
-        let segments = default_segments(shape.as_ref());
-        objects.push(ObjectSpec {
-            name: section.text("name").unwrap_or_else(|| default_name(i)),
-            shape,
-            parent: section.text("parent"),
-            translate: section.vector("translate", DVec3::ZERO),
-            rotate: section.angles("rotate", DVec3::ZERO),
-            scale: read_scale(&mut section),
-            color: section.color("color"),
-            segments: section.integer("segments", SEGMENTS.0, SEGMENTS.1, segments),
-        });
-        faults.extend(section.finish());
+impl Places {
+    /// What the rules of scenes say, at its place in the text.
+    fn fault(&self, spec: &SceneSpec, error: SceneError) -> Fault {
+        let key = error.key();
+        let named = |name: &str| {
+            let name = name.to_owned();
+            spec.objects.iter().enumerate().filter(move |(_, object)| object.name == name).map(|(i, _)| i)
+        };
+        let index = match &error {
+            // The second one is too many.
+            SceneError::DuplicateName { name } => named(name).nth(1),
+            _ => error.object().and_then(|name| named(name).next()),
+        };
+        let (at, label) = match (index.and_then(|i| self.objects.get(i)), &error) {
+            (Some((start, keys)), _) => {
+                let at = keys.iter().find(|(known, _)| *known == key).map_or(*start, |(_, at)| *at);
+                (at, "[[scene.objects]]")
+            }
+            (None, SceneError::Light { index, .. }) => {
+                (self.lights.get(*index).copied().unwrap_or_default(), "[[scene.lights]]")
+            }
+            (None, _) => (0, "[scene]"),
+        };
+        let near = near_parent(spec, &error);
+        Fault { at, key: format!("{label} {key}"), problem: Problem::Scene { error: Box::new(error), near } }
     }
-    check_tree(&objects, preset, &places, faults);
-    objects
+}
+
+/// The object that was probably meant as a parent.
+fn near_parent(spec: &SceneSpec, error: &SceneError) -> Option<String> {
+    let SceneError::UnknownParent { name, parent } = error else { return None };
+    let of_preset = preset_objects(spec.preset, &SceneColors::of(Theme::Light));
+    let all = spec.objects.iter().chain(&of_preset).map(|object| object.name.as_str());
+    near::by_letters(parent, all.filter(|other| other != name))
+}
+
+fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fault>) -> ObjectSpec {
+    const KEYS: [&str; 6] = ["name", "parent", "translate", "rotate", "scale", "segments"];
+    let keys = KEYS.iter().filter_map(|key| Some((*key, section.place(key)?))).collect();
+    places.objects.push((section.start(), keys));
+    let shape = read_shape(&mut section);
+    let segments = Shape::usual_segments(shape.as_ref());
+    let object = ObjectSpec {
+        name: section.text("name").unwrap_or_else(|| default_name(index)),
+        shape,
+        parent: section.text("parent"),
+        translate: section.vector("translate", DVec3::ZERO),
+        rotate: section.angles("rotate", DVec3::ZERO),
+        scale: read_scale(&mut section),
+        color: section.color("color"),
+        segments: section.integer("segments", i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS), segments),
+    };
+    faults.extend(section.finish());
+    object
 }
 
 /// What an object is called that has no name.
@@ -96,55 +126,9 @@ fn read_shape(section: &mut Section<'_>) -> Option<Shape> {
     })
 }
 
-/// Names are unique in the list, parents exist in it or in the preset, nobody is their own ancestor.
-fn check_tree(objects: &[ObjectSpec], preset: Preset, places: &[Places], faults: &mut Vec<Fault>) {
-    let of_preset = preset_objects(preset, &SceneColors::of(Theme::Light));
-    let of_preset: Vec<&str> = of_preset.iter().map(|object| object.name.as_str()).collect();
-    let mut fault = |at, key: &str, problem| {
-        faults.push(Fault { at, key: format!("[[scene.objects]] {key}"), problem });
-    };
-    let mut index_of: HashMap<&str, usize> = HashMap::new();
-    for (i, object) in objects.iter().enumerate() {
-        if index_of.insert(&object.name, i).is_some() {
-            fault(places[i].name, "name", Problem::DuplicateName { name: object.name.clone() });
-        }
-    }
-    let parents: Vec<Option<usize>> =
-        objects.iter().map(|object| index_of.get(object.parent.as_deref()?).copied()).collect();
-    for (i, object) in objects.iter().enumerate() {
-        let Some(name) = &object.parent else { continue };
-        if parents[i].is_none() && !of_preset.contains(&name.as_str()) {
-            let others = objects.iter().map(|o| o.name.as_str()).filter(|n| *n != object.name);
-            let near = near::by_letters(name, others.chain(of_preset.iter().copied()));
-            fault(places[i].parent, "parent", Problem::UnknownParent { name: name.clone(), near });
-        }
-    }
-    if let Some(i) = find_cycle(&parents) {
-        fault(places[i].parent, "parent", Problem::ParentCycle { name: objects[i].name.clone() });
-    }
-}
-
-/// An object that is its own ancestor, if there is one.
-fn find_cycle(parents: &[Option<usize>]) -> Option<usize> {
-    // 0: not seen; otherwise the number of the walk that came by. So each object is passed once.
-    let mut walk_of = vec![0_usize; parents.len()];
-    for start in 0..parents.len() {
-        let walk = start + 1;
-        let mut at = Some(start);
-        while let Some(i) = at.filter(|i| walk_of[*i] == 0) {
-            walk_of[i] = walk;
-            at = parents[i];
-        }
-        if at.is_some_and(|i| walk_of[i] == walk) {
-            return at;
-        }
-    }
-    None
-}
-
-fn read_light(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<LightSpec> {
+fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fault>) -> Option<LightSpec> {
     if !section.is_present("kind") {
-        section.missing("kind", Allowed::Word { words: vec!["directional", "point"], near: None });
+        section.missing("kind", Allowed::Word { words: words::names(LIGHTS), near: None });
     }
     let light = section.choice("kind", LIGHTS).map(|kind| match kind {
         LightSpec::Directional(default) => {
@@ -156,7 +140,13 @@ fn read_light(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Light
         }
         LightSpec::Point(default) => LightSpec::Point(section.vector("position", default)),
     });
-    if light.is_none() {
+    if let Some(light) = light {
+        let key = match light {
+            LightSpec::Directional(_) => "direction",
+            LightSpec::Point(_) => "position",
+        };
+        places.lights.push(section.place(key).unwrap_or(section.start()));
+    } else {
         // Which keys belong here is not known; the kind is the fault to report.
         section.vector("direction", DVec3::ZERO);
         section.vector("position", DVec3::ZERO);

@@ -1,7 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use super::*;
-use crate::scene::{LightSpec, Preset, Shape};
+use crate::scene::{LightSpec, Preset, SceneError, Shape};
 
 /// The error of `text` as line, key and problem.
 fn error(text: &str) -> (usize, String, Problem) {
@@ -249,15 +249,22 @@ fn impossible_cameras_carry_the_line_of_a_key_that_is_there() {
 fn trees_are_checked() {
     let object = |name: &str, parent: &str| format!("[[scene.objects]]\nname = \"{name}\"\nparent = \"{parent}\"\n");
     let twice = "[[scene.objects]]\nname = \"a\"\n".repeat(2);
-    assert_eq!(error(&twice), (4, "[[scene.objects]] name".into(), Problem::DuplicateName { name: "a".into() }));
+    let scene = |error, near| Problem::Scene { error: Box::new(error), near };
+    let problem = scene(SceneError::DuplicateName { name: "a".into() }, None);
+    assert_eq!(error(&twice), (4, "[[scene.objects]] name".into(), problem));
     let orphan = "[[scene.objects]]\nname = \"lamp\"\n".to_owned() + &object("shade", "lmap");
-    let problem = Problem::UnknownParent { name: "lmap".into(), near: Some("lamp".into()) };
+    let problem = scene(SceneError::UnknownParent { name: "shade".into(), parent: "lmap".into() }, Some("lamp".into()));
     assert_eq!(error(&orphan), (5, "[[scene.objects]] parent".into(), problem));
-    assert_eq!(error(&object("a", "a")).2, Problem::ParentCycle { name: "a".into() });
+    let chain = |names: &[&str]| SceneError::Cycle { chain: names.iter().map(ToString::to_string).collect() };
+    assert_eq!(error(&object("a", "a")).2, scene(chain(&["a", "a"]), None));
     let cycle = object("x", "a") + &object("a", "b") + &object("b", "c") + &object("c", "a");
     let (line, key, problem) = error(&cycle);
     assert_eq!((line, key.as_str()), (6, "[[scene.objects]] parent"));
-    assert_eq!(problem, Problem::ParentCycle { name: "a".into() });
+    assert_eq!(problem, scene(chain(&["a", "b", "c", "a"]), None));
+    let far = "[[scene.objects]]\nname = \"a\"\nscale = [1e200, 1, 1]\n".to_owned()
+        + "[[scene.objects]]\nname = \"b\"\nparent = \"a\"\ntranslate = [1e200, 0, 0]\n";
+    let problem = scene(SceneError::NotFinite { name: "b".into(), key: "parent" }, None);
+    assert_eq!(error(&far), (6, "[[scene.objects]] parent".into(), problem));
     let chain: String = (0..20_000).map(|i| object(&format!("o{i}"), &format!("o{}", i + 1))).collect();
     let whole = chain + "[[scene.objects]]\nname = \"o20000\"\n";
     assert_eq!(parse(&whole).unwrap().scene.objects.len(), 20_001);
@@ -334,7 +341,7 @@ fn deep_nesting_is_an_error_not_a_crash() {
 fn bytes_that_are_no_text_are_refused_with_their_line() {
     let error = parse_bytes(b"[camera]\nnear = 1 # \xe1\n").unwrap_err();
     assert_eq!((error.line, error.problem), (2, Problem::NotUtf8 { byte: 0xe1 }));
-    assert!(parse_bytes(&vec![b'\n'; MAX_BYTES + 1]).is_err());
+    assert!(parse_bytes(&vec![b'\n'; MAX_FIGURE_BYTES + 1]).is_err());
     assert_eq!(parse_bytes(b"\xef\xbb\xbf[camera]\r\n"), Ok(Figure::default()));
 }
 

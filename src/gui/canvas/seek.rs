@@ -203,7 +203,7 @@ mod tests {
     fn question(segments: u32, pointer: DVec2) -> Question {
         let ball = ObjectSpec::new("ball", Shape::Sphere).with_segments(segments);
         let spec = SceneSpec { preset: Preset::Empty, objects: vec![ball], lights: Vec::new() };
-        let scene = build(&spec, &Style::default(), &mut |_| Err(String::new())).unwrap();
+        let scene = build(&spec, &Style::default(), &mut crate::scene::no_files).unwrap();
         let figure = Figure::default();
         let nobody =
             Observer { target: glam::DVec3::ZERO, distance: 1.0, azimuth: 0.0, elevation: 0.0, parallel: false };

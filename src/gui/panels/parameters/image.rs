@@ -10,7 +10,7 @@ use crate::gui::state::State;
 use crate::i18n::window::{self, Texts};
 
 /// No screen and no paper needs more; the product stays far below what memory holds.
-const MAX_SIDE: f64 = 16384.0;
+const MAX_SIDE: f64 = crate::limits::MAX_SIDE as f64;
 
 /// Image size and, closed at first, the viewport.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {

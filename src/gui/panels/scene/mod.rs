@@ -159,7 +159,7 @@ fn show_from_its_best_side(state: &mut State, preset: Preset) {
     if state.settings.aspect_follows_image {
         let n = state.document.figure().image.height;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
-        let m = (f64::from(n) * camera.aspect).round().clamp(1.0, 16384.0) as u32;
+        let m = (f64::from(n) * camera.aspect).round().clamp(1.0, f64::from(crate::limits::MAX_SIDE)) as u32;
         state.document.edit(|figure| figure.image.width = m);
         camera.aspect = f64::from(m) / f64::from(n);
     }

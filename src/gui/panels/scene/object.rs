@@ -133,7 +133,7 @@ fn kind(ui: &mut egui::Ui, form: &mut Form, index: usize) {
         Some(Shape::Torus),
         Some(Shape::Grid),
     ];
-    let usual = |shape: Option<&Shape>| shape.map_or(32, Shape::default_segments);
+    let usual = Shape::usual_segments;
     let mut chosen = object.shape.clone();
     row(ui, "", t.kind, t.kind_hint, |ui| {
         egui::ComboBox::from_id_salt(t.kind)
@@ -364,8 +364,8 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     } else if !left && text != *path {
         state.tree.typing = Some(typing);
     }
-    if let Some(problem) = state.scenery.problem_of(owner) {
-        complaint(ui, &problem);
+    if let Some(error) = state.scenery.problem_of(owner) {
+        complaint(ui, &scenes::scene_error(state.settings.lang, &error));
         if ui.button(t.read_again).on_hover_text(t.read_again_hint).clicked() {
             state.scenery.read_again();
             state.message = None;

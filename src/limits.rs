@@ -1,0 +1,29 @@
+//! How much of everything there may be: each limit once, with its reason.
+
+/// The longest side of a picture in pixels: the rasterizer counts in 1/16 of a pixel, and has room for this and a border.
+pub const MAX_SIDE: u32 = 16_384;
+
+/// The most pixels of a picture: 15360 × 8640, with a little room.
+pub const MAX_PIXELS: u64 = 1 << 27;
+
+/// How far the corner of a viewport may lie outside the image, in pixels: twice the longest side.
+pub const MAX_OFFSET: i64 = 2 * MAX_SIDE as i64;
+
+/// The fewest segments of a curved shape: a triangle.
+pub const MIN_SEGMENTS: u32 = 3;
+
+/// The most segments of a curved shape: half a million triangles for a sphere.
+pub const MAX_SEGMENTS: u32 = 512;
+
+/// Segments of a curved shape where nothing is said: at usual sizes it looks round.
+pub const DEFAULT_SEGMENTS: u32 = 32;
+
+/// The longest figure file in bytes: a hundred times the largest that people write.
+pub const MAX_FIGURE_BYTES: usize = 8 << 20;
+
+/// The longest file of any kind in bytes: more than any picture or mesh that can be shown.
+pub const MAX_FILE_BYTES: u64 = 1 << 30;
+
+/// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper ones
+/// would need more of the stack.
+pub const MAX_EXPRESSION: (usize, u32) = (500, 60);

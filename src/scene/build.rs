@@ -1,0 +1,204 @@
+//! Builds a scene from what a figure says of it: objects with their meshes, lines, marks, texts and lights.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::palette::{PALETTE, SceneColors};
+use super::resolve::{Placed, allowed_segments, lights, place};
+use super::{
+    Line, Mesh, MeshFiles, Object, ObjectPaint, PointMark, ReadFile, Scene, SceneError, SceneSpec, Shape, Text,
+    presets, primitives,
+};
+use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
+
+/// Half the width of a point's mark, in pixels at scale 1.
+const MARK_RADIUS: f32 = 4.0;
+/// Height of a point's name, in pixels at scale 1.
+const NAME_SIZE: f32 = 14.0;
+
+/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with hidden
+/// edges as it wants them.
+///
+/// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`; an object without a colour
+/// has its nearest ancestor's, else the next one of [`PALETTE`]. A single point carries its object's name
+/// as a label. Without lights there is one, [`DEFAULT_LIGHT`](super::DEFAULT_LIGHT).
+///
+/// *Guarantees*: all matrices are finite and, up to rounding, invertible.
+///
+/// # Errors
+/// [`SceneError`] names the object and what is wrong with it.
+pub fn build(spec: &SceneSpec, style: &Style, read_file: &mut ReadFile<'_>) -> Result<Scene, SceneError> {
+    build_with(spec, style, read_file, &mut MeshFiles::default())
+}
+
+/// As [`build`], for scenes that are built again and again: `files` keeps the mesh files that `spec` uses.
+///
+/// # Errors
+/// [`SceneError`] names the object and what is wrong with it.
+pub fn build_with(
+    spec: &SceneSpec,
+    style: &Style,
+    read_file: &mut ReadFile<'_>,
+    files: &mut MeshFiles,
+) -> Result<Scene, SceneError> {
+    let colors = SceneColors { hidden: style.hidden_lines, ..SceneColors::of(style.theme) };
+    let preset = presets::objects(spec.preset, &colors);
+    let placed_preset = place(&preset, &[])?;
+    let placed_own = place(&spec.objects, &placed_preset)?;
+
+    let mut scene = Scene::default();
+    let is_used =
+        |path: &str| spec.objects.iter().any(|o| matches!(&o.shape, Some(Shape::Mesh { path: p }) if p == path));
+    files.retain(is_used);
+    let mut maker = Maker { colors, before: std::mem::take(&mut files.primitives), read_file, files };
+    let mut turns = PALETTE.into_iter().cycle();
+    let mut next_color = || turns.next().unwrap_or(PALETTE[0]);
+    for placed in &placed_preset {
+        maker.add(&mut scene, placed, placed.color.unwrap_or_else(&mut next_color))?;
+    }
+    presets::finish(spec.preset, &colors, &mut scene);
+    for placed in &placed_own {
+        maker.add(&mut scene, placed, placed.color.unwrap_or_else(&mut next_color))?;
+    }
+    scene.lights = lights(&spec.lights)?;
+    Ok(scene)
+}
+
+/// Makes meshes; equal ones are made once.
+struct Maker<'a, 'b> {
+    colors: SceneColors,
+    /// The primitives of the last time; those that are used again go back to `files`.
+    before: BTreeMap<(&'static str, u32), Arc<Mesh>>,
+    read_file: &'a mut ReadFile<'b>,
+    files: &'a mut MeshFiles,
+}
+
+impl Maker<'_, '_> {
+    fn add(&mut self, scene: &mut Scene, placed: &Placed<'_>, color: Rgba) -> Result<(), SceneError> {
+        let Some(shape) = &placed.spec.shape else { return Ok(()) };
+        let name = &placed.spec.name;
+        let not_finite = |key| SceneError::NotFinite { name: name.clone(), key };
+        let to_world = |p: DVec3| placed.world_from_object.transform_point3(p);
+        match shape {
+            Shape::Grid => {
+                let style = self.colors.grid_style(placed.color.unwrap_or(self.colors.grid));
+                let lines = primitives::grid_lines(allowed_segments(placed.spec)?);
+                scene.lines.extend(lines.iter().map(|l| Line { points: l.map(to_world).to_vec(), style }));
+            }
+            Shape::Points(points) => {
+                if !points.iter().all(|p| to_world(*p).is_finite()) {
+                    return Err(not_finite("points"));
+                }
+                for p in points {
+                    scene.marks.push(point_mark(to_world(*p), MarkShape::Disc, color));
+                }
+                if let [p] = points[..] {
+                    scene.texts.push(point_name(to_world(p), name, self.colors.ink));
+                }
+                scene.objects.push(bare(name, Mesh::point_cloud(points.iter().copied()), placed, color, None));
+            }
+            Shape::Segments(segments) => {
+                if !segments.iter().flatten().all(|p| to_world(*p).is_finite()) {
+                    return Err(not_finite("segments"));
+                }
+                let style = self.colors.segment_style(color);
+                let mesh = Mesh::segments(segments.iter().copied());
+                scene.objects.push(bare(name, mesh, placed, color, Some(style)));
+            }
+            Shape::Mesh { path } => self.mesh_file(scene, placed, path, color)?,
+            Shape::Box => self.solid(scene, placed, color, true, |_| primitives::cube())?,
+            Shape::Prism => self.solid(scene, placed, color, true, primitives::prism)?,
+            Shape::Pyramid => self.solid(scene, placed, color, true, |_| primitives::pyramid())?,
+            Shape::Sphere => self.solid(scene, placed, color, false, primitives::sphere)?,
+            Shape::Ellipsoid => self.solid(scene, placed, color, false, ellipsoid)?,
+            Shape::Cylinder => self.solid(scene, placed, color, false, primitives::cylinder)?,
+            Shape::Cone => self.solid(scene, placed, color, false, primitives::cone)?,
+            Shape::Torus => self.solid(scene, placed, color, false, primitives::torus)?,
+        }
+        Ok(())
+    }
+
+    /// The parts of a mesh file: named after the object, and after themselves where there are several. A colour that the figure
+    /// gives wins over those of the file's materials.
+    fn mesh_file(&mut self, scene: &mut Scene, placed: &Placed<'_>, path: &str, color: Rgba) -> Result<(), SceneError> {
+        let name = &placed.spec.name;
+        let failed = |error| SceneError::Mesh { name: name.clone(), path: path.to_owned(), error };
+        let parts = self.files.get(path, self.read_file).map_err(failed)?;
+        for (k, part) in parts.iter().enumerate() {
+            let world_from_object = placed.world_from_object * part.file_from_part;
+            if !world_from_object.is_finite() {
+                return Err(SceneError::NotFinite { name: name.clone(), key: "scale" });
+            }
+            let part_name = if part.name.is_empty() { (k + 1).to_string() } else { part.name.clone() };
+            scene.objects.push(Object {
+                name: if parts.len() == 1 { name.clone() } else { format!("{name}/{part_name}") },
+                mesh: Arc::clone(&part.mesh),
+                world_from_object,
+                paint: ObjectPaint::Solid(placed.color.or(part.color).unwrap_or(color)),
+                lit: true,
+                two_sided: part.two_sided,
+                faces: true,
+                edges: None,
+            });
+        }
+        Ok(())
+    }
+
+    /// A solid, whose mesh is made once for each number of segments; faceted ones show their edges.
+    fn solid(
+        &mut self,
+        scene: &mut Scene,
+        placed: &Placed<'_>,
+        color: Rgba,
+        faceted: bool,
+        make: impl FnOnce(u32) -> Mesh,
+    ) -> Result<(), SceneError> {
+        let Some(shape) = &placed.spec.shape else { return Ok(()) };
+        let segments = if shape.has_segments() { allowed_segments(placed.spec)? } else { 0 };
+        let key = (shape.name(), segments);
+        let before = self.before.remove(&key);
+        let made = || before.unwrap_or_else(|| Arc::new(make(segments)));
+        let mesh = Arc::clone(self.files.primitives.entry(key).or_insert_with(made));
+        scene.objects.push(Object {
+            name: placed.spec.name.clone(),
+            mesh,
+            world_from_object: placed.world_from_object,
+            paint: ObjectPaint::Solid(color),
+            lit: true,
+            two_sided: false,
+            faces: true,
+            edges: faceted.then(|| self.colors.edge_style()),
+        });
+        Ok(())
+    }
+}
+
+fn ellipsoid(segments: u32) -> Mesh {
+    primitives::ellipsoid(primitives::ELLIPSOID_HALF_AXES, segments)
+}
+
+/// An object without faces.
+fn bare(name: &str, mesh: Mesh, placed: &Placed<'_>, color: Rgba, edges: Option<LineStyle>) -> Object {
+    Object {
+        name: name.to_owned(),
+        mesh: Arc::new(mesh),
+        world_from_object: placed.world_from_object,
+        paint: ObjectPaint::Solid(color),
+        lit: false,
+        two_sided: true,
+        faces: false,
+        edges,
+    }
+}
+
+/// The mark of a point.
+pub(super) fn point_mark(position: DVec3, shape: MarkShape, color: Rgba) -> PointMark {
+    PointMark { position, shape, radius: MARK_RADIUS, color, fade_if_hidden: true }
+}
+
+/// The name beside a point.
+pub(super) fn point_name(position: DVec3, text: &str, color: Rgba) -> Text {
+    Text { position, text: text.to_owned(), offset: [8.0, -8.0], size: NAME_SIZE, color, fade_if_hidden: true }
+}

@@ -1,0 +1,143 @@
+//! What can be wrong with a scene, and with the files that it names.
+
+use std::io;
+
+use super::MeshError;
+use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
+
+/// Why a specification is not a scene.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SceneError {
+    /// Two objects have one name.
+    #[error("two objects are named \"{name}\"; each name must be used once")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// An object's parent does not exist.
+    #[error("object \"{name}\": there is no object \"{parent}\" that could be its parent")]
+    UnknownParent {
+        /// The object.
+        name: String,
+        /// The name that was not found.
+        parent: String,
+    },
+    /// An object is its own ancestor.
+    #[error("object \"{}\" is its own ancestor: {}", chain.first().map_or("", String::as_str), chain.join(" → "))]
+    Cycle {
+        /// From the object over its ancestors back to itself.
+        chain: Vec<String>,
+    },
+    /// A number is infinite or not a number.
+    #[error("object \"{name}\": {key} has a value that is not finite")]
+    NotFinite {
+        /// The object.
+        name: String,
+        /// `translate`, `rotate`, `scale`, `points`, `segments`, or `parent` when only the product with the ancestors'
+        /// transforms overflows.
+        key: &'static str,
+    },
+    /// A scale of zero makes a solid flat.
+    #[error("object \"{name}\": scale must not be 0 along any axis")]
+    ZeroScale {
+        /// The object.
+        name: String,
+    },
+    /// `segments` is out of its range.
+    #[error("object \"{name}\": segments is {found}; allowed: {MIN_SEGMENTS} to {MAX_SEGMENTS}")]
+    Segments {
+        /// The object.
+        name: String,
+        /// What was found.
+        found: u32,
+    },
+    /// A mesh file cannot be used.
+    #[error("object \"{name}\": mesh file \"{path}\": {error}")]
+    Mesh {
+        /// The object.
+        name: String,
+        /// As the figure names it.
+        path: String,
+        /// Why.
+        error: MeshError,
+    },
+    /// A light has no direction, or a number that is not finite.
+    #[error("light {}: {key} must be finite{}", index + 1, if *key == "direction" { " and not zero" } else { "" })]
+    Light {
+        /// Its place in the list, from 0.
+        index: usize,
+        /// `direction` or `position`.
+        key: &'static str,
+    },
+}
+
+impl SceneError {
+    /// The name of the object that is at fault, where it is one.
+    #[must_use]
+    pub fn object(&self) -> Option<&str> {
+        match self {
+            Self::DuplicateName { name }
+            | Self::UnknownParent { name, .. }
+            | Self::NotFinite { name, .. }
+            | Self::ZeroScale { name }
+            | Self::Segments { name, .. }
+            | Self::Mesh { name, .. } => Some(name),
+            Self::Cycle { chain } => chain.first().map(String::as_str),
+            Self::Light { .. } => None,
+        }
+    }
+
+    /// The key that is at fault.
+    #[must_use]
+    pub const fn key(&self) -> &'static str {
+        match self {
+            Self::DuplicateName { .. } => "name",
+            Self::UnknownParent { .. } | Self::Cycle { .. } => "parent",
+            Self::ZeroScale { .. } => "scale",
+            Self::Segments { .. } => "segments",
+            Self::Mesh { .. } => "path",
+            Self::NotFinite { key, .. } | Self::Light { key, .. } => key,
+        }
+    }
+}
+
+/// Gives the bytes of the file with this path (as the figure names it).
+pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, ReadError> + 'a;
+
+/// Why a file that a scene names cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{file}: {problem}")]
+pub struct ReadError {
+    /// The file, as it was looked for.
+    pub file: String,
+    /// Why.
+    pub problem: ReadProblem,
+}
+
+/// What keeps a file from being read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ReadProblem {
+    /// The system refuses.
+    #[error("{detail}")]
+    System {
+        /// The kind of refusal.
+        kind: io::ErrorKind,
+        /// The system's words.
+        detail: String,
+    },
+    /// It is a directory.
+    #[error("is a directory")]
+    Directory,
+    /// It is larger than any file that is meant for this program.
+    #[error("is too large")]
+    TooLarge,
+}
+
+/// For scenes without files: a [`ReadFile`] that finds none.
+///
+/// # Errors
+/// Always: the file does not exist.
+pub fn no_files(file: &str) -> Result<Vec<u8>, ReadError> {
+    let kind = io::ErrorKind::NotFound;
+    Err(ReadError { file: file.to_owned(), problem: ReadProblem::System { kind, detail: kind.to_string() } })
+}
