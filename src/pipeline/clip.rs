@@ -1,9 +1,9 @@
 //! Clipping in homogeneous coordinates, before the divide `[2]`: what lies behind the eye never reaches it.
 //!
-//! Each plane of the volume is a linear function of the clip point, positive inside. A cut lies at the mean of the two ends of
-//! an edge, weighted by their distances, `P = (d₁ P₂ + d₂ P₁) / (d₁ + d₂)` as `[2]` has it: symmetrical in the ends, so two
-//! triangles that share an edge get the same cut to the last bit, and accurate however far apart the ends lie.
+//! Each plane of the volume is a linear function of the clip point, positive inside; [`cut`] says where an edge crosses it.
 
+use super::cut::{Edge, Origin, cut};
+use super::resample::VertexOrigin;
 use super::transform::{ClipPoint, Projector};
 
 /// The planes of the volume, in the order of the distances: left, right, bottom, top, near, far.
@@ -16,13 +16,13 @@ pub type PlaneSet = u8;
 pub(super) const ALL_PLANES: PlaneSet = 0b11_1111;
 
 /// The near plane.
-pub(super) const NEAR: PlaneSet = 1 << 4;
+pub const NEAR: PlaneSet = 1 << 4;
 
 /// The bit of an outcode that stands for "no number": such a point is drawn nowhere.
 pub(super) const NOT_A_NUMBER: PlaneSet = 0b100_0000;
 
 /// Near and far first: then w is positive for all that follows.
-const ORDER: [usize; PLANES] = [4, 5, 0, 1, 2, 3];
+pub(super) const ORDER: [usize; PLANES] = [4, 5, 0, 1, 2, 3];
 
 /// The six homogeneous distances, positive inside: w + x, w − x, w + y, w − y, and, up to a positive factor, w + z and w − z.
 ///
@@ -50,15 +50,18 @@ pub(super) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
 pub(super) struct Corner {
     /// Where it is.
     pub(super) point: ClipPoint,
-    /// Its share of each corner of the triangle that it came from: every attribute of the corner is the sum of the
-    /// triangle's attributes with these weights.
+    /// Its share of each corner of the triangle (or of the two ends of the segment) that it came from: every attribute of the
+    /// corner is the sum of the triangle's attributes with these weights.
     pub(super) weights: [f64; 3],
-    distances: [f64; PLANES],
+    /// From each plane, positive inside; 0 from those that it was cut at.
+    pub(super) distances: [f64; PLANES],
 }
 
 impl Corner {
-    fn new(projector: &Projector, point: ClipPoint, weights: [f64; 3]) -> Self {
-        Self { point, weights, distances: distances(projector, point) }
+    /// The corners of a whole polygon: a triangle, or the two ends of a segment.
+    pub(super) fn whole<'a>(projector: &'a Projector, points: &'a [ClipPoint]) -> impl Iterator<Item = Self> + 'a {
+        let own = points.iter().zip(OWN_WEIGHTS);
+        own.map(|(&point, weights)| Self { point, weights, distances: distances(projector, point) })
     }
 
     /// The index in the triangle, where the corner is one of its own.
@@ -66,33 +69,49 @@ impl Corner {
         OWN_WEIGHTS.iter().position(|own| *own == self.weights)
     }
 
-    /// Where the edge from a corner inside `plane` to one outside meets it.
-    fn cut(inside: &Self, outside: &Self, plane: usize, projector: &Projector) -> Self {
-        let (d1, d2) = (inside.distances[plane], -outside.distances[plane]);
-        let (w1, w2) = (d2 / (d1 + d2), d1 / (d1 + d2));
-        let mean = |a: f64, b: f64| w1 * a + w2 * b;
+    /// What the corner is made of, if it lies on the triangle with these vertices of a mesh.
+    pub(super) fn origin(&self, of: [u32; 3]) -> VertexOrigin {
+        match self.original() {
+            Some(own) => VertexOrigin::Vertex(of[own]),
+            None => VertexOrigin::Between { of, weights: self.weights },
+        }
+    }
+
+    /// A corner of a part of `polygon`, which was cut at `plane`.
+    #[inline(always)]
+    pub(super) fn of_part(polygon: &[Self], origin: Origin, plane: usize, projector: &Projector) -> Self {
+        match origin {
+            Origin::Corner(i) => polygon[i],
+            Origin::Edge(edge) => Self::crossing(polygon, &edge, plane, projector),
+        }
+    }
+
+    /// Where an edge meets `plane`: what is known of the plane is exact, the rest is the mean.
+    fn crossing(polygon: &[Self], edge: &Edge, plane: usize, projector: &Projector) -> Self {
+        let (inside, outside) = (&polygon[edge.inside], &polygon[edge.outside]);
         let (a, b) = (inside.point, outside.point);
         let depth = match plane {
             4 => projector.near,
             5 => projector.far,
-            _ => mean(a.depth, b.depth),
+            _ => edge.mean(a.depth, b.depth),
         };
         let w = if projector.perspective { depth } else { 1.0 };
         let x = match plane {
             0 => -w,
             1 => w,
-            _ => mean(a.x, b.x),
+            _ => edge.mean(a.x, b.x),
         };
         let y = match plane {
             2 => -w,
             3 => w,
-            _ => mean(a.y, b.y),
+            _ => edge.mean(a.y, b.y),
         };
-        let mut distances: [f64; PLANES] = std::array::from_fn(|i| mean(inside.distances[i], outside.distances[i]));
+        let mut distances: [f64; PLANES] =
+            std::array::from_fn(|i| edge.mean(inside.distances[i], outside.distances[i]));
         distances[plane] = 0.0;
         Self {
             point: ClipPoint { x, y, w, depth },
-            weights: std::array::from_fn(|i| mean(inside.weights[i], outside.weights[i])),
+            weights: std::array::from_fn(|i| edge.mean(inside.weights[i], outside.weights[i])),
             distances,
         }
     }
@@ -101,7 +120,7 @@ impl Corner {
 /// The weights of the three corners of a triangle that has not been cut.
 const OWN_WEIGHTS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Clips triangles; keeps its buffers.
+/// Clips triangles and segments; keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Clipper {
     polygon: Vec<Corner>,
@@ -113,59 +132,44 @@ impl Clipper {
     /// order of the triangle's corners, or nothing.
     ///
     /// *Guarantees*: an edge that lies in a plane stays whole; what only touches a plane from outside is dropped; planes that
-    /// the triangle does not cross may be left out of `planes` or put into it without changing a bit of the result.
+    /// the triangle does not cross may be left out of `planes` or put into it without changing a bit of the result; a corner on
+    /// an edge has the same bits for every triangle that has the edge.
     pub(super) fn triangle(&mut self, projector: &Projector, corners: [ClipPoint; 3], planes: PlaneSet) -> &[Corner] {
+        self.clip(projector, &corners, planes)
+    }
+
+    /// The part of a segment inside the volume: its two ends, each with `true` where it is a cut; nothing where no point is inside.
+    pub(super) fn segment(&mut self, projector: &Projector, ends: [ClipPoint; 2]) -> Option<[(ClipPoint, bool); 2]> {
+        let codes = ends.map(|p| outcode(projector, p));
+        let either = codes[0] | codes[1];
+        if either == 0 {
+            return Some(ends.map(|p| (p, false)));
+        }
+        if codes[0] & codes[1] != 0 || either & NOT_A_NUMBER != 0 {
+            return None;
+        }
+        match self.clip(projector, &ends, either) {
+            &[a, b] => Some([a, b].map(|end| (end.point, end.original().is_none()))),
+            _ => None,
+        }
+    }
+
+    fn clip(&mut self, projector: &Projector, points: &[ClipPoint], planes: PlaneSet) -> &[Corner] {
         self.polygon.clear();
-        self.polygon.extend((0..3).map(|i| Corner::new(projector, corners[i], OWN_WEIGHTS[i])));
+        self.polygon.extend(Corner::whole(projector, points));
         for plane in ORDER.into_iter().filter(|plane| planes >> plane & 1 == 1) {
             self.next.clear();
-            for (i, current) in self.polygon.iter().enumerate() {
-                let following = &self.polygon[(i + 1) % self.polygon.len()];
-                let (d1, d2) = (current.distances[plane], following.distances[plane]);
-                if d1 >= 0.0 {
-                    self.next.push(*current);
-                }
-                // A corner in the plane is its own cut.
-                if d1 > 0.0 && d2 < 0.0 {
-                    self.next.push(Corner::cut(current, following, plane, projector));
-                } else if d1 < 0.0 && d2 > 0.0 {
-                    self.next.push(Corner::cut(following, current, plane, projector));
-                }
-            }
+            let polygon = &self.polygon;
+            let keep = |origin| self.next.push(Corner::of_part(polygon, origin, plane, projector));
+            cut(polygon.len(), |i| polygon[i].distances[plane], keep, |_| {});
             std::mem::swap(&mut self.polygon, &mut self.next);
-            if self.polygon.len() < 3 {
+            if self.polygon.len() < points.len() {
                 self.polygon.clear();
                 break;
             }
         }
         &self.polygon
     }
-}
-
-/// The part of a segment inside the volume: its two ends, each with `true` where it is a cut; nothing where no point is inside.
-pub(super) fn segment(projector: &Projector, ends: [ClipPoint; 2]) -> Option<[(ClipPoint, bool); 2]> {
-    let codes = ends.map(|p| outcode(projector, p));
-    let either = codes[0] | codes[1];
-    if either == 0 {
-        return Some(ends.map(|p| (p, false)));
-    }
-    if codes[0] & codes[1] != 0 || either & NOT_A_NUMBER != 0 {
-        return None;
-    }
-    let mut a = Corner::new(projector, ends[0], OWN_WEIGHTS[0]);
-    let mut b = Corner::new(projector, ends[1], OWN_WEIGHTS[1]);
-    for plane in ORDER.into_iter().filter(|plane| either >> plane & 1 == 1) {
-        let (d1, d2) = (a.distances[plane], b.distances[plane]);
-        if d1.min(d2) < 0.0 && d1.max(d2) <= 0.0 {
-            return None;
-        }
-        if d2 < 0.0 {
-            b = Corner::cut(&a, &b, plane, projector);
-        } else if d1 < 0.0 {
-            a = Corner::cut(&b, &a, plane, projector);
-        }
-    }
-    Some([(a.point, a.original().is_none()), (b.point, b.original().is_none())])
 }
 
 #[cfg(test)]
@@ -175,6 +179,7 @@ mod tests {
     use super::*;
     use crate::camera::{Camera, Parameters, ViewWindow};
     use glam::DVec3;
+    use proptest::prelude::*;
 
     /// At the origin, looking along −z; window ±1 on F = 1, B = 9: the planes are |x| = d, |y| = d.
     fn eye() -> Projector {
@@ -233,23 +238,47 @@ mod tests {
         assert!(clip([[0.0, 0.0, -1.0], [0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]]).is_empty());
     }
 
-    #[test]
-    fn neighbours_get_the_same_cut_to_the_last_bit() {
-        let eye = eye();
-        let shared = [[0.1, 0.2, -3.0], [7.0, 5.0, -1.3]].map(|p| eye.clip(DVec3::from_array(p)));
+    /// Coordinates in and around the volume, on its planes, and far away.
+    fn point() -> impl Strategy<Value = DVec3> {
+        let across = || prop_oneof![4 => -12.0..12.0, 1 => Just(0.0), 1 => Just(4.0), 1 => -1e6..1e6];
+        let along = prop_oneof![4 => -12.0..2.0, 1 => Just(-1.0), 1 => Just(-4.0), 1 => -1e6..1e3];
+        (across(), across(), along).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+    }
+
+    /// The bits of the corners that lie on the side 0–1, and of an attribute there.
+    fn on_shared_side(eye: &Projector, points: &[DVec3; 4], triangle: [u32; 3]) -> Option<Vec<[u64; 7]>> {
         let mut clipper = Clipper::default();
-        let mut cuts = |third: [f64; 3], flip: bool| {
-            let third = eye.clip(DVec3::from_array(third));
-            let corners = if flip { [shared[1], third, shared[0]] } else { [third, shared[0], shared[1]] };
-            let polygon = clipper.triangle(&eye, corners, ALL_PLANES);
-            let on_edge = |c: &&Corner| c.weights[if flip { 1 } else { 0 }] == 0.0;
-            let mut points: Vec<_> = polygon.iter().filter(on_edge).map(|c| c.point).collect();
-            points.sort_by(|a, b| a.x.total_cmp(&b.x));
-            points
-        };
-        let (above, below) = (cuts([0.0, 3.0, -4.0], false), cuts([0.3, -3.1, -2.0], true));
-        assert_eq!(above.len(), 2);
-        assert_eq!(above, below);
+        let polygon = clipper.triangle(eye, triangle.map(|i| eye.clip(points[i as usize])), ALL_PLANES);
+        let third = triangle.iter().position(|i| *i > 1).unwrap();
+        let mut bits: Vec<_> = polygon
+            .iter()
+            .filter(|corner| corner.weights[third] == 0.0)
+            .map(|corner| {
+                let ClipPoint { x, y, w, depth } = corner.point;
+                let attribute = corner.origin(triangle).of(|i| points[i as usize]);
+                [x, y, w, depth, attribute.x, attribute.y, attribute.z].map(|v| (v + 0.0).to_bits())
+            })
+            .collect();
+        bits.sort_unstable();
+        (!polygon.is_empty()).then_some(bits)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        #[test]
+        fn triangles_that_share_a_side_get_the_same_bits_on_it(points in [point(), point(), point(), point()]) {
+            let eye = eye();
+            // Whichever corner comes first, and whichever way each of the two triangles runs.
+            let orders = |third: u32| [[0, 1, third], [1, third, 0], [third, 0, 1], [1, 0, third], [0, third, 1], [third, 1, 0]];
+            // What only touches the volume with the side may be dropped.
+            let both: Vec<_> = orders(2).into_iter().chain(orders(3)).collect();
+            let mut seen = both.into_iter().filter_map(|triangle| on_shared_side(&eye, &points, triangle));
+            let first = seen.next();
+            for bits in seen {
+                prop_assert_eq!(Some(&bits), first.as_ref());
+            }
+        }
     }
 
     #[test]
@@ -267,7 +296,7 @@ mod tests {
         let eye = eye();
         let cut = |a: [f64; 3], b: [f64; 3]| {
             let ends = [a, b].map(|p| eye.clip(DVec3::from_array(p)));
-            segment(&eye, ends).map(|ends| ends.map(|(p, cut)| ([p.x, p.y, -p.depth], cut)))
+            Clipper::default().segment(&eye, ends).map(|ends| ends.map(|(p, cut)| ([p.x, p.y, -p.depth], cut)))
         };
         let through = cut([-8.0, 0.0, -4.0], [8.0, 0.0, -4.0]).unwrap();
         assert_eq!(through, [([-4.0, 0.0, -4.0], true), ([4.0, 0.0, -4.0], true)]);

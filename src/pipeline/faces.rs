@@ -2,29 +2,13 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use glam::DVec3;
 use rayon::prelude::*;
 
 use super::clip::{ALL_PLANES, Clipper, NEAR, NOT_A_NUMBER, PlaneSet};
 use super::cull::{area_on_image, facing};
 use super::light::LANES;
+use super::resample::VertexOrigin;
 use super::transform::{CHUNK, OnImage, Screen, Vertices, on_grid};
-
-/// A vertex that clipping made: attributes are the sum of those of three vertices, weighted.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cut {
-    /// Vertices of the triangle that was cut.
-    pub(super) of: [u32; 3],
-    /// Their shares; they add up to 1.
-    pub(super) weights: [f64; 3],
-}
-
-impl Cut {
-    /// An attribute of the vertex, from that of each vertex of the mesh.
-    pub(super) fn mean(&self, attribute: impl Fn(u32) -> DVec3) -> DVec3 {
-        (0..3).fold(DVec3::ZERO, |sum, i| sum + attribute(self.of[i]) * self.weights[i])
-    }
-}
 
 /// A triangle that crosses planes of the volume.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +38,7 @@ pub(super) struct Faces {
     /// The triangle of the mesh that each one comes from; empty where nobody wants it.
     pub(super) source: Vec<u32>,
     /// The vertices that clipping made.
-    pub(super) cuts: Vec<Cut>,
+    pub(super) cuts: Vec<VertexOrigin>,
     /// For each [`LANES`] vertices of the mesh whether a triangle that is left has one of them; empty where nobody wants it.
     pub(super) used: Vec<AtomicBool>,
     /// Triangles that were dropped because they turn away.
@@ -161,15 +145,15 @@ impl Faces {
             let planes = if all_planes { ALL_PLANES } else { planes };
             let mut fan = [0_u32; 2];
             for (i, corner) in self.clipper.triangle(vertices.projector, corners, planes).iter().enumerate() {
-                let index = match corner.original() {
-                    Some(own) => triangle[own],
-                    None => {
+                let index = match corner.origin(triangle) {
+                    VertexOrigin::Vertex(own) => own,
+                    new @ VertexOrigin::Between { .. } => {
                         let index = to_u32(self.image.positions.len());
                         self.image.positions.push(on_grid(screen.project(vertices.projector, corner.point)));
                         if !self.image.inverse_w.is_empty() {
                             self.image.inverse_w.push(vertices.projector.relative_inverse_w(corner.point.w));
                         }
-                        self.cuts.push(Cut { of: triangle, weights: corner.weights });
+                        self.cuts.push(new);
                         index
                     }
                 };

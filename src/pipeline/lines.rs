@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::Target;
-use super::clip::{outcode, segment};
+use super::clip::{Clipper, outcode};
 use super::transform::{ClipPoint, Projector, Screen, Vertices, single};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Anchor, Label, Mark, StrokeSet};
@@ -17,6 +17,7 @@ pub(super) struct Strokes<'a> {
     screen: &'a Screen,
     scale: f32,
     background: Rgba,
+    clipper: Clipper,
     pub(super) sets: Vec<StrokeSet>,
     /// How many edges, lines, marks and texts were to be drawn.
     pub(super) asked: usize,
@@ -24,7 +25,15 @@ pub(super) struct Strokes<'a> {
 
 impl<'a> Strokes<'a> {
     pub(super) fn new(projector: &'a Projector, screen: &'a Screen, target: Target) -> Self {
-        Self { projector, screen, scale: target.scale, background: target.background, sets: Vec::new(), asked: 0 }
+        Self {
+            projector,
+            screen,
+            scale: target.scale,
+            background: target.background,
+            clipper: Clipper::default(),
+            sets: Vec::new(),
+            asked: 0,
+        }
     }
 
     /// A polyline through points of view space. Where it leaves the volume it ends, and where it comes back another begins; an
@@ -35,7 +44,7 @@ impl<'a> Strokes<'a> {
         let mut run: Vec<[f32; 3]> = Vec::new();
         let projector = self.projector;
         while let Some(to) = points.next() {
-            let Some([(a, _), (b, cut)]) = segment(projector, [from, to]) else {
+            let Some([(a, _), (b, cut)]) = self.clipper.segment(projector, [from, to]) else {
                 self.flush(&mut run, style, false);
                 from = to;
                 continue;

@@ -13,21 +13,25 @@
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
 //! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
-//! [`dissect`], [`fate`] and [`fold`] are not on the way to a picture: they show what clipping and culling do, and what would come of
-//! dividing first.
+//! [`clip_parts`], [`fate`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
+//! and what would come of dividing first.
+//!
+//! Whatever is cut is cut by `cut`, and whatever vertices carry is carried over by `resample`.
 
 mod bounds;
 mod clip;
+pub mod clip_parts;
 mod cull;
-pub mod dissect;
+mod cut;
+pub mod divide_before_clip;
 mod faces;
 pub mod fate;
-pub mod fold;
 mod light;
 mod lines;
 pub mod plan;
 pub mod project;
 pub mod report;
+mod resample;
 mod shade;
 mod spare;
 mod transform;
@@ -38,7 +42,7 @@ use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::scene::Scene;
 use bounds::World;
-pub use clip::PlaneSet;
+pub use clip::{NEAR, PlaneSet};
 pub use cull::Place;
 use faces::{FaceTask, Faces};
 use light::Lights;
@@ -47,6 +51,7 @@ use plan::LitAt;
 pub use plan::{Options, Plan, Reason, Stage};
 use report::Meter;
 pub use report::{Frame, StageReport};
+pub use resample::with_triangles;
 use shade::Shaded;
 use spare::Spare;
 use transform::{Projector, Screen, Vertices};

@@ -4,10 +4,9 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use super::clip::{Clipper, NEAR, NOT_A_NUMBER, outcode, segment};
-use super::faces::Cut;
+use super::clip::{Clipper, NEAR, NOT_A_NUMBER, outcode};
 use super::light::{Lights, ObjectLight};
-use super::shade::{color_at, mean_color, mean_of_colors, mean_of_uv};
+use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
 use super::transform::{ClipPoint, Projector, Vertices, each_chunk};
 use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
@@ -63,8 +62,9 @@ fn clipped_line(line: &Line, projector: &Projector) -> Vec<Line> {
     let points: Vec<ClipPoint> = line.points.iter().map(|&p| projector.clip(projector.view(p))).collect();
     let mut pieces: Vec<Line> = Vec::new();
     let mut joined = false;
+    let mut clipper = Clipper::default();
     for (i, ends) in points.windows(2).enumerate() {
-        let Some([(a, _), (b, cut)]) = segment(projector, [ends[0], ends[1]]) else {
+        let Some([(a, _), (b, cut)]) = clipper.segment(projector, [ends[0], ends[1]]) else {
             joined = false;
             continue;
         };
@@ -89,13 +89,9 @@ struct Projected<'a> {
     projector: &'a Projector,
     vertices: Vertices<'a>,
     outcodes: Vec<u8>,
-    /// The new index of each vertex of the mesh that is still used.
-    index: Vec<Option<u32>>,
-    mesh: Mesh,
-    /// What each vertex of the new mesh is made of.
-    origin: Vec<Cut>,
-    /// The triangle of the old mesh that each new one comes from.
-    source: Vec<u32>,
+    remake: Remake,
+    /// Where each new vertex is shown.
+    positions: Vec<DVec3>,
     cut: bool,
 }
 
@@ -110,26 +106,24 @@ fn clipped_object(object: &Object, projector: &Projector, lights: Option<&Lights
     });
     let mut projected = Projected {
         projector,
-        index: vec![None; vertices.len()],
         vertices,
         outcodes,
-        mesh: Mesh::default(),
-        origin: Vec::new(),
-        source: Vec::new(),
+        remake: Remake::new(&object.mesh),
+        positions: Vec::new(),
         cut: false,
     };
     projected.triangles(&object.mesh.triangles, view_from_object.mirrored());
     projected.edges(&object.mesh.edges);
-    if projected.mesh.triangles.is_empty() && projected.mesh.edges.is_empty() {
+    if projected.remake.is_empty() {
         return None;
     }
-    let whole = !projected.cut && projected.source.len() == object.mesh.triangles.len();
-    projected.mesh.closed = whole && object.mesh.closed;
-    projected.mesh.convex = whole && object.mesh.convex;
+    let whole = !projected.cut && projected.remake.sources.len() == object.mesh.triangles.len();
     let paint = projected.paint(object, lights.filter(|_| object.lit), shading);
+    let Projected { remake: Remake { triangles, edges, .. }, positions, .. } = projected;
+    let (closed, convex) = (whole && object.mesh.closed, whole && object.mesh.convex);
     Some(Object {
         name: object.name.clone(),
-        mesh: Arc::new(projected.mesh),
+        mesh: Arc::new(Mesh { positions, normals: Vec::new(), triangles, edges, closed, convex }),
         world_from_object: DMat4::IDENTITY,
         paint,
         lit: false,
@@ -151,41 +145,35 @@ impl Projected<'_> {
             }
             if either == 0 {
                 let corners = triangle.map(|i| self.own_vertex(i));
-                self.mesh.triangles.push(corners);
-                self.source.push(source);
+                self.remake.polygon(&corners, source);
                 continue;
             }
             self.cut = true;
             let corners = triangle.map(|i| self.vertices.clip(i));
-            let mut fan: Vec<u32> = Vec::new();
+            let mut polygon: Vec<u32> = Vec::new();
             for corner in clipper.triangle(self.projector, corners, either) {
-                fan.push(match corner.original() {
-                    Some(own) => self.own_vertex(triangle[own]),
-                    None => self.new_vertex(corner.point, Cut { of: triangle, weights: corner.weights }),
-                });
+                polygon.push(self.vertex(corner.point, corner.origin(triangle)));
             }
-            for k in 1..fan.len().saturating_sub(1) {
-                self.mesh.triangles.push([fan[0], fan[k], fan[k + 1]]);
-                self.source.push(source);
-            }
+            self.remake.polygon(&polygon, source);
         }
     }
 
     fn edges(&mut self, edges: &[[u32; 2]]) {
+        let mut clipper = Clipper::default();
         for &[a, b] in edges {
             if self.codes([a, b, b]).is_none() {
                 continue;
             }
             let ends = [a, b].map(|i| self.vertices.clip(i));
-            let Some(kept) = segment(self.projector, ends) else { continue };
+            let Some(kept) = clipper.segment(self.projector, ends) else { continue };
             let index: [u32; 2] = std::array::from_fn(|k| {
                 let (point, cut) = kept[k];
                 let own = [a, b][k];
                 // An edge has no colour: what its new ends are made of does not matter.
-                let of = Cut { of: [own; 3], weights: [1.0, 0.0, 0.0] };
-                if cut { self.new_vertex(point, of) } else { self.own_vertex(own) }
+                let between = VertexOrigin::Between { of: [own; 3], weights: [1.0, 0.0, 0.0] };
+                self.vertex(point, if cut { between } else { VertexOrigin::Vertex(own) })
             });
-            self.mesh.edges.push(index);
+            self.remake.edges.push(index);
         }
     }
 
@@ -196,56 +184,41 @@ impl Projected<'_> {
     }
 
     fn own_vertex(&mut self, i: u32) -> u32 {
-        if let Some(index) = self.index[i as usize] {
-            return index;
-        }
-        let point = self.vertices.clip(i);
-        let index = self.new_vertex(point, Cut { of: [i; 3], weights: [1.0, 0.0, 0.0] });
-        self.index[i as usize] = Some(index);
-        index
+        self.vertex(self.vertices.clip(i), VertexOrigin::Vertex(i))
     }
 
-    fn new_vertex(&mut self, point: ClipPoint, origin: Cut) -> u32 {
-        let index = u32::try_from(self.mesh.positions.len()).unwrap_or(u32::MAX);
-        self.mesh.positions.push(displayed(self.projector, point));
-        self.origin.push(origin);
+    fn vertex(&mut self, point: ClipPoint, origin: VertexOrigin) -> u32 {
+        let index = self.remake.vertex(origin);
+        if self.remake.origins.len() > self.positions.len() {
+            self.positions.push(displayed(self.projector, point));
+        }
         index
     }
 
     /// The colours, as they are seen in the world.
     fn paint(&self, object: &Object, lights: Option<&Lights>, shading: Shading) -> ObjectPaint {
-        let smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
         let old = &object.mesh;
         let cut_open = old.closed && self.outcodes.iter().any(|code| code & NEAR != 0);
         let both_sides = object.two_sided || cut_open || (old.closed && object.paint.is_translucent());
-        let light = lights.map(|lights| ObjectLight::new(lights, old, self.vertices, both_sides));
-        let faces = |color: &(dyn Fn(u32) -> Rgba + Sync)| {
-            let face = |k: usize| (old.triangles[self.source[k] as usize], color(self.source[k]));
-            ObjectPaint::Faces(Arc::new(match &light {
-                Some(light) => light.faces(Vec::new(), self.source.len(), face),
-                None => self.source.iter().map(|&face| color(face)).collect(),
-            }))
+        let origins = self.remake.origins.iter();
+        let Some(lights) = lights.filter(|_| !matches!(object.paint, ObjectPaint::Texture { .. })) else {
+            return object_paint(&object.paint, origins.copied(), &self.remake.sources);
         };
+        let light = ObjectLight::new(lights, old, self.vertices, both_sides);
         let vertices = |color: &dyn Fn(u32) -> Rgba| {
-            let lit = |i: u32| light.as_ref().map_or(color(i), |light| light.vertex(i, color(i)));
-            let colors = self.origin.iter().map(|origin| match origin.of {
-                [a, b, c] if a == b && b == c => lit(a),
-                of => mean_of_colors(of.map(lit), origin.weights),
-            });
-            ObjectPaint::Vertices(Arc::new(colors.collect()))
+            let lit = |i: u32| light.vertex(i, color(i));
+            ObjectPaint::Vertices(Arc::new(origins.map(|origin| origin.of(lit)).collect()))
         };
+        let face = |k: usize| {
+            let source = self.remake.sources[k];
+            let triangle = old.triangles[source as usize];
+            (triangle, face_color(&object.paint, source, triangle))
+        };
+        let smooth = matches!(shading, Shading::Gouraud | Shading::Phong);
         match &object.paint {
-            ObjectPaint::Texture { image, uv, opacity } => {
-                let at = |i: u32| uv.get(i as usize).copied().unwrap_or_default();
-                let uv = self.origin.iter().map(|origin| mean_of_uv(origin.of.map(at), origin.weights)).collect();
-                ObjectPaint::Texture { image: image.clone(), uv: Arc::new(uv), opacity: *opacity }
-            }
-            ObjectPaint::Solid(color) if light.is_none() => ObjectPaint::Solid(*color),
             ObjectPaint::Solid(color) if smooth => vertices(&|_| *color),
-            ObjectPaint::Solid(color) => faces(&|_| *color),
-            ObjectPaint::Faces(colors) => faces(&|face| color_at(colors, face)),
-            ObjectPaint::Vertices(colors) if smooth || light.is_none() => vertices(&|i| color_at(colors, i)),
-            ObjectPaint::Vertices(colors) => faces(&|face| mean_color(colors, old.triangles[face as usize])),
+            ObjectPaint::Vertices(colors) if smooth => vertices(&|i| color_at(colors, i)),
+            _ => ObjectPaint::Faces(Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face))),
         }
     }
 }

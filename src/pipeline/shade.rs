@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::faces::Faces;
 use super::light::{Lights, ObjectLight};
 use super::plan::LitAt;
+use super::resample::{VertexOrigin, color_at, mean_color, object_paint, paint_of};
 use super::spare::Spare;
 use super::transform::{Vertices, each_chunk};
 use super::visibility::Layer;
@@ -82,7 +83,7 @@ impl Shaded<'_> {
     /// The surfaces, with what their order can be found by.
     pub(super) fn layers(&self, faces: &mut Faces, spare: &mut Spare, never_hides_itself: bool) -> Vec<Layer> {
         let own = (0..self.vertex_count()).map(|i| self.vertices.view(i));
-        let cuts = faces.cuts.iter().map(|cut| cut.mean(|i| self.vertices.view(i)));
+        let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i)));
         let mut view: Vec<DVec3> = own.chain(cuts).collect();
         if self.shares_no_vertex() {
             view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
@@ -110,20 +111,8 @@ impl Shaded<'_> {
 
     /// The object's colours as they are.
     fn own_paint(&self, faces: &Faces) -> Paint {
-        match &self.object.paint {
-            ObjectPaint::Solid(color) => Paint::Solid(*color),
-            ObjectPaint::Faces(colors) => {
-                Paint::Faces(faces.source.iter().map(|&face| color_at(colors, face)).collect())
-            }
-            ObjectPaint::Vertices(colors) => {
-                Paint::Vertices(self.with_cuts(faces, |i| color_at(colors, i), mean_of_colors))
-            }
-            ObjectPaint::Texture { image, uv, opacity } => Paint::Texture {
-                image: image.clone(),
-                uv: self.with_cuts(faces, |i| uv.get(i as usize).copied().unwrap_or_default(), mean_of_uv),
-                opacity: *opacity,
-            },
-        }
+        let own = (0..self.vertex_count()).map(VertexOrigin::Vertex);
+        paint_of(object_paint(&self.object.paint, own.chain(faces.cuts.iter().copied()), &faces.source))
     }
 
     /// Light at each vertex; cuts take the mean of what they lie between.
@@ -136,7 +125,7 @@ impl Shaded<'_> {
     ) -> Paint {
         let mut colors = light.vertices(colors, &faces.used, color);
         for cut in &faces.cuts {
-            colors.push(mean_of_colors(cut.of.map(|i| colors[i as usize]), cut.weights));
+            colors.push(cut.of(|i| colors[i as usize]));
         }
         Paint::Vertices(colors)
     }
@@ -148,8 +137,8 @@ impl Shaded<'_> {
         self.at_vertices(&mut normals, |i| normal(i).as_vec3().to_array());
         self.at_vertices(&mut positions, |i| self.lights.position(view(i)));
         for cut in &faces.cuts {
-            normals.push(cut.mean(normal).as_vec3().to_array());
-            positions.push(self.lights.position(cut.mean(view)));
+            normals.push(cut.of(normal).as_vec3().to_array());
+            positions.push(self.lights.position(cut.of(view)));
         }
         Paint::Phong(Phong { normals, positions, color, lighting: light.lighting.clone() })
     }
@@ -172,10 +161,7 @@ impl Shaded<'_> {
             let color = color_at(colors, face);
             paint.extend(triangle.map(|i| match (i as usize).checked_sub(own) {
                 None => light.vertex(i, color),
-                Some(cut) => {
-                    let cut = &faces.cuts[cut];
-                    mean_of_colors(cut.of.map(|i| light.vertex(i, color)), cut.weights)
-                }
+                Some(cut) => faces.cuts[cut].of(|i| light.vertex(i, color)),
             }));
         }
         let corners = || faces.triangles.iter().flatten().map(|&i| i as usize);
@@ -216,39 +202,4 @@ impl Shaded<'_> {
     fn vertex_count(&self) -> u32 {
         u32::try_from(self.vertices.len()).unwrap_or(u32::MAX)
     }
-
-    /// An attribute of every vertex of the mesh, then of every cut.
-    fn with_cuts<T>(
-        &self,
-        faces: &Faces,
-        attribute: impl Fn(u32) -> T,
-        mean: impl Fn([T; 3], [f64; 3]) -> T,
-    ) -> Vec<T> {
-        let own = (0..self.vertex_count()).map(&attribute);
-        own.chain(faces.cuts.iter().map(|cut| mean(cut.of.map(&attribute), cut.weights))).collect()
-    }
-}
-
-/// Grey for what has no colour of its own.
-pub(super) fn color_at(colors: &[Rgba], index: u32) -> Rgba {
-    colors.get(index as usize).copied().unwrap_or(Rgba::rgb(128, 128, 128))
-}
-
-/// The colour of a face whose corners have colours.
-pub(super) fn mean_color(colors: &[Rgba], triangle: [u32; 3]) -> Rgba {
-    mean_of_colors(triangle.map(|i| color_at(colors, i)), [1.0 / 3.0; 3])
-}
-
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a mean of bytes is a byte")]
-pub(super) fn mean_of_colors(colors: [Rgba; 3], weights: [f64; 3]) -> Rgba {
-    let mean = |channel: fn(Rgba) -> u8| {
-        let sum: f64 = (0..3).map(|i| f64::from(channel(colors[i])) * weights[i]).sum();
-        (sum + 0.5) as u8
-    };
-    Rgba::rgba(mean(|c| c.r), mean(|c| c.g), mean(|c| c.b), mean(|c| c.a))
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "texture coordinates are single precision")]
-pub(super) fn mean_of_uv(uv: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {
-    std::array::from_fn(|axis| (0..3).map(|i| f64::from(uv[i][axis]) * weights[i]).sum::<f64>() as f32)
 }

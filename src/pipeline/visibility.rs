@@ -7,10 +7,10 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::shade::{mean_of_colors, mean_of_uv};
+use super::cut::{Origin, cut};
+use super::resample::{VertexOrigin, append, empty_like};
 use super::transform::{Projector, Screen, on_grid};
-use crate::appearance::Rgba;
-use crate::drawing::{Paint, Phong, Surface};
+use crate::drawing::{Paint, Surface};
 
 /// A surface with what its order is found by.
 #[derive(Clone, Debug)]
@@ -33,6 +33,16 @@ struct Corner {
     original: bool,
     /// The line that the side from here to the next corner lies on.
     side: usize,
+}
+
+impl Corner {
+    /// What it is made of, if these are the vertices of the whole face.
+    fn origin(&self, of: [u32; 3]) -> VertexOrigin {
+        match self.weights.iter().position(|&weight| self.original && weight == 1.0) {
+            Some(own) => VertexOrigin::Vertex(of[own]),
+            None => VertexOrigin::Between { of, weights: self.weights },
+        }
+    }
 }
 
 /// The sides of faces, with the points at which any face was split there. A face keeps its neighbour's points in its own
@@ -244,30 +254,39 @@ impl Plane {
     fn split(&self, piece: &Piece, tolerance: f64, sides: &mut Sides) -> (Piece, Piece) {
         let (mut front, mut back) = (Vec::new(), Vec::new());
         let new_side = sides.new_side();
-        for (i, a) in piece.corners.iter().enumerate() {
-            let b = &piece.corners[(i + 1) % piece.corners.len()];
-            let (da, db) = (self.distance(a.view, tolerance), self.distance(b.view, tolerance));
-            // From a corner in the plane, the piece on the side that the border leaves goes on along the plane.
-            if da >= 0.0 {
-                front.push(Corner { side: if da == 0.0 && db < 0.0 { new_side } else { a.side }, ..*a });
+        let all = &piece.corners;
+        let distances: Vec<f64> = all.iter().map(|corner| self.distance(corner.view, tolerance)).collect();
+        // `side`: 1 on the front, −1 on the back. Where the border leaves it, the piece goes on along the plane.
+        let corner = |origin: Origin, side: f64| {
+            let next_is_beyond = |first: usize| side * distances[(first + 1) % all.len()] < 0.0;
+            match origin {
+                Origin::Corner(i) => {
+                    let leaves = distances[i] == 0.0 && next_is_beyond(i);
+                    Corner { side: if leaves { new_side } else { all[i].side }, ..all[i] }
+                }
+                Origin::Edge(edge) => {
+                    let (inside, outside) = (&all[edge.inside], &all[edge.outside]);
+                    Corner {
+                        view: inside.view * edge.shares[0] + outside.view * edge.shares[1],
+                        weights: std::array::from_fn(|k| edge.mean(inside.weights[k], outside.weights[k])),
+                        original: false,
+                        side: if next_is_beyond(edge.first) { new_side } else { all[edge.first].side },
+                    }
+                }
             }
-            if da <= 0.0 {
-                back.push(Corner { side: if da == 0.0 && db > 0.0 { new_side } else { a.side }, ..*a });
-            }
-            if da * db < 0.0 {
-                // The mean of the ends weighted by the distances, as in clipping.
-                let (wa, wb) = (db.abs() / (da.abs() + db.abs()), da.abs() / (da.abs() + db.abs()));
-                let cut = Corner {
-                    view: a.view * wa + b.view * wb,
-                    weights: std::array::from_fn(|k| a.weights[k] * wa + b.weights[k] * wb),
-                    original: false,
-                    side: a.side,
-                };
-                sides.cuts[a.side].push(cut.view);
-                front.push(Corner { side: if db < 0.0 { new_side } else { a.side }, ..cut });
-                back.push(Corner { side: if db > 0.0 { new_side } else { a.side }, ..cut });
-            }
-        }
+        };
+        cut(
+            all.len(),
+            |i| distances[i],
+            |origin| {
+                let corner = corner(origin, 1.0);
+                if let Origin::Edge(edge) = origin {
+                    sides.cuts[all[edge.first].side].push(corner.view);
+                }
+                front.push(corner);
+            },
+            |origin| back.push(corner(origin, -1.0)),
+        );
         (Piece { corners: front, ..piece.clone() }, Piece { corners: back, ..piece.clone() })
     }
 }
@@ -315,16 +334,20 @@ impl Painter<'_> {
     fn paint(&mut self, piece: &Piece, corners: &[Corner]) {
         let layer = &self.layers[piece.layer];
         let old = &layer.surface;
-        let of = old.triangles[piece.triangle].map(|i| i as usize);
+        let of = old.triangles[piece.triangle];
         let same_layer = self.last_layer == piece.layer;
         self.last_layer = piece.layer;
         if !self.surfaces.last().is_some_and(|last| takes(last, old, same_layer)) {
-            self.surfaces.push(empty_like(old));
+            self.surfaces.push(surface_like(old));
         }
         let Some(surface) = self.surfaces.last_mut() else { return };
         let first = u32::try_from(surface.positions.len()).unwrap_or(u32::MAX);
-        for corner in corners {
-            let whole = (0..3).find(|&k| corner.original && corner.weights[k] == 1.0).map(|k| of[k]);
+        let origins: Vec<VertexOrigin> = corners.iter().map(|corner| corner.origin(of)).collect();
+        for (corner, origin) in corners.iter().zip(&origins) {
+            let whole = match origin {
+                VertexOrigin::Vertex(i) => Some(*i as usize),
+                VertexOrigin::Between { .. } => None,
+            };
             surface.positions.push(match whole {
                 Some(i) => old.positions[i],
                 None => on_grid(self.screen.project(self.projector, self.projector.clip(corner.view))),
@@ -335,43 +358,21 @@ impl Painter<'_> {
                     None => self.projector.relative_inverse_w(-corner.view.z),
                 });
             }
-            paint_corner(&mut surface.paint, &old.paint, of, corner.weights);
         }
         let last = first + u32::try_from(corners.len()).unwrap_or(0);
-        for k in first + 1..last.saturating_sub(1) {
-            surface.triangles.push([first, k, k + 1]);
-            if let Paint::Faces(colors) = &mut surface.paint {
-                colors.push(match &old.paint {
-                    Paint::Faces(old) => old[piece.triangle],
-                    Paint::Solid(color) => *color,
-                    _ => continue,
-                });
-            }
-        }
+        let before = surface.triangles.len();
+        surface.triangles.extend((first + 1..last.saturating_sub(1)).map(|k| [first, k, k + 1]));
+        append(&mut surface.paint, &old.paint, &origins, piece.triangle, surface.triangles.len() - before);
     }
 }
 
-/// A surface without triangles that takes the pieces of `old`; one colour becomes a colour for each face, so that surfaces of
-/// different objects can be one.
-fn empty_like(old: &Surface) -> Surface {
-    let paint = match &old.paint {
-        Paint::Solid(_) | Paint::Faces(_) => Paint::Faces(Vec::new()),
-        Paint::Vertices(_) => Paint::Vertices(Vec::new()),
-        Paint::Phong(phong) => Paint::Phong(Phong {
-            normals: Vec::new(),
-            positions: Vec::new(),
-            color: phong.color,
-            lighting: phong.lighting.clone(),
-        }),
-        Paint::Texture { image, opacity, .. } => {
-            Paint::Texture { image: image.clone(), uv: Vec::new(), opacity: *opacity }
-        }
-    };
+/// A surface without triangles that takes the pieces of `old`.
+fn surface_like(old: &Surface) -> Surface {
     Surface {
         positions: Vec::new(),
         inverse_w: Vec::new(),
         triangles: Vec::new(),
-        paint,
+        paint: empty_like(&old.paint),
         translucent: old.translucent,
         depth_test: old.depth_test,
     }
@@ -385,29 +386,4 @@ fn takes(last: &Surface, old: &Surface, same_layer: bool) -> bool {
         _ => same_layer,
     };
     alike && last.translucent == old.translucent && last.inverse_w.is_empty() == old.inverse_w.is_empty()
-}
-
-/// Gives a new corner its share of the paint of three vertices.
-fn paint_corner(paint: &mut Paint, old: &Paint, of: [usize; 3], weights: [f64; 3]) {
-    let mean = |values: &[[f32; 3]]| {
-        let sum = (0..3).fold(DVec3::ZERO, |sum, k| {
-            let [x, y, z] = values[of[k]].map(f64::from);
-            sum + DVec3::new(x, y, z) * weights[k]
-        });
-        sum.as_vec3().to_array()
-    };
-    match (paint, old) {
-        (Paint::Vertices(colors), Paint::Vertices(old)) => {
-            let three: [Rgba; 3] = of.map(|i| old[i]);
-            colors.push(mean_of_colors(three, weights));
-        }
-        (Paint::Phong(phong), Paint::Phong(old)) => {
-            phong.normals.push(mean(&old.normals));
-            phong.positions.push(mean(&old.positions));
-        }
-        (Paint::Texture { uv, .. }, Paint::Texture { uv: old, .. }) => {
-            uv.push(mean_of_uv(of.map(|i| old[i]), weights));
-        }
-        _ => {}
-    }
 }

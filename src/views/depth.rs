@@ -6,7 +6,7 @@ use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, Projected, Projection, Viewport};
 use crate::drawing::{Drawing, Paint};
 use crate::figure::Depth;
-use crate::pipeline::fold::divided_first;
+use crate::pipeline::divide_before_clip::divided_first;
 use crate::pipeline::{Frame, Reason, Stage};
 use crate::scene::Scene;
 

@@ -8,12 +8,12 @@ use crate::appearance::{Dash, MarkShape, Rgba, Shading};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::Drawing;
 use crate::figure::Outside;
-use crate::pipeline::dissect::{Dissection, dissect};
+use crate::pipeline::clip_parts::{Parts, clip_parts};
+use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
 use crate::pipeline::fate::{Fate, fate};
-use crate::pipeline::fold::{Folded, divided_first};
 use crate::pipeline::project::{clipped_scene, displayed_ndc};
-use crate::pipeline::{PlaneSet, Target};
-use crate::scene::{Mesh, Object, ObjectPaint, Scene};
+use crate::pipeline::{NEAR, PlaneSet, Target, with_triangles};
+use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::gizmos::{SMALL_TYPE, Sheet};
 use super::legend::{Legend, Row};
@@ -60,7 +60,7 @@ impl Revealed {
         }
     }
 
-    fn note_cuts(&mut self, parts: &Dissection, setup: &Setup, palette: Palette, place: impl Fn(DVec3) -> DVec3) {
+    fn note_cuts(&mut self, parts: &Parts, setup: &Setup, palette: Palette, place: impl Fn(DVec3) -> DVec3) {
         self.cuts = parts.cuts.iter().map(|&p| place(p)).collect();
         self.sides = parts.sides.iter().map(|side| side.map(&place)).collect();
         let meaning = setup.labels.cuts.to_owned();
@@ -103,7 +103,7 @@ pub(super) fn in_world(setup: &Setup, palette: Palette) -> Revealed {
     }
     let parted = matches!(reveal.outside, Outside::Cut | Outside::Tinted);
     if parted || reveal.clipping {
-        let parts = dissect(&revealed.scene, setup.camera, edges_only);
+        let parts = clip_parts(&revealed.scene, setup.camera, edges_only);
         if reveal.clipping {
             revealed.note_cuts(&parts, setup, palette, |p| p);
         }
@@ -134,11 +134,12 @@ pub(super) fn in_canonical(setup: &Setup, palette: Palette) -> Revealed {
     let edges_only = shading == Shading::Wireframe;
     let beyond = matches!(reveal.outside, Outside::Tinted | Outside::Shown);
     let mut revealed = Revealed::default();
-    let folded = reveal.divide_first.then(|| fold(setup, if beyond { REACH } else { 1.0 }, palette, &mut revealed));
-    let right = folded.as_ref().map_or(setup.scene, |folded| &folded.right);
+    let divided =
+        reveal.divide_first.then(|| divide_first(setup, if beyond { REACH } else { 1.0 }, palette, &mut revealed));
+    let right = divided.as_ref().map_or(setup.scene, |divided| &divided.right);
     revealed.scene = clipped_scene(right, setup.camera, shading);
     if beyond || reveal.clipping {
-        let parts = dissect(right, setup.camera, edges_only);
+        let parts = clip_parts(right, setup.camera, edges_only);
         if reveal.clipping {
             let shown = |p| displayed_ndc(setup.camera, p).unwrap_or_default().clamp(DVec3::NEG_ONE, DVec3::ONE);
             revealed.note_cuts(&parts, setup, palette, shown);
@@ -153,8 +154,8 @@ pub(super) fn in_canonical(setup: &Setup, palette: Palette) -> Revealed {
             }
         }
     }
-    if let Some(folded) = folded {
-        append(&mut revealed.scene, folded.wrong);
+    if let Some(divided) = divided {
+        append(&mut revealed.scene, divided.wrong);
     }
     revealed
 }
@@ -163,11 +164,11 @@ pub(super) fn in_canonical(setup: &Setup, palette: Palette) -> Revealed {
 pub(super) fn in_image(setup: &Setup, palette: Palette) -> (Revealed, Option<Scene>) {
     let reveal = setup.figure.reveal;
     let mut revealed = Revealed::default();
-    let folded = reveal.divide_first.then(|| fold(setup, 1.0, palette, &mut revealed));
-    let (right, wrong) = folded.map_or((setup.scene.clone(), None), |folded| (folded.right, Some(folded.wrong)));
+    let divided = reveal.divide_first.then(|| divide_first(setup, 1.0, palette, &mut revealed));
+    let (right, wrong) = divided.map_or((setup.scene.clone(), None), |divided| (divided.right, Some(divided.wrong)));
     if reveal.clipping {
         let edges_only = setup.figure.style.shading == Shading::Wireframe;
-        let parts = dissect(&right, setup.camera, edges_only);
+        let parts = clip_parts(&right, setup.camera, edges_only);
         // A hair inwards, so that rounding does not leave a new vertex outside the plane that it is in.
         let middle = setup.camera.volume_corners().iter().fold(DVec3::ZERO, |sum, &p| sum + p / 8.0);
         revealed.note_cuts(&parts, setup, palette, |p| p + (middle - p) * 1e-9);
@@ -192,9 +193,9 @@ pub(super) fn front() -> Option<Camera> {
 }
 
 /// Divides before clipping, and says so.
-fn fold(setup: &Setup, reach: f64, palette: Palette, revealed: &mut Revealed) -> Folded {
-    let mut folded = divided_first(setup.scene, setup.camera, reach);
-    let Scene { objects, lines, marks, .. } = &mut folded.wrong;
+fn divide_first(setup: &Setup, reach: f64, palette: Palette, revealed: &mut Revealed) -> DividedFirst {
+    let mut divided = divided_first(setup.scene, setup.camera, reach);
+    let Scene { objects, lines, marks, .. } = &mut divided.wrong;
     let (labels, edges_only) = (setup.labels, setup.figure.style.shading == Shading::Wireframe);
     revealed.rows.push(if objects.is_empty() && lines.is_empty() && marks.is_empty() {
         Row::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
@@ -213,7 +214,7 @@ fn fold(setup: &Setup, reach: f64, palette: Palette, revealed: &mut Revealed) ->
     }
     lines.iter_mut().for_each(|line| line.style.color = palette.wrong);
     marks.iter_mut().for_each(|mark| mark.color = palette.wrong);
-    folded
+    divided
 }
 
 fn mixed(own: Rgba, with: Rgba) -> Rgba {
@@ -254,7 +255,6 @@ fn culled(setup: &Setup, edges_only: bool, palette: Palette, revealed: &mut Reve
 
 /// Why an object is dropped. Behind the eye all signs are turned round, and only the near plane means what it says.
 fn reason(planes: PlaneSet, labels: &Labels) -> String {
-    const NEAR: PlaneSet = 1 << 4;
     let planes = if planes & NEAR != 0 { NEAR } else { planes };
     let names: Vec<&str> =
         (0..).zip(labels.planes).filter(|(i, _)| planes >> i & 1 == 1).map(|(_, name)| name).collect();
@@ -263,28 +263,15 @@ fn reason(planes: PlaneSet, labels: &Labels) -> String {
 
 /// An object in two: its front faces with its edges, and its back faces in one colour.
 fn parted(object: &Object, back: &[bool], color: Rgba) -> [Object; 2] {
-    let mesh = &object.mesh;
-    let of = |side: bool| -> Vec<usize> { (0..mesh.triangles.len()).filter(|&i| back[i] == side).collect() };
-    let part = |side: &[usize], edges: Vec<[u32; 2]>| {
-        let triangles = side.iter().map(|&i| mesh.triangles[i]).collect();
-        Arc::new(Mesh { triangles, edges, closed: false, convex: false, ..Mesh::clone(mesh) })
-    };
+    let of = |side: bool| -> Vec<u32> { (0..).zip(back).filter(|(_, b)| **b == side).map(|(i, _)| i).collect() };
     let (fronts, backs) = (of(false), of(true));
-    let paint = match &object.paint {
-        ObjectPaint::Faces(colors) => {
-            let color = |&i: &usize| colors.get(i).copied().unwrap_or(Rgba::rgb(128, 128, 128));
-            ObjectPaint::Faces(Arc::new(fronts.iter().map(color).collect()))
-        }
-        paint => paint.clone(),
-    };
     [
-        Object { mesh: part(&fronts, mesh.edges.clone()), paint, ..object.clone() },
+        with_triangles(object, &fronts, object.mesh.edges.clone()),
         Object {
-            mesh: part(&backs, Vec::new()),
             paint: ObjectPaint::Solid(color),
             lit: false,
             edges: None,
-            ..object.clone()
+            ..with_triangles(object, &backs, Vec::new())
         },
     ]
 }

@@ -4,9 +4,9 @@
 use camera_lab::appearance::{MarkShape, Rgba, Shading, Style, Theme, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
-use camera_lab::pipeline::dissect;
+use camera_lab::pipeline::clip_parts;
+use camera_lab::pipeline::divide_before_clip::divided_first;
 use camera_lab::pipeline::fate::{Fate, fate};
-use camera_lab::pipeline::fold::divided_first;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Mesh, Object, ObjectPaint, ObjectSpec, PointMark, Preset as ScenePreset, Scene, Shape};
 use camera_lab::views::observer::Preset;
@@ -269,8 +269,8 @@ fn outcodes_and_distances_are_those_of_clip_space() {
             let p = DVec3::new(share(0.618_034), share(0.754_878), share(0.569_84));
             let c = camera.clip_from_world() * p.extend(1.0);
             let expected = [c.w + c.x, c.w - c.x, c.w + c.y, c.w - c.y, c.w + c.z, c.w - c.z];
-            let found = dissect::homogeneous_distances(camera, p);
-            let code = dissect::outcode_of(camera, p).unwrap();
+            let found = clip_parts::homogeneous_distances(camera, p);
+            let code = clip_parts::outcode_of(camera, p).unwrap();
             for ((e, f), outside) in expected.iter().zip(found).zip(code) {
                 assert!((e - f).abs() < 1e-12 * (1.0 + c.abs().max_element()), "{expected:?} {found:?}");
                 assert!(outside == (*e < 0.0) || e.abs() < 1e-12);
@@ -281,13 +281,13 @@ fn outcodes_and_distances_are_those_of_clip_space() {
     }
     assert!(tried == 18_000 && codes.len() > 25, "{}", codes.len());
     let eye = &cameras[0];
-    assert_eq!(dissect::outcode_of(eye, DVec3::new(0.0, 0.0, -2.0)), Some([false; 6]));
+    assert_eq!(clip_parts::outcode_of(eye, DVec3::new(0.0, 0.0, -2.0)), Some([false; 6]));
     // By hand: left of x = −|z|, above y = |z|, beyond B = 3.
     let far_away = DVec3::new(-5.0, 6.0, -4.0);
-    assert_eq!(dissect::outcode_of(eye, far_away), Some([true, false, false, true, false, true]));
+    assert_eq!(clip_parts::outcode_of(eye, far_away), Some([true, false, false, true, false, true]));
     // w = 4; z = (4 · 4 − 6)/2 = 5 by z_n = (B + F)/(B − F) − 2 F B/((B − F) d).
-    assert_eq!(dissect::homogeneous_distances(eye, far_away), [-1.0, 9.0, 10.0, -2.0, 9.0, -1.0]);
-    assert_eq!(dissect::outcode_of(eye, DVec3::NAN), None);
+    assert_eq!(clip_parts::homogeneous_distances(eye, far_away), [-1.0, 9.0, 10.0, -2.0, 9.0, -1.0]);
+    assert_eq!(clip_parts::outcode_of(eye, DVec3::NAN), None);
 }
 
 /// The area of all faces, in the world.
@@ -318,7 +318,7 @@ fn the_two_parts_are_the_whole_and_each_is_on_its_side() {
         let mut figure = Figure::default();
         figure.scene.preset = scene;
         let whole = views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
-        let parts = dissect::dissect(&whole, &camera, false);
+        let parts = clip_parts::clip_parts(&whole, &camera, false);
         let (area_inside, area_outside) = (area(&parts.inside), area(&parts.outside));
         assert!(area_outside > 0.1, "{scene:?}");
         assert!((area_inside + area_outside - area(&whole)).abs() < 1e-9 * area(&whole), "{scene:?}");

@@ -7,7 +7,7 @@ use crate::figure::{Depth, Observer};
 use crate::gui::handles::point;
 use crate::i18n::canvas::CanvasTexts;
 use crate::numbers::significant;
-use crate::pipeline::dissect;
+use crate::pipeline::clip_parts;
 use crate::views::View;
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Setup, pick};
@@ -110,11 +110,11 @@ pub(super) fn cells(
 /// The outcode of a point, with the planes that its bits name, and its homogeneous distances from them.
 fn clipping_cells(p: DVec3, setup: &Setup, digits: usize, texts: &CanvasTexts) -> [Cell; 4] {
     let cell = |space, value| Cell { space, value, slots: 1, wanted: true };
-    let code = dissect::outcode_of(setup.camera, p).unwrap_or([true; 6]);
+    let code = clip_parts::outcode_of(setup.camera, p).unwrap_or([true; 6]);
     let bits: String = code.iter().map(|outside| if *outside { '1' } else { '0' }).collect();
     let planes: Vec<&str> = setup.labels.planes.into_iter().zip(code).filter(|(_, out)| *out).map(|(n, _)| n).collect();
     let meaning = if planes.is_empty() { texts.inside.to_owned() } else { planes.join(", ") };
-    let d = dissect::homogeneous_distances(setup.camera, p).map(|d| significant(d, digits));
+    let d = clip_parts::homogeneous_distances(setup.camera, p).map(|d| significant(d, digits));
     [
         cell(texts.outcode, format!("{bits} {meaning}")),
         cell("w + x, w − x", format!("{}, {}", d[0], d[1])),

@@ -7,10 +7,10 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
+use super::cut::{Origin, cut};
 use super::project::displayed;
-use super::shade::{color_at, mean_color};
+use super::resample::{face_color, with_triangles};
 use super::transform::{ClipPoint, Projector};
-use crate::appearance::Rgba;
 use crate::camera::Camera;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene};
 
@@ -19,7 +19,7 @@ const NOWHERE: f64 = 1e100;
 
 /// A scene, divided before it is clipped.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Folded {
+pub struct DividedFirst {
     /// What the mistake does no harm to, in the world.
     pub right: Scene,
     /// What only exists by the mistake, as the canonical volume shows it: (x_n, y_n, −z_n), clipped there. Faces have one
@@ -30,35 +30,35 @@ pub struct Folded {
 /// Divides each point of `scene` by its w as it is, and clips what comes of it to the cube of `reach` times the size of the
 /// canonical volume. A point with w = 0 takes what it belongs to with it.
 #[must_use]
-pub fn divided_first(scene: &Scene, camera: &Camera, reach: f64) -> Folded {
-    let fold = Fold { projector: Projector::new(camera), reach };
-    let mut folded = Folded::default();
-    folded.right.lights.clone_from(&scene.lights);
-    folded.right.texts.clone_from(&scene.texts);
-    folded.right.marks.clone_from(&scene.marks);
+pub fn divided_first(scene: &Scene, camera: &Camera, reach: f64) -> DividedFirst {
+    let divide = Divide { projector: Projector::new(camera), reach };
+    let mut result = DividedFirst::default();
+    result.right.lights.clone_from(&scene.lights);
+    result.right.texts.clone_from(&scene.texts);
+    result.right.marks.clone_from(&scene.marks);
     for object in &scene.objects {
-        let (right, wrong) = fold.object(object);
-        folded.right.objects.push(right);
-        folded.wrong.objects.extend(wrong);
+        let (right, wrong) = divide.object(object);
+        result.right.objects.push(right);
+        result.wrong.objects.extend(wrong);
     }
     for line in &scene.lines {
-        fold.line(line, &mut folded);
+        divide.line(line, &mut result);
     }
     let behind = scene.marks.iter().filter_map(|mark| {
-        let p = fold.clip(mark.position);
-        let position = fold.display(p).filter(|shown| p.w < 0.0 && shown.abs().max_element() <= reach)?;
+        let p = divide.clip(mark.position);
+        let position = divide.display(p).filter(|shown| p.w < 0.0 && shown.abs().max_element() <= reach)?;
         Some(PointMark { position, ..mark.clone() })
     });
-    folded.wrong.marks.extend(behind);
-    folded
+    result.wrong.marks.extend(behind);
+    result
 }
 
-struct Fold {
+struct Divide {
     projector: Projector,
     reach: f64,
 }
 
-impl Fold {
+impl Divide {
     fn clip(&self, p_world: DVec3) -> ClipPoint {
         self.projector.clip(self.projector.view(p_world))
     }
@@ -92,15 +92,15 @@ impl Fold {
             return (object.clone(), None);
         }
         let corners = |of: &[u32]| of.iter().filter_map(|&i| clip.get(i as usize).copied()).collect::<Vec<_>>();
-        let mut right = Mesh { closed: false, convex: false, ..Mesh::clone(mesh) };
-        right.triangles.retain(|triangle| !behind(triangle));
-        right.edges.retain(|edge| !behind(edge));
+        let right: Vec<u32> =
+            (0..).zip(&mesh.triangles).filter(|(_, triangle)| !behind(&triangle[..])).map(|(face, _)| face).collect();
+        let edges = mesh.edges.iter().copied().filter(|edge| !behind(&edge[..])).collect();
         let (mut wrong, mut colors) = (Mesh::default(), Vec::new());
         for (face, triangle) in (0_u32..).zip(&mesh.triangles).filter(|(_, triangle)| behind(&triangle[..])) {
             let fan = add(&mut wrong, &self.inside(&corners(triangle)));
             for k in 1..fan.len().saturating_sub(1) {
                 wrong.triangles.push([fan[0], fan[k], fan[k + 1]]);
-                colors.push(own_color(&object.paint, face, *triangle));
+                colors.push(face_color(&object.paint, face, *triangle));
             }
         }
         for edge in mesh.edges.iter().filter(|edge| behind(&edge[..])) {
@@ -108,16 +108,9 @@ impl Fold {
                 wrong.edges.push([a, b]);
             }
         }
-        let paint = match &object.paint {
-            ObjectPaint::Faces(colors) => {
-                let kept = mesh.triangles.iter().zip(0..).filter(|(triangle, _)| !behind(&triangle[..]));
-                ObjectPaint::Faces(Arc::new(kept.map(|(_, face)| color_at(colors, face)).collect()))
-            }
-            paint => paint.clone(),
-        };
         // Open now, so that its inside shows, as where clipping has cut it open.
         let two_sided = object.two_sided || mesh.closed;
-        let right = Object { mesh: Arc::new(right), paint, two_sided, ..object.clone() };
+        let right = Object { two_sided, ..with_triangles(object, &right, edges) };
         let empty = wrong.triangles.is_empty() && wrong.edges.is_empty();
         let wrong = (!empty).then(|| Object {
             mesh: Arc::new(wrong),
@@ -130,17 +123,17 @@ impl Fold {
         (right, wrong)
     }
 
-    fn line(&self, line: &Line, folded: &mut Folded) {
+    fn line(&self, line: &Line, result: &mut DividedFirst) {
         let clip: Vec<ClipPoint> = line.points.iter().map(|&p| self.clip(p)).collect();
         if !clip.iter().any(|p| p.w < 0.0) {
-            folded.right.lines.push(line.clone());
+            result.right.lines.push(line.clone());
             return;
         }
         for (ends, points) in clip.windows(2).zip(line.points.windows(2)) {
             let (lines, points) = if ends.iter().any(|p| p.w < 0.0) {
-                (&mut folded.wrong.lines, self.inside(ends))
+                (&mut result.wrong.lines, self.inside(ends))
             } else {
-                (&mut folded.right.lines, points.to_vec())
+                (&mut result.right.lines, points.to_vec())
             };
             if !points.is_empty() {
                 lines.push(Line { points, ..line.clone() });
@@ -152,21 +145,13 @@ impl Fold {
 /// The part of a convex polygon, or of a segment, where `distance` is not negative.
 fn half(polygon: &[DVec3], distance: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     let mut kept = Vec::new();
-    for (i, &p) in polygon.iter().enumerate() {
-        let d1 = distance(p);
-        if d1 >= 0.0 {
-            kept.push(p);
-        }
-        if polygon.len() == 2 && i == 1 {
-            break;
-        }
-        let q = polygon[(i + 1) % polygon.len()];
-        let d2 = distance(q);
-        if d1 * d2 < 0.0 {
-            let (d1, d2) = (d1.abs(), d2.abs());
-            kept.push(p * (d2 / (d1 + d2)) + q * (d1 / (d1 + d2)));
-        }
-    }
+    let keep = |origin| {
+        kept.push(match origin {
+            Origin::Corner(i) => polygon[i],
+            Origin::Edge(edge) => polygon[edge.inside] * edge.shares[0] + polygon[edge.outside] * edge.shares[1],
+        });
+    };
+    cut(polygon.len(), |i| distance(polygon[i]), keep, |_| {});
     kept
 }
 
@@ -175,13 +160,4 @@ fn add(mesh: &mut Mesh, points: &[DVec3]) -> Vec<u32> {
     let first = u32::try_from(mesh.positions.len()).unwrap_or(u32::MAX);
     mesh.positions.extend_from_slice(points);
     (first..).take(points.len()).collect()
-}
-
-fn own_color(paint: &ObjectPaint, face: u32, triangle: [u32; 3]) -> Rgba {
-    match paint {
-        ObjectPaint::Solid(color) => *color,
-        ObjectPaint::Faces(colors) => color_at(colors, face),
-        ObjectPaint::Vertices(colors) => mean_color(colors, triangle),
-        ObjectPaint::Texture { .. } => color_at(&[], 0),
-    }
 }

@@ -1,8 +1,7 @@
-//! The scene taken apart at the planes of the view volume, where it stands: what clipping keeps, what it takes away, and the
+//! The scene in two parts, cut at the planes of the view volume, where it stands: what clipping keeps, what it takes away, and the
 //! vertices that it makes.
 //!
-//! Pictures draw without this; it is for who wants to see what clipping does. The cuts are those of `clip`: an edge is cut
-//! where the distances of its ends from the plane, linear in homogeneous coordinates, add up to 0.
+//! Pictures are drawn without this; it is there to show what clipping does. The corners and the cuts are those of `clip`.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -10,17 +9,17 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use super::clip::{NOT_A_NUMBER, PLANES, PlaneSet, distances, outcode};
+use super::clip::{Corner, NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
 use super::cull::{Place, place};
-use super::shade::{color_at, mean_of_colors, mean_of_uv};
+use super::cut::cut;
+use super::resample::{Remake, normals, object_paint};
 use super::transform::{ClipPoint, Projector, ViewFromObject};
 use crate::appearance::LineStyle;
 use crate::camera::{Camera, Projection};
-use crate::geometry::try_unit;
-use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
+use crate::scene::{Line, Mesh, Object, Scene};
 
 /// The bits of an outcode, `true` where a point is outside: left, right, bottom, top, near, far. `None` for a point with a
-/// coordinate that is no number.
+/// coordinate that is not a number.
 #[must_use]
 pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
     let projector = Projector::new(camera);
@@ -46,7 +45,7 @@ pub fn homogeneous_distances(camera: &Camera, p_world: DVec3) -> [f64; 6] {
 
 /// A scene in two parts.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Dissection {
+pub struct Parts {
     /// What lies in the volume. An object that was cut is open, so both sides of its faces show.
     pub inside: Scene,
     /// What lies outside, without the lights.
@@ -57,77 +56,32 @@ pub struct Dissection {
     pub sides: Vec<[DVec3; 2]>,
 }
 
-/// Takes `scene` apart at the planes of the volume of `camera`. With `edges_only` the new vertices are those of edges, else
+/// Cuts `scene` into two at the planes of the volume of `camera`. With `edges_only` the new vertices are those of edges, else
 /// those of triangles where an object has faces.
 #[must_use]
-pub fn dissect(scene: &Scene, camera: &Camera, edges_only: bool) -> Dissection {
-    let mut knife = Knife { projector: Projector::new(camera), parts: Dissection::default(), known: HashSet::new() };
-    knife.parts.inside.lights.clone_from(&scene.lights);
+pub fn clip_parts(scene: &Scene, camera: &Camera, edges_only: bool) -> Parts {
+    let mut splitter = Splitter { projector: Projector::new(camera), parts: Parts::default(), known: HashSet::new() };
+    splitter.parts.inside.lights.clone_from(&scene.lights);
     for object in &scene.objects {
-        knife.object(object, edges_only);
+        splitter.object(object, edges_only);
     }
     for line in &scene.lines {
-        knife.line(line);
+        splitter.line(line);
     }
     let inside = |p| outcode_of(camera, p).is_some_and(|code| !code.contains(&true));
-    let Dissection { inside: kept, outside: cut, .. } = &mut knife.parts;
+    let Parts { inside: kept, outside: cut, .. } = &mut splitter.parts;
     (kept.marks, cut.marks) = scene.marks.iter().cloned().partition(|mark| inside(mark.position));
     (kept.texts, cut.texts) = scene.texts.iter().cloned().partition(|text| inside(text.position));
-    knife.parts
-}
-
-/// Near and far first, as in `clip`.
-const ORDER: [usize; PLANES] = [4, 5, 0, 1, 2, 3];
-
-/// A corner of a piece of a triangle: what it is made of, and where it lies relative to the planes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Corner {
-    weights: [f64; 3],
-    distances: [f64; PLANES],
-    /// The corner of the triangle that it is; `None` for a new one.
-    own: Option<usize>,
-}
-
-impl Corner {
-    fn between(inside: &Self, outside: &Self, plane: usize) -> Self {
-        let (d1, d2) = (inside.distances[plane], -outside.distances[plane]);
-        let (w1, w2) = (d2 / (d1 + d2), d1 / (d1 + d2));
-        let mut distances: [f64; PLANES] =
-            std::array::from_fn(|i| w1 * inside.distances[i] + w2 * outside.distances[i]);
-        distances[plane] = 0.0;
-        let weights = std::array::from_fn(|i| w1 * inside.weights[i] + w2 * outside.weights[i]);
-        Self { weights, distances, own: None }
-    }
+    splitter.parts
 }
 
 /// The two parts of a convex polygon (or, with two corners, of a segment) on the sides of a plane.
-fn split(polygon: &[Corner], plane: usize) -> [Vec<Corner>; 2] {
+fn split(polygon: &[Corner], plane: usize, projector: &Projector) -> [Vec<Corner>; 2] {
     let least = polygon.len().min(3);
     let (mut inside, mut outside) = (Vec::new(), Vec::new());
-    let sides = if polygon.len() == 2 { 1 } else { polygon.len() };
-    for (i, current) in polygon.iter().enumerate() {
-        let d1 = current.distances[plane];
-        if d1 >= 0.0 {
-            inside.push(*current);
-        }
-        if d1 <= 0.0 {
-            outside.push(*current);
-        }
-        if i >= sides {
-            break;
-        }
-        let following = &polygon[(i + 1) % polygon.len()];
-        let d2 = following.distances[plane];
-        if d1 * d2 < 0.0 {
-            let cut = if d1 > 0.0 {
-                Corner::between(current, following, plane)
-            } else {
-                Corner::between(following, current, plane)
-            };
-            inside.push(cut);
-            outside.push(cut);
-        }
-    }
+    let corner = |origin| Corner::of_part(polygon, origin, plane, projector);
+    let distance = |i: usize| polygon[i].distances[plane];
+    cut(polygon.len(), distance, |origin| inside.push(corner(origin)), |origin| outside.push(corner(origin)));
     // What lies in the plane is inside.
     let any_outside = outside.iter().any(|corner| corner.distances[plane] < 0.0);
     if inside.len() < least {
@@ -140,11 +94,11 @@ fn split(polygon: &[Corner], plane: usize) -> [Vec<Corner>; 2] {
 }
 
 /// The piece inside all planes, and those outside one of them.
-fn pieces(polygon: Vec<Corner>) -> (Vec<Corner>, Vec<Vec<Corner>>) {
-    let (mut rest, mut outside) = (polygon, Vec::new());
+fn pieces(projector: &Projector, points: &[ClipPoint]) -> (Vec<Corner>, Vec<Vec<Corner>>) {
+    let (mut rest, mut outside) = (Corner::whole(projector, points).collect::<Vec<_>>(), Vec::new());
     for plane in ORDER {
         if rest.iter().any(|corner| corner.distances[plane] < 0.0) {
-            let [kept, cut] = split(&rest, plane);
+            let [kept, cut] = split(&rest, plane, projector);
             rest = kept;
             outside.extend(Some(cut).filter(|cut| !cut.is_empty()));
         }
@@ -152,14 +106,14 @@ fn pieces(polygon: Vec<Corner>) -> (Vec<Corner>, Vec<Vec<Corner>>) {
     (rest, outside)
 }
 
-struct Knife {
+struct Splitter {
     projector: Projector,
-    parts: Dissection,
+    parts: Parts,
     /// The new vertices that have been noted, rounded.
     known: HashSet<[i64; 3]>,
 }
 
-impl Knife {
+impl Splitter {
     fn object(&mut self, object: &Object, edges_only: bool) {
         let view_from_object = self.projector.view_from_object(object.world_from_object);
         match Bounds::of(&object.mesh).map(|bounds| place(&self.projector, &view_from_object, &bounds)) {
@@ -174,24 +128,21 @@ impl Knife {
         let clip: Vec<ClipPoint> =
             mesh.positions.iter().map(|&p| self.projector.clip(view_from_object.point(p))).collect();
         let codes: Vec<PlaneSet> = clip.iter().map(|&p| outcode(&self.projector, p)).collect();
-        let corner = |i: u32, own: usize| {
-            let weights = std::array::from_fn(|k| f64::from(u8::from(k == own)));
-            Corner { weights, distances: distances(&self.projector, clip[i as usize]), own: Some(own) }
-        };
         let parted = |of: &[u32]| {
             let codes: Option<Vec<PlaneSet>> = of.iter().map(|&i| codes.get(i as usize).copied()).collect();
             let [all, any] = codes?.iter().fold([PlaneSet::MAX, 0], |[all, any], code| [all & code, any | code]);
             if any & NOT_A_NUMBER != 0 {
                 return None;
             }
-            let whole = of.iter().enumerate().map(|(own, &i)| corner(i, own)).collect();
+            let points: Vec<ClipPoint> = of.iter().map(|&i| clip[i as usize]).collect();
+            let whole = || Corner::whole(&self.projector, &points).collect();
             Some(match (all, any) {
-                (_, 0) => (whole, Vec::new()),
-                (0, _) => pieces(whole),
-                _ => (Vec::new(), vec![whole]),
+                (_, 0) => (whole(), Vec::new()),
+                (0, _) => pieces(&self.projector, &points),
+                _ => (Vec::new(), vec![whole()]),
             })
         };
-        let (mut inside, mut outside) = (Part::new(object), Part::new(object));
+        let (mut inside, mut outside) = (ObjectPart::new(object), ObjectPart::new(object));
         let faces = object.faces && !edges_only;
         let mut made = Vec::new();
         for (source, triangle) in (0_u32..).zip(&mesh.triangles) {
@@ -215,7 +166,7 @@ impl Knife {
             }
         }
         let place = |of: [u32; 3], corner: &Corner| {
-            object.world_from_object.transform_point3(mean(of.map(|i| mesh.positions[i as usize]), corner.weights))
+            object.world_from_object.transform_point3(corner.origin(of).of(|i| mesh.positions[i as usize]))
         };
         let made: Vec<Vec<(Corner, DVec3)>> =
             made.iter().map(|(of, corners)| corners.iter().map(|c| (*c, place(*of, c))).collect()).collect();
@@ -234,7 +185,7 @@ impl Knife {
 
     /// Notes what is new of a polygon that was cut.
     fn note(&mut self, polygon: &[(Corner, DVec3)]) {
-        for (_, p) in polygon.iter().filter(|(corner, _)| corner.own.is_none()) {
+        for (_, p) in polygon.iter().filter(|(corner, _)| corner.original().is_none()) {
             if self.is_new(*p) {
                 self.parts.cuts.push(*p);
             }
@@ -248,7 +199,7 @@ impl Knife {
         }
     }
 
-    /// True for the first of points that are the same up to rounding: neighbours reckon them in another order.
+    /// True for the first of points that are the same up to rounding: faces of different objects may meet.
     fn is_new(&mut self, p: DVec3) -> bool {
         const CELLS: f64 = 1e9;
         let size = p.abs().max_element().max(f64::MIN_POSITIVE).log2().ceil().exp2();
@@ -262,26 +213,21 @@ impl Knife {
     }
 
     fn line(&mut self, line: &Line) {
-        let (mut inside, mut outside) = (Pieces::new(line), Pieces::new(line));
+        let (mut inside, mut outside) = (Polylines::new(line), Polylines::new(line));
         for (i, ends) in line.points.windows(2).enumerate() {
             let clip = [ends[0], ends[1]].map(|p| self.projector.clip(self.projector.view(p)));
             if clip.iter().any(|p| outcode(&self.projector, *p) == NOT_A_NUMBER) {
                 continue;
             }
-            let corner = |k: usize| Corner {
-                weights: [f64::from(u8::from(k == 0)), f64::from(u8::from(k == 1)), 0.0],
-                distances: distances(&self.projector, clip[k]),
-                own: Some(k),
-            };
-            let (kept, cut) = pieces(vec![corner(0), corner(1)]);
-            let point = |c: &Corner| c.own.map_or_else(|| ends[0] * c.weights[0] + ends[1] * c.weights[1], |k| ends[k]);
+            let (kept, cut) = pieces(&self.projector, &clip);
+            let point = |c: &Corner| c.origin([0, 1, 1]).of(|k| ends[k as usize]);
             if !cut.is_empty() {
                 self.note(&kept.iter().map(|c| (*c, point(c))).collect::<Vec<_>>());
             }
             let last = i + 2 == line.points.len();
-            let add = |pieces: &mut Pieces, segment: &[Corner]| {
+            let add = |polylines: &mut Polylines, segment: &[Corner]| {
                 if let [a, b] = segment {
-                    pieces.add([point(a), point(b)], last && b.own == Some(1));
+                    polylines.add([point(a), point(b)], last && b.original() == Some(1));
                 }
             };
             add(&mut inside, &kept);
@@ -292,17 +238,13 @@ impl Knife {
     }
 }
 
-fn mean(of: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
-    (0..3).fold(DVec3::ZERO, |sum, i| sum + of[i] * weights[i])
-}
-
 /// The polylines that are left of one.
-struct Pieces {
+struct Polylines {
     style: LineStyle,
     lines: Vec<Line>,
 }
 
-impl Pieces {
+impl Polylines {
     fn new(line: &Line) -> Self {
         Self { style: line.style, lines: Vec::new() }
     }
@@ -320,86 +262,40 @@ impl Pieces {
 }
 
 /// What is left of an object on one side.
-struct Part<'a> {
+struct ObjectPart<'a> {
     object: &'a Object,
-    mesh: Mesh,
-    /// The new index of each vertex of the mesh that is still used.
-    index: Vec<Option<u32>>,
-    /// What each new vertex is made of.
-    origin: Vec<([u32; 3], [f64; 3])>,
-    /// The old triangle of each new one.
-    source: Vec<u32>,
+    remake: Remake,
 }
 
-impl<'a> Part<'a> {
+impl<'a> ObjectPart<'a> {
     fn new(object: &'a Object) -> Self {
-        let index = vec![None; object.mesh.positions.len()];
-        Self { object, mesh: Mesh::default(), index, origin: Vec::new(), source: Vec::new() }
+        Self { object, remake: Remake::new(&object.mesh) }
     }
 
     fn polygon(&mut self, of: [u32; 3], corners: &[Corner], source: u32) {
-        let fan: Vec<u32> = corners.iter().map(|corner| self.vertex(of, corner)).collect();
-        for k in 1..fan.len().saturating_sub(1) {
-            self.mesh.triangles.push([fan[0], fan[k], fan[k + 1]]);
-            self.source.push(source);
-        }
+        let corners: Vec<u32> = corners.iter().map(|corner| self.remake.vertex(corner.origin(of))).collect();
+        self.remake.polygon(&corners, source);
     }
 
     fn edge(&mut self, of: [u32; 3], ends: &[Corner]) {
         if let [a, b] = ends {
-            let ends = [self.vertex(of, a), self.vertex(of, b)];
-            self.mesh.edges.push(ends);
+            let ends = [a, b].map(|end| self.remake.vertex(end.origin(of)));
+            self.remake.edges.push(ends);
         }
-    }
-
-    fn vertex(&mut self, of: [u32; 3], corner: &Corner) -> u32 {
-        let own = corner.own.map(|k| of[k] as usize);
-        if let Some(index) = own.and_then(|own| self.index[own]) {
-            return index;
-        }
-        let index = u32::try_from(self.mesh.positions.len()).unwrap_or(u32::MAX);
-        let old = &self.object.mesh;
-        let normal = |i: u32| old.normals.get(i as usize).copied().unwrap_or_default();
-        match own {
-            Some(own) => {
-                self.index[own] = Some(index);
-                self.mesh.positions.push(old.positions[own]);
-                self.mesh.normals.extend(old.normals.get(own));
-            }
-            None => {
-                self.mesh.positions.push(mean(of.map(|i| old.positions[i as usize]), corner.weights));
-                if !old.normals.is_empty() {
-                    let normal = mean(of.map(normal), corner.weights);
-                    self.mesh.normals.push(try_unit(normal).unwrap_or(DVec3::Y));
-                }
-            }
-        }
-        self.origin.push((of, corner.weights));
-        index
     }
 
     fn finish(self) -> Option<Object> {
-        let Self { object, mesh, origin, source, .. } = self;
-        if mesh.triangles.is_empty() && mesh.edges.is_empty() {
+        let Self { object, remake } = self;
+        if remake.is_empty() {
             return None;
         }
-        let paint = match &object.paint {
-            ObjectPaint::Solid(color) => ObjectPaint::Solid(*color),
-            ObjectPaint::Faces(colors) => {
-                ObjectPaint::Faces(Arc::new(source.iter().map(|&face| color_at(colors, face)).collect()))
-            }
-            ObjectPaint::Vertices(colors) => {
-                let color = |(of, weights): &([u32; 3], _)| mean_of_colors(of.map(|i| color_at(colors, i)), *weights);
-                ObjectPaint::Vertices(Arc::new(origin.iter().map(color).collect()))
-            }
-            ObjectPaint::Texture { image, uv, opacity } => {
-                let at = |i: u32| uv.get(i as usize).copied().unwrap_or_default();
-                let uv = origin.iter().map(|(of, weights)| mean_of_uv(of.map(at), *weights)).collect();
-                ObjectPaint::Texture { image: image.clone(), uv: Arc::new(uv), opacity: *opacity }
-            }
-        };
+        let (old, origins) = (&object.mesh, &remake.origins);
+        let positions = origins.iter().map(|origin| origin.of(|i| old.positions[i as usize])).collect();
+        let paint = object_paint(&object.paint, origins.iter().copied(), &remake.sources);
+        let normals = normals(old, origins);
+        let mesh = Mesh { positions, normals, triangles: remake.triangles, edges: remake.edges, ..Mesh::default() };
         // Open now, so that its inside shows.
-        let two_sided = object.two_sided || object.mesh.closed;
+        let two_sided = object.two_sided || old.closed;
         Some(Object { mesh: Arc::new(mesh), paint, two_sided, ..object.clone() })
     }
 }

@@ -1,0 +1,255 @@
+//! What the vertices that cutting makes carry: colours, normals, texture coordinates …
+//!
+//! Everything that has attributes by vertex or by face, and is made anew after a cut, comes through here. An attribute that
+//! vertices are given one day is one more arm in [`object_paint`], [`paint_of`] or [`append`].
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::appearance::Rgba;
+use crate::drawing::{Paint, Phong};
+use crate::geometry::try_unit;
+use crate::scene::{Mesh, Object, ObjectPaint};
+
+/// What a vertex is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum VertexOrigin {
+    /// It is this vertex of the old mesh.
+    Vertex(u32),
+    /// It lies on a triangle: attributes are the sum of those of three vertices, weighted.
+    Between {
+        /// Vertices of the old mesh.
+        of: [u32; 3],
+        /// Their shares; they add up to 1.
+        weights: [f64; 3],
+    },
+}
+
+impl VertexOrigin {
+    /// An attribute of the vertex, from that of each vertex of the old mesh.
+    #[inline]
+    pub(super) fn of<T: Attribute>(&self, attribute: impl Fn(u32) -> T) -> T {
+        match *self {
+            Self::Vertex(i) => attribute(i),
+            Self::Between { of, weights } => T::mean(of.map(attribute), weights),
+        }
+    }
+}
+
+/// What a vertex can carry.
+pub(super) trait Attribute: Copy {
+    /// The weighted sum. The order of the three changes nothing where one weight is 0, so that neighbours that share an edge
+    /// agree on it.
+    fn mean(of: [Self; 3], weights: [f64; 3]) -> Self;
+}
+
+impl Attribute for DVec3 {
+    fn mean(of: [Self; 3], weights: [f64; 3]) -> Self {
+        (0..3).fold(Self::ZERO, |sum, i| sum + of[i] * weights[i])
+    }
+}
+
+impl Attribute for [f32; 3] {
+    fn mean(of: [Self; 3], weights: [f64; 3]) -> Self {
+        let wide = of.map(|v| DVec3::from_array(v.map(f64::from)));
+        DVec3::mean(wide, weights).as_vec3().to_array()
+    }
+}
+
+impl Attribute for [f32; 2] {
+    #[expect(clippy::cast_possible_truncation, reason = "texture coordinates are single precision")]
+    fn mean(of: [Self; 3], weights: [f64; 3]) -> Self {
+        std::array::from_fn(|axis| (0..3).map(|i| f64::from(of[i][axis]) * weights[i]).sum::<f64>() as f32)
+    }
+}
+
+impl Attribute for Rgba {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a mean of bytes is a byte")]
+    fn mean(of: [Self; 3], weights: [f64; 3]) -> Self {
+        let mean = |channel: fn(Self) -> u8| {
+            let sum: f64 = (0..3).map(|i| f64::from(channel(of[i])) * weights[i]).sum();
+            (sum + 0.5) as u8
+        };
+        Self::rgba(mean(|c| c.r), mean(|c| c.g), mean(|c| c.b), mean(|c| c.a))
+    }
+}
+
+/// Grey for what has no colour of its own.
+pub(super) fn color_at(colors: &[Rgba], index: u32) -> Rgba {
+    colors.get(index as usize).copied().unwrap_or(Rgba::rgb(128, 128, 128))
+}
+
+/// The colour of a face whose corners have colours.
+pub(super) fn mean_color(colors: &[Rgba], triangle: [u32; 3]) -> Rgba {
+    Rgba::mean(triangle.map(|i| color_at(colors, i)), [1.0 / 3.0; 3])
+}
+
+/// The one colour of a face, whatever it is painted with.
+pub(super) fn face_color(paint: &ObjectPaint, face: u32, triangle: [u32; 3]) -> Rgba {
+    match paint {
+        ObjectPaint::Solid(color) => *color,
+        ObjectPaint::Faces(colors) => color_at(colors, face),
+        ObjectPaint::Vertices(colors) => mean_color(colors, triangle),
+        ObjectPaint::Texture { .. } => color_at(&[], 0),
+    }
+}
+
+/// The paint of a mesh whose vertices and triangles come from those of another. `sources`: the old index of each triangle.
+pub(super) fn object_paint(
+    old: &ObjectPaint,
+    origins: impl Iterator<Item = VertexOrigin>,
+    sources: &[u32],
+) -> ObjectPaint {
+    match old {
+        ObjectPaint::Solid(color) => ObjectPaint::Solid(*color),
+        ObjectPaint::Faces(colors) => {
+            ObjectPaint::Faces(Arc::new(sources.iter().map(|&face| color_at(colors, face)).collect()))
+        }
+        ObjectPaint::Vertices(colors) => {
+            ObjectPaint::Vertices(Arc::new(origins.map(|origin| origin.of(|i| color_at(colors, i))).collect()))
+        }
+        ObjectPaint::Texture { image, uv, opacity } => {
+            let at = |i: u32| uv.get(i as usize).copied().unwrap_or_default();
+            let uv = Arc::new(origins.map(|origin| origin.of(at)).collect());
+            ObjectPaint::Texture { image: image.clone(), uv, opacity: *opacity }
+        }
+    }
+}
+
+/// The colours of an object as they are, for the display list.
+pub(super) fn paint_of(paint: ObjectPaint) -> Paint {
+    match paint {
+        ObjectPaint::Solid(color) => Paint::Solid(color),
+        ObjectPaint::Faces(colors) => Paint::Faces(Arc::unwrap_or_clone(colors)),
+        ObjectPaint::Vertices(colors) => Paint::Vertices(Arc::unwrap_or_clone(colors)),
+        ObjectPaint::Texture { image, uv, opacity } => Paint::Texture { image, uv: Arc::unwrap_or_clone(uv), opacity },
+    }
+}
+
+/// The normals of a mesh whose vertices come from those of another; none where that has none.
+pub(super) fn normals(old: &Mesh, origins: &[VertexOrigin]) -> Vec<DVec3> {
+    if old.normals.is_empty() {
+        return Vec::new();
+    }
+    let at = |i: u32| old.normals.get(i as usize).copied().unwrap_or_default();
+    let unit = |origin: &VertexOrigin| match *origin {
+        VertexOrigin::Vertex(i) => at(i),
+        VertexOrigin::Between { .. } => try_unit(origin.of(at)).unwrap_or(DVec3::Y),
+    };
+    origins.iter().map(unit).collect()
+}
+
+/// A mesh that is made of parts of another: each vertex by what it is made of, shared as it was.
+#[derive(Debug)]
+pub(super) struct Remake {
+    /// The new index of each vertex of the old mesh that is still used.
+    index: Vec<Option<u32>>,
+    /// What each new vertex is made of.
+    pub(super) origins: Vec<VertexOrigin>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// The old triangle of each new one.
+    pub(super) sources: Vec<u32>,
+    pub(super) edges: Vec<[u32; 2]>,
+}
+
+impl Remake {
+    pub(super) fn new(old: &Mesh) -> Self {
+        Self {
+            index: vec![None; old.positions.len()],
+            origins: Vec::new(),
+            triangles: Vec::new(),
+            sources: Vec::new(),
+            edges: Vec::new(),
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.triangles.is_empty() && self.edges.is_empty()
+    }
+
+    /// The index of a vertex, which is new unless it is one of the old mesh and was there before.
+    pub(super) fn vertex(&mut self, origin: VertexOrigin) -> u32 {
+        let own = match origin {
+            VertexOrigin::Vertex(i) => Some(i as usize),
+            VertexOrigin::Between { .. } => None,
+        };
+        if let Some(index) = own.and_then(|own| self.index[own]) {
+            return index;
+        }
+        let index = u32::try_from(self.origins.len()).unwrap_or(u32::MAX);
+        self.origins.push(origin);
+        if let Some(own) = own {
+            self.index[own] = Some(index);
+        }
+        index
+    }
+
+    /// Adds a convex polygon, which is a part of the old triangle `source`, as a fan.
+    pub(super) fn polygon(&mut self, corners: &[u32], source: u32) {
+        for k in 1..corners.len().saturating_sub(1) {
+            self.triangles.push([corners[0], corners[k], corners[k + 1]]);
+            self.sources.push(source);
+        }
+    }
+}
+
+/// An object with some of its triangles and edges only: open, unless it keeps all. `triangles`: their indices, ascending.
+#[must_use]
+pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>) -> Object {
+    let old = &object.mesh;
+    let all = triangles.len() == old.triangles.len();
+    let mesh = Mesh {
+        triangles: triangles.iter().filter_map(|&k| old.triangles.get(k as usize).copied()).collect(),
+        edges,
+        closed: old.closed && all,
+        convex: old.convex && all,
+        positions: old.positions.clone(),
+        normals: old.normals.clone(),
+    };
+    let vertices = 0..u32::try_from(old.positions.len()).unwrap_or(u32::MAX);
+    let paint = match &object.paint {
+        // Vertices stay what they are.
+        ObjectPaint::Faces(_) => object_paint(&object.paint, vertices.map(VertexOrigin::Vertex), triangles),
+        paint => paint.clone(),
+    };
+    Object { mesh: Arc::new(mesh), paint, ..object.clone() }
+}
+
+/// A paint for a surface that takes pieces of those painted with `old`; one colour becomes a colour for each face, so that
+/// surfaces of different objects can be one.
+pub(super) fn empty_like(old: &Paint) -> Paint {
+    match old {
+        Paint::Solid(_) | Paint::Faces(_) => Paint::Faces(Vec::new()),
+        Paint::Vertices(_) => Paint::Vertices(Vec::new()),
+        Paint::Phong(phong) => Paint::Phong(Phong {
+            normals: Vec::new(),
+            positions: Vec::new(),
+            color: phong.color,
+            lighting: phong.lighting.clone(),
+        }),
+        Paint::Texture { image, opacity, .. } => {
+            Paint::Texture { image: image.clone(), uv: Vec::new(), opacity: *opacity }
+        }
+    }
+}
+
+/// Adds to `paint` what vertices of these origins have of `old`, and `faces` triangles that are parts of the old triangle
+/// `source`.
+pub(super) fn append(paint: &mut Paint, old: &Paint, origins: &[VertexOrigin], source: usize, faces: usize) {
+    fn add<T: Attribute>(values: &mut Vec<T>, old: &[T], origins: &[VertexOrigin]) {
+        values.extend(origins.iter().map(|origin| origin.of(|i| old[i as usize])));
+    }
+    match (paint, old) {
+        (Paint::Faces(colors), Paint::Solid(color)) => colors.extend(std::iter::repeat_n(*color, faces)),
+        (Paint::Faces(colors), Paint::Faces(old)) => colors.extend(std::iter::repeat_n(old[source], faces)),
+        (Paint::Vertices(colors), Paint::Vertices(old)) => add(colors, old, origins),
+        (Paint::Phong(phong), Paint::Phong(old)) => {
+            add(&mut phong.normals, &old.normals, origins);
+            add(&mut phong.positions, &old.positions, origins);
+        }
+        (Paint::Texture { uv, .. }, Paint::Texture { uv: old, .. }) => add(uv, old, origins),
+        // Made by `empty_like`, a paint is of the kind of the old one.
+        (Paint::Solid(_) | Paint::Faces(_) | Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. }, _) => {}
+    }
+}
