@@ -1,16 +1,17 @@
-//! Light on faces and vertices, by the one formula of [`Lighting::shade`].
+//! Light on faces and vertices, by the one formula of [`lighting`](crate::lighting).
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Level, Simd, dispatch, f32x8, u32x8};
 use glam::{DMat3, DVec3};
 
 use super::transform::{Projector, Vertices, each_chunk};
 use crate::appearance::{Rgba, Shading};
-use crate::drawing::{Eight, Lighting, ViewLight, packed, unpacked};
+use crate::drawing::{Lighting, ViewLight};
 use crate::geometry::try_unit;
+use crate::lighting::{Eight, packed, shade, shade_eight, unpacked};
 use crate::scene::{Light, Mesh};
+use crate::simd::prelude::*;
+use crate::simd::{Simd, f32x8, u32x8, with_vectors};
 
 /// What a face shows where no lamp reaches it.
 const AMBIENT: f32 = 0.35;
@@ -167,7 +168,7 @@ impl<'a> ObjectLight<'a> {
         let mut one = Points::default();
         self.gather(i as usize, 1, &mut one);
         let at = |m: &Rows, v: &[[f32; LANES]; 3]| m.map(|row| row[0] * v[0][0] + row[1] * v[1][0] + row[2] * v[2][0]);
-        self.lighting.shade(at(&self.normal_matrix, &one.normals), at(&self.position_matrix, &one.offsets), color)
+        shade(&self.lighting, at(&self.normal_matrix, &one.normals), at(&self.position_matrix, &one.offsets), color)
     }
 
     /// The unit normal of a vertex in view space; zero where there is none.
@@ -205,9 +206,8 @@ impl<'a> ObjectLight<'a> {
         points: impl Fn(usize, usize, &mut Points) -> bool + Sync + Send,
     ) -> Vec<Rgba> {
         colors.resize(count, Rgba::rgb(0, 0, 0));
-        let level = Level::new();
         each_chunk(&mut colors, |colors, first| {
-            dispatch!(level, simd => self.light(simd, colors, first, &points));
+            with_vectors!(simd => self.light(simd, colors, first, &points));
         });
         colors
     }
@@ -225,7 +225,7 @@ impl<'a> ObjectLight<'a> {
             if points(first + k * LANES, lit.len(), &mut some) {
                 let normals = times(&self.normal_matrix, eight(simd, some.normals));
                 let positions = times(&self.position_matrix, eight(simd, some.offsets));
-                let shaded = self.lighting.shade_eight(simd, normals, positions, u32x8::simd_from(simd, some.colors));
+                let shaded = shade_eight(simd, &self.lighting, normals, positions, u32x8::simd_from(simd, some.colors));
                 for (lit, &shaded) in lit.iter_mut().zip(shaded.as_slice()) {
                     *lit = unpacked(shaded);
                 }

@@ -1,12 +1,12 @@
 //! Object → world → view → clip → image, in `f64` up to the image.
 
-use fearless_simd::{Level, dispatch};
 use glam::{DMat3, DMat4, DVec3};
 use rayon::prelude::*;
 
 use super::Target;
 use super::clip::{PlaneSet, outcode};
 use crate::camera::{Basis, Camera, Projection};
+use crate::simd::{round_to_steps, with_vectors};
 
 /// A point of clip space, with the distance from the eye instead of z: clip z crowds the far depths together, the distance
 /// does not.
@@ -310,8 +310,7 @@ impl OnImage {
             inverse_w: inverse_w.next().unwrap_or_default(),
             outcodes: outcodes.next().unwrap_or_default(),
         });
-        let level = Level::new();
-        let fill = |mut stretch: Stretch| dispatch!(level, _simd => stretch.fill(vertices, screen));
+        let fill = |mut stretch: Stretch| with_vectors!(_simd => stretch.fill(vertices, screen));
         let either = |a: PlaneSet, b: PlaneSet| a | b;
         self.outside = if n > 2 * CHUNK {
             stretches.collect::<Vec<_>>().into_par_iter().map(fill).reduce(|| 0, either)
@@ -413,9 +412,7 @@ fn clamp(value: f64, limit: f64) -> f64 {
 /// To the display list, exactly on the grid of [`SUBPIXELS`].
 #[inline(always)]
 pub(super) fn on_grid(p: [f64; 3]) -> [f32; 3] {
-    // Next to this number the spacing of f64 is one subpixel: adding it and taking it away again leaves the rounded number.
-    const MAGIC: f64 = 1.5 / (SUBPIXELS * f64::EPSILON);
-    single([(p[0] + MAGIC) - MAGIC, (p[1] + MAGIC) - MAGIC, p[2]])
+    single([round_to_steps(p[0], SUBPIXELS), round_to_steps(p[1], SUBPIXELS), p[2]])
 }
 
 /// To the display list, without the grid.

@@ -5,13 +5,12 @@
 
 use std::ops::Range;
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x4, f32x8, i32x8, mask32x8};
-
 use crate::drawing::Surface;
+use crate::simd::prelude::*;
+use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, round_bits};
 
 use super::fill::Size;
-use super::setup::{FRACTION, HALF, HIGHEST, MAGIC, OFFSET, Plane, REACH, STEPS, Triangle, WIDEST};
+use super::setup::{FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, Plane, REACH, STEPS, Triangle, WIDEST};
 use super::shade::pick;
 
 /// Triangles in a batch.
@@ -132,7 +131,7 @@ impl<K: Simd> Batch<K> {
         let mut wrong = zero;
         for k in 0..3 {
             let (bits_x, bits_y) = (grid_bits(x[k]), grid_bits(y[k]));
-            wrong |= (bits_x ^ MAGIC_BITS) | (bits_y ^ MAGIC_BITS);
+            wrong |= (bits_x ^ GRID_ZERO_BITS) | (bits_y ^ GRID_ZERO_BITS);
             grid_x[k] = (bits_x & FRACTION_BITS) - OFFSET;
             grid_y[k] = (bits_y & FRACTION_BITS) - OFFSET;
         }
@@ -208,13 +207,13 @@ impl<K: Simd> Batch<K> {
     }
 }
 
-/// [`MAGIC`] and [`FRACTION`] as signed numbers.
-const MAGIC_BITS: i32 = MAGIC.to_bits().cast_signed();
+/// [`GRID_ZERO`] and [`FRACTION`] as signed numbers.
+const GRID_ZERO_BITS: i32 = GRID_ZERO.to_bits().cast_signed();
 const FRACTION_BITS: i32 = FRACTION.cast_signed();
 
 #[inline(always)]
 fn grid_bits<K: Simd>(v: f32x8<K>) -> i32x8<K> {
-    (v * STEPS as f32 + MAGIC).bitcast::<i32x8<K>>()
+    round_bits(v * STEPS as f32, GRID_ZERO).bitcast::<i32x8<K>>()
 }
 
 /// Eight small triangles, ready to be filled; see [`Triangle`](super::setup::Triangle).

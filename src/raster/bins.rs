@@ -2,15 +2,14 @@
 
 use std::ops::Range;
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Level, Simd};
 use rayon::prelude::*;
 
 use crate::drawing::{Drawing, Surface};
+use crate::simd::prelude::*;
+use crate::simd::{Simd, with_vectors};
 
 use super::batch::{BATCH, Batch, corners_of, gather_points};
 use super::fill::Size;
-use super::vectors::with_vectors;
 
 /// Triangles that are sorted into bands as one piece of work.
 const CHUNK: usize = 8192;
@@ -131,10 +130,9 @@ impl Chunk {
 
 /// Calls `found` for each triangle that may own a sample, in order, with the rows of the picture that it touches.
 fn boxes(surface: &Surface, range: Range<usize>, many: bool, size: Size, mut found: impl FnMut(u32, Range<i32>)) {
-    let level = Level::new();
     let triangles = surface.triangles.get(range.clone()).unwrap_or_default();
     for (first, triangles) in (range.start..).step_by(BATCH).zip(triangles.chunks(BATCH)) {
-        let rows = with_vectors!(level, simd => rows(simd, surface, triangles, many, size));
+        let rows = with_vectors!(simd => rows(simd, surface, triangles, many, size));
         for (l, rows) in rows.into_iter().enumerate().filter(|(_, [top, bottom])| top < bottom) {
             found(number(first + l), rows[0]..rows[1]);
         }

@@ -9,15 +9,15 @@
 
 use std::ops::Range;
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x4, f32x8, f64x4, i32x8, mask32x8, u32x4, u32x8};
-
 use crate::drawing::{Paint, Surface};
+use crate::simd::prelude::*;
+use crate::simd::{Simd, f32x4, f32x8, f64x4, i32x8, mask32x8, u32x4, u32x8};
 
 use super::batch::{BATCH, Batch, Corners, Planes, SetUp, corners, corners_at, gather_points};
+use super::per_pixel::PerPixel;
 use super::pixel::{self, Pixel};
 use super::setup::{Borders, Plane, ROWS, STEPS};
-use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader, Slow};
+use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
 
 /// Sides of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,7 +92,7 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
                 for l in 0..triangles.len() {
                     let corners = corners_at(&corners, l);
                     if let Some(triangle) = batch.alone(l, &surface.positions, corners)
-                        && let Some(shader) = Slow::new(simd, surface, &triangle, corners)
+                        && let Some(shader) = PerPixel::new(simd, surface, &triangle, corners)
                     {
                         let z = triangle.plane([z[0][l], z[1][l], z[2][l]]);
                         let painter = Painter::<K, S, _>::new(simd, triangle.origin, z, band, surface, shader);

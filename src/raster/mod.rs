@@ -11,11 +11,11 @@ mod depth;
 mod fill;
 mod label;
 mod line;
+mod per_pixel;
 mod pixel;
 mod setup;
 mod shade;
 mod surfaces;
-mod vectors;
 
 use std::time::Duration;
 

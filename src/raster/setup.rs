@@ -5,8 +5,8 @@
 //! E(p) = (b − a) × (p − a) is positive inside; where E = 0 the **top-left rule** decides: a top edge (horizontal, with the
 //! triangle below it) or a left edge owns its points, the others do not.
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f64x4, i32x8};
+use crate::simd::prelude::*;
+use crate::simd::{Simd, f32x8, f64x4, round_bits_f64, round_bits_of_one};
 
 /// Steps of the snapping grid per pixel.
 pub(super) const STEPS: i32 = 256;
@@ -16,10 +16,11 @@ pub(super) const HALF: i32 = STEPS / 2;
 pub(super) const WIDEST: i32 = 32 * STEPS;
 pub(super) const HIGHEST: i32 = 128 * STEPS;
 
-/// A position (pixels) becomes one on the grid by v · STEPS + `MAGIC`, rounded (ties to even): between 2²³ and 2²⁴ an `f32`
-/// is a whole number, and its lower bits are the integer, greater by `OFFSET`. If the upper bits are not those of `MAGIC`,
-/// the position is no number or out of reach: −4096 … 28671 pixels, of which a picture has 0 … 16384.
-pub(super) const MAGIC: f32 = 8_388_608.0 + 1_048_576.0;
+/// A position (pixels) becomes one on the grid by [`round_bits`](crate::simd::round_bits) of v · STEPS with this zero, which is
+/// not in the middle of the range: positions are hardly ever negative, and pictures are large. The lower bits are the integer,
+/// greater by `OFFSET`. If the upper bits are not those of `GRID_ZERO`, the position is not a number or out of reach:
+/// −4096 … 28671 pixels, of which a picture has 0 … 16384.
+pub(super) const GRID_ZERO: f32 = 8_388_608.0 + 1_048_576.0;
 pub(super) const OFFSET: i32 = 1 << 20;
 /// The lower bits.
 pub(super) const FRACTION: u32 = (1 << 23) - 1;
@@ -57,7 +58,7 @@ pub(super) const REACH: [i32; 2] = [0, HALF - STEPS / 32];
 
 /// A position on the grid; one that is out of reach becomes some other.
 fn grid(p: [f32; 3]) -> [i32; 2] {
-    let grid = |v: f32| ((v * STEPS as f32 + MAGIC).to_bits() & FRACTION) as i32 - OFFSET;
+    let grid = |v: f32| (round_bits_of_one(v * STEPS as f32, GRID_ZERO) & FRACTION) as i32 - OFFSET;
     [grid(p[0]), grid(p[1])]
 }
 
@@ -177,14 +178,9 @@ impl<K: Simd> Borders<K> {
     /// have no pixel inside are equal or the wrong way round.
     #[inline(always)]
     pub(super) fn rows(&self, j: f64x4<K>) -> ([i32; ROWS], [i32; ROWS]) {
-        // 1.5 · 2⁵² leaves no bits for fractions: the sum is rounded, and its low bits are the integer.
-        const MAGIC: f64 = 6_755_399_441_055_744.0;
         let x = |k: usize| self.lines[k].0 + self.lines[k].1 * j;
         // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x is no whole number.
-        let after = |x: f64x4<K>| {
-            let bits = (x + 0.5 + MAGIC).bitcast::<i32x8<K>>();
-            [bits[0], bits[2], bits[4], bits[6]]
-        };
+        let after = |x: f64x4<K>| round_bits_f64(x + 0.5);
         let zero = f64x4::splat(self.width.witness(), -0.75);
         let from = x(0).max(x(1)).max(zero).min(self.width);
         // A row that there is not ends at 0.
@@ -207,10 +203,11 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    /// The value at a point relative to the origin, held to the range of the vertices: rounding, and pixels whose centre lies
+    /// The values at points relative to the origin, held to the range of the vertices: rounding, and pixels whose centre lies
     /// outside while a sample is inside, would leave it.
-    pub(super) fn at(&self, x: f32, y: f32) -> f32 {
-        lesser(greater(self.dx * x + (self.dy * y + self.value), self.low), self.high)
+    #[inline(always)]
+    pub(super) fn at<K: Simd>(&self, x: f32x8<K>, y: f32x8<K>) -> f32x8<K> {
+        (x * self.dx + (y * self.dy + self.value)).max(self.low).min(self.high)
     }
 }
 

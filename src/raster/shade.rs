@@ -1,13 +1,12 @@
 //! The colours of triangles' pixels, eight at a time.
 
-use fearless_simd::prelude::*;
-use fearless_simd::{Simd, f32x8, mask32x8, u32x8};
-
-use crate::appearance::{Rgba, Texture};
-use crate::drawing::{Paint, Phong, Surface};
+use crate::appearance::Rgba;
+use crate::drawing::{Paint, Surface};
+use crate::simd::prelude::*;
+use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather};
-use super::pixel::{Pixel, channels, premultiply};
+use super::pixel::{Pixel, premultiply};
 use super::setup::{Plane, Triangle, greater};
 
 /// Pixels that are worked on together.
@@ -223,8 +222,7 @@ impl<K: Simd> Shader<K> for Gouraud<K> {
 /// Rounds channels, 0 … 255.
 #[inline(always)]
 fn round<K: Simd>(v: f32x8<K>) -> u32x8<K> {
-    // 1.5 · 2²³ leaves no bits for fractions, and the low bits are the integer.
-    (v + 12_582_912.0).bitcast::<u32x8<K>>() & 0xff
+    round_bits(v, ROUND_F32) & 0xff
 }
 
 /// Channels → opaque pixels.
@@ -363,146 +361,6 @@ fn gather_colors<K: Simd>(simd: K, colors: &[Rgba], corners: &Corners) -> ([u32x
     let [p, q, r] = &packed;
     let packed = [u32x8::from_slice(simd, p), u32x8::from_slice(simd, q), u32x8::from_slice(simd, r)];
     (packed, mask32x8::from_slice(simd, &present))
-}
-
-/// Colours of vertices as floating-point channels.
-type Channels = [f32; 4];
-
-/// What is worked out pixel by pixel: light, textures, translucent colours.
-pub(super) struct Slow<'a, K: Simd> {
-    weights: Weights,
-    x: f32x8<K>,
-    y: f32x8<K>,
-    kind: Kind<'a>,
-    /// Set in every colour.
-    alpha: Pixel,
-}
-
-enum Kind<'a> {
-    /// Premultiplied colours of the vertices.
-    Colors([Channels; 3]),
-    Phong {
-        normals: [[f32; 3]; 3],
-        positions: [[f32; 3]; 3],
-        phong: &'a Phong,
-    },
-    Texture {
-        uv: [[f32; 2]; 3],
-        image: &'a Texture,
-        opacity: f32,
-    },
-}
-
-impl<'a, K: Simd> Slow<'a, K> {
-    /// `None` where the surface's arrays have nothing for this triangle.
-    pub(super) fn new(simd: K, surface: &'a Surface, triangle: &Triangle, corners: [usize; 3]) -> Option<Self> {
-        let (weights, kind) = weights_and_kind(surface, triangle, corners)?;
-        // The alpha of opaque surfaces does not count.
-        let alpha = if surface.translucent { 0 } else { 0xff00_0000 };
-        let zero = f32x8::splat(simd, 0.0);
-        Some(Self { weights, x: zero, y: zero, kind, alpha })
-    }
-
-    fn color(&self, x: f32, y: f32) -> Pixel {
-        let w = self.weights.at(x, y);
-        let rounded = |c: Channels| {
-            Pixel::from_le_bytes(c.map(|c| {
-                #[expect(clippy::cast_possible_truncation, reason = "`as` saturates: 0 … 255, NaN is 0")]
-                let byte = (c + 0.5) as u8;
-                byte
-            }))
-        };
-        match &self.kind {
-            Kind::Colors(colors) => rounded(mix(w, colors)),
-            Kind::Phong { normals, positions, phong } => {
-                premultiply(phong.lighting.shade(mix(w, normals), mix(w, positions), phong.color))
-            }
-            Kind::Texture { uv, image, opacity } => rounded(texel(image, mix(w, uv)).map(|c| c * opacity)),
-        }
-    }
-}
-
-impl<K: Simd> Shader<K> for Slow<'_, K> {
-    #[inline(always)]
-    fn columns(&mut self, x: f32x8<K>) {
-        self.x = x;
-    }
-
-    #[inline(always)]
-    fn rows(&mut self, y: f32x8<K>) {
-        self.y = y;
-    }
-
-    #[inline(always)]
-    fn colors(&self, wanted: mask32x8<K>) -> u32x8<K> {
-        let mut colors = u32x8::splat(wanted.witness(), 0);
-        for l in 0..LANES {
-            if wanted[l] != 0 {
-                colors[l] = self.color(self.x[l], self.y[l]) | self.alpha;
-            }
-        }
-        colors
-    }
-}
-
-fn weights_and_kind<'a>(surface: &'a Surface, triangle: &Triangle, corners: [usize; 3]) -> Option<(Weights, Kind<'a>)> {
-    let kind = match &surface.paint {
-        Paint::Solid(_) | Paint::Faces(_) => return None,
-        Paint::Vertices(colors) => Kind::Colors(pick(colors, corners)?.map(|c| channels(premultiply(c)))),
-        Paint::Phong(phong) => {
-            Kind::Phong { normals: pick(&phong.normals, corners)?, positions: pick(&phong.positions, corners)?, phong }
-        }
-        Paint::Texture { image, uv, opacity } => {
-            Kind::Texture { uv: pick(uv, corners)?, image, opacity: f32::from(*opacity) / 255.0 }
-        }
-    };
-    Some((Weights::new(triangle, inverse_w(surface, corners)?), kind))
-}
-
-/// The share of each vertex in the points of a triangle, perspective-correct.
-struct Weights {
-    planes: [Plane; 3],
-    inverse_w: [f32; 3],
-}
-
-impl Weights {
-    fn new(triangle: &Triangle, inverse_w: [f32; 3]) -> Self {
-        let planes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|q| triangle.plane(q));
-        Self { planes, inverse_w }
-    }
-
-    fn at(&self, x: f32, y: f32) -> [f32; 3] {
-        let b: [f32; 3] = std::array::from_fn(|k| self.planes[k].at(x, y) * self.inverse_w[k]);
-        let sum = b[0] + b[1] + b[2];
-        b.map(|b| b / sum)
-    }
-}
-
-fn mix<const N: usize>(weights: [f32; 3], values: &[[f32; N]; 3]) -> [f32; N] {
-    std::array::from_fn(|k| weights[0] * values[0][k] + weights[1] * values[1][k] + weights[2] * values[2][k])
-}
-
-/// The texture between its four nearest texels; beyond the border the border goes on.
-fn texel(image: &Texture, uv: [f32; 2]) -> Channels {
-    let axis = |t: f32, size: u32| {
-        let last = size.saturating_sub(1);
-        let t = (t * size as f32 - 0.5).clamp(0.0, last as f32);
-        #[expect(clippy::cast_possible_truncation, reason = "clamped above")]
-        let low = t as u32;
-        (low as usize, (low + 1).min(last) as usize, t - low as f32)
-    };
-    let (x0, x1, s) = axis(uv[0], image.width);
-    let (y0, y1, t) = axis(uv[1], image.height);
-    let at = |x: usize, y: usize| {
-        let start = 4 * (y * image.width as usize + x);
-        image.rgba.get(start..start + 4).map_or([0.0; 4], |c| [c[0], c[1], c[2], c[3]].map(f32::from))
-    };
-    let (a, b, c, d) = (at(x0, y0), at(x1, y0), at(x0, y1), at(x1, y1));
-    std::array::from_fn(|k| {
-        let top = a[k] + s * (b[k] - a[k]);
-        let bottom = c[k] + s * (d[k] - c[k]);
-        top + t * (bottom - top)
-    })
 }
 
 /// The values at three indices; `None` where one is missing.

@@ -2,10 +2,10 @@
 
 use std::sync::Mutex;
 
-use fearless_simd::Level;
 use tiny_skia::Pixmap;
 
 use crate::drawing::Drawing;
+use crate::simd::with_vectors;
 
 use super::bins::Bins;
 use super::depth::{BandDepth, DepthBuffer};
@@ -13,7 +13,6 @@ use super::fill::{Band, Counts, Size, fill};
 use super::pixel::{Pixel, mean, premultiply};
 use super::setup::samples;
 use super::shade::LANES;
-use super::vectors::with_vectors;
 
 /// The samples of a band should stay in a processor's own cache: this many, each with colour and depth (8 bytes).
 const BAND_SAMPLES: usize = 1 << 16;
@@ -56,8 +55,6 @@ struct Frame<'a> {
     depth_test: bool,
     want_slopes: bool,
     want_counts: bool,
-    /// The vector instructions of this machine.
-    level: Level,
 }
 
 impl Surfaces {
@@ -92,7 +89,6 @@ impl Surfaces {
             depth_test,
             want_slopes,
             want_counts,
-            level: Level::new(),
         };
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
         let jobs = pixels
@@ -178,13 +174,13 @@ impl Scratch {
             for (surface, triangles) in frame.bins.band(job.band) {
                 let surface = &drawing.surfaces[surface];
                 if together == 1 {
-                    with_vectors!(frame.level, simd => fill::<_, 1>(simd, &mut band, surface, triangles));
+                    with_vectors!(simd => fill::<_, 1>(simd, &mut band, surface, triangles));
                 } else {
-                    with_vectors!(frame.level, simd => fill::<_, 4>(simd, &mut band, surface, triangles));
+                    with_vectors!(simd => fill::<_, 4>(simd, &mut band, surface, triangles));
                 }
             }
         }
-        with_vectors!(frame.level, _simd => match samples.len() {
+        with_vectors!(_simd => match samples.len() {
             1 => resolve::<1>(job.pixels, &self.colors, width, pitch, plane),
             4 => resolve::<4>(job.pixels, &self.colors, width, pitch, plane),
             _ => resolve::<16>(job.pixels, &self.colors, width, pitch, plane),

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use camera_lab::appearance::{Rgba, Texture};
 use camera_lab::drawing::{Drawing, Lighting, Paint, Phong, Surface, ViewLight};
+use camera_lab::lighting::shade;
 use camera_lab::limits::MAX_SIDE;
 use camera_lab::raster::Rasterizer;
 use tiny_skia::Pixmap;
@@ -634,7 +635,7 @@ fn light_at_each_pixel_is_the_formula_at_that_pixel() {
                 ((0..3).map(|l| b[l] * f64::from(v[l][k])).sum::<f64>() / (b[0] + b[1] + b[2])) as f32
             })
         };
-        let exact = lighting.shade(mix(&normals), mix(&positions), color);
+        let exact = shade(&lighting, mix(&normals), mix(&positions), color);
         let found = rgb(&pixmap, x, y);
         for (found, exact) in found.into_iter().zip([exact.r, exact.g, exact.b]) {
             assert!(found.abs_diff(exact) <= 1, "({x}, {y}): {found} and {exact}");
