@@ -10,8 +10,7 @@ use crate::camera::Camera;
 use crate::drawing::{Drawing, Paint, Surface};
 use crate::export::sheet;
 use crate::figure::Figure;
-use crate::pipeline::plan::ObjectPlan;
-use crate::pipeline::{Frame, Stage, StageReport};
+use crate::pipeline::{Frame, ObjectReport, Stage, StageReport};
 use crate::raster::{Rasterizer, Work};
 use crate::scene::Scene;
 use crate::views::observer::Preset;
@@ -57,8 +56,8 @@ pub struct Studio {
 pub struct Account {
     /// Every stage, in order. Their times add up to the total.
     pub stages: Vec<StageReport>,
-    /// What the plan says of each object that went through the pipeline: those of the scene first, in its order.
-    pub objects: Vec<ObjectPlan>,
+    /// What was done with each object that went through the pipeline: those of the scene first, in its order.
+    pub objects: Vec<ObjectReport>,
     /// From the scene to the last pixel.
     pub total: Duration,
 }
@@ -167,7 +166,7 @@ impl Account {
         if let Some(traversal) = stages.iter_mut().find(|report| report.stage == Stage::Traverse) {
             traversal.time = Some(traversal.time.unwrap_or_default() + total.saturating_sub(known));
         }
-        Self { stages, objects: frame.plan.objects.clone(), total }
+        Self { stages, objects: frame.objects.clone(), total }
     }
 }
 

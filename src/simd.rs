@@ -92,7 +92,7 @@ mod tests {
     fn the_low_bits_of_the_sum_are_the_nearest_integer() {
         for v in [0.0_f32, 0.49, 0.5, 0.51, 1.5, 2.5, 254.5, 255.0, -0.4, -1.5, -3.7, 4_000_000.3] {
             let nearest = v.round_ties_even() as i32;
-            let low = |bits: u32| (bits << 10).cast_signed() >> 10;
+            let low = |bits: u32| bits.wrapping_sub(ROUND_F32.to_bits()).cast_signed();
             assert_eq!(low(round_bits_of_one(v, ROUND_F32)), nearest, "{v}");
             let eight = with_vectors!(simd => round_bits(f32x8::splat(simd, v), ROUND_F32)[3]);
             assert_eq!(low(eight), nearest, "{v}");

@@ -8,8 +8,7 @@ use super::args::{ExplainArgs, TableFormat};
 use super::{Failure, Subject, print};
 use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
 use crate::picture::{self, Account, Source, Studio};
-use crate::pipeline::plan::ObjectPlan;
-use crate::pipeline::{Place, StageReport};
+use crate::pipeline::{Containment, ObjectReport, StageReport};
 use crate::scene::{Object, Scene};
 use crate::views::{Size, View};
 
@@ -76,16 +75,16 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
 
 /// What becomes of each object of the scene.
 fn objects<'a>(scene: &'a Scene, account: &Account, lang: Lang) -> Vec<ObjectLine<'a>> {
-    let line = |(object, plan): (&'a Object, &ObjectPlan)| {
-        let (place, planes) = match plan.place {
-            Place::Empty => ("empty", 0),
-            Place::Crosses(0) => ("inside", 0),
-            Place::Crosses(planes) => ("crosses", planes),
-            Place::Outside(planes) => ("outside", planes),
+    let line = |(object, report): (&'a Object, &ObjectReport)| {
+        let (place, planes) = match report.place {
+            Containment::Empty => ("empty", 0),
+            Containment::Crosses(0) => ("inside", 0),
+            Containment::Crosses(planes) => ("crosses", planes),
+            Containment::Outside(planes) => ("outside", planes),
         };
         let names = ["left", "right", "bottom", "top", "near", "far"];
         let planes = (0..).zip(names).filter(|(i, _)| planes & (1 << i) != 0).map(|(_, name)| name).collect();
-        ObjectLine { name: &object.name, place, planes, reason: pipeline::object(lang, plan) }
+        ObjectLine { name: &object.name, place, planes, reason: pipeline::object(lang, report) }
     };
     scene.objects.iter().zip(&account.objects).map(line).collect()
 }

@@ -2,8 +2,7 @@
 
 use super::Lang;
 use super::messages::pick;
-use crate::pipeline::plan::ObjectPlan;
-use crate::pipeline::{Place, PlaneSet, Reason, Stage, StageReport};
+use crate::pipeline::{Containment, FacesDone, ObjectReport, PlaneSet, Reason, Stage, StageReport};
 
 /// The name of a stage, short enough for a column.
 #[must_use]
@@ -219,6 +218,15 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             format!("Phong: light is computed at each pixel of {}", objects(n)),
             format!("Phong: a luz é calculada em cada pixel de {}", objects(n)),
         ),
+        Reason::LitVerticesAndPixels { vertices, pixels } => pick(
+            lang,
+            format!(
+                "{} with colours at the vertices: light there; at each pixel of {}",
+                objects(vertices),
+                objects(pixels)
+            ),
+            format!("{} com cores nos vértices: luz ali; em cada pixel de {}", objects(vertices), objects(pixels)),
+        ),
         Reason::BackFaces { objects: n, of } => pick(
             lang,
             format!("{}: closed or one-sided, so back faces cannot be seen", n_of(n, of)),
@@ -227,6 +235,15 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::BothSidesSeen { .. } => text(
             "both sides of all faces may be seen: they are two-sided or translucent",
             "os dois lados das faces podem ser vistos: são de dois lados ou translúcidas",
+        ),
+        Reason::CutOpen { objects: n, of } => pick(
+            lang,
+            format!("the near plane cuts {} open: the inside may be seen, so nothing is dropped", n_of(n, of)),
+            format!("o plano da frente abre {}: vê-se o interior, e nada é descartado", n_of(n, of)),
+        ),
+        Reason::NoFaceLeft => text(
+            "no face is left: all were dropped or clipped away before",
+            "não sobra nenhuma face: todas foram descartadas ou recortadas antes",
         ),
         Reason::AllInside { objects: n } => pick(
             lang,
@@ -318,10 +335,10 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
 
 /// What becomes of an object, and why.
 #[must_use]
-pub fn object(lang: Lang, plan: &ObjectPlan) -> String {
-    let mut text = match plan.place {
-        Place::Empty => return pick(lang, "has no vertices", "não tem vértices"),
-        Place::Outside(outside) => {
+pub fn object(lang: Lang, report: &ObjectReport) -> String {
+    let mut text = match report.place {
+        Containment::Empty => return pick(lang, "has no vertices", "não tem vértices"),
+        Containment::Outside(outside) => {
             let names = planes(lang, outside);
             return pick(
                 lang,
@@ -329,19 +346,24 @@ pub fn object(lang: Lang, plan: &ObjectPlan) -> String {
                 format!("fora: além de {names}, descartado por inteiro"),
             );
         }
-        Place::Crosses(0) => pick(lang, "inside: not clipped", "dentro: sem recorte"),
-        Place::Crosses(crossed) => {
+        Containment::Crosses(0) => pick(lang, "inside: not clipped", "dentro: sem recorte"),
+        Containment::Crosses(crossed) => {
             let names = planes(lang, crossed);
             pick(lang, format!("may cross {names}: clipped there"), format!("pode cruzar {names}: recortado ali"))
         }
     };
-    if !plan.faces {
-        text += pick_name(lang, "; no faces", "; sem faces");
-    } else if plan.cull_back {
-        text += pick_name(lang, "; back faces dropped", "; faces de trás descartadas");
-    } else {
-        text += pick_name(lang, "; both sides of its faces may be seen", "; os dois lados das faces podem ser vistos");
-    }
+    text += match report.faces {
+        FacesDone::NotDrawn => pick_name(lang, "; no faces", "; sem faces"),
+        FacesDone::BackDropped => pick_name(lang, "; back faces dropped", "; faces de trás descartadas"),
+        FacesDone::BothSides => {
+            pick_name(lang, "; both sides of its faces may be seen", "; os dois lados das faces podem ser vistos")
+        }
+        FacesDone::CutOpen => pick_name(
+            lang,
+            "; the near plane cuts it open, so both sides of its faces may be seen",
+            "; o plano da frente o abre, e os dois lados das faces podem ser vistos",
+        ),
+    };
     text
 }
 

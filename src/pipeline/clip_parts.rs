@@ -9,11 +9,12 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use super::clip::{Corner, NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
-use super::cull::{Place, place};
+use super::clip::Corner;
+use super::cull::{Containment, containment};
 use super::cut::cut;
+use super::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
+use super::projector::{ClipPoint, Projector, ViewFromObject};
 use super::resample::{Remake, normals, object_paint};
-use super::transform::{ClipPoint, Projector, ViewFromObject};
 use crate::appearance::LineStyle;
 use crate::camera::{Camera, Projection};
 use crate::scene::{Line, Mesh, Object, Scene};
@@ -116,10 +117,10 @@ struct Splitter {
 impl Splitter {
     fn object(&mut self, object: &Object, edges_only: bool) {
         let view_from_object = self.projector.view_from_object(object.world_from_object);
-        match Bounds::of(&object.mesh).map(|bounds| place(&self.projector, &view_from_object, &bounds)) {
-            None | Some(Place::Empty | Place::Crosses(0)) => self.parts.inside.objects.push(object.clone()),
-            Some(Place::Outside(_)) => self.parts.outside.objects.push(object.clone()),
-            Some(Place::Crosses(_)) => self.crossing(object, &view_from_object, edges_only),
+        match Bounds::of(&object.mesh).map(|bounds| containment(&self.projector, &view_from_object, &bounds)) {
+            None | Some(Containment::Empty | Containment::Crosses(0)) => self.parts.inside.objects.push(object.clone()),
+            Some(Containment::Outside(_)) => self.parts.outside.objects.push(object.clone()),
+            Some(Containment::Crosses(_)) => self.crossing(object, &view_from_object, edges_only),
         }
     }
 

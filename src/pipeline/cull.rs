@@ -3,13 +3,13 @@
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use super::clip::{ALL_PLANES, PLANES, PlaneSet, distances};
-use super::transform::{Projector, ViewFromObject};
+use super::planes::{ALL_PLANES, PLANES, PlaneSet, distances};
+use super::projector::{Projector, ViewFromObject};
 use crate::geometry::Aabb;
 
 /// Where an object lies, as far as the box and the ball around it tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Containment {
     /// It has no vertices.
     Empty,
     /// No point of it is in the volume: all of it is outside each of these planes.
@@ -22,13 +22,13 @@ pub enum Place {
 /// it, because the distances are linear before the divide; of a ball, the middle and the radius tell.
 ///
 /// "Inside" leaves a margin for rounding, so that an object that is not clipped would not have been changed by clipping.
-pub(super) fn place(projector: &Projector, view_from_object: &ViewFromObject, bounds: &Bounds) -> Place {
+pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObject, bounds: &Bounds) -> Containment {
     const MARGIN: f64 = 1e-13;
     let corners = bounds.aabb.corners();
     let reach = corners.iter().fold(0.0, |most, &corner| view_from_object.magnitude(corner).max(most));
     let slack = slack(projector, MARGIN, reach);
     if !bounds.finite || !slack.iter().all(|s| s.is_finite()) {
-        return Place::Crosses(ALL_PLANES);
+        return Containment::Crosses(ALL_PLANES);
     }
     let mut range = [(f64::INFINITY, f64::NEG_INFINITY); PLANES];
     for corner in corners {
@@ -44,7 +44,7 @@ pub(super) fn place(projector: &Projector, view_from_object: &ViewFromObject, bo
         outside |= PlaneSet::from(most < -slack[i / 2]) << i;
         inside |= PlaneSet::from(least > slack[i / 2]) << i;
     }
-    if outside != 0 { Place::Outside(outside) } else { Place::Crosses(ALL_PLANES & !inside) }
+    if outside != 0 { Containment::Outside(outside) } else { Containment::Crosses(ALL_PLANES & !inside) }
 }
 
 /// The planes that all of a box in the world is outside of. `magnitude` is the size of the numbers from which the coordinates

@@ -9,8 +9,8 @@ use glam::{DMat4, DVec3};
 
 use super::cut::{Origin, cut};
 use super::project::displayed;
+use super::projector::{ClipPoint, Projector};
 use super::resample::{face_color, with_triangles};
-use super::transform::{ClipPoint, Projector};
 use crate::camera::Camera;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene};
 

@@ -4,9 +4,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use super::clip::{ALL_PLANES, Clipper, NEAR, NOT_A_NUMBER, PlaneSet};
+use super::clip::Clipper;
 use super::cull::{area_on_image, facing};
 use super::light::LANES;
+use super::planes::{ALL_PLANES, NEAR, NOT_A_NUMBER, PlaneSet};
 use super::resample::VertexOrigin;
 use super::transform::{CHUNK, OnImage, Screen, Vertices, on_grid};
 
@@ -308,7 +309,7 @@ fn to_u32(k: usize) -> u32 {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
 
-    use super::super::transform::Projector;
+    use super::super::projector::Projector;
     use super::*;
     use crate::camera::{Camera, Parameters};
     use glam::DMat4;

@@ -4,7 +4,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::{DMat3, DVec3};
 
-use super::transform::{Projector, Vertices, each_chunk};
+use super::projector::Projector;
+use super::transform::{Vertices, each_chunk};
 use crate::appearance::{Rgba, Shading};
 use crate::drawing::{Lighting, ViewLight};
 use crate::geometry::try_unit;

@@ -5,8 +5,10 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::Target;
-use super::clip::{Clipper, outcode};
-use super::transform::{ClipPoint, Projector, Screen, Vertices, single};
+use super::clip::Clipper;
+use super::planes::outcode;
+use super::projector::{ClipPoint, Projector};
+use super::transform::{Screen, Vertices, single};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Anchor, Label, Mark, StrokeSet};
 use crate::scene::{Object, ObjectPaint, Scene};

@@ -3,8 +3,8 @@
 //! | stage | space, from → to | file |
 //! | --- | --- | --- |
 //! | plan: which of these are needed | – | [`plan`] |
-//! | objects outside the volume dropped | object, world | `bounds`, `cull` |
-//! | each vertex transformed once | object → world → view → clip → ndc → pixels | `transform` |
+//! | objects outside the volume dropped | object, world | `bounds`, `bounding_tree`, `cull` |
+//! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
 //! | light on what is left | view | `light`, `shade` |
@@ -13,27 +13,32 @@
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
 //! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
-//! [`clip_parts`], [`fate`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
+//! [`clip_parts`], [`cull_result`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
 //! and what would come of dividing first.
 //!
 //! Whatever is cut is cut by `cut`, and whatever vertices carry is carried over by `resample`.
 
+mod bounding_tree;
 mod bounds;
 mod clip;
 pub mod clip_parts;
 mod cull;
+pub mod cull_result;
 mod cut;
 pub mod divide_before_clip;
 mod faces;
-pub mod fate;
 mod light;
 mod lines;
 pub mod plan;
+mod planes;
+mod pool;
 pub mod project;
+mod projector;
 pub mod report;
 mod resample;
 mod shade;
-mod spare;
+mod stages;
+mod survey;
 mod transform;
 mod visibility;
 
@@ -41,20 +46,23 @@ use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
 use crate::drawing::Drawing;
 use crate::scene::Scene;
-use bounds::World;
-pub use clip::{NEAR, PlaneSet};
-pub use cull::Place;
+use bounding_tree::BoundingTree;
+pub use cull::Containment;
 use faces::{FaceTask, Faces};
 use light::Lights;
 use lines::Strokes;
-use plan::LitAt;
 pub use plan::{Options, Plan, Reason, Stage};
+pub use planes::{NEAR, PlaneSet};
+use pool::Pool;
+use projector::Projector;
 use report::Meter;
 pub use report::{Frame, StageReport};
 pub use resample::with_triangles;
 use shade::Shaded;
-use spare::Spare;
-use transform::{Projector, Screen, Vertices};
+use stages::LitAt;
+pub use stages::{FacesDone, ObjectReport};
+use survey::Survey;
+use transform::{Screen, Vertices};
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,8 +88,8 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
 #[derive(Debug, Default)]
 pub struct Pipeline {
     faces: Faces,
-    spare: Spare,
-    world: World,
+    pool: Pool,
+    tree: BoundingTree,
 }
 
 /// A clone begins with empty buffers.
@@ -98,22 +106,24 @@ impl Pipeline {
         let mut meter = Meter::new(options);
         let projector = Projector::new(camera);
         let screen = Screen::new(target);
-        let places = self.world.places(scene, &projector);
+        let places = self.tree.places(scene, &projector);
         let plan = Plan::new(scene, &projector, style, places, options.force_all_stages);
         let lights = Lights::new(&scene.lights, &projector, style.shading);
         let mut strokes = Strokes::new(&projector, &screen, target);
-        let (faces, spare) = (&mut self.faces, &mut self.spare);
+        let (faces, pool) = (&mut self.faces, &mut self.pool);
+        let mut done: Vec<ObjectReport> = plan.objects.iter().map(ObjectReport::new).collect();
         let (mut surfaces, mut layers) = (Vec::new(), Vec::new());
         meter.lap(Stage::Traverse);
 
-        for (object, todo) in scene.objects.iter().zip(&plan.objects).filter(|(_, todo)| todo.drawn) {
+        let objects = scene.objects.iter().zip(&plan.objects).zip(&mut done);
+        for ((object, todo), done) in objects.filter(|((_, todo), _)| todo.drawn) {
             let view_from_object = projector.view_from_object(object.world_from_object);
             let mesh = &object.mesh;
             let vertices =
                 Vertices { projector: &projector, view_from_object: &view_from_object, positions: &mesh.positions };
             if todo.faces {
                 let interpolates = projector.perspective && Shaded::interpolates(object, todo.lit);
-                spare.refill(faces);
+                pool.refill(faces);
                 faces.image.fill(&vertices, &screen, todo.clip_planes != 0, interpolates);
                 meter.lap(Stage::Transform);
 
@@ -130,7 +140,14 @@ impl Pipeline {
 
                 faces.clip(&vertices, &screen, task.want_source, options.force_all_stages);
                 meter.lap(Stage::Clip);
-                meter.count(&vertices, faces, object, todo.lit);
+                done.triangles = faces.triangles.len();
+                done.lit = todo.lit;
+                done.faces = match cull_back {
+                    true => FacesDone::BackDropped,
+                    false if todo.cull_back => FacesDone::CutOpen,
+                    false => FacesDone::BothSides,
+                };
+                meter.count(&vertices, faces, object, done);
 
                 let shaded = Shaded {
                     object,
@@ -141,10 +158,10 @@ impl Pipeline {
                     depth_test: plan.depth || (faces.turned_over > 0 && plan.order() == Visibility::DepthBuffer),
                 };
                 if plan.order() == Visibility::DepthBuffer {
-                    surfaces.extend(shaded.surfaces(faces, spare));
+                    surfaces.extend(shaded.surfaces(faces, pool));
                 } else {
                     let never_hides_itself = mesh.convex && mesh.closed && cull_back && faces.turned_over == 0;
-                    layers.extend(shaded.layers(faces, spare, never_hides_itself));
+                    layers.extend(shaded.layers(faces, pool, never_hides_itself));
                 }
                 meter.lap(Stage::Light);
             }
@@ -184,11 +201,12 @@ impl Pipeline {
             marks,
             labels,
         };
-        Frame { drawing, report: meter.report(&plan), plan }
+        let report = meter.report(&plan, &Survey::of_done(scene, &plan.objects, &done, style), style);
+        Frame { drawing, report, plan, objects: done }
     }
 
     /// Takes back a drawing that is no longer needed: the next one is made in its memory.
     pub fn recycle(&mut self, drawing: Drawing) {
-        self.spare.keep(drawing);
+        self.pool.keep(drawing);
     }
 }

@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use super::clip::{Clipper, NEAR, NOT_A_NUMBER, outcode};
+use super::clip::Clipper;
 use super::light::{Lights, ObjectLight};
+use super::planes::{NEAR, NOT_A_NUMBER, outcode};
+use super::projector::{ClipPoint, Projector};
 use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
-use super::transform::{ClipPoint, Projector, Vertices, each_chunk};
+use super::transform::{Vertices, each_chunk};
 use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};

@@ -3,9 +3,11 @@
 use std::time::Duration;
 
 use super::faces::Faces;
-use super::plan::{LitAt, Options, Plan, Reason, Stage};
+use super::plan::{Options, Plan};
+use super::stages::{LitAt, ObjectReport, Reason, Stage};
+use super::survey::Survey;
 use super::transform::Vertices;
-use crate::appearance::Visibility;
+use crate::appearance::{Style, Visibility};
 use crate::drawing::Drawing;
 use crate::scene::{Object, ObjectPaint};
 
@@ -16,8 +18,10 @@ pub struct Frame {
     pub drawing: Drawing,
     /// What was needed, and why.
     pub plan: Plan,
-    /// What was done.
+    /// What was done, by stage.
     pub report: Vec<StageReport>,
+    /// What was done, by object of the scene.
+    pub objects: Vec<ObjectReport>,
 }
 
 impl Frame {
@@ -103,9 +107,9 @@ impl Meter {
         }
     }
 
-    /// Counts what was done for the faces of one object.
-    pub(super) fn count(&mut self, vertices: &Vertices, faces: &Faces, object: &Object, lit: LitAt) {
-        let triangles = object.mesh.triangles.len();
+    /// Counts what was done for the faces of one object; `done`: what was done about those that turn their back.
+    pub(super) fn count(&mut self, vertices: &Vertices, faces: &Faces, object: &Object, done: &ObjectReport) {
+        let (triangles, lit) = (object.mesh.triangles.len(), done.lit);
         self.vertices += vertices.len();
         self.cuts += faces.cuts.len();
         self.triangles += triangles;
@@ -131,7 +135,8 @@ impl Meter {
         self.vertices += ends;
     }
 
-    pub(super) fn report(&self, plan: &Plan) -> Vec<StageReport> {
+    /// Tells of all stages. `done` says of each stage that works on faces whether it had any to work on, and why.
+    pub(super) fn report(&self, plan: &Plan, done: &Survey, style: &Style) -> Vec<StageReport> {
         let drawn = plan.objects.iter().filter(|object| object.drawn).count();
         let same = |n: usize| Some((n, n));
         plan.stages
@@ -157,12 +162,13 @@ impl Meter {
                     | Stage::Antialias
                     | Stage::Write => (None, false),
                 };
+                let (ran, reason) = done.face_stage(planned, style).unwrap_or((planned.runs, planned.reason));
                 StageReport {
                     stage: planned.stage,
-                    ran: planned.runs,
-                    reason: planned.reason,
-                    counts: counts.filter(|_| planned.runs),
-                    time: (self.clock.is_some() && timed && planned.runs).then(|| self.times[planned.stage as usize]),
+                    ran,
+                    reason,
+                    counts: counts.filter(|_| ran),
+                    time: (self.clock.is_some() && timed && ran).then(|| self.times[planned.stage as usize]),
                 }
             })
             .collect()

@@ -4,9 +4,9 @@ use glam::DVec3;
 
 use super::faces::Faces;
 use super::light::{Lights, ObjectLight};
-use super::plan::LitAt;
+use super::pool::Pool;
 use super::resample::{VertexOrigin, color_at, mean_color, object_paint, paint_of};
-use super::spare::Spare;
+use super::stages::LitAt;
 use super::transform::{Vertices, each_chunk};
 use super::visibility::Layer;
 use crate::appearance::Rgba;
@@ -43,34 +43,34 @@ impl Shaded<'_> {
     }
 
     /// The surfaces of the object: one, or with Phong shading one for each colour of its faces. Takes the faces' arrays.
-    pub(super) fn surfaces(&self, faces: &mut Faces, spare: &mut Spare) -> Vec<Surface> {
+    pub(super) fn surfaces(&self, faces: &mut Faces, pool: &mut Pool) -> Vec<Surface> {
         if faces.triangles.is_empty() {
             return Vec::new();
         }
         let light = ObjectLight::new(self.lights, &self.object.mesh, self.vertices, self.both_sides);
         let triangles = &self.object.mesh.triangles;
-        let on_faces = |spare: &mut Spare, color: &(dyn Fn(u32) -> Rgba + Sync)| {
-            Paint::Faces(light.faces(spare.colors(), faces.source.len(), |k| {
+        let on_faces = |pool: &mut Pool, color: &(dyn Fn(u32) -> Rgba + Sync)| {
+            Paint::Faces(light.faces(pool.colors(), faces.source.len(), |k| {
                 let face = faces.source[k];
                 (triangles[face as usize], color(face))
             }))
         };
         let paint = match (self.lit, &self.object.paint) {
             (LitAt::Nowhere, _) | (_, ObjectPaint::Texture { .. }) => self.own_paint(faces),
-            (LitAt::Faces, ObjectPaint::Solid(color)) => on_faces(spare, &|_| *color),
-            (LitAt::Faces, ObjectPaint::Faces(colors)) => on_faces(spare, &|face| color_at(colors, face)),
+            (LitAt::Faces, ObjectPaint::Solid(color)) => on_faces(pool, &|_| *color),
+            (LitAt::Faces, ObjectPaint::Faces(colors)) => on_faces(pool, &|face| color_at(colors, face)),
             (LitAt::Faces, ObjectPaint::Vertices(colors)) => {
-                on_faces(spare, &|face| mean_color(colors, triangles[face as usize]))
+                on_faces(pool, &|face| mean_color(colors, triangles[face as usize]))
             }
             (LitAt::Vertices, ObjectPaint::Solid(color)) => {
-                self.lit_vertices(faces, &light, spare.colors(), &|_| *color)
+                self.lit_vertices(faces, &light, pool.colors(), &|_| *color)
             }
             (LitAt::Vertices | LitAt::Pixels, ObjectPaint::Vertices(colors)) => {
-                self.lit_vertices(faces, &light, spare.colors(), &|i| color_at(colors, i))
+                self.lit_vertices(faces, &light, pool.colors(), &|i| color_at(colors, i))
             }
-            (LitAt::Pixels, ObjectPaint::Solid(color)) => self.phong(faces, &light, spare, *color),
+            (LitAt::Pixels, ObjectPaint::Solid(color)) => self.phong(faces, &light, pool, *color),
             (LitAt::Vertices, ObjectPaint::Faces(colors)) => return vec![self.unshared(faces, &light, colors)],
-            (LitAt::Pixels, ObjectPaint::Faces(colors)) => return self.surfaces_by_color(faces, &light, spare, colors),
+            (LitAt::Pixels, ObjectPaint::Faces(colors)) => return self.surfaces_by_color(faces, &light, pool, colors),
         };
         vec![Surface {
             positions: std::mem::take(&mut faces.image.positions),
@@ -81,7 +81,7 @@ impl Shaded<'_> {
     }
 
     /// The surfaces, with what their order can be found by.
-    pub(super) fn layers(&self, faces: &mut Faces, spare: &mut Spare, never_hides_itself: bool) -> Vec<Layer> {
+    pub(super) fn layers(&self, faces: &mut Faces, pool: &mut Pool, never_hides_itself: bool) -> Vec<Layer> {
         let own = (0..self.vertex_count()).map(|i| self.vertices.view(i));
         let cuts = faces.cuts.iter().map(|cut| cut.of(|i| self.vertices.view(i)));
         let mut view: Vec<DVec3> = own.chain(cuts).collect();
@@ -89,7 +89,7 @@ impl Shaded<'_> {
             view = faces.triangles.iter().flatten().map(|&i| view[i as usize]).collect();
         }
         let layer = |surface| Layer { surface, view: view.clone(), never_hides_itself };
-        self.surfaces(faces, spare).into_iter().map(layer).collect()
+        self.surfaces(faces, pool).into_iter().map(layer).collect()
     }
 
     /// True where [`unshared`](Self::unshared) makes the surface.
@@ -130,10 +130,10 @@ impl Shaded<'_> {
         Paint::Vertices(colors)
     }
 
-    fn phong(&self, faces: &Faces, light: &ObjectLight, spare: &mut Spare, color: Rgba) -> Paint {
+    fn phong(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool, color: Rgba) -> Paint {
         let (normal, view) = (|i| light.unit_normal(i), |i| self.vertices.view(i));
-        let mut normals = spare.vectors.pop().unwrap_or_default();
-        let mut positions = spare.vectors.pop().unwrap_or_default();
+        let mut normals = pool.vectors.pop().unwrap_or_default();
+        let mut positions = pool.vectors.pop().unwrap_or_default();
         self.at_vertices(&mut normals, |i| normal(i).as_vec3().to_array());
         self.at_vertices(&mut positions, |i| self.lights.position(view(i)));
         for cut in &faces.cuts {
@@ -175,13 +175,7 @@ impl Shaded<'_> {
     }
 
     /// Phong shading of faces that have colours of their own: one surface for each colour, in the order in which they occur.
-    fn surfaces_by_color(
-        &self,
-        faces: &Faces,
-        light: &ObjectLight,
-        spare: &mut Spare,
-        colors: &[Rgba],
-    ) -> Vec<Surface> {
+    fn surfaces_by_color(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool, colors: &[Rgba]) -> Vec<Surface> {
         let mut surfaces: Vec<(Rgba, Surface)> = Vec::new();
         for (triangle, &face) in faces.triangles.iter().zip(&faces.source) {
             let color = color_at(colors, face);
@@ -189,7 +183,7 @@ impl Shaded<'_> {
                 let surface = Surface {
                     positions: faces.image.positions.clone(),
                     inverse_w: faces.image.inverse_w.clone(),
-                    ..self.bare(self.phong(faces, light, spare, color))
+                    ..self.bare(self.phong(faces, light, pool, color))
                 };
                 surfaces.push((color, surface));
                 surfaces.len() - 1

@@ -1,246 +1,12 @@
-//! Object → world → view → clip → image, in `f64` up to the image.
+//! The vertices of an object on the image: object → world → view → clip → pixels, in `f64` up to the pixels.
 
-use glam::{DMat3, DMat4, DVec3};
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::Target;
-use super::clip::{PlaneSet, outcode};
-use crate::camera::{Basis, Camera, Projection};
+use super::planes::{PlaneSet, outcode};
+use super::projector::{BLOCK, ClipPoint, Projector, ViewFromObject};
 use crate::simd::{round_to_steps, with_vectors};
-
-/// A point of clip space, with the distance from the eye instead of z: clip z crowds the far depths together, the distance
-/// does not.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct ClipPoint {
-    /// x, in \[−w, w\] inside the volume.
-    pub(super) x: f64,
-    /// y, in \[−w, w\] inside the volume.
-    pub(super) y: f64,
-    /// Homogeneous w: `depth` in perspective, 1 in parallel projection.
-    pub(super) w: f64,
-    /// Distance from the plane through the eye, −z in the VRC, in scene units; in \[F, B\] inside the volume.
-    pub(super) depth: f64,
-}
-
-/// The camera as the pipeline applies it, point by point.
-#[derive(Clone, Debug)]
-pub(super) struct Projector {
-    position: DVec3,
-    basis: Basis,
-    /// Perspective (true) or parallel projection.
-    pub(super) perspective: bool,
-    /// F.
-    pub(super) near: f64,
-    /// B.
-    pub(super) far: f64,
-    /// `x_clip = scale[0] · x_view − shift[0] · w`, the same for y; the shift is 0 for a symmetric window.
-    pub(super) scale: [f64; 2],
-    pub(super) shift: [f64; 2],
-}
-
-impl Projector {
-    /// Takes from `camera` the coefficients of `[0]` Eqs. (5.13) and (5.15).
-    pub(super) fn new(camera: &Camera) -> Self {
-        let window = camera.window();
-        let perspective = camera.projection() == Projection::Perspective;
-        let reach = if perspective { 2.0 * camera.near() } else { 2.0 };
-        Self {
-            position: camera.position(),
-            basis: camera.basis(),
-            perspective,
-            near: camera.near(),
-            far: camera.far(),
-            scale: [reach / window.width(), reach / window.height()],
-            shift: [(window.right + window.left) / window.width(), (window.top + window.bottom) / window.height()],
-        }
-    }
-
-    /// A world point in view space; C is subtracted before anything is rotated.
-    pub(super) fn view(&self, p_world: DVec3) -> DVec3 {
-        self.view_vector(p_world - self.position)
-    }
-
-    /// A world vector in view space.
-    pub(super) fn view_vector(&self, d: DVec3) -> DVec3 {
-        DVec3::new(self.basis.u.dot(d), self.basis.v.dot(d), self.basis.n.dot(d))
-    }
-
-    /// A view point in clip space.
-    #[inline(always)]
-    pub(super) fn clip(&self, p_view: DVec3) -> ClipPoint {
-        let depth = -p_view.z;
-        let w = if self.perspective { depth } else { 1.0 };
-        ClipPoint {
-            x: self.scale[0] * p_view.x - self.shift[0] * w,
-            y: self.scale[1] * p_view.y - self.shift[1] * w,
-            w,
-            depth,
-        }
-    }
-
-    /// The direction in view space in which the distance from a plane of the volume grows, and how fast.
-    pub(super) fn gradient(&self, plane: usize) -> DVec3 {
-        // Of w, which is −z_c or constant.
-        let w = if self.perspective { DVec3::NEG_Z } else { DVec3::ZERO };
-        let across = |axis: usize, unit: DVec3| unit * self.scale[axis] - w * self.shift[axis];
-        match plane {
-            0 => w + across(0, DVec3::X),
-            1 => w - across(0, DVec3::X),
-            2 => w + across(1, DVec3::Y),
-            3 => w - across(1, DVec3::Y),
-            4 => DVec3::NEG_Z,
-            _ => DVec3::Z,
-        }
-    }
-
-    /// The size of the numbers from which the eye's distances are made.
-    pub(super) fn magnitude(&self) -> f64 {
-        self.position.length()
-    }
-
-    /// The way from the space of an object to view space.
-    pub(super) fn view_from_object(&self, world_from_object: DMat4) -> ViewFromObject {
-        let linear = DMat3::from_mat4(world_from_object);
-        let translation = world_from_object.w_axis.truncate();
-        let Basis { u, v, n } = self.basis;
-        let view_from_world = DMat3::from_cols(u, v, n).transpose();
-        let inverse = linear.inverse();
-        let determinant = linear.determinant();
-        // With the eye in object space, one subtraction and one 3×3 product take a vertex to view space, and objects far from
-        // the origin lose nothing. The inverse costs digits where the scales along the axes differ wildly.
-        let condition = norm(linear) * norm(inverse);
-        if determinant != 0.0 && condition < 1e3 {
-            ViewFromObject {
-                eye: inverse * (self.position - translation),
-                linear: view_from_world * linear,
-                through_world: None,
-                determinant,
-            }
-        } else {
-            ViewFromObject {
-                eye: self.position,
-                linear: view_from_world,
-                through_world: Some((linear, translation)),
-                determinant,
-            }
-        }
-    }
-
-    /// F/w rather than 1/w, so that it fits in single precision in worlds of any size.
-    #[expect(clippy::cast_possible_truncation, reason = "a ratio between 0 and 1, for the display list")]
-    #[inline(always)]
-    pub(super) fn relative_inverse_w(&self, w: f64) -> f32 {
-        (self.near * (1.0 / w)) as f32
-    }
-
-    /// The depth of the display list, 1 at F and 0 at B, straight from the distance: no difference of nearly equal numbers.
-    #[inline(always)]
-    pub(super) fn picture_depth(&self, depth: f64) -> f64 {
-        let share = (self.far - depth) / (self.far - self.near);
-        if self.perspective { share * (self.near / depth) } else { share }
-    }
-
-    /// The same, faster, where 1/w is known: nearly as accurate.
-    #[inline(always)]
-    fn picture_depth_by(&self, depth: f64, inverse_w: f64) -> f64 {
-        let share = (self.far - depth) / (self.far - self.near);
-        if self.perspective { share * (self.near * inverse_w) } else { share }
-    }
-}
-
-fn norm(m: DMat3) -> f64 {
-    m.to_cols_array().iter().fold(0.0, |sum, c| sum + c * c).sqrt()
-}
-
-/// Object space → view space.
-#[derive(Clone, Debug)]
-pub(super) struct ViewFromObject {
-    eye: DVec3,
-    linear: DMat3,
-    /// Model matrix, where the eye could not be taken to object space.
-    through_world: Option<(DMat3, DVec3)>,
-    /// Of the model matrix: negative where it mirrors.
-    determinant: f64,
-}
-
-impl ViewFromObject {
-    /// A point of the object in view space.
-    #[inline(always)]
-    pub(super) fn point(&self, p: DVec3) -> DVec3 {
-        self.linear * self.offset(p)
-    }
-
-    /// From the eye to a point of the object, before anything is rotated to view space by [`of_offsets`](Self::of_offsets).
-    #[inline(always)]
-    pub(super) fn offset(&self, p: DVec3) -> DVec3 {
-        match self.through_world {
-            None => p - self.eye,
-            Some((linear, translation)) => linear * p + translation - self.eye,
-        }
-    }
-
-    /// [`offset`](Self::offset) for some points.
-    #[inline(always)]
-    fn offsets(&self, given: &[DVec3], [x, y, z]: [&mut [f64; BLOCK]; 3]) {
-        match self.through_world {
-            None => {
-                for (l, &p) in given.iter().enumerate().take(BLOCK) {
-                    let d = p - self.eye;
-                    (x[l], y[l], z[l]) = (d.x, d.y, d.z);
-                }
-            }
-            Some(_) => {
-                for (l, &p) in given.iter().enumerate().take(BLOCK) {
-                    let d = self.offset(p);
-                    (x[l], y[l], z[l]) = (d.x, d.y, d.z);
-                }
-            }
-        }
-    }
-
-    /// Takes [`offset`](Self::offset)s to view space.
-    pub(super) fn of_offsets(&self) -> DMat3 {
-        self.linear
-    }
-
-    /// The size of the numbers from which the view coordinates of `p` are summed up: what their rounding is measured by.
-    pub(super) fn magnitude(&self, p: DVec3) -> f64 {
-        match self.through_world {
-            None => norm(self.linear) * (p - self.eye).length(),
-            Some((linear, translation)) => norm(linear) * p.length() + translation.length() + self.eye.length(),
-        }
-    }
-
-    /// How fast a linear function of view space with this gradient grows in the object's space.
-    pub(super) fn slope(&self, gradient: DVec3) -> f64 {
-        let linear = match self.through_world {
-            None => self.linear,
-            Some((linear, _)) => self.linear * linear,
-        };
-        (linear.transpose() * gradient).length()
-    }
-
-    /// True where the object is mirrored, so that its triangles turn the other way round.
-    pub(super) fn mirrored(&self) -> bool {
-        self.determinant < 0.0
-    }
-
-    /// −1 where the object is mirrored, else 1: the factor that makes of (b − a) × (c − a) the outer normal of a triangle.
-    pub(super) fn outward(&self) -> f64 {
-        if self.mirrored() { -1.0 } else { 1.0 }
-    }
-
-    /// The matrix for normals: cofactors of the linear part (the inverse transpose times the determinant, which a flattened
-    /// object has too), with the sign that keeps normals outside.
-    pub(super) fn normal_matrix(&self) -> DMat3 {
-        let m = match self.through_world {
-            None => self.linear,
-            Some((linear, _)) => self.linear * linear,
-        };
-        let cofactors = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
-        if self.mirrored() { cofactors * -1.0 } else { cofactors }
-    }
-}
 
 /// The vertices of an object, and the way that they go.
 #[derive(Clone, Copy, Debug)]
@@ -323,10 +89,6 @@ impl OnImage {
     }
 }
 
-/// Vertices that are taken from space to space together: an array for each coordinate, so that the loops over them become
-/// vector instructions.
-const BLOCK: usize = 32;
-
 impl Stretch<'_> {
     /// Returns the planes that any vertex is outside of.
     #[inline(always)]
@@ -339,7 +101,7 @@ impl Stretch<'_> {
             let here = k * BLOCK..k * BLOCK + given.len();
             view_from_object.offsets(given, [&mut x, &mut y, &mut z]);
             for l in 0..BLOCK {
-                let p = projector.clip(view_from_object.linear * DVec3::new(x[l], y[l], z[l]));
+                let p = projector.clip(view_from_object.of_offset(DVec3::new(x[l], y[l], z[l])));
                 (x[l], y[l], z[l], w[l]) = (p.x, p.y, p.depth, p.w);
             }
             if let Some(outcodes) = self.outcodes.get_mut(here.clone()) {

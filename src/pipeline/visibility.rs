@@ -8,8 +8,9 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::cut::{Origin, cut};
+use super::projector::Projector;
 use super::resample::{VertexOrigin, append, empty_like};
-use super::transform::{Projector, Screen, on_grid};
+use super::transform::{Screen, on_grid};
 use crate::drawing::{Paint, Surface};
 
 /// A surface with what its order is found by.

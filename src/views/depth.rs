@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, Projected, Projection, Viewport};
-use crate::drawing::{Drawing, Paint};
+use crate::drawing::Paint;
 use crate::figure::Depth;
 use crate::pipeline::divide_before_clip::divided_first;
 use crate::pipeline::{Frame, Reason, Stage};
@@ -59,17 +59,6 @@ pub(super) fn only(scene: &mut Scene) {
     scene.objects.iter_mut().for_each(|object| object.edges = None);
 }
 
-/// Says of the stages that depths are shown: no light, and the depths vary over the faces.
-pub(super) fn account(frame: &mut Frame) {
-    for stage in [Stage::Normals, Stage::Light, Stage::Lines] {
-        frame.say(stage, Reason::DepthsShown);
-    }
-    let filled = frame.report.iter().any(|report| report.stage == Stage::Fill && report.ran);
-    if let Some(report) = frame.report.iter_mut().find(|report| report.stage == Stage::Interpolate) {
-        (report.ran, report.reason) = (filled, Reason::DepthsShown);
-    }
-}
-
 /// Depths, as grey levels of 0 … 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Greys {
@@ -103,8 +92,10 @@ impl Greys {
         }
     }
 
-    /// Paints the faces of an image with their depths, and takes everything else away.
-    pub(super) fn paint(self, drawing: &mut Drawing) {
+    /// Paints the faces of an image with their depths, takes everything else away, and says so of the stages that had to do
+    /// with it.
+    pub(super) fn paint(self, frame: &mut Frame) {
+        let drawing = &mut frame.drawing;
         drawing.surfaces.retain(|surface| !surface.translucent);
         for surface in &mut drawing.surfaces {
             let depths = || surface.positions.iter().map(|p| f64::from(p[2]));
@@ -117,6 +108,17 @@ impl Greys {
         }
         drawing.strokes.clear();
         drawing.labels.clear();
+        let painted = !drawing.surfaces.is_empty();
+        let marked = !drawing.marks.is_empty();
+        for report in &mut frame.report {
+            match report.stage {
+                // [`only`] took lights and lines away.
+                Stage::Normals | Stage::Light if !report.ran => report.reason = Reason::DepthsShown,
+                Stage::Lines if !marked => (report.ran, report.reason) = (false, Reason::DepthsShown),
+                Stage::Interpolate if painted => (report.ran, report.reason) = (true, Reason::DepthsShown),
+                _ => {}
+            }
+        }
     }
 
     /// F / d for a depth of the display list.

@@ -5,6 +5,7 @@ use crate::camera::ViewWindow;
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
 use crate::figure::Reveal;
 use crate::pipeline::{Frame, Reason, Stage, Target};
+use crate::scene::Scene;
 
 use super::depth::{self, Greys};
 use super::gizmos::{Sheet, stroke};
@@ -90,16 +91,15 @@ pub fn frame_of(setup: &Setup, engine: &mut Engine) -> Frame {
         probe::in_image(&mut sheet, setup, palette);
         engine.frame(setup, &sheet.scene, setup.camera, target, &style)
     };
+    // Where nothing is behind the eye, dividing first makes no difference, and clipping did its work as ever.
+    let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(reveal::front()) {
+        drawn.say(Stage::Clip, Reason::DividedFirst);
         add(&mut drawn.drawing, Engine::default().frame(setup, &wrong, &front, target, &style).drawing);
     }
     let mut rows = revealed.rows;
-    if setup.figure.reveal.divide_first {
-        drawn.say(Stage::Clip, Reason::DividedFirst);
-    }
     if let Some(greys) = greys {
-        depth::account(&mut drawn);
-        greys.paint(&mut drawn.drawing);
+        greys.paint(&mut drawn);
         rows.extend(greys.legend(setup, palette));
     }
     placing::settle(&mut drawn.drawing, &[], None);

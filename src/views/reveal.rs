@@ -9,8 +9,8 @@ use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::drawing::Drawing;
 use crate::figure::Outside;
 use crate::pipeline::clip_parts::{Parts, clip_parts};
+use crate::pipeline::cull_result::{CullResult, cull_result};
 use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
-use crate::pipeline::fate::{Fate, fate};
 use crate::pipeline::project::{clipped_scene, displayed_ndc};
 use crate::pipeline::{NEAR, PlaneSet, Target, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
@@ -229,19 +229,19 @@ fn culled(setup: &Setup, edges_only: bool, palette: Palette, revealed: &mut Reve
     let (mut kept, mut dropped) = (Vec::new(), Vec::new());
     let mut turned = false;
     for object in &setup.scene.objects {
-        match fate(object, setup.camera) {
-            Fate::Dropped(planes) => {
+        match cull_result(object, setup.camera) {
+            CullResult::Dropped(planes) => {
                 if let Some(bounds) = object.bounds().filter(|_| dropped.len() < MOST_NAMES) {
                     revealed.names.push((bounds.center(), reason(planes, setup.labels)));
                 }
                 dropped.push(object.clone());
             }
-            Fate::BackFaces(back) if object.faces && !edges_only && back.contains(&true) => {
+            CullResult::BackFaces(back) if object.faces && !edges_only && back.contains(&true) => {
                 turned = true;
                 let [front, back] = parted(object, &back, palette.back);
                 kept.extend([front, back].map(|part| Object { two_sided: part.two_sided || open, ..part }));
             }
-            Fate::BackFaces(_) | Fate::Kept => kept.push(object.clone()),
+            CullResult::BackFaces(_) | CullResult::Kept => kept.push(object.clone()),
         }
     }
     if turned {

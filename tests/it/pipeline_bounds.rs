@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use camera_lab::appearance::{Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters};
-use camera_lab::pipeline::{Frame, Options, Pipeline, Place, Target};
+use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Mesh, Object, Scene, primitives};
 use glam::{DMat4, DVec3};
@@ -114,8 +114,8 @@ fn a_ball_is_inside_where_the_corners_of_its_box_are_not() {
         frame(&mut Pipeline::default(), &scene, false).plan.objects[0].place
     };
     // The planes go through x = ±2 on z = 0, and are 2 · cos(atan 0.2) = 1.961 from the origin.
-    assert_eq!(ball(1.95), Place::Crosses(0));
-    assert_eq!(ball(1.99), Place::Crosses(0b1111));
+    assert_eq!(ball(1.95), Containment::Crosses(0));
+    assert_eq!(ball(1.99), Containment::Crosses(0b1111));
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style, Texture, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::pipeline::plan::{Options, Reason, Stage};
-use camera_lab::pipeline::{Frame, Pipeline, Place, Target};
+use camera_lab::pipeline::{Containment, FacesDone, Frame, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene, primitives};
 use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3, Vec3Swizzles};
@@ -74,7 +74,7 @@ fn each_ground_for_a_stage_brings_it_back() {
         (true, Reason::Outside { outside: 1, of: 2 })
     );
     // Outside the near plane, and with w < 0 outside the four sides too, but inside the far plane.
-    assert_eq!(frame(&two, &camera, &style).plan.objects[1].place, Place::Outside(0b01_1111));
+    assert_eq!(frame(&two, &camera, &style).plan.objects[1].place, Containment::Outside(0b01_1111));
     let mut hollow = alone.clone();
     hollow.objects[0].mesh = Arc::new(primitives::torus(8));
     assert_eq!(depth(&hollow), (true, Reason::HidesItself));
@@ -118,6 +118,68 @@ fn the_inside_of_a_box_that_the_near_plane_cuts_open_is_seen() {
         t.iter().all(|&i| (surface.positions[i as usize][2] - 0.325).abs() < 1e-6)
     });
     assert_eq!(back_face.count(), 2);
+}
+
+/// What is said of a stage once all is done.
+fn said(frame: &Frame, stage: Stage) -> (bool, Reason, Option<(usize, usize)>) {
+    let report = frame.report[stage as usize];
+    assert_eq!(report.stage, stage);
+    (report.ran, report.reason, report.counts)
+}
+
+#[test]
+fn back_faces_that_were_not_dropped_are_not_said_to_be() {
+    let (camera, style) = (eye(Projection::Perspective), Style::default());
+    // The near plane (z = −1) goes through the first cube: its inside shows.
+    let mut scene = only(object(cube(), at(-1.5)));
+    let open = frame(&scene, &camera, &style);
+    assert_eq!(said(&open, Stage::CullFaces), (false, Reason::CutOpen { objects: 1, of: 1 }, None));
+    assert_eq!(open.objects[0].faces, FacesDone::CutOpen);
+    assert!(reason(&open, Stage::CullFaces).0, "it was planned all the same");
+    scene.objects.push(object(cube(), at(-6.0)));
+    let both = frame(&scene, &camera, &style);
+    let (ran, why, counts) = said(&both, Stage::CullFaces);
+    assert_eq!((ran, why), (true, Reason::BackFaces { objects: 1, of: 2 }));
+    // Of the second cube the front is left.
+    assert_eq!(counts, Some((24, 14)));
+    assert_eq!(both.objects.iter().map(|o| o.faces).collect::<Vec<_>>(), [FacesDone::CutOpen, FacesDone::BackDropped]);
+}
+
+#[test]
+fn a_stage_that_was_left_with_no_face_says_so() {
+    // Across the corner of the view volume: the box around the triangle crosses two planes, the triangle is outside.
+    let mesh = Mesh {
+        positions: [(-12.0, 3.0), (-3.5, 11.0), (-12.0, 11.0)].map(|(x, y)| DVec3::new(x, y, -4.0)).to_vec(),
+        triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
+    };
+    let mut scene = only(object(mesh, DMat4::IDENTITY));
+    scene.objects[0].two_sided = true;
+    scene.lights.push(Light::Directional { direction: DVec3::NEG_Z });
+    let frame = frame(&scene, &eye(Projection::Perspective), &Style::default());
+    assert!(matches!(frame.objects[0].place, Containment::Crosses(planes) if planes != 0), "{:?}", frame.objects[0]);
+    assert_eq!(frame.objects[0].triangles, 0);
+    for stage in [Stage::Fill, Stage::Light] {
+        assert_eq!(said(&frame, stage), (false, Reason::NoFaceLeft, None), "{stage:?}");
+    }
+}
+
+#[test]
+fn light_at_vertices_and_at_pixels_are_told_apart() {
+    let mut scene = only(object(cube(), at(-4.0)));
+    scene.lights.push(Light::Directional { direction: DVec3::NEG_Z });
+    let colors = vec![CLAY; scene.objects[0].mesh.positions.len()];
+    scene.objects.push(Object { paint: ObjectPaint::Vertices(Arc::new(colors)), ..object(cube(), at(-7.0)) });
+    let style = Style { shading: Shading::Phong, ..Style::default() };
+    let said = |scene: &Scene| {
+        let frame = frame(scene, &eye(Projection::Perspective), &style);
+        [Stage::Normals, Stage::Light].map(|stage| (said(&frame, stage).0, said(&frame, stage).1))
+    };
+    assert_eq!(said(&scene), [(true, Reason::LitVerticesAndPixels { vertices: 1, pixels: 1 }); 2]);
+    let last = scene.objects.pop().unwrap();
+    assert_eq!(said(&scene), [(true, Reason::LitPixels { objects: 1 }), (false, Reason::LitPixels { objects: 1 })]);
+    scene.objects[0] = last;
+    assert_eq!(said(&scene), [(true, Reason::LitVertices { objects: 1 }); 2]);
 }
 
 /// The same cases in every run, unless `PROPTEST_RNG_SEED` asks for others; `PROPTEST_CASES` (256) times `factor` of them.

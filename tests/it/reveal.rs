@@ -5,8 +5,8 @@ use camera_lab::appearance::{MarkShape, Rgba, Shading, Style, Theme, Visibility}
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
 use camera_lab::pipeline::clip_parts;
+use camera_lab::pipeline::cull_result::{CullResult, cull_result};
 use camera_lab::pipeline::divide_before_clip::divided_first;
-use camera_lab::pipeline::fate::{Fate, fate};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Mesh, Object, ObjectPaint, ObjectSpec, PointMark, Preset as ScenePreset, Scene, Shape};
 use camera_lab::views::observer::Preset;
@@ -424,7 +424,7 @@ fn culling_says_what_it_drops_and_why() {
     };
     // From (5, 5, 5) three sides of a box are seen, and three are not.
     let corner = camera(DVec3::splat(5.0), DVec3::ZERO);
-    let Fate::BackFaces(back) = fate(cube, &corner) else { panic!("its back faces are culled") };
+    let CullResult::BackFaces(back) = cull_result(cube, &corner) else { panic!("its back faces are culled") };
     let sees = |t: [u32; 3]| {
         let [a, b, c] = t.map(|i| cube.world_from_object.transform_point3(cube.mesh.positions[i as usize]));
         (b - a).cross(c - a).dot(DVec3::splat(5.0) - a) > 0.0
@@ -433,10 +433,10 @@ fn culling_says_what_it_drops_and_why() {
     assert_eq!(back.iter().filter(|b| **b).count() * 2, back.len());
     // Turned away: everything is behind the eye, outside the near plane.
     let away = camera(DVec3::Z * 5.0, DVec3::Z * 9.0);
-    let Fate::Dropped(planes) = fate(cube, &away) else { panic!("it is dropped") };
+    let CullResult::Dropped(planes) = cull_result(cube, &away) else { panic!("it is dropped") };
     assert!(planes & 0b01_0000 != 0);
     // The eye inside: the near plane cuts it open, and its inside is seen.
-    assert_eq!(fate(cube, &camera(DVec3::new(0.0, 0.2, 0.0), DVec3::X)), Fate::Kept);
+    assert_eq!(cull_result(cube, &camera(DVec3::new(0.0, 0.2, 0.0), DVec3::X)), CullResult::Kept);
 }
 
 /// The house between two close planes, with a torus to the left and a cone behind the eye.

@@ -1,17 +1,17 @@
-//! What culling does with an object, for who wants to see what is not drawn.
+//! What culling does with an object, to show what is not drawn.
 
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use super::clip::PlaneSet;
-use super::cull::{Place, facing, place};
-use super::transform::Projector;
+use super::cull::{Containment, containment, facing};
+use super::planes::PlaneSet;
+use super::projector::Projector;
 use crate::camera::Camera;
 use crate::scene::Object;
 
 /// What culling does with an object for a camera.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Fate {
+pub enum CullResult {
     /// All of it is drawn, or clipped.
     Kept,
     /// Its bounding box is outside one of these planes: it is dropped whole.
@@ -22,25 +22,25 @@ pub enum Fate {
 
 /// What culling does with `object` when `camera` draws it.
 #[must_use]
-pub fn fate(object: &Object, camera: &Camera) -> Fate {
+pub fn cull_result(object: &Object, camera: &Camera) -> CullResult {
     let projector = Projector::new(camera);
     let view_from_object = projector.view_from_object(object.world_from_object);
     let mesh = &object.mesh;
-    let Some(bounds) = Bounds::of(mesh) else { return Fate::Kept };
-    let place = place(&projector, &view_from_object, &bounds);
-    if let Place::Outside(planes) = place {
-        return Fate::Dropped(planes);
+    let Some(bounds) = Bounds::of(mesh) else { return CullResult::Kept };
+    let place = containment(&projector, &view_from_object, &bounds);
+    if let Containment::Outside(planes) = place {
+        return CullResult::Dropped(planes);
     }
     let view = |i: u32| mesh.positions.get(i as usize).map(|&p| view_from_object.point(p));
     let before_near = |p: &DVec3| -view_from_object.point(*p).z < projector.near;
     let cut_open = mesh.closed && mesh.positions.iter().any(before_near);
     if object.two_sided || cut_open || (mesh.closed && object.paint.is_translucent()) {
-        return Fate::Kept;
+        return CullResult::Kept;
     }
     let outward = view_from_object.outward();
     let turned = |triangle: &[u32; 3]| match triangle.map(view) {
         [Some(a), Some(b), Some(c)] => facing(&projector, [a, b, c]) * outward < 0.0,
         _ => false,
     };
-    Fate::BackFaces(mesh.triangles.iter().map(turned).collect())
+    CullResult::BackFaces(mesh.triangles.iter().map(turned).collect())
 }

@@ -7,7 +7,7 @@ use super::faces::Faces;
 
 /// Arrays of the last drawing that was given back, the first one on top.
 #[derive(Debug, Default)]
-pub(super) struct Spare {
+pub(super) struct Pool {
     /// Positions or normals.
     pub(super) vectors: Vec<Vec<[f32; 3]>>,
     inverse_w: Vec<Vec<f32>>,
@@ -15,7 +15,7 @@ pub(super) struct Spare {
     colors: Vec<Vec<Rgba>>,
 }
 
-impl Spare {
+impl Pool {
     /// Keeps the arrays of one drawing, and forgets those of others.
     pub(super) fn keep(&mut self, drawing: Drawing) {
         *self = Self::default();
@@ -38,14 +38,14 @@ impl Spare {
         refill(&mut faces.triangles, &mut self.triangles);
     }
 
-    /// An array of colours; what is in it is of no matter.
+    /// An array of colours; what is in it does not matter.
     pub(super) fn colors(&mut self) -> Vec<Rgba> {
         self.colors.pop().unwrap_or_default()
     }
 }
 
-fn refill<T>(array: &mut Vec<T>, spare: &mut Vec<Vec<T>>) {
+fn refill<T>(array: &mut Vec<T>, pool: &mut Vec<Vec<T>>) {
     if array.capacity() == 0 {
-        *array = spare.pop().unwrap_or_default();
+        *array = pool.pop().unwrap_or_default();
     }
 }

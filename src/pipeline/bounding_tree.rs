@@ -1,0 +1,194 @@
+//! A tree of boxes over the scene, so that what is out of sight is dropped by the thousand.
+
+use std::collections::{BTreeSet, HashMap};
+use std::sync::{Arc, Weak};
+
+use glam::{DMat4, DVec3};
+
+use super::bounds::Bounds;
+use super::cull::{Containment, containment, outside};
+use super::projector::Projector;
+use crate::geometry::Aabb;
+use crate::scene::{Mesh, Object, Scene};
+
+/// The scene that was drawn last, and the tree of boxes over its objects.
+///
+/// A scene that has changed a little keeps its tree; what has changed is then looked at by itself.
+#[derive(Debug, Default)]
+pub(super) struct BoundingTree {
+    /// What is known of meshes, by their address: nobody else gets it as long as the weak pointer is kept, and a mesh does not
+    /// change as long as it is shared.
+    meshes: HashMap<usize, (Weak<Mesh>, Option<Bounds>)>,
+    objects: Vec<Known>,
+    /// Objects in the order of the leaves.
+    order: Vec<u32>,
+    /// Each before the two below it; empty where there is nothing to gain.
+    nodes: Vec<Node>,
+    /// Objects that are not, or no longer, where the tree has them.
+    loose: BTreeSet<u32>,
+    /// So many of them cannot be in any tree.
+    without_box: usize,
+}
+
+/// An object as it was last seen.
+#[derive(Clone, Debug)]
+struct Known {
+    mesh: Weak<Mesh>,
+    world_from_object: DMat4,
+    bounds: Option<Bounds>,
+}
+
+/// A box around objects, in the world.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    aabb: Aabb,
+    /// The size of the numbers that the objects' coordinates are summed up from.
+    magnitude: f64,
+    /// The objects: a range of `order`.
+    first: u32,
+    end: u32,
+    /// The node that comes after all that are below this one.
+    skip: u32,
+}
+
+/// Scenes with fewer objects have no tree.
+const FEW: usize = 16;
+/// So many objects at most share a leaf.
+const LEAF: usize = 4;
+
+impl BoundingTree {
+    /// Where each object of `scene` lies, and how many boxes were held against the volume to find out.
+    pub(super) fn places(&mut self, scene: &Scene, projector: &Projector) -> (Vec<Containment>, usize) {
+        self.update(&scene.objects);
+        let mut tested = 0;
+        let mut test = |k: usize| match &self.objects[k] {
+            Known { bounds: None, .. } => Containment::Empty,
+            Known { bounds: Some(bounds), world_from_object, .. } => {
+                tested += 1;
+                containment(projector, &projector.view_from_object(*world_from_object), bounds)
+            }
+        };
+        if self.nodes.is_empty() {
+            return ((0..self.objects.len()).map(&mut test).collect(), tested);
+        }
+        let mut places = vec![Containment::Empty; self.objects.len()];
+        let (mut next, mut boxes) = (0, 0);
+        while let Some((k, node)) = self.nodes.get(next).map(|node| (next, node)) {
+            boxes += 1;
+            next += 1;
+            let planes = outside(projector, &node.aabb, node.magnitude);
+            let leaf = node.skip as usize == next;
+            if planes == 0 && !leaf {
+                continue;
+            }
+            for &k in &self.order[node.first as usize..node.end as usize] {
+                // A scene may have become shorter.
+                if let Some(at) = places.get_mut(k as usize) {
+                    *at = if planes == 0 { test(k as usize) } else { Containment::Outside(planes) };
+                }
+            }
+            next = self.nodes[k].skip as usize;
+        }
+        for &k in &self.loose {
+            places[k as usize] = test(k as usize);
+        }
+        (places, boxes + tested)
+    }
+
+    /// Brings what is known up to date.
+    fn update(&mut self, objects: &[Object]) {
+        self.objects.truncate(objects.len());
+        self.loose.retain(|&k| (k as usize) < objects.len());
+        for (k, object) in (0_u32..).zip(objects) {
+            match self.objects.get(k as usize) {
+                Some(known) if known.is(object) => continue,
+                Some(_) => self.objects[k as usize] = self.look_at(object),
+                None => {
+                    let known = self.look_at(object);
+                    self.objects.push(known);
+                }
+            }
+            self.loose.insert(k);
+        }
+        if self.meshes.len() > 2 * objects.len() + FEW {
+            self.meshes.retain(|_, (mesh, _)| mesh.strong_count() > 0);
+        }
+        if objects.len() < FEW {
+            self.nodes.clear();
+            self.loose.clear();
+        } else if self.nodes.is_empty() || self.loose.len() > self.without_box + FEW + objects.len() / 8 {
+            self.build();
+        }
+    }
+
+    fn look_at(&mut self, object: &Object) -> Known {
+        let mesh = Arc::downgrade(&object.mesh);
+        let known = self.meshes.entry(mesh.as_ptr().addr());
+        let (_, bounds) = known.or_insert_with(|| (mesh.clone(), Bounds::of(&object.mesh)));
+        Known { mesh, world_from_object: object.world_from_object, bounds: *bounds }
+    }
+
+    fn build(&mut self) {
+        let boxes = (0_u32..).zip(&self.objects).filter_map(|(k, object)| Some((k, object.world_box()?)));
+        let mut boxes: Vec<Boxed> =
+            boxes.map(|(object, (aabb, magnitude))| Boxed { object, aabb, magnitude }).collect();
+        self.nodes.clear();
+        grow(&mut self.nodes, &mut boxes, 0);
+        self.order = boxes.iter().map(|boxed| boxed.object).collect();
+        let held: BTreeSet<u32> = self.order.iter().copied().collect();
+        self.loose = (0_u32..).zip(&self.objects).map(|(k, _)| k).filter(|k| !held.contains(k)).collect();
+        self.without_box = self.loose.len();
+    }
+}
+
+impl Known {
+    fn is(&self, object: &Object) -> bool {
+        std::ptr::eq(self.mesh.as_ptr(), Arc::as_ptr(&object.mesh))
+            && self.world_from_object == object.world_from_object
+    }
+
+    /// A box in the world around the object, and the size of the numbers that its corners are summed up from. `None` without
+    /// one that can be relied on.
+    fn world_box(&self) -> Option<(Aabb, f64)> {
+        let bounds = self.bounds.filter(|bounds| bounds.finite)?;
+        let m = self.world_from_object;
+        let size = bounds.aabb.corners().into_iter().fold(0.0, |most: f64, p| most.max(p.length()));
+        let norm = m.to_cols_array().iter().fold(0.0, |sum, c| sum + c * c).sqrt();
+        let magnitude = norm * (1.0 + size);
+        // Of corners that are no numbers a box knows nothing.
+        let aabb = Aabb::around(bounds.aabb.corners().map(|p| m.transform_point3(p)))?;
+        magnitude.is_finite().then_some((aabb, magnitude))
+    }
+}
+
+/// An object that is to be put into the tree.
+struct Boxed {
+    object: u32,
+    aabb: Aabb,
+    magnitude: f64,
+}
+
+/// Adds the tree over `boxes`, and puts them in the order of its leaves; the first of them is number `first` of all.
+fn grow(nodes: &mut Vec<Node>, boxes: &mut [Boxed], first: usize) {
+    let all = boxes.iter().map(|boxed| (boxed.aabb, boxed.magnitude));
+    let Some((aabb, magnitude)) = all.reduce(|(a, m), (b, n)| (a.union(b), m.max(n))) else { return };
+    let at = nodes.len();
+    nodes.push(Node { aabb, magnitude, first: to_u32(first), end: to_u32(first + boxes.len()), skip: 0 });
+    if boxes.len() > LEAF {
+        let middles = Aabb::around(boxes.iter().map(|boxed| boxed.aabb.center()));
+        let extent = middles.map_or(DVec3::ZERO, |b| b.max - b.min);
+        let axis = (0..3).max_by(|&i, &j| extent[i].total_cmp(&extent[j])).unwrap_or(0);
+        let along = |boxed: &Boxed| boxed.aabb.center()[axis];
+        let half = boxes.len() / 2;
+        boxes.select_nth_unstable_by(half, |a, b| along(a).total_cmp(&along(b)));
+        let (low, high) = boxes.split_at_mut(half);
+        grow(nodes, low, first);
+        grow(nodes, high, first + half);
+    }
+    nodes[at].skip = to_u32(nodes.len());
+}
+
+/// Objects are counted with 32 bits.
+fn to_u32(k: usize) -> u32 {
+    u32::try_from(k).unwrap_or(u32::MAX)
+}

@@ -1,0 +1,356 @@
+//! The stages of the pipeline, and what can be said of them: why one runs or is left out, what is planned for an object, and
+//! what was done with it.
+
+use super::cull::Containment;
+use super::planes::PlaneSet;
+
+/// A stage of the pipeline, in the order of `[3]` §1.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stage {
+    /// Walk through the scene.
+    Traverse,
+    /// Drop objects whose bounding box is outside the volume.
+    CullObjects,
+    /// Take vertex normals to view space.
+    Normals,
+    /// The reflection model: light on faces or vertices.
+    Light,
+    /// World → view, each vertex once.
+    Transform,
+    /// Drop faces that turn their back.
+    CullFaces,
+    /// Cut what crosses a plane of the volume, before the divide.
+    Clip,
+    /// The terms of an oblique window.
+    Oblique,
+    /// The perspective divide.
+    Divide,
+    /// Ndc → pixels.
+    Viewport,
+    /// Find the pixels of each face.
+    Fill,
+    /// Colours, normals or texture coordinates between the vertices of a face.
+    Interpolate,
+    /// Remove hidden surfaces.
+    HiddenSurfaces,
+    /// Pictures on surfaces.
+    Texture,
+    /// Mix translucent colours with what is behind.
+    Blend,
+    /// Several samples for a pixel.
+    Antialias,
+    /// Edges, lines, marks and texts, over the finished surfaces.
+    Lines,
+    /// Colours go to the memory of the image.
+    Write,
+}
+
+impl Stage {
+    /// All stages, in order.
+    pub const ALL: [Self; 18] = [
+        Self::Traverse,
+        Self::CullObjects,
+        Self::Normals,
+        Self::Light,
+        Self::Transform,
+        Self::CullFaces,
+        Self::Clip,
+        Self::Oblique,
+        Self::Divide,
+        Self::Viewport,
+        Self::Fill,
+        Self::Interpolate,
+        Self::HiddenSurfaces,
+        Self::Texture,
+        Self::Blend,
+        Self::Antialias,
+        Self::Lines,
+        Self::Write,
+    ];
+
+    /// The name in data that programs read.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Traverse => "traverse",
+            Self::CullObjects => "cull-objects",
+            Self::Normals => "normals",
+            Self::Light => "light",
+            Self::Transform => "transform",
+            Self::CullFaces => "cull-faces",
+            Self::Clip => "clip",
+            Self::Oblique => "oblique-window",
+            Self::Divide => "divide",
+            Self::Viewport => "viewport",
+            Self::Fill => "fill",
+            Self::Interpolate => "interpolate",
+            Self::HiddenSurfaces => "hidden-surfaces",
+            Self::Texture => "texture",
+            Self::Blend => "blend",
+            Self::Antialias => "antialias",
+            Self::Lines => "lines",
+            Self::Write => "write",
+        }
+    }
+
+    /// The stage in whose loop this one runs, so that it has no time of its own: what is done to a number while it is at hand
+    /// costs less than a walk over all numbers for each stage.
+    #[must_use]
+    pub fn timed_with(self) -> Option<Self> {
+        match self {
+            Self::CullObjects => Some(Self::Traverse),
+            Self::Normals => Some(Self::Light),
+            Self::Oblique | Self::Divide | Self::Viewport => Some(Self::Transform),
+            Self::Interpolate | Self::HiddenSurfaces | Self::Texture | Self::Blend | Self::Antialias | Self::Write => {
+                Some(Self::Fill)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Why a stage runs or is left out. Counts are of objects unless they say otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Runs: every picture needs it.
+    Always,
+    /// Left out: there is nothing in the volume that it could work on.
+    NothingInView,
+    /// Runs: something is in view.
+    SomethingInView,
+    /// Runs: faces are in view.
+    FacesInView {
+        /// That have any.
+        objects: usize,
+    },
+    /// Runs: everything was asked for, needed or not.
+    Forced,
+
+    /// Runs: so many of all objects are outside one plane of the volume, and dropped whole.
+    Outside {
+        /// Dropped.
+        outside: usize,
+        /// In the scene.
+        of: usize,
+    },
+    /// Left out: no object lies outside.
+    NoneOutside {
+        /// In the scene.
+        of: usize,
+    },
+
+    /// Left out: only edges are drawn.
+    Wireframe,
+    /// Left out: no object in view has faces.
+    NoFaces,
+    /// Left out: there is no light; faces show their own colour.
+    NoLight,
+    /// Left out: no object in view takes light.
+    Unlit {
+        /// In view, with faces.
+        objects: usize,
+    },
+    /// Left out: one light for each face needs no normals of vertices.
+    FlatShading,
+    /// Runs: one colour for each face.
+    LitFaces {
+        /// That take light.
+        objects: usize,
+    },
+    /// Runs: one colour for each vertex.
+    LitVertices {
+        /// That take light.
+        objects: usize,
+    },
+    /// Left to the pixels (Phong); here only normals and positions are passed on.
+    LitPixels {
+        /// That take light.
+        objects: usize,
+    },
+    /// Runs: one colour for each vertex of objects that have colours there; the light of others is left to the pixels.
+    LitVerticesAndPixels {
+        /// That take light at their vertices.
+        vertices: usize,
+        /// That take light at their pixels.
+        pixels: usize,
+    },
+
+    /// Runs: on closed or one-sided objects, back faces cannot be seen.
+    BackFaces {
+        /// Whose back faces are dropped.
+        objects: usize,
+        /// In view, with faces.
+        of: usize,
+    },
+    /// Left out: both sides of all faces may be seen, because they are two-sided or translucent.
+    BothSidesSeen {
+        /// In view, with faces.
+        objects: usize,
+    },
+    /// Nothing was dropped: the near plane cuts objects open, so that their inside may be seen; others are two-sided or
+    /// translucent.
+    CutOpen {
+        /// That are cut open.
+        objects: usize,
+        /// In view, with faces.
+        of: usize,
+    },
+    /// Left out: all faces were dropped or clipped away before.
+    NoFaceLeft,
+
+    /// Left out: every object is wholly inside the volume.
+    AllInside {
+        /// In view.
+        objects: usize,
+    },
+    /// Runs: so many objects may cross so many planes; only they are cut, and only by these.
+    Crossing {
+        /// That may cross a plane.
+        objects: usize,
+        /// In view.
+        of: usize,
+        /// The planes that any of them may cross: bits left, right, bottom, top, near, far from the lowest.
+        planes: PlaneSet,
+    },
+
+    /// Left out: l = −r and b = −t, so these terms are 0.
+    SymmetricWindow,
+    /// Runs: the axis does not go through the middle of the window.
+    ObliqueWindow,
+    /// Left out: w is 1 everywhere.
+    ParallelProjection,
+    /// Runs: w is the distance from the eye.
+    PerspectiveProjection,
+
+    /// Left out: every face has one colour.
+    OneColorAFace,
+    /// Runs: something varies over a face.
+    VariesOverFaces {
+        /// On which it does.
+        objects: usize,
+    },
+
+    /// Left out: a convex closed object alone hides nothing of itself once its back faces are gone, and no line asks for depth.
+    ConvexAlone,
+    /// Runs: faces of several objects may hide each other.
+    SeveralObjects {
+        /// In view, with faces.
+        objects: usize,
+    },
+    /// Runs: an object that is not convex, or open, may hide itself.
+    HidesItself,
+    /// Runs: the hidden parts of lines, marks or texts are drawn otherwise than the visible ones.
+    LinesAskForDepth,
+    /// Runs: faces are painted from back to front by their centroids.
+    PaintedByCentroid,
+    /// Runs: faces are painted from back to front, split where they cross each other's planes.
+    PaintedBySplitting,
+
+    /// Left out: no object has a picture on it.
+    NoTexture,
+    /// Runs.
+    Textured {
+        /// With a picture.
+        objects: usize,
+    },
+    /// Left out: nothing shows through anything.
+    AllOpaque,
+    /// Runs.
+    Translucent {
+        /// That something shows through.
+        objects: usize,
+    },
+    /// Left out: one sample for each pixel.
+    OneSample,
+    /// Runs.
+    Samples {
+        /// For each pixel.
+        samples: u8,
+    },
+
+    /// Left out: nothing but faces is in view.
+    NoLines,
+    /// Runs.
+    LinesInView,
+
+    /// The picture shows depths instead of colours: no light, no lines, and depths that vary over faces.
+    DepthsShown,
+    /// Runs, but too late: the divide by w was asked for before it.
+    DividedFirst,
+}
+
+/// What the plan says of one stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StagePlan {
+    /// Which one.
+    pub stage: Stage,
+    /// It runs.
+    pub runs: bool,
+    /// Why, or why not.
+    pub reason: Reason,
+}
+
+/// Where light is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LitAt {
+    /// Nowhere: own colours.
+    Nowhere,
+    /// Once for each face.
+    Faces,
+    /// Once for each vertex.
+    Vertices,
+    /// Once for each pixel.
+    Pixels,
+}
+
+/// What the plan says of one object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ObjectPlan {
+    /// Where its bounding box lies.
+    pub place: Containment,
+    /// It is worked on at all; where not, nothing more is said.
+    pub drawn: bool,
+    /// The planes that its faces are clipped against.
+    pub clip_planes: PlaneSet,
+    /// Its faces are drawn.
+    pub faces: bool,
+    /// Its back faces are dropped, unless the near plane cuts it open.
+    pub cull_back: bool,
+    /// Where light is computed.
+    pub lit: LitAt,
+    /// Something shows through it.
+    pub translucent: bool,
+}
+
+/// What was done with one object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ObjectReport {
+    /// Where its bounding box lies.
+    pub place: Containment,
+    /// What became of its faces.
+    pub faces: FacesDone,
+    /// Where light was computed.
+    pub lit: LitAt,
+    /// Triangles that are in the picture.
+    pub triangles: usize,
+}
+
+/// What became of the faces of an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FacesDone {
+    /// They are not drawn, or it has none.
+    NotDrawn,
+    /// Those that turn their back were dropped.
+    BackDropped,
+    /// Both sides may be seen, because it is two-sided or translucent.
+    BothSides,
+    /// Both sides may be seen, because the near plane cuts it open.
+    CutOpen,
+}
+
+impl ObjectReport {
+    /// Before anything is done.
+    pub(super) fn new(plan: &ObjectPlan) -> Self {
+        Self { place: plan.place, faces: FacesDone::NotDrawn, lit: LitAt::Nowhere, triangles: 0 }
+    }
+}

@@ -1,0 +1,223 @@
+//! Counts of what is to be done, or of what was done, and the reasons that follow from them.
+
+use super::cull::Containment;
+use super::planes::{NEAR, PlaneSet};
+use super::projector::Projector;
+use super::shade::Shaded;
+use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Reason, Stage, StagePlan};
+use crate::appearance::{HiddenLines, Shading, Style, Visibility};
+use crate::scene::{Object, ObjectPaint, Scene};
+
+/// The counts on which the plan of a frame rests, or, of what was done, its account. Of objects in view only, and of their
+/// faces only where there are any.
+pub(super) struct Survey {
+    objects: usize,
+    outside: usize,
+    in_view: usize,
+    crossing: usize,
+    planes: PlaneSet,
+    faces: usize,
+    culled: usize,
+    cut_open: usize,
+    lit_faces: usize,
+    lit_vertices: usize,
+    lit_pixels: usize,
+    dark: bool,
+    varies: usize,
+    textured: usize,
+    translucent: usize,
+    hides_itself: bool,
+    pub(super) lines_ask: bool,
+    lines: bool,
+}
+
+impl Survey {
+    pub(super) fn new(scene: &Scene, plans: &[ObjectPlan], style: &Style) -> Self {
+        let in_view: Vec<(&Object, &ObjectPlan)> =
+            scene.objects.iter().zip(plans).filter(|(_, plan)| matches!(plan.place, Containment::Crosses(_))).collect();
+        let wireframe = style.shading == Shading::Wireframe;
+        let faces: Vec<_> = in_view.iter().filter(|(_, plan)| plan.faces && !wireframe).collect();
+        let lit = |at: LitAt| faces.iter().filter(|(_, plan)| plan.lit == at).count();
+        let planes = |plan: &ObjectPlan| match plan.place {
+            Containment::Crosses(planes) => planes,
+            Containment::Outside(_) | Containment::Empty => 0,
+        };
+        let asks = |hidden: HiddenLines| hidden != HiddenLines::Shown;
+        // The inside of an object that the near plane may cut open is hidden by its outside.
+        let hides_itself = |object: &Object, plan: &ObjectPlan| {
+            !(object.mesh.convex && object.mesh.closed && plan.cull_back && planes(plan) & NEAR == 0)
+        };
+        Self {
+            objects: scene.objects.len(),
+            outside: plans.iter().filter(|plan| matches!(plan.place, Containment::Outside(_))).count(),
+            in_view: in_view.len(),
+            crossing: in_view.iter().filter(|(_, plan)| planes(plan) != 0).count(),
+            planes: in_view.iter().fold(0, |all, (_, plan)| all | planes(plan)),
+            faces: faces.len(),
+            culled: faces.iter().filter(|(_, plan)| plan.cull_back).count(),
+            cut_open: 0,
+            lit_faces: lit(LitAt::Faces),
+            lit_vertices: lit(LitAt::Vertices),
+            lit_pixels: lit(LitAt::Pixels),
+            dark: scene.lights.is_empty(),
+            varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan.lit)).count(),
+            textured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture { .. })).count(),
+            translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
+            hides_itself: faces.iter().any(|(object, plan)| hides_itself(object, plan)),
+            lines_ask: in_view.iter().any(|(object, _)| object.edges.is_some_and(|style| asks(style.hidden)))
+                || scene.lines.iter().any(|line| asks(line.style.hidden))
+                || scene.marks.iter().any(|mark| mark.fade_if_hidden)
+                || scene.texts.iter().any(|text| text.fade_if_hidden),
+            lines: in_view.iter().any(|(object, _)| wireframe || object.edges.is_some())
+                || !(scene.lines.is_empty() && scene.marks.is_empty() && scene.texts.is_empty()),
+        }
+    }
+
+    /// The same counts of what was done: an object all of whose faces were dropped or clipped away has none, and what the near
+    /// plane has cut open keeps its back faces.
+    pub(super) fn of_done(scene: &Scene, plans: &[ObjectPlan], done: &[ObjectReport], style: &Style) -> Self {
+        let left = plans.iter().zip(done).map(|(plan, done)| ObjectPlan {
+            faces: plan.faces && done.triangles > 0,
+            cull_back: done.faces == FacesDone::BackDropped,
+            ..*plan
+        });
+        let left = Self::new(scene, &left.collect::<Vec<_>>(), style);
+        // Culling has come before what is left is known: it counts all objects whose faces it was given.
+        let culling = plans
+            .iter()
+            .zip(done)
+            .map(|(plan, done)| ObjectPlan { cull_back: done.faces == FacesDone::BackDropped, ..*plan });
+        let culling = Self::new(scene, &culling.collect::<Vec<_>>(), style);
+        let cut_open = done.iter().filter(|done| done.faces == FacesDone::CutOpen).count();
+        Self { culled: culling.culled, cut_open, ..left }
+    }
+
+    /// Of a stage that works on faces, what there is to say once all is done: whether it had anything to do, and why. `None`
+    /// for other stages, and for those that decide on what **may** be seen: of these the plan says what was done.
+    pub(super) fn face_stage(&self, planned: &StagePlan, style: &Style) -> Option<(bool, Reason)> {
+        let StagePlan { stage, runs, reason } = *planned;
+        if !runs || reason == Reason::Forced {
+            return None;
+        }
+        match stage {
+            Stage::CullFaces => Some(self.cull_faces()),
+            Stage::Normals | Stage::Light | Stage::Fill | Stage::Interpolate | Stage::Texture | Stage::Blend => {
+                Some(if self.faces == 0 { (false, Reason::NoFaceLeft) } else { self.with_faces(stage, style) })
+            }
+            Stage::Traverse
+            | Stage::CullObjects
+            | Stage::Transform
+            | Stage::Clip
+            | Stage::Oblique
+            | Stage::Divide
+            | Stage::Viewport
+            | Stage::HiddenSurfaces
+            | Stage::Antialias
+            | Stage::Lines
+            | Stage::Write => None,
+        }
+    }
+
+    /// Whether a stage is needed, and why.
+    pub(super) fn stage(&self, stage: Stage, projector: &Projector, style: &Style) -> (bool, Reason) {
+        let no_faces = match style.shading {
+            Shading::Wireframe => Some((false, Reason::Wireframe)),
+            _ if self.in_view == 0 => Some((false, Reason::NothingInView)),
+            _ if self.faces == 0 => Some((false, Reason::NoFaces)),
+            _ => None,
+        };
+        match stage {
+            Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport if self.in_view == 0 && !self.lines => {
+                (false, Reason::NothingInView)
+            }
+            Stage::Traverse | Stage::Write => (true, Reason::Always),
+            Stage::Viewport | Stage::Transform => (true, Reason::SomethingInView),
+            Stage::CullObjects if self.outside == 0 => (false, Reason::NoneOutside { of: self.objects }),
+            Stage::CullObjects => (true, Reason::Outside { outside: self.outside, of: self.objects }),
+            Stage::Normals
+            | Stage::Light
+            | Stage::CullFaces
+            | Stage::Fill
+            | Stage::Interpolate
+            | Stage::HiddenSurfaces
+            | Stage::Texture
+            | Stage::Blend
+            | Stage::Antialias => no_faces.unwrap_or_else(|| self.with_faces(stage, style)),
+            Stage::Clip if self.in_view == 0 => (false, Reason::NothingInView),
+            Stage::Clip if self.crossing == 0 => (false, Reason::AllInside { objects: self.in_view }),
+            Stage::Clip => (true, Reason::Crossing { objects: self.crossing, of: self.in_view, planes: self.planes }),
+            Stage::Oblique if projector.shift == [0.0, 0.0] => (false, Reason::SymmetricWindow),
+            Stage::Oblique => (true, Reason::ObliqueWindow),
+            Stage::Divide if projector.perspective => (true, Reason::PerspectiveProjection),
+            Stage::Divide => (false, Reason::ParallelProjection),
+            Stage::Lines if self.lines => (true, Reason::LinesInView),
+            Stage::Lines if self.in_view == 0 => (false, Reason::NothingInView),
+            Stage::Lines => (false, Reason::NoLines),
+        }
+    }
+
+    /// The same, of a stage that works on faces, where there are any.
+    fn with_faces(&self, stage: Stage, style: &Style) -> (bool, Reason) {
+        match stage {
+            Stage::Normals | Stage::Light => self.light(stage),
+            Stage::CullFaces => self.cull_faces(),
+            Stage::HiddenSurfaces => self.hidden_surfaces(style),
+            Stage::Interpolate => match self.varies {
+                0 => (false, Reason::OneColorAFace),
+                objects => (true, Reason::VariesOverFaces { objects }),
+            },
+            Stage::Texture => match self.textured {
+                0 => (false, Reason::NoTexture),
+                objects => (true, Reason::Textured { objects }),
+            },
+            Stage::Blend => match self.translucent {
+                0 => (false, Reason::AllOpaque),
+                objects => (true, Reason::Translucent { objects }),
+            },
+            Stage::Antialias => match style.antialias {
+                0 | 1 => (false, Reason::OneSample),
+                samples => (true, Reason::Samples { samples }),
+            },
+            // Filling, and what `stage` does not ask about.
+            _ => (true, Reason::FacesInView { objects: self.faces }),
+        }
+    }
+
+    fn cull_faces(&self) -> (bool, Reason) {
+        match (self.culled, self.cut_open) {
+            (0, 0) => (false, Reason::BothSidesSeen { objects: self.faces }),
+            (0, objects) => (false, Reason::CutOpen { objects, of: self.faces.max(objects) }),
+            (objects, _) => (true, Reason::BackFaces { objects, of: self.faces.max(objects) }),
+        }
+    }
+
+    fn light(&self, stage: Stage) -> (bool, Reason) {
+        if self.dark {
+            return (false, Reason::NoLight);
+        }
+        match (self.lit_faces, self.lit_vertices, self.lit_pixels) {
+            (0, 0, 0) => (false, Reason::Unlit { objects: self.faces }),
+            (0, 0, objects) => (stage == Stage::Normals, Reason::LitPixels { objects }),
+            (0, objects, 0) => (true, Reason::LitVertices { objects }),
+            (0, vertices, pixels) => (true, Reason::LitVerticesAndPixels { vertices, pixels }),
+            // No shading lights faces and vertices in one picture.
+            (_, _, _) if stage == Stage::Normals => (false, Reason::FlatShading),
+            (objects, _, _) => (true, Reason::LitFaces { objects }),
+        }
+    }
+
+    fn hidden_surfaces(&self, style: &Style) -> (bool, Reason) {
+        if self.faces > 1 || self.hides_itself {
+            return (
+                true,
+                match style.visibility {
+                    Visibility::Painter => Reason::PaintedByCentroid,
+                    Visibility::Bsp => Reason::PaintedBySplitting,
+                    Visibility::DepthBuffer if self.faces > 1 => Reason::SeveralObjects { objects: self.faces },
+                    Visibility::DepthBuffer => Reason::HidesItself,
+                },
+            );
+        }
+        if self.lines_ask { (true, Reason::LinesAskForDepth) } else { (false, Reason::ConvexAlone) }
+    }
+}
