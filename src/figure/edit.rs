@@ -4,7 +4,7 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TableLike, Value
 
 use super::Figure;
 use super::read;
-use super::write::to_toml;
+use super::write::{document, to_toml};
 
 /// The figure file of `figure`, made from an earlier text by changing only what differs: comments, order and the way in
 /// which numbers are written stay. A text that is no figure file is replaced.
@@ -17,29 +17,29 @@ pub fn update(text: &str, figure: &Figure) -> String {
 }
 
 fn edit(text: &str, figure: &Figure) -> Option<String> {
-    let mut old = to_toml(&read::parse(text).ok()?);
-    let new = to_toml(figure);
-    if old == new {
+    let mut old = document(&read::parse(text).ok()?);
+    let new = document(figure);
+    if same_table(old.as_table(), new.as_table()) {
         return Some(text.to_owned());
     }
-    let new_document: DocumentMut = new.parse().ok()?;
     let (text, bom) = text.strip_prefix('\u{feff}').map_or((text, ""), |rest| (rest, "\u{feff}"));
-    let mut document: DocumentMut = text.parse().ok()?;
+    let mut edited: DocumentMut = text.parse().ok()?;
     // Some defaults depend on other keys (the preset on the objects, the viewport on the image): a second round writes down
     // those that the first has moved.
     for _ in 0..2 {
-        merge(document.as_table_mut(), old.parse::<DocumentMut>().ok()?.as_table(), new_document.as_table());
-        old = to_toml(&read::parse(&document.to_string()).ok()?);
-        if old == new {
+        merge(edited.as_table_mut(), old.as_table(), new.as_table());
+        old = document(&read::parse(&edited.to_string()).ok()?);
+        if same_table(old.as_table(), new.as_table()) {
             break;
         }
     }
-    let mut edited = document.to_string();
+    let mut edited = edited.to_string();
     if text.contains("\r\n") {
         edited = edited.replace("\r\n", "\n").replace('\n', "\r\n");
     }
     // Where the user's way of writing is too unlike ours to be edited piece by piece, the numbers come first.
-    (to_toml(&read::parse(&edited).ok()?) == new).then(|| format!("{bom}{edited}"))
+    let reached = document(&read::parse(&edited).ok()?);
+    same_table(reached.as_table(), new.as_table()).then(|| format!("{bom}{edited}"))
 }
 
 /// Takes to `mine` what has changed from `old` to `new`.
@@ -57,9 +57,6 @@ fn merge(mine: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) {
 
 /// True where both are written alike.
 fn same(a: &Item, b: &Item) -> bool {
-    let same_table = |a: &dyn TableLike, b: &dyn TableLike| {
-        a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| same(a, b)))
-    };
     match (a, b) {
         (Item::Value(a), Item::Value(b)) => a.to_string() == b.to_string(),
         (Item::Table(a), Item::Table(b)) => same_table(a, b),
@@ -68,6 +65,10 @@ fn same(a: &Item, b: &Item) -> bool {
         }
         _ => false,
     }
+}
+
+fn same_table(a: &dyn TableLike, b: &dyn TableLike) -> bool {
+    a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| same(a, b)))
 }
 
 fn merge_item(table: &mut dyn TableLike, key: &str, old: Option<&Item>, new: &Item) {
@@ -92,7 +93,7 @@ fn merge_item(table: &mut dyn TableLike, key: &str, old: Option<&Item>, new: &It
             }
         }
         _ => {
-            table.insert(key, without_place(new.clone()));
+            table.insert(key, new.clone());
         }
     }
 }
@@ -126,10 +127,7 @@ fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &Array
                 found.set_position(places.next());
                 found
             }
-            None => match without_place(Item::Table(table.clone())) {
-                Item::Table(table) => table,
-                _ => continue,
-            },
+            None => table.clone(),
         };
         mine.push(merged);
     }
@@ -157,21 +155,6 @@ fn sources(old: &[&Table], new: &ArrayOfTables) -> Vec<Option<usize>> {
         }
     }
     sources
-}
-
-/// The item without the places that its tables had in another document.
-fn without_place(mut item: Item) -> Item {
-    match &mut item {
-        Item::Table(table) => {
-            table.set_position(None);
-            for (_, child) in table.iter_mut() {
-                *child = without_place(std::mem::take(child));
-            }
-        }
-        Item::ArrayOfTables(list) => list.iter_mut().for_each(|table| table.set_position(None)),
-        _ => {}
-    }
-    item
 }
 
 #[cfg(test)]

@@ -135,32 +135,15 @@ fn home(key: &str) -> Option<String> {
 /// The one of `known` that differs least in its letters, where that is little.
 pub(super) fn by_letters<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<String> {
     const LONGEST: usize = 64;
-    let plain = |s: &str| s.to_lowercase().replace(['-', ' '], "_").chars().collect::<Vec<_>>();
+    let plain = |s: &str| s.to_lowercase().replace(['-', ' '], "_");
     let word = plain(word);
-    if word.len() > LONGEST {
+    let letters = word.chars().count();
+    if letters > LONGEST {
         return None;
     }
-    let (best, steps) = known.map(|k| (k, distance(&word, &plain(k)))).min_by_key(|(_, steps)| *steps)?;
-    (steps <= 2 && steps * 2 < word.len().max(2)).then(|| best.to_owned())
-}
-
-/// The number of letters to insert, delete, replace, or exchange with their neighbour (optimal string alignment).
-fn distance(a: &[char], b: &[char]) -> usize {
-    let mut before: Vec<usize> = Vec::new();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        let mut next = vec![i];
-        for j in 1..=b.len() {
-            let same = usize::from(a[i - 1] != b[j - 1]);
-            let mut steps = (row[j - 1] + same).min(row[j] + 1).min(next[j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                steps = steps.min(before[j - 2] + 1);
-            }
-            next.push(steps);
-        }
-        before = std::mem::replace(&mut row, next);
-    }
-    row[b.len()]
+    // Inserted, deleted, replaced letters, and such as have changed places with their neighbours.
+    let (best, steps) = known.map(|k| (k, strsim::osa_distance(&word, &plain(k)))).min_by_key(|(_, steps)| *steps)?;
+    (steps <= 2 && steps * 2 < letters.max(2)).then(|| best.to_owned())
 }
 
 #[cfg(test)]

@@ -1,15 +1,15 @@
 //! [`Figure`] → the text of a figure file.
 
-use std::fmt::Write as _;
-
 use glam::DVec3;
+use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
 pub use super::edit::update;
 use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Depth, Figure, Observer, Outside, Reveal};
-use crate::camera::Projection;
+use crate::appearance::Style;
+use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
-use crate::scene::{LightSpec, ObjectSpec, Shape};
+use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape};
 
 /// The figure file of `figure`, its keys in the order of the documentation.
 ///
@@ -17,65 +17,90 @@ use crate::scene::{LightSpec, ObjectSpec, Shape};
 /// Reading the text gives the same figure back, every number to the last bit, for each figure that a file can hold.
 #[must_use]
 pub fn to_toml(figure: &Figure) -> String {
-    let mut out = Text::default();
-    let p = &figure.camera;
-    out.section("[camera]");
-    out.key("position", vector(p.position));
-    out.key("focal_point", vector(p.focal_point));
-    out.key("view_up", vector(p.view_up));
-    out.key("projection", quoted(words::name(PROJECTIONS, p.projection)));
-    out.key("view_angle", number(p.view_angle));
-    out.key("height", number(p.height));
-    out.key("aspect", number(p.aspect));
-    out.key("near", number(p.near));
-    out.key("far", number(p.far));
-    if let Some(w) = p.window {
-        let sides = [("left", w.left), ("right", w.right), ("bottom", w.bottom), ("top", w.top)];
-        let sides: Vec<_> = sides.iter().map(|(side, x)| format!("{side} = {}", number(*x))).collect();
-        out.key("window", format!("{{ {} }}", sides.join(", ")));
-    }
-    out.section("[image]");
-    out.key("width", figure.image.width);
-    out.key("height", figure.image.height);
-    if let Some(v) = figure.viewport {
-        out.section("[viewport]");
-        out.key("x", v.x);
-        out.key("y", v.y);
-        out.key("width", v.width);
-        out.key("height", v.height);
-        out.key("depth_near", number(v.depth_near));
-        out.key("depth_far", number(v.depth_far));
-    }
-    out.section("[scene]");
-    out.key("preset", quoted(figure.scene.preset.name()));
-    for object in &figure.scene.objects {
-        write_object(&mut out, object);
-    }
-    for light in &figure.scene.lights {
-        write_light(&mut out, *light);
-    }
-    let style = &figure.style;
-    out.section("[style]");
-    out.key("shading", quoted(words::name(SHADINGS, style.shading)));
-    out.key("visibility", quoted(words::name(VISIBILITIES, style.visibility)));
-    out.key("hidden_lines", quoted(words::name(HIDDEN_LINES, style.hidden_lines)));
-    out.key("antialias", style.antialias);
-    out.key("theme", quoted(words::name(THEMES, style.theme)));
-    write_reveal(&mut out, figure.reveal);
-    write_observer(&mut out, "[observers.world]", figure.observers.world);
-    write_observer(&mut out, "[observers.canonical]", figure.observers.canonical);
-    out.text
+    document(figure).to_string()
 }
 
-fn write_object(out: &mut Text, object: &ObjectSpec) {
-    out.section("[[scene.objects]]");
-    out.key("name", quoted(&object.name));
+/// The same as a document.
+pub(super) fn document(figure: &Figure) -> DocumentMut {
+    let mut document = DocumentMut::new();
+    let mut put = |key: &str, section: Table| document.insert(key, Item::Table(section));
+    put("camera", camera(&figure.camera));
+    let size = figure.image;
+    put("image", table([("width", i64::from(size.width).into()), ("height", i64::from(size.height).into())]));
+    if let Some(v) = figure.viewport {
+        put("viewport", viewport(v));
+    }
+    put("scene", scene(&figure.scene));
+    put("style", style(&figure.style));
+    if figure.reveal != Reveal::default() {
+        put("reveal", reveal(figure.reveal));
+    }
+    let observers = [("world", figure.observers.world), ("canonical", figure.observers.canonical)];
+    let mut sections = Table::new();
+    // Without a line of its own: only [observers.world] and [observers.canonical] are written.
+    sections.set_implicit(true);
+    for (key, given) in observers {
+        if let Some(o) = given {
+            sections.insert(key, Item::Table(observer(o)));
+        }
+    }
+    if !sections.is_empty() {
+        put("observers", sections);
+    }
+    document
+}
+
+fn camera(p: &Parameters) -> Table {
+    let mut section = table([
+        ("position", vector(p.position)),
+        ("focal_point", vector(p.focal_point)),
+        ("view_up", vector(p.view_up)),
+        ("projection", words::name(PROJECTIONS, p.projection).into()),
+        ("view_angle", number(p.view_angle)),
+        ("height", number(p.height)),
+        ("aspect", number(p.aspect)),
+        ("near", number(p.near)),
+        ("far", number(p.far)),
+    ]);
+    if let Some(w) = p.window {
+        let sides = [("left", w.left), ("right", w.right), ("bottom", w.bottom), ("top", w.top)];
+        let sides: InlineTable = sides.into_iter().map(|(side, x)| (side, number(x))).collect();
+        section.insert("window", Item::Value(sides.into()));
+    }
+    section
+}
+
+fn viewport(v: Viewport) -> Table {
+    table([
+        ("x", i64::from(v.x).into()),
+        ("y", i64::from(v.y).into()),
+        ("width", i64::from(v.width).into()),
+        ("height", i64::from(v.height).into()),
+        ("depth_near", number(v.depth_near)),
+        ("depth_far", number(v.depth_far)),
+    ])
+}
+
+fn scene(spec: &SceneSpec) -> Table {
+    let mut section = table([("preset", spec.preset.name().into())]);
+    let objects: ArrayOfTables = spec.objects.iter().map(object).collect();
+    let lights: ArrayOfTables = spec.lights.iter().map(light).collect();
+    for (key, list) in [("objects", objects), ("lights", lights)] {
+        if !list.is_empty() {
+            section.insert(key, Item::ArrayOfTables(list));
+        }
+    }
+    section
+}
+
+fn object(object: &ObjectSpec) -> Table {
+    let mut keys: Vec<(&str, Value)> = vec![("name", quoted(&object.name))];
     if let Some(shape) = &object.shape {
-        out.key("shape", quoted(shape.name()));
+        keys.push(("shape", shape.name().into()));
         match shape {
-            Shape::Points(points) => out.key("points", vectors(points)),
-            Shape::Segments(pairs) => out.key("points", vectors(pairs.as_flattened())),
-            Shape::Mesh { path } => out.key("path", quoted(path)),
+            Shape::Points(points) => keys.push(("points", vectors(points))),
+            Shape::Segments(pairs) => keys.push(("points", vectors(pairs.as_flattened()))),
+            Shape::Mesh { path } => keys.push(("path", quoted(path))),
             Shape::Box
             | Shape::Prism
             | Shape::Pyramid
@@ -88,115 +113,101 @@ fn write_object(out: &mut Text, object: &ObjectSpec) {
         }
     }
     if let Some(parent) = &object.parent {
-        out.key("parent", quoted(parent));
+        keys.push(("parent", quoted(parent)));
     }
     for (key, value, default) in [
         ("translate", object.translate, DVec3::ZERO),
         ("rotate", object.rotate, DVec3::ZERO),
         ("scale", object.scale, DVec3::ONE),
     ] {
-        // −0 is not 0: compared as it is written.
-        if vector(value) != vector(default) {
-            out.key(key, vector(value));
+        // −0 is not 0: compared bit by bit.
+        if value.to_array().map(f64::to_bits) != default.to_array().map(f64::to_bits) {
+            keys.push((key, vector(value)));
         }
     }
     if let Some(color) = object.color {
-        out.key("color", quoted(&color.to_string()));
+        keys.push(("color", color.to_string().into()));
     }
     if object.segments != Shape::usual_segments(object.shape.as_ref()) {
-        out.key("segments", object.segments);
+        keys.push(("segments", i64::from(object.segments).into()));
     }
+    table(keys)
 }
 
-fn write_light(out: &mut Text, light: LightSpec) {
-    out.section("[[scene.lights]]");
-    out.key("kind", quoted(light.name()));
-    match light {
-        LightSpec::Directional(direction) => out.key("direction", vector(direction)),
-        LightSpec::Point(position) => out.key("position", vector(position)),
-    }
+fn light(light: &LightSpec) -> Table {
+    let place = match *light {
+        LightSpec::Directional(direction) => ("direction", vector(direction)),
+        LightSpec::Point(position) => ("position", vector(position)),
+    };
+    table([("kind", light.name().into()), place])
 }
 
-fn write_reveal(out: &mut Text, reveal: Reveal) {
-    if reveal == Reveal::default() {
-        return;
-    }
-    out.section("[reveal]");
+fn style(style: &Style) -> Table {
+    table([
+        ("shading", words::name(SHADINGS, style.shading).into()),
+        ("visibility", words::name(VISIBILITIES, style.visibility).into()),
+        ("hidden_lines", words::name(HIDDEN_LINES, style.hidden_lines).into()),
+        ("antialias", i64::from(style.antialias).into()),
+        ("theme", words::name(THEMES, style.theme).into()),
+    ])
+}
+
+fn reveal(reveal: Reveal) -> Table {
+    let mut keys: Vec<(&str, Value)> = Vec::new();
     match reveal.depth {
         Depth::Off => {}
-        Depth::Stored => out.key("depth", true),
-        depth @ Depth::Linear => out.key("depth", quoted(words::name(DEPTHS, depth))),
+        Depth::Stored => keys.push(("depth", true.into())),
+        depth @ Depth::Linear => keys.push(("depth", words::name(DEPTHS, depth).into())),
     }
     if reveal.outside != Outside::Usual {
-        out.key("outside", quoted(words::name(OUTSIDES, reveal.outside)));
+        keys.push(("outside", words::name(OUTSIDES, reveal.outside).into()));
     }
-    for (key, on) in [("clipping", reveal.clipping), ("divide_first", reveal.divide_first), ("culled", reveal.culled)] {
-        if on {
-            out.key(key, on);
-        }
-    }
+    let switches = [("clipping", reveal.clipping), ("divide_first", reveal.divide_first), ("culled", reveal.culled)];
+    keys.extend(switches.into_iter().filter(|(_, on)| *on).map(|(key, on)| (key, on.into())));
+    table(keys)
 }
 
-fn write_observer(out: &mut Text, header: &str, observer: Option<Observer>) {
-    let Some(o) = observer else { return };
+fn observer(o: Observer) -> Table {
     let projection = if o.parallel { Projection::Parallel } else { Projection::Perspective };
-    out.section(header);
-    out.key("target", vector(o.target));
-    out.key("distance", number(o.distance));
-    out.key("azimuth", number(o.azimuth));
-    out.key("elevation", number(o.elevation));
-    out.key("projection", quoted(words::name(PROJECTIONS, projection)));
+    table([
+        ("target", vector(o.target)),
+        ("distance", number(o.distance)),
+        ("azimuth", number(o.azimuth)),
+        ("elevation", number(o.elevation)),
+        ("projection", words::name(PROJECTIONS, projection).into()),
+    ])
 }
 
-/// A figure file in the making.
-#[derive(Default)]
-struct Text {
-    text: String,
-}
-
-impl Text {
-    fn section(&mut self, header: &str) {
-        if !self.text.is_empty() {
-            self.text.push('\n');
-        }
-        self.text.push_str(header);
-        self.text.push('\n');
+fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
+    let mut table = Table::new();
+    for (key, value) in keys {
+        table.insert(key, Item::Value(value));
     }
-
-    fn key(&mut self, key: &str, value: impl std::fmt::Display) {
-        // Writing to a `String` cannot fail.
-        let _ = writeln!(self.text, "{key} = {value}");
-    }
+    table
 }
 
-/// The shortest decimal number that reads back as the same `f64`.
-fn number(x: f64) -> String {
-    if x.is_finite() { numbers::exact(x) } else { x.to_string().to_lowercase() }
+/// A text in double quotes on one line, where the library would take several lines for one with a line end: those change with
+/// the line ends of the file. (What JSON escapes is what TOML does, but for the DEL character.)
+fn quoted(text: &str) -> Value {
+    let quoted = serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007F");
+    let mut value = quoted.parse().unwrap_or_else(|_| Value::from(text));
+    value.decor_mut().clear();
+    value
 }
 
-fn vector(v: DVec3) -> String {
-    format!("[{}, {}, {}]", number(v.x), number(v.y), number(v.z))
+/// The shortest decimal number that reads back as the same `f64`; as a float of Rust is written, since that of the library has
+/// hundreds of zeros where it is very large or small.
+fn number(x: f64) -> Value {
+    let mut value = numbers::exact(x).parse().unwrap_or_else(|_| Value::from(x));
+    // Spaces around it are those of its place.
+    value.decor_mut().clear();
+    value
 }
 
-fn vectors(points: &[DVec3]) -> String {
-    let points: Vec<_> = points.iter().map(|p| vector(*p)).collect();
-    format!("[{}]", points.join(", "))
+fn vector(v: DVec3) -> Value {
+    v.to_array().into_iter().map(number).collect::<Array>().into()
 }
 
-/// A text in quotes, on one line.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => out.extend(['\\', c]),
-            '\n' => out.push_str("\\n"),
-            c if c.is_control() => {
-                // Writing to a `String` cannot fail.
-                let _ = write!(out, "\\u{:04X}", u32::from(c));
-            }
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
+fn vectors(points: &[DVec3]) -> Value {
+    points.iter().map(|p| vector(*p)).collect::<Array>().into()
 }

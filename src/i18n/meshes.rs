@@ -39,7 +39,6 @@ fn obj(lang: Lang, fault: &ObjFault) -> String {
         ObjFault::Index { found, points, normals } => {
             format!("\"{found}\" indica um ponto ou uma normal que não existe; há {points} pontos e {normals} normais")
         }
-        ObjFault::Other { detail } => detail.clone(),
     }
 }
 

@@ -77,7 +77,7 @@ impl From<TooLarge> for MeshError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ObjFault {
     /// Not a finite number.
-    #[error("\"{found}\" is no finite number")]
+    #[error("\"{found}\" is not a finite number")]
     Number {
         /// What was found.
         found: String,
@@ -95,7 +95,7 @@ pub enum ObjFault {
         found: usize,
     },
     /// A corner is not written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
-    #[error("\"{found}\" is no corner of a face; it is written v, v/vt, v//vn or v/vt/vn with whole numbers")]
+    #[error("\"{found}\" is not a corner of a face; it is written v, v/vt, v//vn or v/vt/vn with whole numbers")]
     Corner {
         /// What was found.
         found: String,
@@ -110,19 +110,13 @@ pub enum ObjFault {
         /// Normals in the file (for a relative index: so far).
         normals: usize,
     },
-    /// Anything else.
-    #[error("{detail}")]
-    Other {
-        /// The reader's words.
-        detail: String,
-    },
 }
 
 /// What is wrong with a glTF file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GltfFault {
     /// The frame of a GLB file is broken.
-    #[error("no valid GLB file ({detail})")]
+    #[error("not a valid GLB file ({detail})")]
     Container {
         /// The reader's words.
         detail: String,
@@ -146,7 +140,7 @@ pub enum GltfFault {
     #[error("the buffer's bytes are missing")]
     NoBytes,
     /// A buffer's data URI is broken.
-    #[error("the data URI is no valid base64")]
+    #[error("the data URI is not valid base64")]
     DataUri,
     /// A file beside the glTF file cannot be read.
     #[error("\"{uri}\": {error}")]

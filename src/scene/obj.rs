@@ -1,20 +1,14 @@
-//! Wavefront OBJ, through `tobj`.
-//!
-//! `tobj` reads the numbers and sorts faces into objects and materials. What it does not say or do is done on the way to it,
-//! line by line ([`Lines`]): the number of a faulty line, lines continued by `\`, comments behind values, texts that are not
-//! UTF-8, polylines, corners that name what does not exist. Texture coordinates are left out.
+//! Wavefront OBJ: points, normals, faces, objects, and the colours of their materials. Texture coordinates are checked and left
+//! out, as is all that is neither point, normal, face, name nor material.
 
-use std::cell::RefCell;
 use std::collections::HashMap;
-use std::io::{self, BufRead, Read};
-use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
-use tobj::{LoadError, LoadOptions};
 
 use super::ReadFile;
 use super::import::{MeshError, ObjFault, Part};
+use super::mesh::index_u32;
 use super::soup::Soup;
 use crate::appearance::Rgba;
 
@@ -23,270 +17,259 @@ use crate::appearance::Rgba;
 /// # Errors
 /// [`MeshError::Obj`] with the line.
 pub(super) fn read(bytes: &[u8], read_file: &mut ReadFile<'_>) -> Result<Vec<Part>, MeshError> {
-    let mut lines = Lines::new(bytes);
-    let read_file = RefCell::new(read_file);
-    let options = LoadOptions::default();
-    let loaded = tobj::load_obj_buf(&mut lines, &options, |path| materials(path, &mut **read_file.borrow_mut()));
-    if let Some((line, fault)) = lines.fault.take().or_else(|| lines.missing()) {
+    let mut file = ObjFile::default();
+    let mut lines = Lines { rest: bytes, number: 0 };
+    while let Some(line) = lines.next() {
+        let number = lines.number;
+        file.read_line(&line, number, read_file).map_err(|fault| MeshError::Obj { line: number, fault })?;
+    }
+    if let Some((line, fault)) = file.missing() {
         return Err(MeshError::Obj { line, fault });
     }
-    let (models, materials) = loaded.map_err(|error: LoadError| MeshError::Obj {
-        line: lines.line,
-        fault: ObjFault::Other { detail: error.to_string() },
-    })?;
-    let materials = materials.unwrap_or_default();
-    let mut parts = Vec::new();
-    for model in models {
-        let color = model.mesh.material_id.and_then(|id| materials.get(id)).map(color);
-        let mesh = soup(model.mesh, lines.all_have_normals).into_mesh()?;
-        if mesh.triangles.is_empty() {
-            continue;
-        }
-        parts.push(Part {
-            name: if model.name == "unnamed_object" { String::new() } else { model.name },
-            two_sided: !mesh.closed,
-            mesh: Arc::new(mesh),
-            file_from_part: DMat4::IDENTITY,
-            color,
-        });
-    }
-    Ok(parts)
+    file.end_part();
+    let parts = std::mem::take(&mut file.parts);
+    let parts = parts.into_iter().map(|part| {
+        let color = part.material.and_then(|index| file.materials.get(index)).map(|material| material.color());
+        let mesh = file.soup(&part).into_mesh()?;
+        let two_sided = !mesh.closed;
+        Ok(Part { name: part.name, two_sided, mesh: Arc::new(mesh), file_from_part: DMat4::IDENTITY, color })
+    });
+    parts.filter(|part| !matches!(part, Ok(part) if part.mesh.triangles.is_empty())).collect()
 }
 
-fn soup(mesh: tobj::Mesh, with_normals: bool) -> Soup {
-    let vectors = |flat: &[f64]| flat.chunks_exact(3).map(DVec3::from_slice).collect();
-    Soup {
-        positions: vectors(&mesh.positions),
-        normals: if with_normals { vectors(&mesh.normals) } else { Vec::new() },
-        corners: mesh.indices,
-        arities: mesh.face_arities,
-        corner_normals: mesh.normal_indices,
-    }
-}
-
-fn color(material: &tobj::Material) -> Rgba {
-    let byte = |share: f64| {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
-        let byte = (share.clamp(0.0, 1.0) * 255.0).round() as u8;
-        byte
-    };
-    let [r, g, b] = material.diffuse.unwrap_or([0.8; 3]).map(byte);
-    Rgba::rgba(r, g, b, byte(material.dissolve.unwrap_or(1.0)))
-}
-
-/// Reads a material library. Only names, diffuse colours and opacities are handed on, and only if they are whole: `tobj`
-/// panics on a colour with two numbers.
-fn materials(path: &Path, read_file: &mut ReadFile<'_>) -> tobj::MTLLoadResult {
-    let Ok(bytes) = read_file(&path.to_string_lossy()) else { return Ok((Vec::new(), HashMap::new())) };
-    let text = String::from_utf8_lossy(&bytes);
-    let mut clean = String::new();
-    for line in text.lines() {
-        let mut words = line.split_whitespace();
-        let keyword = words.next().unwrap_or_default();
-        let numbers: Vec<f64> = words.clone().map_while(|w| w.parse().ok()).collect();
-        match (keyword, &numbers[..]) {
-            ("newmtl", _) if words.next().is_some() => clean.push_str(line.trim()),
-            ("Kd", [r, g, b, ..]) => clean.push_str(&format!("Kd {r} {g} {b}")),
-            ("d", [d, ..]) => clean.push_str(&format!("d {d}")),
-            ("Tr", [t, ..]) => clean.push_str(&format!("d {}", 1.0 - t)),
-            _ => continue,
-        }
-        clean.push('\n');
-    }
-    tobj::load_mtl_buf(&mut clean.as_bytes())
-}
-
-/// The lines of an OBJ file as `tobj` wants them.
+/// The lines of a file; one that ends with `\` goes on in the next.
 struct Lines<'a> {
     rest: &'a [u8],
     /// The number of the last line that was read, from 1.
-    line: usize,
-    /// The line that is being handed over, and how much of it has been.
-    out: Vec<u8>,
-    at: usize,
-    points: usize,
-    normals: usize,
-    /// No corner came without a normal.
-    all_have_normals: bool,
-    /// The corner that names the point or normal farthest behind what was there: index (from 1), line, corner.
-    ahead: [Option<(usize, usize, String)>; 2],
-    fault: Option<(usize, ObjFault)>,
+    number: usize,
 }
 
-impl<'a> Lines<'a> {
-    fn new(bytes: &'a [u8]) -> Self {
-        Self {
-            rest: bytes,
-            line: 0,
-            out: Vec::new(),
-            at: 0,
-            points: 0,
-            normals: 0,
-            all_have_normals: true,
-            ahead: [None, None],
-            fault: None,
-        }
-    }
-
-    /// A corner that names what did not come until the end of the file.
-    fn missing(&self) -> Option<(usize, ObjFault)> {
-        let there = [self.points, self.normals];
-        self.ahead.iter().zip(there).find_map(|(ahead, there)| {
-            let (index, line, corner) = ahead.as_ref().filter(|a| a.0 > there)?;
-            debug_assert!(*index > there);
-            Some((*line, self.no_such_index(corner)))
-        })
-    }
-
-    fn no_such_index(&self, corner: &str) -> ObjFault {
-        ObjFault::Index { found: corner.to_owned(), points: self.points, normals: self.normals }
-    }
-
-    /// Reads lines until there is one to hand over; false at the end.
-    fn next_line(&mut self) -> Result<bool, ObjFault> {
-        self.out.clear();
-        self.at = 0;
-        while self.out.is_empty() {
-            if self.rest.is_empty() {
-                return Ok(false);
-            }
-            let mut logical = Vec::new();
-            loop {
-                let end = self.rest.iter().position(|&b| b == b'\n').map_or(self.rest.len(), |n| n + 1);
-                let (line, rest) = self.rest.split_at(end);
-                self.rest = rest;
-                self.line += 1;
-                let line = line.trim_ascii_end();
-                match line.strip_suffix(b"\\") {
-                    Some(begun) if !rest.is_empty() => {
-                        logical.extend_from_slice(begun);
-                        logical.push(b' ');
-                    }
-                    begun => {
-                        logical.extend_from_slice(begun.unwrap_or(line));
-                        break;
-                    }
+impl Lines<'_> {
+    fn next(&mut self) -> Option<String> {
+        let mut whole = Vec::new();
+        while !self.rest.is_empty() {
+            let end = self.rest.iter().position(|&b| b == b'\n').map_or(self.rest.len(), |n| n + 1);
+            let (line, rest) = self.rest.split_at(end);
+            self.rest = rest;
+            self.number += 1;
+            let line = line.trim_ascii_end();
+            match line.strip_suffix(b"\\") {
+                Some(begun) if !rest.is_empty() => {
+                    whole.extend_from_slice(begun);
+                    whole.push(b' ');
+                }
+                begun => {
+                    whole.extend_from_slice(begun.unwrap_or(line));
+                    return Some(String::from_utf8_lossy(&whole).into_owned());
                 }
             }
-            self.clean(&String::from_utf8_lossy(&logical))?;
         }
-        Ok(true)
+        None
     }
+}
 
-    /// Puts into `out` what `tobj` is to see of a line.
-    fn clean(&mut self, line: &str) -> Result<(), ObjFault> {
+/// What has been read of a file.
+#[derive(Default)]
+struct ObjFile {
+    points: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    /// A corner came without a normal.
+    normals_lack: bool,
+    /// The corner that names the point or normal farthest behind what was there: index (from 1), line, corner.
+    ahead: [Option<(usize, usize, String)>; 2],
+    materials: Vec<Material>,
+    material_of: HashMap<String, usize>,
+    parts: Vec<Faces>,
+    /// The part that is being read.
+    open: Faces,
+}
+
+/// The faces of an object that have one material.
+#[derive(Clone, Default)]
+struct Faces {
+    name: String,
+    material: Option<usize>,
+    /// For each corner its point and, where it has one, its normal, from 0.
+    corners: Vec<(usize, Option<usize>)>,
+    /// The number of corners of each face.
+    arities: Vec<u32>,
+}
+
+/// The colour of a material and its opacity.
+#[derive(Clone, Copy, Default)]
+struct Material {
+    diffuse: Option<[f64; 3]>,
+    opacity: Option<f64>,
+}
+
+impl Material {
+    fn color(self) -> Rgba {
+        let byte = |share: f64| {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+            let byte = (share.clamp(0.0, 1.0) * 255.0).round() as u8;
+            byte
+        };
+        let [r, g, b] = self.diffuse.unwrap_or([0.8; 3]).map(byte);
+        Rgba::rgba(r, g, b, byte(self.opacity.unwrap_or(1.0)))
+    }
+}
+
+impl ObjFile {
+    fn read_line(&mut self, line: &str, number: usize, read_file: &mut ReadFile<'_>) -> Result<(), ObjFault> {
         let line = line.trim_start();
         let (keyword, values) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-        let values_only = values.split('#').next().unwrap_or_default();
+        // Names may hold a #, numbers are followed by comments.
+        let name = values.trim();
+        let numbers = values.split('#').next().unwrap_or_default();
         match keyword {
-            "v" => {
-                self.points += 1;
-                self.numbers("v", values_only)?;
+            "v" => self.points.push(point(numbers)?),
+            "vn" => self.normals.push(vector(numbers)?),
+            "f" => self.face(numbers, number)?,
+            "o" | "g" if !name.is_empty() => {
+                self.end_part();
+                name.clone_into(&mut self.open.name);
             }
-            "vn" => {
-                self.normals += 1;
-                self.numbers("vn", values_only)?;
+            "usemtl" if !name.is_empty() => {
+                let material = self.material_of.get(name).copied();
+                if material != self.open.material {
+                    self.end_part();
+                }
+                self.open.material = material;
             }
-            "f" => self.face(values_only)?,
-            "o" | "g" | "mtllib" | "usemtl" if !values.trim().is_empty() => {
-                self.out.extend_from_slice(line.as_bytes());
-                self.out.push(b'\n');
-            }
+            "mtllib" if !name.is_empty() => self.library(name, read_file),
             _ => {}
         }
         Ok(())
     }
 
-    /// Hands on three coordinates, and the weight of a point that has four numbers. More are the colour of the vertex.
-    fn numbers(&mut self, keyword: &str, values: &str) -> Result<(), ObjFault> {
-        let words: Vec<&str> = values.split_whitespace().collect();
-        let used = if keyword == "v" && words.len() == 4 { &words[..] } else { &words[..words.len().min(3)] };
-        if used.len() < 3 {
-            return Err(ObjFault::Coordinates { found: used.len() });
+    /// What comes next belongs to another part, of the same name and material unless they change.
+    fn end_part(&mut self) {
+        if self.open.arities.is_empty() {
+            return;
         }
-        self.out.extend_from_slice(keyword.as_bytes());
-        for (k, word) in used.iter().enumerate() {
-            let is_good = word.parse().is_ok_and(|x: f64| x.is_finite() && (k < 3 || x != 0.0));
-            if !is_good {
-                return Err(ObjFault::Number { found: (*word).to_owned() });
-            }
-            self.out.push(b' ');
-            self.out.extend_from_slice(word.as_bytes());
-        }
-        self.out.push(b'\n');
-        Ok(())
+        let next = Faces { name: self.open.name.clone(), material: self.open.material, ..Faces::default() };
+        self.parts.push(std::mem::replace(&mut self.open, next));
     }
 
-    /// Hands on a face as `v//vn` or `v`, with indices from 1.
-    fn face(&mut self, values: &str) -> Result<(), ObjFault> {
+    /// Reads a material library; without one that can be read, its materials have no colour.
+    fn library(&mut self, name: &str, read_file: &mut ReadFile<'_>) {
+        let Ok(bytes) = read_file(name) else { return };
+        let mut material = None;
+        for line in String::from_utf8_lossy(&bytes).lines() {
+            let line = line.trim();
+            let (keyword, values) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+            let numbers: Vec<f64> = values.split_whitespace().map_while(|word| word.parse().ok()).collect();
+            if keyword == "newmtl" && !values.trim().is_empty() {
+                self.material_of.insert(values.trim().to_owned(), self.materials.len());
+                self.materials.push(Material::default());
+                material = self.materials.len().checked_sub(1);
+            }
+            let Some(material) = material.and_then(|index| self.materials.get_mut(index)) else { continue };
+            match (keyword, &numbers[..]) {
+                ("Kd", &[r, g, b, ..]) => material.diffuse = Some([r, g, b]),
+                ("d", &[opacity, ..]) => material.opacity = Some(opacity),
+                ("Tr", &[transparency, ..]) => material.opacity = Some(1.0 - transparency),
+                _ => {}
+            }
+        }
+    }
+
+    fn face(&mut self, values: &str, line: usize) -> Result<(), ObjFault> {
         let found = values.split_whitespace().count();
         if found < 3 {
             return Err(ObjFault::Corners { found });
         }
-        self.out.push(b'f');
         for corner in values.split_whitespace() {
-            let not_a_corner = || ObjFault::Corner { found: corner.to_owned() };
-            let fields: Vec<&str> = corner.split('/').collect();
-            let index = |field: &str| field.parse::<i64>().map_err(|_| not_a_corner());
-            let (point, normal) = match fields[..] {
-                [v] => (index(v)?, None),
-                [v, vt] => (index(v)?, index(vt).map(|_| None)?),
-                [v, "", vn] => (index(v)?, Some(index(vn)?)),
-                [v, vt, vn] => {
-                    index(vt)?;
-                    (index(v)?, Some(index(vn)?))
-                }
-                _ => return Err(not_a_corner()),
-            };
-            let point = self.absolute(0, point, corner)?;
-            match normal.map(|n| self.absolute(1, n, corner)).transpose()? {
-                Some(normal) => self.out.extend_from_slice(format!(" {point}//{normal}").as_bytes()),
-                None => {
-                    self.all_have_normals = false;
-                    self.out.extend_from_slice(format!(" {point}").as_bytes());
-                }
-            }
+            let (point, normal) = indices(corner).ok_or_else(|| ObjFault::Corner { found: corner.to_owned() })?;
+            let point = self.resolve(0, point, corner, line)?;
+            let normal = normal.map(|index| self.resolve(1, index, corner, line)).transpose()?;
+            self.normals_lack |= normal.is_none();
+            self.open.corners.push((point, normal));
         }
-        self.out.push(b'\n');
+        self.open.arities.push(index_u32(found));
         Ok(())
     }
 
-    /// An index of a point (`which` = 0) or normal (1), counted from 1; negative ones count back from the last one so far.
-    fn absolute(&mut self, which: usize, index: i64, corner: &str) -> Result<usize, ObjFault> {
-        let so_far = [self.points, self.normals][which];
-        let found = if index < 0 {
+    /// The index of a point (`which` = 0) or normal (1), from 0; in the file they count from 1, and negative ones count back
+    /// from the last one so far.
+    fn resolve(&mut self, which: usize, index: i64, corner: &str, line: usize) -> Result<usize, ObjFault> {
+        let so_far = [self.points.len(), self.normals.len()][which];
+        let from_one = if index < 0 {
             usize::try_from(index.unsigned_abs()).ok().and_then(|back| (so_far + 1).checked_sub(back))
         } else {
             usize::try_from(index).ok()
         };
-        let found = found.filter(|&i| i > 0).ok_or_else(|| self.no_such_index(corner))?;
-        if found > so_far && self.ahead[which].as_ref().is_none_or(|a| found > a.0) {
-            self.ahead[which] = Some((found, self.line, corner.to_owned()));
+        let from_one = from_one.filter(|&i| i > 0).ok_or_else(|| self.no_such_index(corner))?;
+        if from_one > so_far && self.ahead[which].as_ref().is_none_or(|ahead| from_one > ahead.0) {
+            self.ahead[which] = Some((from_one, line, corner.to_owned()));
         }
-        Ok(found)
+        Ok(from_one - 1)
+    }
+
+    fn no_such_index(&self, corner: &str) -> ObjFault {
+        ObjFault::Index { found: corner.to_owned(), points: self.points.len(), normals: self.normals.len() }
+    }
+
+    /// A corner that names what did not come until the end of the file.
+    fn missing(&self) -> Option<(usize, ObjFault)> {
+        let there = [self.points.len(), self.normals.len()];
+        self.ahead.iter().zip(there).find_map(|(ahead, there)| {
+            let (_, line, corner) = ahead.as_ref().filter(|ahead| ahead.0 > there)?;
+            Some((*line, self.no_such_index(corner)))
+        })
+    }
+
+    /// A part with only those points and normals that it uses, in the order in which it does.
+    fn soup(&self, part: &Faces) -> Soup {
+        let mut soup = Soup { arities: part.arities.clone(), ..Soup::default() };
+        let (mut point_of, mut normal_of) = (HashMap::new(), HashMap::new());
+        for &(point, normal) in &part.corners {
+            soup.corners.push(*point_of.entry(point).or_insert_with(|| {
+                soup.positions.push(self.points[point]);
+                index_u32(soup.positions.len() - 1)
+            }));
+            // A file that gives only some normals gives none.
+            let Some(normal) = normal.filter(|_| !self.normals_lack) else { continue };
+            soup.corner_normals.push(*normal_of.entry(normal).or_insert_with(|| {
+                soup.normals.push(self.normals[normal]);
+                index_u32(soup.normals.len() - 1)
+            }));
+        }
+        soup
     }
 }
 
-impl Read for Lines<'_> {
-    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
-        let n = self.fill_buf()?.read(into)?;
-        self.consume(n);
-        Ok(n)
+/// Point and normal of a corner as they are written: `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+fn indices(corner: &str) -> Option<(i64, Option<i64>)> {
+    let fields: Vec<&str> = corner.split('/').collect();
+    let index = |field: &str| field.parse::<i64>().ok();
+    match fields[..] {
+        [v] => Some((index(v)?, None)),
+        [v, vt] => index(vt).and(Some((index(v)?, None))),
+        [v, "", vn] => Some((index(v)?, Some(index(vn)?))),
+        [v, vt, vn] => index(vt).and(Some((index(v)?, Some(index(vn)?)))),
+        _ => None,
     }
 }
 
-impl BufRead for Lines<'_> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.at == self.out.len()
-            && let Err(fault) = self.next_line()
-        {
-            self.fault = Some((self.line, fault));
-            return Err(io::ErrorKind::InvalidData.into());
-        }
-        Ok(&self.out[self.at..])
-    }
+/// A point: three coordinates, and where there are four numbers its weight. More are the colour of the vertex.
+fn point(values: &str) -> Result<DVec3, ObjFault> {
+    let words: Vec<&str> = values.split_whitespace().collect();
+    let point = vector(values)?;
+    let [_, _, _, weight] = words[..] else { return Ok(point) };
+    let divided = point / number(weight)?;
+    if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: weight.to_owned() }) }
+}
 
-    fn consume(&mut self, n: usize) {
-        self.at += n;
+/// The first three numbers.
+fn vector(values: &str) -> Result<DVec3, ObjFault> {
+    let numbers: Vec<f64> = values.split_whitespace().take(3).map(number).collect::<Result<_, _>>()?;
+    match numbers[..] {
+        [x, y, z] => Ok(DVec3::new(x, y, z)),
+        _ => Err(ObjFault::Coordinates { found: numbers.len() }),
     }
+}
+
+fn number(word: &str) -> Result<f64, ObjFault> {
+    word.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| ObjFault::Number { found: word.to_owned() })
 }

@@ -173,6 +173,7 @@ fn broken_obj_files_are_refused_with_the_line() {
     assert_eq!(fault("v 0 0 0\n\n# c\nv 1 nan 0\n"), (4, number("nan")));
     assert_eq!(fault("v 0 0 1e999\n"), (1, number("1e999")));
     assert_eq!(fault("v 0 0 0 0\n"), (1, number("0")));
+    assert_eq!(fault("v 1 0 0 1e-320\n"), (1, number("1e-320")), "divided by it, the point is nowhere");
     assert_eq!(fault("v 0 0\n"), (1, ObjFault::Coordinates { found: 2 }));
     assert_eq!(fault(&format!("{points}f 1 2\n")), (5, ObjFault::Corners { found: 2 }));
     assert_eq!(fault(&format!("{points}f 1 2 3.5\n")), (5, ObjFault::Corner { found: "3.5".into() }));
@@ -193,6 +194,8 @@ fn broken_obj_files_are_refused_with_the_line() {
 #[test]
 fn a_face_may_come_before_its_points() {
     assert_eq!(obj("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap().objects.len(), 1);
+    // Also where another object lies between.
+    assert_eq!(obj("o a\nf 1 2 3\no b\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\n").unwrap().objects.len(), 2);
 }
 
 // ---- glTF ---------------------------------------------------------------------------------------------------------

@@ -279,3 +279,14 @@ fn expressions_stay_when_something_else_changes() {
     figure.camera.view_angle = 60.0;
     assert!(update(&edited, &figure).contains("view_angle = 60.0\n"), "its own change replaces it");
 }
+
+#[test]
+fn names_of_all_kinds_stay_on_their_line_and_read_back() {
+    let names = ["plain", "two \"quotes\"", "it's", "back\\slash", "line\nend", "tab\tand\u{7f}del\u{1}", "ç → 한"];
+    let mut figure = Figure::default();
+    figure.scene.objects = names.iter().map(|name| ObjectSpec::new(*name, Shape::Box)).collect();
+    let text = to_toml(&figure);
+    assert_eq!(read::parse(&text).as_ref(), Ok(&figure));
+    assert_eq!(text.lines().filter(|line| line.starts_with("name = \"") && line.ends_with('"')).count(), names.len());
+    assert!(text.contains("\nview_angle = 45.0\n") && text.contains("\nposition = [3.0, 4.0, 5.0]\n"), "{text}");
+}
