@@ -32,7 +32,7 @@ pub enum FileError {
     Figure(#[from] FigureError),
 }
 
-/// A figure and the text that it was read from, which [`update`](crate::figure::write::update) wants.
+/// A figure and the text that it was read from, which [`update`](crate::figure::update) wants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opened {
     /// The figure.

@@ -33,10 +33,9 @@ pub use basis::Basis;
 pub use descriptors::{Amount, Descriptor, Freedom, OPERATIONS, OperationError};
 pub use image_map::{ImageSize, Viewport};
 pub use operations::{Changes, Convention, Operation};
-pub use parameters::{CameraError, Derived, Parameters, Projection, Range};
+pub use parameters::{CameraError, Derived, Parameters, Projection, Range, ViewWindow};
 pub use stations::{Projected, Stations};
 pub use warnings::Warning;
-pub use window::ViewWindow;
 
 use glam::DVec3;
 

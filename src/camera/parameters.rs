@@ -4,8 +4,6 @@ use std::fmt;
 
 use glam::DVec3;
 
-use super::ViewWindow;
-
 /// The kind of projection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Projection {
@@ -14,6 +12,45 @@ pub enum Projection {
     Perspective,
     /// Projectors are parallel to DOP (orthographic).
     Parallel,
+}
+
+/// The view window on the plane z_c = −F, in scene units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViewWindow {
+    /// l
+    pub left: f64,
+    /// r
+    pub right: f64,
+    /// b
+    pub bottom: f64,
+    /// t
+    pub top: f64,
+}
+
+impl ViewWindow {
+    /// W = r − l.
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        self.right - self.left
+    }
+
+    /// H = t − b.
+    #[must_use]
+    pub fn height(&self) -> f64 {
+        self.top - self.bottom
+    }
+
+    /// A = W / H, `[0]` Eq. (5.1).
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        self.width() / self.height()
+    }
+
+    /// The window with `f` of each side.
+    #[must_use]
+    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        Self { left: f(self.left), right: f(self.right), bottom: f(self.bottom), top: f(self.top) }
+    }
 }
 
 /// What a figure file or a slider holds; may be nonsense until [`Camera::new`](super::Camera::new) has seen it.

@@ -1,47 +1,8 @@
 //! The view window on the plane z_c = −F: from angle, height and aspect, or given as l, r, b, t; and the change of the
 //! projection, which keeps what is seen at the focal point as large as it is.
 
-use super::{Camera, CameraError, Parameters, Projection};
+use super::{Camera, CameraError, Parameters, Projection, ViewWindow};
 use crate::geometry::double_double::{Dd, atan_degrees, tan_half_degrees};
-
-/// The view window on the plane z_c = −F, in scene units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ViewWindow {
-    /// l
-    pub left: f64,
-    /// r
-    pub right: f64,
-    /// b
-    pub bottom: f64,
-    /// t
-    pub top: f64,
-}
-
-impl ViewWindow {
-    /// W = r − l.
-    #[must_use]
-    pub fn width(&self) -> f64 {
-        self.right - self.left
-    }
-
-    /// H = t − b.
-    #[must_use]
-    pub fn height(&self) -> f64 {
-        self.top - self.bottom
-    }
-
-    /// A = W / H, `[0]` Eq. (5.1).
-    #[must_use]
-    pub fn aspect(&self) -> f64 {
-        self.width() / self.height()
-    }
-
-    /// The window with `f` of each side.
-    #[must_use]
-    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
-        Self { left: f(self.left), right: f(self.right), bottom: f(self.bottom), top: f(self.top) }
-    }
-}
 
 /// A window in double-double: l, r, b, t as sums, so that zoom and the change of projection round once, at the end.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use super::args::{LangArg, RenderArgs};
 use super::{Failure, open, scene};
 use crate::camera::ImageSize;
 use crate::export::png;
-use crate::figure::write::update;
+use crate::figure::update;
 use crate::files;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Source, Studio, gap};

@@ -12,8 +12,10 @@ pub mod write;
 use crate::appearance::Style;
 use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::SceneSpec;
+pub use edit::update;
 pub use error::FigureError;
 use glam::DVec3;
+pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal};
 
 /// Everything that a picture depends on.

@@ -3,7 +3,6 @@
 use glam::DVec3;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
-pub use super::edit::update;
 use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
 use super::{Depth, Figure, Observer, Outside, Reveal};
 use crate::appearance::Style;

@@ -10,7 +10,7 @@ use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png;
 use crate::figure::Figure;
-use crate::figure::write::update;
+use crate::figure::update;
 use crate::files;
 use crate::i18n::{Lang, messages, pictures};
 use crate::picture::{Source, Studio};

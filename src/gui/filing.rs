@@ -16,7 +16,7 @@ use super::native::{Answer, Asking, Question};
 use super::panels::{self, scene::SceneTree};
 use super::state::{State, Tab};
 use crate::figure::Figure;
-use crate::figure::write::update;
+use crate::figure::update;
 use crate::files::{self, Opened};
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{messages, scenes};

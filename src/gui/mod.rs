@@ -60,7 +60,7 @@ pub enum GuiError {
 /// The figure that the window begins with: the default scene, from where it and its view volume are worth seeing.
 #[must_use]
 pub fn fresh() -> Figure {
-    Figure { camera: Preset::default().camera(), ..Figure::default() }
+    Figure { camera: crate::figure::recommended_camera(Preset::default()), ..Figure::default() }
 }
 
 /// Opens the window and returns when it is closed.

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::document::Document;
-use crate::figure::write::update;
+use crate::figure::update;
 use crate::files;
 
 /// More windows than anybody opens at once.

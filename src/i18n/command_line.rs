@@ -3,7 +3,7 @@
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Lang;
-use super::messages::{in_expression, pick};
+use super::expressions::in_expression;
 use crate::expression::ExpressionError;
 use crate::limits::MAX_SIDE;
 
@@ -14,20 +14,27 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
         Lang::En => english(error),
         Lang::PtBr => portuguese(error),
     };
-    format!("{what}{}", pick(lang, "; see --help", "; veja --help"))
+    format!(
+        "{what}{}",
+        match lang {
+            Lang::En => "; see --help".to_owned(),
+            Lang::PtBr => "; veja --help".to_owned(),
+        }
+    )
 }
 
 /// A command that does not exist.
 #[must_use]
 pub fn unknown_command(lang: Lang, name: &str, commands: &[String]) -> String {
     let commands = commands.join(", ");
-    pick(
-        lang,
-        format!("there is no command {name:?}, nor a figure file of this name; allowed: {commands}; see --help"),
-        format!(
+    match lang {
+        Lang::En => {
+            format!("there is no command {name:?}, nor a figure file of this name; allowed: {commands}; see --help")
+        }
+        Lang::PtBr => format!(
             "não há o comando {name:?}, nem um arquivo de figura com este nome; permitido: {commands}; veja --help"
         ),
-    )
+    }
 }
 
 /// Clap's own words, without its usage lines, on one line.
@@ -89,7 +96,10 @@ fn portuguese(error: &clap::Error) -> String {
 #[must_use]
 pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> String {
     match line {
-        Some(line) => pick(lang, format!("{name}, line {line}: {what}"), format!("{name}, linha {line}: {what}")),
+        Some(line) => match lang {
+            Lang::En => format!("{name}, line {line}: {what}"),
+            Lang::PtBr => format!("{name}, linha {line}: {what}"),
+        },
         None => format!("{name}: {what}"),
     }
 }
@@ -111,41 +121,39 @@ pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) ->
 /// A text that is no pixel.
 #[must_use]
 pub fn pixel(lang: Lang, text: &str) -> String {
-    pick(
-        lang,
-        format!("--pixel is {text:?}; allowed: two integers I,J (column, row), such as --pixel 0,0"),
-        format!("--pixel é {text:?}; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
-    )
+    match lang {
+        Lang::En => format!("--pixel is {text:?}; allowed: two integers I,J (column, row), such as --pixel 0,0"),
+        Lang::PtBr => format!("--pixel é {text:?}; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
+    }
 }
 
 /// A text that is no size.
 #[must_use]
 pub fn size(lang: Lang, text: &str) -> String {
-    pick(
-        lang,
-        format!("--size is {text:?}; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600"),
-        format!("--size é {text:?}; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600"),
-    )
+    match lang {
+        Lang::En => {
+            format!("--size is {text:?}; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600")
+        }
+        Lang::PtBr => format!("--size é {text:?}; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600"),
+    }
 }
 
 /// A text that is no scale.
 #[must_use]
 pub fn scale(lang: Lang, text: &str) -> String {
-    pick(
-        lang,
-        format!("--scale is {text:?}; allowed: a number from 0.1 to 16, such as --scale 2"),
-        format!("--scale é {text:?}; permitido: um número de 0.1 a 16, como --scale 2"),
-    )
+    match lang {
+        Lang::En => format!("--scale is {text:?}; allowed: a number from 0.1 to 16, such as --scale 2"),
+        Lang::PtBr => format!("--scale é {text:?}; permitido: um número de 0.1 a 16, como --scale 2"),
+    }
 }
 
 /// A text that is no number of frames.
 #[must_use]
 pub fn frames(lang: Lang, text: &str) -> String {
-    pick(
-        lang,
-        format!("--frames is {text:?}; allowed: an integer from 1 to 1000000, such as --frames 100"),
-        format!("--frames é {text:?}; permitido: um inteiro de 1 a 1000000, como --frames 100"),
-    )
+    match lang {
+        Lang::En => format!("--frames is {text:?}; allowed: an integer from 1 to 1000000, such as --frames 100"),
+        Lang::PtBr => format!("--frames é {text:?}; permitido: um inteiro de 1 a 1000000, como --frames 100"),
+    }
 }
 
 /// The words around the table of stages.
@@ -200,33 +208,32 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
 #[must_use]
 pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
     if width < 11 {
-        return pick(
-            lang,
-            format!("--size is {width}x{height}; allowed: a width from 11 pixels on, so that three pictures have room"),
-            format!(
+        return match lang {
+            Lang::En => format!(
+                "--size is {width}x{height}; allowed: a width from 11 pixels on, so that three pictures have room"
+            ),
+            Lang::PtBr => format!(
                 "--size é {width}x{height}; permitido: uma largura a partir de 11 pixels, para que caibam três imagens"
             ),
-        );
+        };
     }
-    pick(
-        lang,
-        format!(
+    match lang {
+        Lang::En => format!(
             "the picture would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all"
         ),
-        format!(
+        Lang::PtBr => format!(
             "a imagem teria {width} × {height} pixels (veja --size e --scale); permitido: no máximo {MAX_SIDE} de cada lado e 134 milhões ao todo"
         ),
-    )
+    }
 }
 
 /// An ending that is no picture's.
 #[must_use]
 pub fn ending(lang: Lang, name: &str) -> String {
-    pick(
-        lang,
-        format!("--output is {name:?}; allowed: a file name that ends in .png"),
-        format!("--output é {name:?}; permitido: um nome de arquivo que termina em .png"),
-    )
+    match lang {
+        Lang::En => format!("--output is {name:?}; allowed: a file name that ends in .png"),
+        Lang::PtBr => format!("--output é {name:?}; permitido: um nome de arquivo que termina em .png"),
+    }
 }
 
 /// The place where numbers are printed.
@@ -247,23 +254,29 @@ pub fn no_window(lang: Lang, why: &str) -> String {
     let reason: Vec<_> = reason.split_whitespace().collect();
     let reason = reason.join(" ");
     let why = reason.trim_end_matches('.');
-    pick(
-        lang,
-        format!("no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one"),
-        format!(
+    match lang {
+        Lang::En => {
+            format!("no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one")
+        }
+        Lang::PtBr => format!(
             "não é possível abrir uma janela aqui ({why}); `camera-lab render FIGURA -o imagem.png` desenha sem janela"
         ),
-    )
+    }
 }
 
 /// A program without a window.
 #[must_use]
 pub fn not_built_in(lang: Lang) -> String {
-    pick(
-        lang,
-        "this camera-lab was built without its window; `camera-lab render FIGURE -o picture.png` draws without one",
-        "este camera-lab foi compilado sem a janela; `camera-lab render FIGURA -o imagem.png` desenha sem janela",
-    )
+    match lang {
+        Lang::En => {
+            "this camera-lab was built without its window; `camera-lab render FIGURE -o picture.png` draws without one"
+                .to_owned()
+        }
+        Lang::PtBr => {
+            "este camera-lab foi compilado sem a janela; `camera-lab render FIGURA -o imagem.png` desenha sem janela"
+                .to_owned()
+        }
+    }
 }
 
 #[cfg(test)]

@@ -1,23 +1,23 @@
-//! Faults of files and figures, in both languages.
-
-use std::io;
+//! Faults of figure files, in both languages.
 
 use super::Lang;
+use super::cameras::camera;
+use super::expressions::in_expression;
 use super::meshes::mesh;
-use super::messages::{camera, in_expression, pick};
-use crate::export::png::PngError;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
-use crate::files::FileError;
-use crate::limits::{MAX_FILE_BYTES, MAX_SEGMENTS, MIN_SEGMENTS};
-use crate::scene::{ReadError, ReadProblem, SceneError};
+use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::scene::SceneError;
 
 /// Why a text is no figure: line, key, what was found, what is allowed.
 #[must_use]
 pub fn figure(lang: Lang, error: &FigureError) -> String {
     let FigureError { line, key, problem } = error;
     let what = self::problem(lang, problem);
-    let line = pick(lang, format!("line {line}"), format!("linha {line}"));
+    let line = match lang {
+        Lang::En => format!("line {line}"),
+        Lang::PtBr => format!("linha {line}"),
+    };
     match problem {
         // These name the keys themselves.
         Problem::Camera(_) => format!("{line}: [camera] {what}"),
@@ -29,48 +29,56 @@ pub fn figure(lang: Lang, error: &FigureError) -> String {
 /// What comes after line and key.
 pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
     match problem {
-        Problem::NotUtf8 { byte } => pick(
-            lang,
-            format!("byte {byte:#04x} is not UTF-8; allowed: text in UTF-8"),
-            format!("o byte {byte:#04x} não é UTF-8; permitido: texto em UTF-8"),
-        ),
-        Problem::TooLarge { limit } => pick(
-            lang,
-            format!("the file is too large; allowed: at most {limit} bytes"),
-            format!("o arquivo é grande demais; permitido: no máximo {limit} bytes"),
-        ),
+        Problem::NotUtf8 { byte } => match lang {
+            Lang::En => format!("byte {byte:#04x} is not UTF-8; allowed: text in UTF-8"),
+            Lang::PtBr => format!("o byte {byte:#04x} não é UTF-8; permitido: texto em UTF-8"),
+        },
+        Problem::TooLarge { limit } => match lang {
+            Lang::En => format!("the file is too large; allowed: at most {limit} bytes"),
+            Lang::PtBr => format!("o arquivo é grande demais; permitido: no máximo {limit} bytes"),
+        },
         Problem::Syntax { found, detail } => {
             let in_portuguese = toml_in_portuguese(detail);
-            pick(
-                lang,
-                format!(
+            match lang {
+                Lang::En => format!(
                     "cannot be read as TOML: {found} ({detail}); allowed: KEY = VALUE with texts in quotes and a point in decimals, such as near = 0.5"
                 ),
-                format!(
+                Lang::PtBr => format!(
                     "não pode ser lido como TOML: {found} ({in_portuguese}); permitido: CHAVE = VALOR com textos entre aspas e ponto nos decimais, como near = 0.5"
                 ),
-            )
+            }
         }
-        Problem::Duplicate => pick(lang, "is there twice; allowed: once", "aparece duas vezes; permitido: uma"),
+        Problem::Duplicate => match lang {
+            Lang::En => "is there twice; allowed: once".to_owned(),
+            Lang::PtBr => "aparece duas vezes; permitido: uma".to_owned(),
+        },
         Problem::UnknownKey { near, known } => {
             let (near, known) = (meant(lang, near.as_deref()), known.join(", "));
-            pick(lang, format!("is unknown{near}; allowed: {known}"), format!("não existe{near}; permitido: {known}"))
+            match lang {
+                Lang::En => format!("is unknown{near}; allowed: {known}"),
+                Lang::PtBr => format!("não existe{near}; permitido: {known}"),
+            }
         }
         Problem::Value { found, allowed } => {
             let allowed = self::allowed(lang, allowed);
-            pick(lang, format!("is {found}; allowed: {allowed}"), format!("é {found}; permitido: {allowed}"))
+            match lang {
+                Lang::En => format!("is {found}; allowed: {allowed}"),
+                Lang::PtBr => format!("é {found}; permitido: {allowed}"),
+            }
         }
         Problem::Expression { text, error, allowed } => {
             let (why, allowed) = (in_expression(lang, text, error), self::allowed(lang, allowed));
-            pick(
-                lang,
-                format!("is {text:?}: {why}; allowed: {allowed}"),
-                format!("é {text:?}: {why}; permitido: {allowed}"),
-            )
+            match lang {
+                Lang::En => format!("is {text:?}: {why}; allowed: {allowed}"),
+                Lang::PtBr => format!("é {text:?}: {why}; permitido: {allowed}"),
+            }
         }
         Problem::Missing { allowed } => {
             let allowed = self::allowed(lang, allowed);
-            pick(lang, format!("is missing; needed: {allowed}"), format!("está faltando; necessário: {allowed}"))
+            match lang {
+                Lang::En => format!("is missing; needed: {allowed}"),
+                Lang::PtBr => format!("está faltando; necessário: {allowed}"),
+            }
         }
         Problem::Scene { error, near } => in_scene(lang, error, near.as_deref()),
         Problem::Camera(error) => camera(lang, error),
@@ -161,21 +169,30 @@ fn toml_in_portuguese(detail: &str) -> &str {
 }
 
 fn meant(lang: Lang, near: Option<&str>) -> String {
-    near.map_or_else(String::new, |near| {
-        pick(lang, format!(" (did you mean {near}?)"), format!(" (você quis dizer {near}?)"))
+    near.map_or_else(String::new, |near| match lang {
+        Lang::En => format!(" (did you mean {near}?)"),
+        Lang::PtBr => format!(" (você quis dizer {near}?)"),
     })
 }
 
 fn allowed(lang: Lang, allowed: &Allowed) -> String {
     match allowed {
-        Allowed::Number => pick(lang, "a finite number", "um número finito"),
-        Allowed::PositiveNumber => pick(lang, "a finite number greater than 0", "um número finito maior que 0"),
-        Allowed::NumberIn(least, most) => {
-            pick(lang, format!("a number from {least} to {most}"), format!("um número de {least} a {most}"))
-        }
-        Allowed::IntegerIn(least, most) => {
-            pick(lang, format!("an integer from {least} to {most}"), format!("um inteiro de {least} a {most}"))
-        }
+        Allowed::Number => match lang {
+            Lang::En => "a finite number".to_owned(),
+            Lang::PtBr => "um número finito".to_owned(),
+        },
+        Allowed::PositiveNumber => match lang {
+            Lang::En => "a finite number greater than 0".to_owned(),
+            Lang::PtBr => "um número finito maior que 0".to_owned(),
+        },
+        Allowed::NumberIn(least, most) => match lang {
+            Lang::En => format!("a number from {least} to {most}"),
+            Lang::PtBr => format!("um número de {least} a {most}"),
+        },
+        Allowed::IntegerIn(least, most) => match lang {
+            Lang::En => format!("an integer from {least} to {most}"),
+            Lang::PtBr => format!("um inteiro de {least} a {most}"),
+        },
         Allowed::Integers(choice) => {
             let choice: Vec<_> = choice.iter().map(ToString::to_string).collect();
             choice.join(", ")
@@ -184,124 +201,46 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
         Allowed::SwitchOr(words) => {
             words.iter().fold("true, false".to_owned(), |list, word| format!("{list}, \"{word}\""))
         }
-        Allowed::Vector => pick(lang, "three finite numbers, [x, y, z]", "três números finitos, [x, y, z]"),
-        Allowed::NonZeroVector => {
-            pick(lang, "three finite numbers, [x, y, z], not all 0", "três números finitos, [x, y, z], nem todos 0")
-        }
-        Allowed::NonZeroScale => pick(
-            lang,
-            "three finite numbers, [x, y, z], none of them 0",
-            "três números finitos, [x, y, z], nenhum deles 0",
-        ),
-        Allowed::Points => pick(lang, "a list of points, [[x, y, z], …]", "uma lista de pontos, [[x, y, z], …]"),
-        Allowed::PointPairs => pick(
-            lang,
-            "a list of an even number of points, [[x, y, z], [x, y, z], …]",
-            "uma lista com um número par de pontos, [[x, y, z], [x, y, z], …]",
-        ),
-        Allowed::Color => pick(
-            lang,
-            "\"#rrggbb\" or \"#rrggbbaa\" with hexadecimal digits",
-            "\"#rrggbb\" ou \"#rrggbbaa\" com dígitos hexadecimais",
-        ),
-        Allowed::Text => pick(lang, "a text in quotes that is not empty", "um texto entre aspas, não vazio"),
+        Allowed::Vector => match lang {
+            Lang::En => "three finite numbers, [x, y, z]".to_owned(),
+            Lang::PtBr => "três números finitos, [x, y, z]".to_owned(),
+        },
+        Allowed::NonZeroVector => match lang {
+            Lang::En => "three finite numbers, [x, y, z], not all 0".to_owned(),
+            Lang::PtBr => "três números finitos, [x, y, z], nem todos 0".to_owned(),
+        },
+        Allowed::NonZeroScale => match lang {
+            Lang::En => "three finite numbers, [x, y, z], none of them 0".to_owned(),
+            Lang::PtBr => "três números finitos, [x, y, z], nenhum deles 0".to_owned(),
+        },
+        Allowed::Points => match lang {
+            Lang::En => "a list of points, [[x, y, z], …]".to_owned(),
+            Lang::PtBr => "uma lista de pontos, [[x, y, z], …]".to_owned(),
+        },
+        Allowed::PointPairs => match lang {
+            Lang::En => "a list of an even number of points, [[x, y, z], [x, y, z], …]".to_owned(),
+            Lang::PtBr => "uma lista com um número par de pontos, [[x, y, z], [x, y, z], …]".to_owned(),
+        },
+        Allowed::Color => match lang {
+            Lang::En => "\"#rrggbb\" or \"#rrggbbaa\" with hexadecimal digits".to_owned(),
+            Lang::PtBr => "\"#rrggbb\" ou \"#rrggbbaa\" com dígitos hexadecimais".to_owned(),
+        },
+        Allowed::Text => match lang {
+            Lang::En => "a text in quotes that is not empty".to_owned(),
+            Lang::PtBr => "um texto entre aspas, não vazio".to_owned(),
+        },
         Allowed::Word { words, near } => {
             let words: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
             format!("{}{}", words.join(", "), meant(lang, near.as_deref()))
         }
-        Allowed::Section => pick(lang, "a section with keys", "uma seção com chaves"),
-        Allowed::Sections => pick(
-            lang,
-            "sections in double brackets, or a list of inline tables",
-            "seções entre colchetes duplos, ou uma lista de tabelas em linha",
-        ),
-    }
-}
-
-/// Why the file called `name` cannot be used.
-#[must_use]
-pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
-    match error {
-        FileError::Read(error) => {
-            let why = system(lang, error.kind(), &error.to_string());
-            pick(lang, format!("{name} cannot be read: {why}"), format!("{name} não pode ser lido: {why}"))
-        }
-        FileError::Write(error) => {
-            let why = system(lang, error.kind(), &error.to_string());
-            pick(lang, format!("{name} cannot be written: {why}"), format!("{name} não pode ser gravado: {why}"))
-        }
-        FileError::Directory => directory(lang, name),
-        FileError::TooLarge => too_large(lang, name),
-        FileError::Png(error) => format!("{name}: {}", png(lang, error)),
-        FileError::Figure(error) => format!("{name}, {}", figure(lang, error)),
-    }
-}
-
-/// Why a file that a scene names cannot be read.
-pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
-    let name = &error.file;
-    match &error.problem {
-        ReadProblem::System { kind, detail } => {
-            let why = system(lang, *kind, detail);
-            match lang {
-                Lang::En => format!("{name} cannot be read: {why}"),
-                Lang::PtBr => format!("{name} não pode ser lido: {why}"),
-            }
-        }
-        ReadProblem::Directory => directory(lang, name),
-        ReadProblem::TooLarge => too_large(lang, name),
-    }
-}
-
-fn directory(lang: Lang, name: &str) -> String {
-    match lang {
-        Lang::En => format!("{name} is a directory; allowed: a file"),
-        Lang::PtBr => format!("{name} é um diretório; permitido: um arquivo"),
-    }
-}
-
-fn too_large(lang: Lang, name: &str) -> String {
-    let gib = MAX_FILE_BYTES >> 30;
-    match lang {
-        Lang::En => format!("{name} is larger than any figure or picture; allowed: at most {gib} GiB"),
-        Lang::PtBr => format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB"),
-    }
-}
-
-/// Why a picture cannot be written or read.
-#[must_use]
-pub fn png(lang: Lang, error: &PngError) -> String {
-    match error {
-        PngError::Encode(why) => pick(
-            lang,
-            format!("the picture cannot be written as PNG ({why})"),
-            format!("a imagem não pode ser gravada como PNG ({why})"),
-        ),
-        PngError::Damaged(why) => {
-            pick(lang, format!("the PNG is damaged ({why})"), format!("o PNG está danificado ({why})"))
-        }
-        PngError::NoFigure => pick(
-            lang,
-            "this PNG holds no figure; allowed: a figure file, or a picture that camera-lab wrote",
-            "este PNG não contém uma figura; permitido: um arquivo de figura, ou uma imagem gravada por camera-lab",
-        ),
-    }
-}
-
-/// What the system said, in our words where the case is common.
-fn system(lang: Lang, kind: io::ErrorKind, detail: &str) -> String {
-    match kind {
-        io::ErrorKind::NotFound => {
-            pick(lang, "there is no such file or directory", "o arquivo ou diretório não existe")
-        }
-        io::ErrorKind::PermissionDenied => pick(lang, "permission denied", "permissão negada"),
-        io::ErrorKind::IsADirectory => pick(lang, "it is a directory", "é um diretório"),
-        io::ErrorKind::NotADirectory => {
-            pick(lang, "a part of the path is not a directory", "uma parte do caminho não é um diretório")
-        }
-        io::ErrorKind::StorageFull => pick(lang, "the disk is full", "o disco está cheio"),
-        io::ErrorKind::ReadOnlyFilesystem => pick(lang, "the disk is read-only", "o disco é somente de leitura"),
-        _ => detail.to_owned(),
+        Allowed::Section => match lang {
+            Lang::En => "a section with keys".to_owned(),
+            Lang::PtBr => "uma seção com chaves".to_owned(),
+        },
+        Allowed::Sections => match lang {
+            Lang::En => "sections in double brackets, or a list of inline tables".to_owned(),
+            Lang::PtBr => "seções entre colchetes duplos, ou uma lista de tabelas em linha".to_owned(),
+        },
     }
 }
 
@@ -364,12 +303,5 @@ mod tests {
             let (_, pt) = both(text);
             assert!(pt.contains(portuguese), "{pt}");
         }
-    }
-
-    #[test]
-    fn files_are_named() {
-        let missing = FileError::Read(io::ErrorKind::NotFound.into());
-        assert_eq!(file(Lang::En, "a.toml", &missing), "a.toml cannot be read: there is no such file or directory");
-        assert_eq!(file(Lang::PtBr, "a.toml", &missing), "a.toml não pode ser lido: o arquivo ou diretório não existe");
     }
 }

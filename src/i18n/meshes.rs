@@ -1,7 +1,7 @@
 //! What is wrong with a mesh file, in both languages.
 
 use super::Lang;
-use super::figure_files::unreadable;
+use super::unreadable::unreadable;
 use crate::scene::{GltfFault, MeshError, ObjFault};
 
 /// Why a mesh file cannot be used.

@@ -24,15 +24,19 @@ macro_rules! texts {
     };
 }
 
+mod cameras;
 pub mod canvas;
 pub mod command_line;
+mod expressions;
 pub mod faults;
 mod figure_files;
+mod files;
 mod meshes;
 pub mod messages;
 pub mod pictures;
 pub mod pipeline;
 pub mod scenes;
+mod unreadable;
 pub mod window;
 
 /// A language of the interface.

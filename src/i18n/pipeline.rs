@@ -1,7 +1,6 @@
 //! The stages of the pipeline, and why each runs or is left out.
 
 use super::Lang;
-use super::messages::pick;
 use crate::pipeline::{Containment, FacesDone, ObjectReport, PlaneSet, Reason, Stage, StageReport};
 
 /// The name of a stage, short enough for a column.
@@ -20,7 +19,10 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::Transform) => "transf. de visão",
         (Lang::En, Stage::CullFaces) => "back faces",
         (Lang::PtBr, Stage::CullFaces) => "faces de trás",
-        (Lang::En | Lang::PtBr, Stage::Clip) => pick_name(lang, "clipping", "recorte"),
+        (Lang::En | Lang::PtBr, Stage::Clip) => match lang {
+            Lang::En => "clipping",
+            Lang::PtBr => "recorte",
+        },
         (Lang::En, Stage::Oblique) => "oblique window",
         (Lang::PtBr, Stage::Oblique) => "janela oblíqua",
         (Lang::En, Stage::Divide) => "divide by w",
@@ -41,13 +43,6 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::Lines) => "linhas e textos",
         (Lang::En, Stage::Write) => "write",
         (Lang::PtBr, Stage::Write) => "escrita",
-    }
-}
-
-const fn pick_name(lang: Lang, en: &'static str, pt_br: &'static str) -> &'static str {
-    match lang {
-        Lang::En => en,
-        Lang::PtBr => pt_br,
     }
 }
 
@@ -143,56 +138,65 @@ pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
         (Stage::Lines, _) => ("lines, marks, texts", "linhas, marcas, textos"),
         (Stage::Write, _) => ("pixels", "pixels"),
     };
-    pick_name(lang, en, pt_br)
+    match lang {
+        Lang::En => en,
+        Lang::PtBr => pt_br,
+    }
 }
 
 /// "left out": what is said of a stage that does not run.
 #[must_use]
 pub const fn left_out(lang: Lang) -> &'static str {
-    pick_name(lang, "left out", "omitida")
+    match lang {
+        Lang::En => "left out",
+        Lang::PtBr => "omitida",
+    }
 }
 
 /// Why a stage runs, or why it is left out.
 #[must_use]
 pub fn reason(lang: Lang, reason: Reason) -> String {
-    let text = |en: &str, pt_br: &str| pick(lang, en, pt_br);
+    let text = |en: &str, pt_br: &str| match lang {
+        Lang::En => en.to_owned(),
+        Lang::PtBr => pt_br.to_owned(),
+    };
     let objects = |n: usize| match (lang, n) {
         (Lang::En, 1) => "1 object".to_owned(),
         (Lang::En, n) => format!("{n} objects"),
         (Lang::PtBr, 1) => "1 objeto".to_owned(),
         (Lang::PtBr, n) => format!("{n} objetos"),
     };
-    let n_of = |n: usize, of: usize| pick(lang, format!("{n} of {}", objects(of)), format!("{n} de {}", objects(of)));
+    let n_of = |n: usize, of: usize| match lang {
+        Lang::En => format!("{n} of {}", objects(of)),
+        Lang::PtBr => format!("{n} de {}", objects(of)),
+    };
     match reason {
         Reason::Always => text("every picture needs it", "toda imagem precisa dela"),
         Reason::NothingInView => text("nothing is in view", "não há nada no campo de visão"),
         Reason::SomethingInView => text("something is in view", "há algo no campo de visão"),
-        Reason::FacesInView { objects: n } => pick(
-            lang,
-            format!("faces of {} are in view", objects(n)),
-            format!("há faces de {} no campo de visão", objects(n)),
-        ),
+        Reason::FacesInView { objects: n } => match lang {
+            Lang::En => format!("faces of {} are in view", objects(n)),
+            Lang::PtBr => format!("há faces de {} no campo de visão", objects(n)),
+        },
         Reason::Forced => text(
             "not needed; it runs because all stages were asked for",
             "desnecessária; é executada porque todas foram pedidas",
         ),
-        Reason::Outside { outside, of } => pick(
-            lang,
-            format!("{}: all of the bounding box is outside one plane of the volume", n_of(outside, of)),
-            format!("{}: toda a caixa envolvente está fora de um plano do volume", n_of(outside, of)),
-        ),
+        Reason::Outside { outside, of } => match lang {
+            Lang::En => format!("{}: all of the bounding box is outside one plane of the volume", n_of(outside, of)),
+            Lang::PtBr => format!("{}: toda a caixa envolvente está fora de um plano do volume", n_of(outside, of)),
+        },
         Reason::NoneOutside { of: 0 } => text("there are no objects", "não há objetos"),
-        Reason::NoneOutside { of } => pick(
-            lang,
-            match of {
+        Reason::NoneOutside { of } => match lang {
+            Lang::En => match of {
                 1 => "the object is not wholly outside the volume".to_owned(),
                 of => format!("none of {} is wholly outside the volume", objects(of)),
             },
-            match of {
+            Lang::PtBr => match of {
                 1 => "o objeto não está totalmente fora do volume".to_owned(),
                 of => format!("nenhum de {} está totalmente fora do volume", objects(of)),
             },
-        ),
+        },
         Reason::Wireframe => text("wireframe: only edges are drawn", "aramado: só as arestas são desenhadas"),
         Reason::NoFaces => text("no object in view has faces", "nenhum objeto visível tem faces"),
         Reason::NoLight => {
@@ -203,64 +207,62 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             "flat shading: one light for each face needs no normals of vertices",
             "sombreamento constante: uma luz por face dispensa as normais dos vértices",
         ),
-        Reason::LitFaces { objects: n } => pick(
-            lang,
-            format!("one colour for each face of {}", objects(n)),
-            format!("uma cor para cada face de {}", objects(n)),
-        ),
-        Reason::LitVertices { objects: n } => pick(
-            lang,
-            format!("one colour for each vertex of {}", objects(n)),
-            format!("uma cor para cada vértice de {}", objects(n)),
-        ),
-        Reason::LitPixels { objects: n } => pick(
-            lang,
-            format!("Phong: light is computed at each pixel of {}", objects(n)),
-            format!("Phong: a luz é calculada em cada pixel de {}", objects(n)),
-        ),
-        Reason::LitVerticesAndPixels { vertices, pixels } => pick(
-            lang,
-            format!(
+        Reason::LitFaces { objects: n } => match lang {
+            Lang::En => format!("one colour for each face of {}", objects(n)),
+            Lang::PtBr => format!("uma cor para cada face de {}", objects(n)),
+        },
+        Reason::LitVertices { objects: n } => match lang {
+            Lang::En => format!("one colour for each vertex of {}", objects(n)),
+            Lang::PtBr => format!("uma cor para cada vértice de {}", objects(n)),
+        },
+        Reason::LitPixels { objects: n } => match lang {
+            Lang::En => format!("Phong: light is computed at each pixel of {}", objects(n)),
+            Lang::PtBr => format!("Phong: a luz é calculada em cada pixel de {}", objects(n)),
+        },
+        Reason::LitVerticesAndPixels { vertices, pixels } => match lang {
+            Lang::En => format!(
                 "{} with colours at the vertices: light there; at each pixel of {}",
                 objects(vertices),
                 objects(pixels)
             ),
-            format!("{} com cores nos vértices: luz ali; em cada pixel de {}", objects(vertices), objects(pixels)),
-        ),
-        Reason::BackFaces { objects: n, of } => pick(
-            lang,
-            format!("{}: closed or one-sided, so back faces cannot be seen", n_of(n, of)),
-            format!("{}: em objetos fechados ou de um só lado, as faces de trás não se veem", n_of(n, of)),
-        ),
+            Lang::PtBr => {
+                format!("{} com cores nos vértices: luz ali; em cada pixel de {}", objects(vertices), objects(pixels))
+            }
+        },
+        Reason::BackFaces { objects: n, of } => match lang {
+            Lang::En => format!("{}: closed or one-sided, so back faces cannot be seen", n_of(n, of)),
+            Lang::PtBr => {
+                format!("{}: em objetos fechados ou de um só lado, as faces de trás não se veem", n_of(n, of))
+            }
+        },
         Reason::BothSidesSeen { .. } => text(
             "both sides of all faces may be seen: they are two-sided or translucent",
             "os dois lados das faces podem ser vistos: são de dois lados ou translúcidas",
         ),
-        Reason::CutOpen { objects: n, of } => pick(
-            lang,
-            format!("the near plane cuts {} open: the inside may be seen, so nothing is dropped", n_of(n, of)),
-            format!("o plano da frente abre {}: vê-se o interior, e nada é descartado", n_of(n, of)),
-        ),
+        Reason::CutOpen { objects: n, of } => match lang {
+            Lang::En => {
+                format!("the near plane cuts {} open: the inside may be seen, so nothing is dropped", n_of(n, of))
+            }
+            Lang::PtBr => format!("o plano da frente abre {}: vê-se o interior, e nada é descartado", n_of(n, of)),
+        },
         Reason::NoFaceLeft => text(
             "no face is left: all were dropped or clipped away before",
             "não sobra nenhuma face: todas foram descartadas ou recortadas antes",
         ),
-        Reason::AllInside { objects: n } => pick(
-            lang,
-            format!("{}: wholly inside the volume, so there is nothing to cut", objects(n)),
-            format!("{}: por inteiro dentro do volume, logo não há o que cortar", objects(n)),
-        ),
-        Reason::Crossing { objects: n, of, planes: crossed } => pick(
-            lang,
-            match n {
+        Reason::AllInside { objects: n } => match lang {
+            Lang::En => format!("{}: wholly inside the volume, so there is nothing to cut", objects(n)),
+            Lang::PtBr => format!("{}: por inteiro dentro do volume, logo não há o que cortar", objects(n)),
+        },
+        Reason::Crossing { objects: n, of, planes: crossed } => match lang {
+            Lang::En => match n {
                 1 => format!("{} may cross {}; only it is cut, and only there", n_of(n, of), planes(lang, crossed)),
                 _ => format!("{} may cross {}; only they are cut, and only there", n_of(n, of), planes(lang, crossed)),
             },
-            match n {
+            Lang::PtBr => match n {
                 1 => format!("{} pode cruzar {}; só ele é cortado, e só ali", n_of(n, of), planes(lang, crossed)),
                 _ => format!("{} podem cruzar {}; só eles são cortados, e só ali", n_of(n, of), planes(lang, crossed)),
             },
-        ),
+        },
         Reason::SymmetricWindow => text(
             "symmetric window: l = −r and b = −t, so these terms are 0",
             "janela simétrica: l = −r e b = −t, logo esses termos são 0",
@@ -276,20 +278,18 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             text("perspective: w is the distance from the eye", "perspectiva: w é a distância ao olho")
         }
         Reason::OneColorAFace => text("every face has one colour", "cada face tem uma só cor"),
-        Reason::VariesOverFaces { objects: n } => pick(
-            lang,
-            format!("colours vary over the faces of {}", objects(n)),
-            format!("as cores variam sobre as faces de {}", objects(n)),
-        ),
+        Reason::VariesOverFaces { objects: n } => match lang {
+            Lang::En => format!("colours vary over the faces of {}", objects(n)),
+            Lang::PtBr => format!("as cores variam sobre as faces de {}", objects(n)),
+        },
         Reason::ConvexAlone => text(
             "a single convex closed object hides nothing of itself once its back faces are gone",
             "um só objeto convexo e fechado não esconde nada de si sem as faces de trás",
         ),
-        Reason::SeveralObjects { objects: n } => pick(
-            lang,
-            format!("depth buffer: faces of {} may hide each other", objects(n)),
-            format!("buffer de profundidade: faces de {} podem se esconder", objects(n)),
-        ),
+        Reason::SeveralObjects { objects: n } => match lang {
+            Lang::En => format!("depth buffer: faces of {} may hide each other", objects(n)),
+            Lang::PtBr => format!("buffer de profundidade: faces de {} podem se esconder", objects(n)),
+        },
         Reason::HidesItself => text(
             "depth buffer: an object that is not convex, or open, may hide itself",
             "buffer de profundidade: um objeto não convexo, ou aberto, pode se esconder",
@@ -306,19 +306,20 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
             "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras",
         ),
         Reason::NoTexture => text("no object has a picture on it", "nenhum objeto tem imagem sobre ele"),
-        Reason::Textured { objects: n } => {
-            pick(lang, format!("a picture on {}", objects(n)), format!("uma imagem sobre {}", objects(n)))
-        }
+        Reason::Textured { objects: n } => match lang {
+            Lang::En => format!("a picture on {}", objects(n)),
+            Lang::PtBr => format!("uma imagem sobre {}", objects(n)),
+        },
         Reason::AllOpaque => text("everything in view is opaque", "tudo que se vê é opaco"),
-        Reason::Translucent { objects: n } => pick(
-            lang,
-            format!("something shows through {}", objects(n)),
-            format!("algo se vê através de {}", objects(n)),
-        ),
+        Reason::Translucent { objects: n } => match lang {
+            Lang::En => format!("something shows through {}", objects(n)),
+            Lang::PtBr => format!("algo se vê através de {}", objects(n)),
+        },
         Reason::OneSample => text("one sample for each pixel", "uma amostra por pixel"),
-        Reason::Samples { samples } => {
-            pick(lang, format!("{samples} samples for each pixel"), format!("{samples} amostras por pixel"))
-        }
+        Reason::Samples { samples } => match lang {
+            Lang::En => format!("{samples} samples for each pixel"),
+            Lang::PtBr => format!("{samples} amostras por pixel"),
+        },
         Reason::LinesInView => {
             text("edges, lines, marks or texts are to be drawn", "há arestas, linhas, marcas ou textos a desenhar")
         }
@@ -337,32 +338,48 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
 #[must_use]
 pub fn object(lang: Lang, report: &ObjectReport) -> String {
     let mut text = match report.place {
-        Containment::Empty => return pick(lang, "has no vertices", "não tem vértices"),
+        Containment::Empty => {
+            return match lang {
+                Lang::En => "has no vertices".to_owned(),
+                Lang::PtBr => "não tem vértices".to_owned(),
+            };
+        }
         Containment::Outside(outside) => {
             let names = planes(lang, outside);
-            return pick(
-                lang,
-                format!("outside: beyond {names}, dropped whole"),
-                format!("fora: além de {names}, descartado por inteiro"),
-            );
+            return match lang {
+                Lang::En => format!("outside: beyond {names}, dropped whole"),
+                Lang::PtBr => format!("fora: além de {names}, descartado por inteiro"),
+            };
         }
-        Containment::Crosses(0) => pick(lang, "inside: not clipped", "dentro: sem recorte"),
+        Containment::Crosses(0) => match lang {
+            Lang::En => "inside: not clipped".to_owned(),
+            Lang::PtBr => "dentro: sem recorte".to_owned(),
+        },
         Containment::Crosses(crossed) => {
             let names = planes(lang, crossed);
-            pick(lang, format!("may cross {names}: clipped there"), format!("pode cruzar {names}: recortado ali"))
+            match lang {
+                Lang::En => format!("may cross {names}: clipped there"),
+                Lang::PtBr => format!("pode cruzar {names}: recortado ali"),
+            }
         }
     };
     text += match report.faces {
-        FacesDone::NotDrawn => pick_name(lang, "; no faces", "; sem faces"),
-        FacesDone::BackDropped => pick_name(lang, "; back faces dropped", "; faces de trás descartadas"),
-        FacesDone::BothSides => {
-            pick_name(lang, "; both sides of its faces may be seen", "; os dois lados das faces podem ser vistos")
-        }
-        FacesDone::CutOpen => pick_name(
-            lang,
-            "; the near plane cuts it open, so both sides of its faces may be seen",
-            "; o plano da frente o abre, e os dois lados das faces podem ser vistos",
-        ),
+        FacesDone::NotDrawn => match lang {
+            Lang::En => "; no faces",
+            Lang::PtBr => "; sem faces",
+        },
+        FacesDone::BackDropped => match lang {
+            Lang::En => "; back faces dropped",
+            Lang::PtBr => "; faces de trás descartadas",
+        },
+        FacesDone::BothSides => match lang {
+            Lang::En => "; both sides of its faces may be seen",
+            Lang::PtBr => "; os dois lados das faces podem ser vistos",
+        },
+        FacesDone::CutOpen => match lang {
+            Lang::En => "; the near plane cuts it open, so both sides of its faces may be seen",
+            Lang::PtBr => "; o plano da frente o abre, e os dois lados das faces podem ser vistos",
+        },
     };
     text
 }
@@ -379,7 +396,14 @@ pub fn planes(lang: Lang, planes: PlaneSet) -> String {
     match names.as_slice() {
         [] => String::new(),
         [one] => (*one).to_owned(),
-        [first @ .., last] => format!("{}{}{last}", first.join(", "), pick_name(lang, " and ", " e ")),
+        [first @ .., last] => format!(
+            "{}{}{last}",
+            first.join(", "),
+            match lang {
+                Lang::En => " and ",
+                Lang::PtBr => " e ",
+            }
+        ),
     }
 }
 

@@ -5,18 +5,13 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::marks::{point_mark, point_name};
 use super::palette::{PALETTE, SceneColors};
 use super::resolve::{Placed, allowed_segments, lights, place};
 use super::{
-    Line, Mesh, MeshFiles, Object, ObjectPaint, PointMark, ReadFile, Scene, SceneError, SceneSpec, Shape, Text,
-    presets, primitives,
+    Line, Mesh, MeshFiles, Object, ObjectPaint, ReadFile, Scene, SceneError, SceneSpec, Shape, presets, primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
-
-/// Half the width of a point's mark, in pixels at scale 1.
-const MARK_RADIUS: f32 = 4.0;
-/// Height of a point's name, in pixels at scale 1.
-const NAME_SIZE: f32 = 14.0;
 
 /// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with hidden
 /// edges as it wants them.
@@ -191,14 +186,4 @@ fn bare(name: &str, mesh: Mesh, placed: &Placed<'_>, color: Rgba, edges: Option<
         faces: false,
         edges,
     }
-}
-
-/// The mark of a point.
-pub(super) fn point_mark(position: DVec3, shape: MarkShape, color: Rgba) -> PointMark {
-    PointMark { position, shape, radius: MARK_RADIUS, color, fade_if_hidden: true }
-}
-
-/// The name beside a point.
-pub(super) fn point_name(position: DVec3, text: &str, color: Rgba) -> Text {
-    Text { position, text: text.to_owned(), offset: [8.0, -8.0], size: NAME_SIZE, color, fade_if_hidden: true }
 }

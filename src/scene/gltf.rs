@@ -14,8 +14,9 @@ use glam::{DMat4, DQuat, DVec3};
 
 use super::Mesh;
 use super::ReadFile;
-use super::import::{GltfFault, MeshError, Part};
+use super::part::Part;
 use super::soup::Soup;
+use super::{GltfFault, MeshError};
 use crate::appearance::Rgba;
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.

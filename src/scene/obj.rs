@@ -7,9 +7,10 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 
 use super::ReadFile;
-use super::import::{MeshError, ObjFault, Part};
 use super::mesh::index_u32;
+use super::part::Part;
 use super::soup::Soup;
+use super::{MeshError, ObjFault};
 use crate::appearance::Rgba;
 
 /// The objects of an OBJ file; one that has several materials comes in several parts.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
-use super::build::{point_mark, point_name};
+use super::marks::{point_mark, point_name};
 use super::palette::{BLUE, NAVY, ORANGE, PURPLE, SKY, SceneColors, TEAL, VERMILION, YELLOW};
 use super::{Line, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, Shape, Text, primitives};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};

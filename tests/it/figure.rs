@@ -6,7 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use camera_lab::camera::Parameters;
-use camera_lab::figure::write::{to_toml, update};
+use camera_lab::figure::update;
+use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, read};
 use camera_lab::scene::Preset;
 

@@ -24,7 +24,7 @@ fn house(reveal: Reveal) -> Figure {
 }
 
 fn preset(preset: ScenePreset, reveal: Reveal) -> Figure {
-    let mut figure = Figure { camera: preset.camera(), reveal, ..Figure::default() };
+    let mut figure = Figure { camera: camera_lab::figure::recommended_camera(preset), reveal, ..Figure::default() };
     figure.scene.preset = preset;
     figure
 }
@@ -312,7 +312,8 @@ fn the_two_parts_are_the_whole_and_each_is_on_its_side() {
     for (scene, projection) in
         scenes.into_iter().flat_map(|s| [(s, Projection::Perspective), (s, Projection::Parallel)])
     {
-        let mut parameters = Parameters { projection, height: 1.5, view_angle: 20.0, ..scene.camera() };
+        let mut parameters =
+            Parameters { projection, height: 1.5, view_angle: 20.0, ..camera_lab::figure::recommended_camera(scene) };
         (parameters.near, parameters.far) = (5.5, 7.5);
         let camera = Camera::new(&parameters).unwrap();
         let mut figure = Figure::default();

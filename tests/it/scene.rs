@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 
 use camera_lab::appearance::{HiddenLines, Rgba, Style, Theme};
 use camera_lab::camera::{Camera, Parameters, Projection};
-use camera_lab::figure::read;
 use camera_lab::figure::write::to_toml;
+use camera_lab::figure::{read, recommended_camera};
 use camera_lab::files::{open_figure, read_for_scene};
 use camera_lab::geometry::Aabb;
 use camera_lab::scene::{
@@ -424,7 +424,7 @@ fn each_preset_has_an_example_figure_with_its_recommended_camera() {
             Projection::Perspective => Parameters { height: 0.0, ..p },
             Projection::Parallel => Parameters { view_angle: 0.0, ..p },
         };
-        assert_eq!(used(figure.camera), used(preset.camera()), "{preset}");
+        assert_eq!(used(figure.camera), used(recommended_camera(preset)), "{preset}");
         let camera = Camera::new(&figure.camera).unwrap();
         let [image_aspect, aspect] =
             [f64::from(figure.image.width) / f64::from(figure.image.height), camera.window().aspect()];

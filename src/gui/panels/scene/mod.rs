@@ -155,7 +155,7 @@ fn named_scene(ui: &mut egui::Ui, state: &mut State) {
 
 /// A scene of another size would be out of sight: each preset comes with its camera, and with an image of the same aspect.
 fn show_from_its_best_side(state: &mut State, preset: Preset) {
-    let mut camera = preset.camera();
+    let mut camera = crate::figure::recommended_camera(preset);
     if state.settings.aspect_follows_image {
         let n = state.document.figure().image.height;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]

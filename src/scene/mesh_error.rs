@@ -1,0 +1,149 @@
+//! What can be wrong with a mesh file.
+
+use super::ReadError;
+use super::soup::TooLarge;
+
+/// Why a mesh file cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MeshError {
+    /// It could not be read.
+    #[error(transparent)]
+    Unreadable(Box<ReadError>),
+    /// The ending of its name says nothing.
+    #[error("the format is not known; the name must end with .obj, .gltf or .glb")]
+    Format,
+    /// It has no faces.
+    #[error("there is no face in it")]
+    Empty,
+    /// It has more than 2³¹ corners.
+    #[error("it has too many vertices")]
+    TooLarge,
+    /// A line of an OBJ file.
+    #[error("line {line}: {fault}")]
+    Obj {
+        /// From 1.
+        line: usize,
+        /// What is wrong there.
+        fault: ObjFault,
+    },
+    /// The JSON of a glTF file does not parse.
+    #[error("line {line}, column {column}: {detail}")]
+    Json {
+        /// From 1; within the JSON part of a GLB file.
+        line: usize,
+        /// From 1.
+        column: usize,
+        /// The parser's words.
+        detail: String,
+    },
+    /// A glTF file is not as it should be.
+    #[error("{place}: {fault}")]
+    Gltf {
+        /// Such as `accessors[3]`; empty when it is the file as a whole.
+        place: String,
+        /// What is wrong there.
+        fault: GltfFault,
+    },
+}
+
+impl From<TooLarge> for MeshError {
+    fn from(_: TooLarge) -> Self {
+        Self::TooLarge
+    }
+}
+
+/// What is wrong with a line of an OBJ file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ObjFault {
+    /// Not a finite number.
+    #[error("\"{found}\" is not a finite number")]
+    Number {
+        /// What was found.
+        found: String,
+    },
+    /// A point or normal has fewer than three coordinates.
+    #[error("there are {found} coordinates; 3 are needed")]
+    Coordinates {
+        /// How many were found.
+        found: usize,
+    },
+    /// A face has fewer than three corners.
+    #[error("a face with {found} corners; it needs at least 3")]
+    Corners {
+        /// How many were found.
+        found: usize,
+    },
+    /// A corner is not written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    #[error("\"{found}\" is not a corner of a face; it is written v, v/vt, v//vn or v/vt/vn with whole numbers")]
+    Corner {
+        /// What was found.
+        found: String,
+    },
+    /// A corner names a point or normal that is not there.
+    #[error("\"{found}\" names a point or normal that does not exist; there are {points} points and {normals} normals")]
+    Index {
+        /// The corner.
+        found: String,
+        /// Points in the file (for a relative index: so far).
+        points: usize,
+        /// Normals in the file (for a relative index: so far).
+        normals: usize,
+    },
+}
+
+/// What is wrong with a glTF file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum GltfFault {
+    /// The frame of a GLB file is broken.
+    #[error("not a valid GLB file ({detail})")]
+    Container {
+        /// The reader's words.
+        detail: String,
+    },
+    /// A value breaks a rule of glTF.
+    #[error("a value that glTF does not allow")]
+    Value,
+    /// A value that must be there is not.
+    #[error("it is missing")]
+    Missing,
+    /// A reference names what does not exist.
+    #[error("it names something that does not exist")]
+    Reference,
+    /// Something that this program does not read.
+    #[error("{what} cannot be read by this program")]
+    Unsupported {
+        /// What it is, in the words of glTF.
+        what: String,
+    },
+    /// A buffer's bytes are not there.
+    #[error("the buffer's bytes are missing")]
+    NoBytes,
+    /// A buffer's data URI is broken.
+    #[error("the data URI is not valid base64")]
+    DataUri,
+    /// A file beside the glTF file cannot be read.
+    #[error("\"{uri}\": {error}")]
+    File {
+        /// As the file names it.
+        uri: String,
+        /// Why.
+        error: Box<ReadError>,
+    },
+    /// An accessor goes beyond its buffer.
+    #[error("the data lies beyond the end of its buffer")]
+    OutOfBuffer,
+    /// An index names a vertex that is not there.
+    #[error("index {found} names a vertex that does not exist; there are {vertices}")]
+    Index {
+        /// The index.
+        found: u32,
+        /// The number of vertices.
+        vertices: usize,
+    },
+    /// A coordinate or matrix is infinite or not a number.
+    #[error("a number is not finite")]
+    NotFinite,
+    /// A node has two parents, or is its own descendant.
+    #[error("a node has two parents")]
+    Tree,
+}
