@@ -77,7 +77,7 @@ impl Rgba {
     }
 }
 
-/// Why a text is no colour.
+/// Why a text is not a colour.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("a colour is written \"#rrggbb\" or \"#rrggbbaa\" in hexadecimal digits")]
 pub struct ColorError;

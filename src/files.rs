@@ -18,7 +18,7 @@ pub enum FileError {
     /// The system does not let it be written.
     #[error("cannot be written: {0}")]
     Write(io::Error),
-    /// It is no file but a directory.
+    /// It is not a file but a directory.
     #[error("is a directory")]
     Directory,
     /// It is larger than any file that is meant for this program.
@@ -62,7 +62,7 @@ pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
 /// The bytes of a file.
 ///
 /// # Errors
-/// [`FileError`] where the system refuses, and for what is no file or has no end.
+/// [`FileError`] where the system refuses, and for what is not a file or has no end.
 pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
     let file = File::open(path).map_err(FileError::Read)?;
     if file.metadata().is_ok_and(|meta| meta.is_dir()) {

@@ -187,7 +187,7 @@ pub enum InspectError {
         error: CameraError,
     },
     /// A point has coordinates that `f64` cannot hold.
-    #[error("point {:?},{:?},{:?}: its coordinates in {space} would exceed the range of numbers (about 1e-308 to 1e308)", point.x, point.y, point.z)]
+    #[error("point {},{},{}: its coordinates in {space} would exceed the range of numbers (about 1e-308 to 1e308)", point.x, point.y, point.z)]
     Point {
         /// The point, world.
         point: DVec3,

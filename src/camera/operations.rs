@@ -129,7 +129,7 @@ impl Operation {
     /// ```
     ///
     /// # Errors
-    /// [`CameraError`] for a value out of its range, and where the result is no camera: numbers that overflow, or C so
+    /// [`CameraError`] for a value out of its range, and where the result is not a camera: numbers that overflow, or C so
     /// near PF that they are the same `f64`s.
     pub fn apply(&self, camera: &Camera, convention: Convention) -> Result<Camera, CameraError> {
         self.check()?;

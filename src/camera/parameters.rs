@@ -1,4 +1,4 @@
-//! What a figure file or a slider holds, and why it may be no camera.
+//! What a figure file or a slider holds, and why it may not be a camera.
 
 use std::fmt;
 
@@ -192,23 +192,23 @@ impl fmt::Display for Derived {
             Self::Window => "the view window",
             Self::ViewMatrix => "the view matrix",
             Self::ProjectionMatrix => "the projection matrix",
-            Self::ViewProjectionMatrix => "the view-projection matrix",
+            Self::ViewProjectionMatrix => "the product of projection and view matrix",
             Self::VolumeCorners => "the corners of the view volume",
         })
     }
 }
 
-/// Why parameters are no camera.
+/// Why parameters are not a camera.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CameraError {
     /// C = PF.
-    #[error("focal_point must differ from position")]
+    #[error("focal_point is the same point as position; allowed: any other point")]
     FocalPointAtPosition,
     /// VUP has no length.
-    #[error("view_up must not be zero")]
+    #[error("view_up is the zero vector; allowed: any other vector that is not collinear with focal_point − position")]
     ViewUpZero,
     /// VUP is collinear with DOP.
-    #[error("view_up must not be collinear with focal_point − position")]
+    #[error("view_up is collinear with focal_point − position; allowed: any vector that points to another side")]
     ViewUpCollinear,
     /// A value is out of its range.
     #[error("{key} is {value:?}; allowed: {allowed}")]
@@ -244,8 +244,8 @@ pub enum CameraError {
         /// t.
         top: f64,
     },
-    /// The parameters are possible one by one, but what follows from them is no finite `f64`.
-    #[error("{quantity} would exceed the range of numbers (about 1e-308 to 1e308); see {}", keys.join(", "))]
+    /// The parameters are possible one by one, but what follows from them is not a finite `f64`.
+    #[error("{quantity} would exceed the range of numbers (about 1e-308 to 1e308); it follows from {}", keys.join(", "))]
     Overflow {
         /// What cannot be computed.
         quantity: Derived,

@@ -57,7 +57,7 @@ pub fn encode(pixmap: &Pixmap, figure: &str) -> Result<Vec<u8>, PngError> {
 /// The figure file in a PNG; `None` for a PNG without one.
 ///
 /// # Errors
-/// [`PngError::Damaged`] when the bytes are no whole PNG.
+/// [`PngError::Damaged`] when the bytes are not a whole PNG.
 pub fn figure_text(bytes: &[u8]) -> Result<Option<String>, PngError> {
     let error = |e: png::DecodingError| PngError::Damaged(e.to_string());
     let mut reader = Decoder::new(Cursor::new(bytes)).read_info().map_err(error)?;

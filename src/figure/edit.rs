@@ -7,7 +7,7 @@ use super::read;
 use super::write::{document, to_toml};
 
 /// The figure file of `figure`, made from an earlier text by changing only what differs: comments, order and the way in
-/// which numbers are written stay. A text that is no figure file is replaced.
+/// which numbers are written stay. A text that is not a figure file is replaced.
 ///
 /// # Guarantees
 /// Reading the text gives `figure` back, as with [`to_toml`].

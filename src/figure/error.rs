@@ -1,4 +1,4 @@
-//! Why a text is no figure.
+//! Why a text is not a figure.
 
 use crate::camera::CameraError;
 use crate::expression::{self, ExpressionError};
@@ -19,7 +19,7 @@ pub struct FigureError {
 /// What is wrong with a line of a figure file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Problem {
-    /// The bytes are no UTF-8.
+    /// The bytes are not UTF-8.
     #[error("not UTF-8 (byte {byte:#04x})")]
     NotUtf8 {
         /// The first byte that does not fit.

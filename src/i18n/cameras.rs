@@ -8,70 +8,57 @@ use super::expressions::in_expression;
 use crate::camera::{Amount, CameraError, Derived, Descriptor, Operation, OperationError, Range, Warning};
 use crate::inspect::InspectError;
 
-/// Why parameters are no camera, with the keys concerned and what is allowed.
+/// Why parameters are not a camera, with the keys concerned and what is allowed.
 #[must_use]
 pub fn camera(lang: Lang, error: &CameraError) -> String {
-    match error {
-        CameraError::FocalPointAtPosition => match lang { Lang::En => "focal_point is the same point as position; allowed: any other point".to_owned(), Lang::PtBr => "focal_point é o mesmo ponto que position; permitido: qualquer outro ponto".to_owned() },
-        CameraError::ViewUpZero => match lang { Lang::En => "view_up is the zero vector; allowed: any other vector that is not collinear with focal_point − position".to_owned(), Lang::PtBr => "view_up é o vetor nulo; permitido: qualquer outro vetor não colinear com focal_point − position".to_owned() },
-        CameraError::ViewUpCollinear => match lang { Lang::En => "view_up is collinear with focal_point − position; allowed: any vector that points to another side".to_owned(), Lang::PtBr => "view_up é colinear com focal_point − position; permitido: qualquer vetor que aponte para outro lado".to_owned() },
-        CameraError::OutOfRange { key, value, allowed } => {
-            let allowed = range(lang, *allowed);
-            match lang { Lang::En => format!("{key} is {value:?}; allowed: {allowed}"), Lang::PtBr => format!("{key} é {value:?}; permitido: {allowed}") }
+    match (lang, error) {
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, CameraError::FocalPointAtPosition) => {
+            "focal_point é o mesmo ponto que position; permitido: qualquer outro ponto".to_owned()
         }
-        CameraError::FarNotBeyondNear { near, far } => match lang { Lang::En => format!("near is {near:?} and far is {far:?}; allowed: 0 < near < far"), Lang::PtBr => format!("near é {near:?} e far é {far:?}; permitido: 0 < near < far") },
-        CameraError::WindowWidth { left, right } => match lang { Lang::En => format!("window: left is {left:?} and right is {right:?}; allowed: left < right"), Lang::PtBr => format!("window: left é {left:?} e right é {right:?}; permitido: left < right") },
-        CameraError::WindowHeight { bottom, top } => match lang { Lang::En => format!("window: bottom is {bottom:?} and top is {top:?}; allowed: bottom < top"), Lang::PtBr => format!("window: bottom é {bottom:?} e top é {top:?}; permitido: bottom < top") },
-        CameraError::Overflow { quantity, keys } => {
-            let (quantity, keys) = (derived(lang, *quantity), keys.join(", "));
-            match lang { Lang::En => format!("{quantity} would exceed the range of numbers (about 1e-308 to 1e308); it follows from {keys}"), Lang::PtBr => format!("{quantity} excederia os limites dos números (cerca de 1e-308 a 1e308); depende de {keys}") }
+        (Lang::PtBr, CameraError::ViewUpZero) => {
+            "view_up é o vetor nulo; permitido: qualquer outro vetor não colinear com focal_point − position".to_owned()
         }
+        (Lang::PtBr, CameraError::ViewUpCollinear) => {
+            "view_up é colinear com focal_point − position; permitido: qualquer vetor que aponte para outro lado"
+                .to_owned()
+        }
+        (Lang::PtBr, CameraError::OutOfRange { key, value, allowed }) => {
+            format!("{key} é {value:?}; permitido: {}", range_in_portuguese(*allowed))
+        }
+        (Lang::PtBr, CameraError::FarNotBeyondNear { near, far }) => {
+            format!("near é {near:?} e far é {far:?}; permitido: 0 < near < far")
+        }
+        (Lang::PtBr, CameraError::WindowWidth { left, right }) => {
+            format!("window: left é {left:?} e right é {right:?}; permitido: left < right")
+        }
+        (Lang::PtBr, CameraError::WindowHeight { bottom, top }) => {
+            format!("window: bottom é {bottom:?} e top é {top:?}; permitido: bottom < top")
+        }
+        (Lang::PtBr, CameraError::Overflow { quantity, keys }) => format!(
+            "{} excederia os limites dos números (cerca de 1e-308 a 1e308); depende de {}",
+            derived_in_portuguese(*quantity),
+            keys.join(", ")
+        ),
     }
 }
 
-fn range(lang: Lang, range: Range) -> String {
+fn range_in_portuguese(range: Range) -> &'static str {
     match range {
-        Range::Finite => match lang {
-            Lang::En => "a finite number".to_owned(),
-            Lang::PtBr => "um número finito".to_owned(),
-        },
-        Range::Positive => match lang {
-            Lang::En => "a finite number greater than 0".to_owned(),
-            Lang::PtBr => "um número finito maior que 0".to_owned(),
-        },
-        Range::HalfTurn => match lang {
-            Lang::En => "greater than 0 and less than 180 degrees".to_owned(),
-            Lang::PtBr => "maior que 0 e menor que 180 graus".to_owned(),
-        },
+        Range::Finite => "um número finito",
+        Range::Positive => "um número finito maior que 0",
+        Range::HalfTurn => "maior que 0 e menor que 180 graus",
     }
 }
 
-fn derived(lang: Lang, quantity: Derived) -> String {
+fn derived_in_portuguese(quantity: Derived) -> &'static str {
     match quantity {
-        Derived::Distance => match lang {
-            Lang::En => "the distance from position to focal_point".to_owned(),
-            Lang::PtBr => "a distância de position a focal_point".to_owned(),
-        },
-        Derived::Window => match lang {
-            Lang::En => "the view window".to_owned(),
-            Lang::PtBr => "a janela de projeção".to_owned(),
-        },
-        Derived::ViewMatrix => match lang {
-            Lang::En => "the view matrix".to_owned(),
-            Lang::PtBr => "a matriz de visão".to_owned(),
-        },
-        Derived::ProjectionMatrix => match lang {
-            Lang::En => "the projection matrix".to_owned(),
-            Lang::PtBr => "a matriz de projeção".to_owned(),
-        },
-        Derived::ViewProjectionMatrix => match lang {
-            Lang::En => "the product of projection and view matrix".to_owned(),
-            Lang::PtBr => "o produto das matrizes de projeção e de visão".to_owned(),
-        },
-        Derived::VolumeCorners => match lang {
-            Lang::En => "the corners of the view volume".to_owned(),
-            Lang::PtBr => "os vértices do volume de vista".to_owned(),
-        },
+        Derived::Distance => "a distância de position a focal_point",
+        Derived::Window => "a janela de projeção",
+        Derived::ViewMatrix => "a matriz de visão",
+        Derived::ProjectionMatrix => "a matriz de projeção",
+        Derived::ViewProjectionMatrix => "o produto das matrizes de projeção e de visão",
+        Derived::VolumeCorners => "os vértices do volume de vista",
     }
 }
 
@@ -112,30 +99,21 @@ fn amount_in_portuguese(descriptor: &Descriptor) -> String {
 /// Why there are no numbers to report.
 #[must_use]
 pub fn inspect(lang: Lang, error: &InspectError) -> String {
-    match error {
-        InspectError::Camera(error) => camera(lang, error),
-        InspectError::Operation { operation, error } => {
-            let why = camera(lang, error);
-            match lang {
-                Lang::En => format!("operation {operation}: {why}"),
-                Lang::PtBr => format!("operação {operation}: {why}"),
-            }
+    match (lang, error) {
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, InspectError::Camera(error)) => camera(lang, error),
+        (Lang::PtBr, InspectError::Operation { operation, error }) => {
+            format!("operação {operation}: {}", camera(lang, error))
         }
-        InspectError::Point { point, space } => {
+        (Lang::PtBr, InspectError::Point { point, space }) => {
             let [x, y, z] = point.to_array();
-            match lang {
-                Lang::En => format!(
-                    "point {x},{y},{z}: its coordinates in {space} would exceed the range of numbers (about 1e-308 to 1e308)"
-                ),
-                Lang::PtBr => format!(
-                    "ponto {x},{y},{z}: suas coordenadas ({space}) excederiam os limites dos números (cerca de 1e-308 a 1e308)"
-                ),
-            }
+            format!(
+                "ponto {x},{y},{z}: suas coordenadas ({space}) excederiam os limites dos números (cerca de 1e-308 a 1e308)"
+            )
         }
-        InspectError::Pixel { pixel: [i, j] } => match lang {
-            Lang::En => format!("pixel {i},{j}: its ray would exceed the range of numbers (about 1e-308 to 1e308)"),
-            Lang::PtBr => format!("pixel {i},{j}: seu raio excederia os limites dos números (cerca de 1e-308 a 1e308)"),
-        },
+        (Lang::PtBr, InspectError::Pixel { pixel: [i, j] }) => {
+            format!("pixel {i},{j}: seu raio excederia os limites dos números (cerca de 1e-308 a 1e308)")
+        }
     }
 }
 

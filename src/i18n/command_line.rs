@@ -118,7 +118,7 @@ pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) ->
     }
 }
 
-/// A text that is no pixel.
+/// A text that is not a pixel.
 #[must_use]
 pub fn pixel(lang: Lang, text: &str) -> String {
     match lang {
@@ -127,7 +127,7 @@ pub fn pixel(lang: Lang, text: &str) -> String {
     }
 }
 
-/// A text that is no size.
+/// A text that is not a size.
 #[must_use]
 pub fn size(lang: Lang, text: &str) -> String {
     match lang {
@@ -138,7 +138,7 @@ pub fn size(lang: Lang, text: &str) -> String {
     }
 }
 
-/// A text that is no scale.
+/// A text that is not a scale.
 #[must_use]
 pub fn scale(lang: Lang, text: &str) -> String {
     match lang {
@@ -147,7 +147,7 @@ pub fn scale(lang: Lang, text: &str) -> String {
     }
 }
 
-/// A text that is no number of frames.
+/// A text that is not a number of frames.
 #[must_use]
 pub fn frames(lang: Lang, text: &str) -> String {
     match lang {
@@ -227,7 +227,7 @@ pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
     }
 }
 
-/// An ending that is no picture's.
+/// An ending that is not a picture's.
 #[must_use]
 pub fn ending(lang: Lang, name: &str) -> String {
     match lang {

@@ -3,7 +3,7 @@
 use super::Lang;
 use crate::camera::{CameraError, Derived, Range, Warning};
 
-/// Why camera parameters are no camera.
+/// Why camera parameters are not a camera.
 #[must_use]
 pub fn camera_error(lang: Lang, error: &CameraError) -> String {
     let pt = lang == Lang::PtBr;

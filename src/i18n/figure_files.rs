@@ -9,7 +9,7 @@ use crate::figure::error::{Allowed, Problem};
 use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::scene::SceneError;
 
-/// Why a text is no figure: line, key, what was found, what is allowed.
+/// Why a text is not a figure: line, key, what was found, what is allowed.
 #[must_use]
 pub fn figure(lang: Lang, error: &FigureError) -> String {
     let FigureError { line, key, problem } = error;

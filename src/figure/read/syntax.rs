@@ -1,4 +1,4 @@
-//! A text that is no TOML: which line, which key, and why.
+//! A text that is not TOML: which line, which key, and why.
 
 use toml_edit::TomlError;
 
