@@ -5,8 +5,14 @@
 //! perspective crowds the depths), affine in the picture's plane; the greater depth is nearer.
 //!
 //! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal depths the first drawn stays), then
-//! translucent surfaces from back to front (hidden by what is opaque and nearer), then strokes and marks (the hidden parts of
-//! them as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a face counts as visible), then labels.
+//! translucent surfaces from back to front (hidden by what is opaque and nearer), then strokes, then marks, then labels.
+//!
+//! Strokes: what a face hides of them is drawn as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a face counts
+//! as visible. Strokes hide strokes as faces hide faces: where two cross, the nearer one is painted over the other, whatever
+//! their order in the list. Where they touch, so that neither is nearer by more than what their own width spans, a visible part
+//! goes over a hidden one, then the wider stroke over the finer one (an edge over a grid line that runs up to it), then the later
+//! one over the earlier. Strokes whose hidden parts are [`Shown`](crate::appearance::HiddenLines::Shown) take no part in this:
+//! they are painted over all others, one over the other.
 
 use std::ops::Range;
 use std::sync::Arc;

@@ -11,7 +11,7 @@ use tiny_skia::Pixmap;
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::{Drawing, StrokeSet};
 
-use super::coverage::Coverage;
+use super::coverage::{Coverage, LayerDepth, Point};
 use super::depth::DepthBuffer;
 
 /// Distance of the points of a stroke that are held against the depth buffer, in pixels.
@@ -66,7 +66,7 @@ struct Polyline {
 }
 
 impl Strokes {
-    /// Draws all strokes of a drawing over its surfaces: of each set first what is hidden, then what can be seen.
+    /// Draws all strokes of a drawing over its surfaces, from back to front.
     pub(super) fn draw(&mut self, pixmap: &mut Pixmap, depth: &DepthBuffer, drawing: &Drawing) {
         let sets = &drawing.strokes;
         let mut used = 0;
@@ -139,14 +139,17 @@ impl Strip {
         for (index, set) in sets.iter().enumerate() {
             let first = chunks.partition_point(|c| c.set < index);
             let chunks = &chunks[first..][..chunks[first..].partition_point(|c| c.set == index)];
+            let on_top = set.style.hidden == HiddenLines::Shown;
             for (style, visible) in [(set.style.behind_a_face(), false), (Some(set.style), true)] {
                 let Some(style) = style else { continue };
+                let tested = LayerDepth::Tested { visible, width: set.style.width };
+                self.coverage.begin(style.color, if on_top { LayerDepth::OnTop } else { tested });
                 for part in chunks.iter().flat_map(|c| &c.parts).filter(|p| p.visible == visible) {
                     self.cover(set, part, style);
                 }
-                self.coverage.lay(pixels, style.color);
             }
         }
+        self.coverage.lay(pixels);
     }
 
     /// Covers a part of a polyline, with the arrow head if that is in it.
@@ -164,7 +167,8 @@ impl Strip {
             let (tip, base) = (self.line.at(points, length), self.line.at(points, length - head));
             let (dx, dy) = (tip[0] - base[0], tip[1] - base[1]);
             let (nx, ny) = (-0.38 * dy, 0.38 * dx);
-            self.coverage.triangle([tip, [base[0] + nx, base[1] + ny], [base[0] - nx, base[1] - ny]]);
+            let corners = [[tip[0], tip[1]], [base[0] + nx, base[1] + ny], [base[0] - nx, base[1] - ny]];
+            self.coverage.triangle(corners, [tip[2].min(base[2]), tip[2].max(base[2])]);
         }
     }
 }
@@ -215,20 +219,19 @@ impl Polyline {
     }
 
     /// The point at an arc length.
-    fn at(&self, points: &[[f32; 3]], arc: f32) -> [f32; 2] {
+    fn at(&self, points: &[[f32; 3]], arc: f32) -> Point {
         let k = self.arcs.partition_point(|&a| a < arc).clamp(1, self.arcs.len() - 1);
         let (start, end) = (self.arcs[k - 1], self.arcs[k]);
         let t = if end > start { ((arc - start) / (end - start)).clamp(0.0, 1.0) } else { 0.0 };
         let (p, q) = (points[k - 1], points[k]);
-        [p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])]
+        std::array::from_fn(|k| p[k] + t * (q[k] - p[k]))
     }
 
     /// Covers the polyline between two arc lengths.
     fn cover(&self, points: &[[f32; 3]], range: Range<f32>, coverage: &mut Coverage, radius: f32) {
         let mut from = self.at(points, range.start);
         let first = self.arcs.partition_point(|&a| a <= range.start);
-        for (point, _) in points.iter().zip(&self.arcs).skip(first).take_while(|&(_, &arc)| arc < range.end) {
-            let corner = [point[0], point[1]];
+        for (&corner, _) in points.iter().zip(&self.arcs).skip(first).take_while(|&(_, &arc)| arc < range.end) {
             coverage.capsule(from, corner, radius);
             from = corner;
         }
@@ -346,9 +349,9 @@ mod tests {
         let mut line = Polyline::default();
         assert_eq!(line.measure(&points), 15.0);
         assert_eq!(line.arcs, [0.0, 5.0, 5.0, 15.0]);
-        assert_eq!(line.at(&points, 2.5), [1.5, 2.0]);
-        assert_eq!(line.at(&points, 10.0), [3.0, 9.0]);
-        assert_eq!(line.at(&points, 99.0), [3.0, 14.0]);
-        assert_eq!(line.at(&points, -1.0), [0.0, 0.0]);
+        assert_eq!(line.at(&points, 2.5), [1.5, 2.0, 0.0]);
+        assert_eq!(line.at(&points, 10.0), [3.0, 9.0, 0.25]);
+        assert_eq!(line.at(&points, 99.0), [3.0, 14.0, 0.0]);
+        assert_eq!(line.at(&points, -1.0), [0.0, 0.0, 0.0]);
     }
 }
