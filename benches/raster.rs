@@ -94,6 +94,7 @@ fn empty(width: u32, height: u32, antialias: u8) -> Drawing {
         antialias,
         surfaces: Vec::new(),
         strokes: Vec::new(),
+        areas: Vec::new(),
         marks: Vec::new(),
         labels: Vec::new(),
     }

@@ -5,7 +5,8 @@
 //! perspective crowds the depths), affine in the picture's plane; the greater depth is nearer.
 //!
 //! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal depths the first drawn stays), then
-//! translucent surfaces from back to front (hidden by what is opaque and nearer), then strokes, then marks, then labels.
+//! translucent surfaces from back to front (hidden by what is opaque and nearer), then strokes,
+//! then areas in the order of the list (over all strokes, whatever their depths), then marks, then labels.
 //!
 //! Strokes: what a face hides of them is drawn as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a face counts
 //! as visible. Strokes hide strokes as faces hide faces: where two cross, the nearer one is painted over the other, whatever
@@ -37,6 +38,8 @@ pub struct Drawing {
     pub surfaces: Vec<Surface>,
     /// Lines.
     pub strokes: Vec<StrokeSet>,
+    /// Filled areas that stand before the picture: the plate of a legend, samples of colours.
+    pub areas: Vec<Area>,
     /// Point marks.
     pub marks: Vec<Mark>,
     /// Texts.
@@ -143,6 +146,19 @@ pub struct StrokeSet {
     pub polylines: Vec<Range<u32>>,
     /// How they look; the width is in pixels of this drawing (already scaled).
     pub style: LineStyle,
+}
+
+/// A filled rectangle, which may have round corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Area {
+    /// Its upper left corner, x and y in pixels.
+    pub corner: [f32; 2],
+    /// Width and height in pixels.
+    pub size: [f32; 2],
+    /// The radius of its corners in pixels, at most half of the shorter side.
+    pub radius: f32,
+    /// Its colour.
+    pub fill: Rgba,
 }
 
 /// A point mark.

@@ -198,6 +198,7 @@ impl Pipeline {
             painted_in_order: plan.order() != Visibility::DepthBuffer,
             surfaces,
             strokes: strokes.sets,
+            areas: Vec::new(),
             marks,
             labels,
         };

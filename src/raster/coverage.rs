@@ -98,9 +98,10 @@ impl Coverage {
         }
         let (ux, uy) = if length > 1e-6 { (dx / length, dy / length) } else { (1.0, 0.0) };
         let (left, right) = (a[0].min(b[0]) - reach, a[0].max(b[0]) + reach);
-        // The depth along the middle line, and its change over what the stroke is wide, at both ends of a pixel.
+        // The depth along the middle line, and its change over as much of it as another stroke that crosses it covers, also at
+        // an acute angle.
         let rise = (b[2] - a[2]) / length.max(1e-6);
-        let depth_reach = (2.0 * reach * rise.abs()).min((b[2] - a[2]).abs());
+        let depth_reach = (3.0 * reach * rise.abs()).min((b[2] - a[2]).abs());
         for j in pixels(a[1].min(b[1]) - reach, a[1].max(b[1]) + reach, self.first..self.end) {
             let y = center(j) - a[1];
             // Along the row the distance to the line grows by |uy| a pixel.

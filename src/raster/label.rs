@@ -1,9 +1,9 @@
-//! Texts and point marks on the picture.
+//! Filled areas, point marks and texts on the picture.
 
 use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
 
 use crate::appearance::{MarkShape, Rgba};
-use crate::drawing::{Anchor, Label, Mark};
+use crate::drawing::{Anchor, Area, Label, Mark};
 use crate::text::{self, Element};
 
 use super::depth::DepthBuffer;
@@ -47,6 +47,39 @@ fn text_path(text: &str, size: f32) -> Option<Path> {
         }
     }
     builder.finish()
+}
+
+/// Fills an area.
+pub(super) fn area(pixmap: &mut Pixmap, area: &Area) {
+    let Area { corner: [x, y], size: [width, height], radius, fill } = *area;
+    if let Some(path) = rounded([x, y, x + width, y + height], radius) {
+        pixmap.fill_path(&path, &paint(fill, 1.0), FillRule::Winding, Transform::identity(), None);
+    }
+}
+
+/// A rectangle (left, top, right, bottom) with round corners; `None` where it is empty or one of the numbers is not finite.
+fn rounded([left, top, right, bottom]: [f32; 4], radius: f32) -> Option<Path> {
+    /// How far the handles of a cubic curve lie from its ends, in radii, so that it is a quarter of a circle (within 0.03 %).
+    const HANDLE: f32 = 0.552_284_8;
+    let rect = tiny_skia::Rect::from_ltrb(left, top, right, bottom)?;
+    let mut b = PathBuilder::new();
+    let r = radius.min(0.5 * rect.width()).min(0.5 * rect.height());
+    if r.is_nan() || r <= 0.0 {
+        b.push_rect(rect);
+        return b.finish();
+    }
+    let h = r * (1.0 - HANDLE);
+    b.move_to(left + r, top);
+    b.line_to(right - r, top);
+    b.cubic_to(right - h, top, right, top + h, right, top + r);
+    b.line_to(right, bottom - r);
+    b.cubic_to(right, bottom - h, right - h, bottom, right - r, bottom);
+    b.line_to(left + r, bottom);
+    b.cubic_to(left + h, bottom, left, bottom - h, left, bottom - r);
+    b.line_to(left, top + r);
+    b.cubic_to(left, top + h, left + h, top, left + r, top);
+    b.close();
+    b.finish()
 }
 
 /// Draws a point mark.

@@ -2,7 +2,7 @@
 //!
 //! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many threads as
 //! there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and with their depth,
-//! come strokes (`line`), marks and texts (`label`). The bytes do not depend on the number of threads.
+//! come strokes (`line`), areas, marks and texts (`label`). The bytes do not depend on the number of threads.
 
 mod batch;
 mod bins;
@@ -96,6 +96,9 @@ impl Rasterizer {
         self.surfaces.paint(drawing, pixmap, &mut self.depth, self.clock.is_some());
         let middle = now();
         self.strokes.draw(pixmap, &self.depth, drawing);
+        for area in &drawing.areas {
+            label::area(pixmap, area);
+        }
         for mark in &drawing.marks {
             label::mark(pixmap, &self.depth, mark);
         }

@@ -128,6 +128,7 @@ fn mounted(mut image: Drawing, rect: PixelRect, size: Size, palette: Palette) ->
     };
     image.surfaces.iter_mut().flat_map(|s| &mut s.positions).for_each(shift);
     image.strokes.iter_mut().flat_map(|s| &mut s.points).for_each(shift);
+    image.areas.iter_mut().for_each(|area| area.corner = [area.corner[0] + x, area.corner[1] + y]);
     image.marks.iter_mut().for_each(|m| shift(&mut m.position));
     image.labels.iter_mut().for_each(|l| shift(&mut l.position));
     image.surfaces.insert(0, sheet_of_paper([x, y, w, h], image.background));

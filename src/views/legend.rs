@@ -2,11 +2,11 @@
 
 use glam::DVec2;
 
-use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
-use crate::drawing::{Anchor, Drawing, Label, Mark, StrokeSet};
+use crate::appearance::{MarkShape, Rgba};
+use crate::drawing::{Anchor, Area, Drawing, Label, Mark};
 
 use super::Palette;
-use super::gizmos::{SMALL_TYPE, stroke};
+use super::gizmos::SMALL_TYPE;
 use super::placing::{Box2, half_size};
 
 /// Height of a line, in heights of its letters.
@@ -105,15 +105,8 @@ impl Legend {
 
     /// A ground with round corners.
     fn plate(&self, drawing: &mut Drawing, corner: DVec2, size: DVec2) {
-        let width = (0.8 * self.em).min(size.min_element());
-        let inner = size - width;
-        let lines = (inner.y / (0.25 * width)).ceil().max(1.0);
-        let rows = (0..=256_u32).map(f64::from).take_while(|i| *i <= lines);
-        let ends = rows.map(|i| {
-            let left = corner + width / 2.0 + DVec2::Y * (inner.y * i / lines);
-            [left, left + DVec2::X * inner.x]
-        });
-        drawing.strokes.push(strokes(ends, self.palette.paper.with_alpha(225), width));
+        let fill = self.palette.paper.with_alpha(225);
+        drawing.areas.push(area(corner, size, 0.4 * self.em, fill));
     }
 
     fn row(&self, drawing: &mut Drawing, row: &Row, at: DVec2) {
@@ -136,10 +129,8 @@ impl Legend {
             Row::Swatch(color, meaning) | Row::Warning(color, meaning) => {
                 let letters = if matches!(row, Row::Warning(..)) { *color } else { ink };
                 text(at + DVec2::X * (INDENT * em), meaning, letters, Anchor::Left);
-                let ends = [at + DVec2::X * (SWATCH.y / 2.0 * em), at + DVec2::X * ((SWATCH.x - SWATCH.y / 2.0) * em)];
-                let border = strokes([ends], ink, SWATCH.y * em + 2.0);
-                let ground = strokes([ends], self.palette.paper, SWATCH.y * em);
-                drawing.strokes.extend([border, ground, strokes([ends], *color, SWATCH.y * em)]);
+                let (corner, size) = (at - DVec2::Y * (SWATCH.y / 2.0 * em), SWATCH * em);
+                drawing.areas.extend(sample(corner, size, ink, &[self.palette.paper, *color]));
             }
             Row::Mark(shape, color, meaning) => {
                 text(at + DVec2::X * (INDENT * em), meaning, ink, Anchor::Left);
@@ -167,29 +158,37 @@ impl Legend {
         }
     }
 
-    /// Upright strokes side by side, each a little over the one before it.
+    /// Steps of colour side by side, between round ends of the first and the last one.
     fn scale(&self, drawing: &mut Drawing, colors: &[Rgba], at: DVec2) {
-        let (em, high) = (self.em, 0.45 * self.em);
-        let (left, length) = (at + DVec2::X * high, SCALE * em - 2.0 * high);
-        drawing.strokes.push(strokes([[left, left + DVec2::X * length]], self.palette.ink, 2.0 * high + 2.0));
-        let step = length / f64::from(u32::try_from(colors.len().max(1)).unwrap_or(u32::MAX));
-        let width = (2.0 * step).min(2.0 * high);
+        let high = 0.45 * self.em;
+        let (corner, size) = (at - DVec2::Y * high, DVec2::new(SCALE * self.em, 2.0 * high));
+        let [first, .., last] = colors else { return };
+        drawing.areas.extend(sample(corner, size, self.palette.ink, &[*last]));
+        drawing.areas.push(area(corner, DVec2::splat(2.0 * high), high, *first));
+        let length = size.x - 2.0 * high;
+        let step = length / f64::from(u32::try_from(colors.len()).unwrap_or(u32::MAX));
+        // Each reaches to the end and is covered by the next one, so that no seam is left between two.
         for (i, color) in (0_u32..).zip(colors) {
-            let x = DVec2::X * (step * (f64::from(i) + 0.5));
-            let reach = DVec2::Y * (high - width / 2.0);
-            drawing.strokes.push(strokes([[left + x - reach, left + x + reach]], *color, width));
+            let before = step * f64::from(i);
+            let rest = DVec2::new(length - before, size.y);
+            drawing.areas.push(area(corner + DVec2::X * (high + before), rest, 0.0, *color));
         }
     }
 }
 
-/// Straight strokes that nothing hides.
-fn strokes(ends: impl IntoIterator<Item = [DVec2; 2]>, color: Rgba, width: f64) -> StrokeSet {
-    let points: Vec<[f32; 3]> = ends.into_iter().flatten().map(|p| [short(p.x), short(p.y), 1.0]).collect();
-    let count = u32::try_from(points.len() / 2).unwrap_or(0);
-    StrokeSet {
-        points,
-        polylines: (0..count).map(|i| 2 * i..2 * i + 2).collect(),
-        style: stroke(color, short(width), Dash::Solid, HiddenLines::Shown),
+/// A sample of colours laid over each other, with round ends and a border one pixel wide.
+fn sample(corner: DVec2, size: DVec2, border: Rgba, colors: &[Rgba]) -> Vec<Area> {
+    let around = area(corner - 1.0, size + 2.0, size.y / 2.0 + 1.0, border);
+    let inside = colors.iter().map(|&color| area(corner, size, size.y / 2.0, color));
+    std::iter::once(around).chain(inside).collect()
+}
+
+fn area(corner: DVec2, size: DVec2, radius: f64, fill: Rgba) -> Area {
+    Area {
+        corner: [short(corner.x), short(corner.y)],
+        size: [short(size.x), short(size.y)],
+        radius: short(radius),
+        fill,
     }
 }
 

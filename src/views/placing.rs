@@ -168,6 +168,7 @@ mod tests {
             painted_in_order: false,
             surfaces: Vec::new(),
             strokes: Vec::new(),
+            areas: Vec::new(),
             marks: Vec::new(),
             labels,
         }

@@ -45,6 +45,7 @@ fn drawing(width: u32, height: u32, antialias: u8, surfaces: Vec<Surface>) -> Dr
         painted_in_order: false,
         surfaces,
         strokes: Vec::new(),
+        areas: Vec::new(),
         marks: Vec::new(),
         labels: Vec::new(),
     }

@@ -125,6 +125,7 @@ fn draw(
         painted_in_order: false,
         surfaces: vec![surface],
         strokes: Vec::new(),
+        areas: Vec::new(),
         marks: Vec::new(),
         labels: Vec::new(),
     };
@@ -242,6 +243,7 @@ fn a_line_one_percent_behind_a_face_is_hidden_and_one_before_it_is_seen() {
             painted_in_order: false,
             surfaces: vec![surface],
             strokes: Vec::new(),
+            areas: Vec::new(),
             marks: Vec::new(),
             labels: Vec::new(),
         };
@@ -301,6 +303,7 @@ fn strokes_that_are_nonsense_are_left_out_without_harm() {
                     painted_in_order: false,
                     surfaces: vec![surface],
                     strokes: vec![StrokeSet { points, polylines, style }],
+                    areas: Vec::new(),
                     marks: Vec::new(),
                     labels: Vec::new(),
                 };

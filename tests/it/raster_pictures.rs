@@ -1,7 +1,7 @@
 //! The rules of depth and order of a drawing, frozen in small pictures.
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
-use camera_lab::drawing::{Anchor, Drawing, Label, Paint, StrokeSet, Surface};
+use camera_lab::drawing::{Anchor, Area, Drawing, Label, Paint, StrokeSet, Surface};
 use camera_lab::raster::Rasterizer;
 
 use crate::common::picture::assert_picture;
@@ -20,6 +20,7 @@ fn drawing(width: u32, height: u32) -> Drawing {
         painted_in_order: false,
         surfaces: Vec::new(),
         strokes: Vec::new(),
+        areas: Vec::new(),
         marks: Vec::new(),
         labels: Vec::new(),
     }
@@ -95,4 +96,32 @@ fn label_behind_a_face() {
     d.labels.push(label([80.0, 60.0, 0.4], "visão θ", true));
     d.labels.push(label([80.0, 90.0, 0.4], "ção ½", false));
     assert_picture("label_behind_a_face", &Rasterizer::default().paint(&d).expect("a picture"));
+}
+
+#[test]
+fn an_area_covers_its_rectangle_but_for_round_corners_and_hides_strokes() {
+    let fill = Rgba::rgb(0, 0, 255);
+    let area = |corner, size, radius| Area { corner, size, radius, fill };
+    let paint = |strokes: &[StrokeSet], areas: Vec<Area>| {
+        let drawing = Drawing { strokes: strokes.to_vec(), areas, ..drawing(64, 40) };
+        Rasterizer::default().paint(&drawing).expect("a picture")
+    };
+    let strokes = [stroke(vec![[0.0, 20.0, 1.0], [64.0, 20.0, 1.0]], HiddenLines::Shown, false)];
+    let (plain, square) = (paint(&strokes, Vec::new()), paint(&strokes, vec![area([10.0, 10.0], [30.0, 20.0], 0.0)]));
+    for (x, y) in (0..64).flat_map(|x| (0..40).map(move |y| (x, y))) {
+        let pixel = square.pixel(x, y).expect("inside");
+        if (10..40).contains(&x) && (10..30).contains(&y) {
+            assert_eq!((pixel.red(), pixel.green(), pixel.blue()), (0, 0, 255), "({x}, {y})");
+        } else {
+            assert_eq!(Some(pixel), plain.pixel(x, y), "({x}, {y})");
+        }
+    }
+    // With corners as large as they can be a square is a circle: it covers π r², as exactly as paths are filled.
+    let circle = paint(&[], vec![area([10.0, 12.0], [20.0, 20.0], 99.0)]);
+    let covered = circle.pixels().iter().map(|p| f64::from(255 - p.red()) / 255.0).sum::<f64>();
+    assert!((covered - 100.0 * std::f64::consts::PI).abs() < 3.0, "{covered}");
+    for nonsense in [f32::NAN, f32::INFINITY, -1.0] {
+        let wrong = area([10.0, 10.0], [nonsense, 20.0], 3.0);
+        assert_eq!(paint(&strokes, vec![wrong]).data(), plain.data(), "{nonsense}");
+    }
 }

@@ -54,6 +54,7 @@ fn colours_on_slivers_are_those_of_exact_arithmetic() {
                 depth_test: true,
             }],
             strokes: Vec::new(),
+            areas: Vec::new(),
             marks: Vec::new(),
             labels: Vec::new(),
         };
