@@ -16,6 +16,8 @@
 //! [`clip_parts`], [`cull_result`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
 //! and what would come of dividing first.
 //!
+//! A drawing for an output without a depth buffer is completed by [`stroke_runs`]: which parts of its strokes faces hide.
+//!
 //! Whatever is cut is cut by `cut`, and whatever vertices carry is carried over by `resample`.
 
 mod bounding_tree;
@@ -38,6 +40,7 @@ pub mod report;
 mod resample;
 mod shade;
 mod stages;
+pub mod stroke_runs;
 mod survey;
 mod transform;
 mod visibility;

@@ -1,7 +1,18 @@
 //! Eight triangles at a time: their boxes, and what makes them ready to be filled.
 //!
 //! Fine meshes are made of small triangles, for which most of the work is to set them up: that is done for eight at once, in
-//! 32 bits. The others go their own way, through [`Triangle`](super::setup::Triangle).
+//! 32 bits. The others go alone, through [`Triangle`](super::setup::Triangle). A triangle is treated by its box, the pixels whose
+//! samples it may own:
+//!
+//! | grade | its box | how it is filled |
+//! | --- | --- | --- |
+//! | one | a single pixel | dropped while triangles are sorted into bands, if it does not own the centre |
+//! | tiny | [`few`](Batch::few): 4 × 4 pixels, one sample each | all pixels of eight triangles at once, then set one by one |
+//! | small | [`small`](Batch::small): 32 × 128 pixels | by edge functions in 32 bits, tile by tile |
+//! | wide | any | between its borders in 64 bits, row by row |
+//!
+//! Tiny and small ones must also have an area, and be simple to colour ([`Colors::simple`](super::shade::Colors::simple)): no
+//! sliver, and not bent by perspective. What is coloured pixel by pixel (`per_pixel`) is always filled as wide.
 
 use std::ops::Range;
 
@@ -9,9 +20,7 @@ use crate::drawing::Surface;
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, round_bits};
 
-use super::fill::Size;
-use super::setup::{FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, Plane, REACH, STEPS, Triangle, WIDEST};
-use super::shade::pick;
+use super::setup::{FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, Plane, REACH, STEPS, Size, Triangle, WIDEST, pick};
 
 /// Triangles in a batch.
 pub(super) const BATCH: usize = 8;

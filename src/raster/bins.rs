@@ -9,7 +9,7 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, with_vectors};
 
 use super::batch::{BATCH, Batch, corners_of, gather_points};
-use super::fill::Size;
+use super::setup::Size;
 
 /// Triangles that are sorted into bands as one piece of work.
 const CHUNK: usize = 8192;

@@ -1,6 +1,5 @@
 //! The depth of what is seen at each pixel.
 
-use super::fill::unpack_slope;
 use super::setup::STEPS;
 
 /// Depth per pixel, greater is nearer.
@@ -106,4 +105,14 @@ impl DepthBuffer {
 fn floor(v: f32) -> i32 {
     let whole = v.clamp(-1e9, 1e9) as i32;
     whole - i32::from(whole as f32 > v)
+}
+
+/// Two slopes as the upper halves of two `f32`: 8 bits of each are enough.
+pub(super) fn pack_slope(dx: f32, dy: f32) -> u32 {
+    (dx.to_bits() & 0xffff_0000) | dy.to_bits() >> 16
+}
+
+/// The slopes that [`pack_slope`] packed, towards 0 by 1/128 at most.
+fn unpack_slope(packed: u32) -> [f32; 2] {
+    [f32::from_bits(packed & 0xffff_0000), f32::from_bits(packed << 16)]
 }

@@ -14,17 +14,11 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, f64x4, i32x8, mask32x8, u32x4, u32x8};
 
 use super::batch::{BATCH, Batch, Corners, Planes, SetUp, corners, corners_at, gather_points};
+use super::depth::pack_slope;
 use super::per_pixel::PerPixel;
 use super::pixel::{self, Pixel};
-use super::setup::{Borders, Plane, ROWS, STEPS};
+use super::setup::{Borders, Plane, ROWS, STEPS, Size};
 use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
-
-/// Sides of a picture in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Size {
-    pub(super) width: i32,
-    pub(super) height: i32,
-}
 
 /// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
 pub(super) struct Band<'a> {
@@ -118,12 +112,15 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     batch: &Batch<K>,
     z: &[f32x8<K>; 3],
 ) {
+    // All eight are set up, although some will go alone: a branch for each would cost more than the arithmetic.
     let set_up = batch.set_up(band.rows.start);
     let colors = C::new(simd, surface, triangles, corners, &set_up, S > 1);
     let depths = set_up.planes(z);
     let small = batch.small & set_up.has_area & colors.simple();
     let tiny = if S == 1 { batch.few & small } else { mask32x8::splat(simd, 0) };
     let mut few = Few { owned: [0; BATCH], depths: [[0.0; BATCH]; MOST], colors: [[0; BATCH]; MOST] };
+    // First what the tiny ones own, for all eight at once; it is written below, one triangle after the other, because of two that
+    // own the same pixel the first one in the list must come first.
     if tiny.any_true() {
         few.find(tiny, batch, &set_up, band.rows.end, &depths, &colors);
     }
@@ -133,6 +130,7 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
             continue;
         }
         if tiny[l] != 0 {
+            // Found above: the pixels are few, so each is set on its own.
             let start = band.place(rows.start, batch.left[l]).start;
             let mut owned = few.owned[l];
             while owned != 0 {
@@ -144,15 +142,18 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
                 }
             }
         } else if small[l] != 0 {
+            // Its edge functions fit in 32 bits: it is scanned tile by tile over its box.
             let columns = batch.left[l]..batch.right[l];
             let origin = [set_up.origin[0][l], set_up.origin[1][l]];
             let painter = Painter::<K, S, C::Simple>::new(simd, origin, depths.of(l), band, surface, colors.of(l));
+            // Four columns or fewer: a tile of two rows wastes less than one of eight columns.
             if columns.end - columns.start <= 4 {
                 painter.small::<true>(band, columns, rows, &set_up.edges_of(l));
             } else {
                 painter.small::<false>(band, columns, rows, &set_up.edges_of(l));
             }
         } else {
+            // Large, a sliver, or with colours that perspective bends: on its own, in 64 bits, row by row.
             let corners = corners_at(corners, l);
             if let Some(triangle) = batch.alone(l, &surface.positions, corners)
                 && let Some(shader) = C::alone(simd, surface, &triangle, triangles[l], corners)
@@ -194,6 +195,7 @@ impl Few {
         let zero = u32x8::splat(tiny.witness(), 0);
         let (rows, columns) = (batch.bottom.min(end) - set_up.top, batch.right - batch.left);
         let [x, y] = set_up.first();
+        // Lane l is triangle l, and all go through the pixels of their own boxes in step: pixel (i, j) of eight boxes at a time.
         let mut owned = zero;
         let mut row_edges = set_up.edges;
         for j in 0..FEW {
@@ -207,6 +209,7 @@ impl Few {
                 if !own.any_true() {
                     break;
                 }
+                // Inside of all three edges no sign bit is set.
                 own &= (edges[0] | edges[1] | edges[2]).simd_gt(-1);
                 if own.any_true() {
                     let k = (FEW * j + i) as usize;
@@ -384,6 +387,7 @@ struct Painter<K: Simd, const S: usize, P> {
 impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     #[inline(always)]
     fn new(simd: K, origin: [f32; 2], z: Plane, band: &Band, surface: &Surface, shader: P) -> Self {
+        // Depth is affine, so a sample's differs from the centre's by the same everywhere.
         let mut depth_steps = [0.0; S];
         for (step, sample) in depth_steps.iter_mut().zip(band.samples) {
             *step = z.dx * in_pixels(sample[0]) + z.dy * in_pixels(sample[1]);
@@ -463,6 +467,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     /// Fills any triangle, row by row between its borders.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn wide(mut self, band: &mut Band, rows: Range<i32>, vertices: &[[i32; 2]; 3]) {
+        // Of a large triangle most tiles of the box would be empty: its borders say where each row begins and ends.
         let borders = Borders::new(self.simd, vertices, band.samples, band.size.width);
         // Where a pixel has one sample four rows are bounded together.
         let together = ROWS / S;
@@ -529,6 +534,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
                 Counts::add(self.simd, &mut counts.lanes[0], *covered & own);
             }
         }
+        // Depth comes before colour, sample by sample: what fails is no longer covered.
         if self.depth_test {
             for (s, (covered, &step)) in (0..).zip(covered.iter_mut().zip(&self.depth_steps)) {
                 let z = if S == 1 { center } else { center + step };
@@ -557,6 +563,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if !any(covered) {
             return;
         }
+        // One colour for all samples of a pixel (only coverage and depth are sampled), and none where nothing is left to paint:
+        // light and textures cost more than all tests before.
         let mut wanted = covered[0];
         for covered in &covered[1..] {
             wanted |= *covered;
@@ -583,14 +591,4 @@ fn over<K: Simd>(source: u32x8<K>, target: u32x8<K>) -> u32x8<K> {
 fn scale_alternate<K: Simd>(v: u32x8<K>, a: u32x8<K>) -> u32x8<K> {
     let t = (v & 0x00ff_00ff) * a + 0x0080_0080;
     ((t + ((t >> 8) & 0x00ff_00ff)) >> 8) & 0x00ff_00ff
-}
-
-/// Two slopes as the upper halves of two `f32`: 8 bits of each are enough.
-fn pack_slope(dx: f32, dy: f32) -> u32 {
-    (dx.to_bits() & 0xffff_0000) | dy.to_bits() >> 16
-}
-
-/// The slopes that [`pack_slope`] packed, towards 0 by 1/128 at most.
-pub(super) fn unpack_slope(packed: u32) -> [f32; 2] {
-    [f32::from_bits(packed & 0xffff_0000), f32::from_bits(packed << 16)]
 }

@@ -10,8 +10,8 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8, u32x8};
 
 use super::pixel::{Pixel, channels, premultiply};
-use super::setup::{Plane, Triangle};
-use super::shade::{LANES, Shader, inverse_w, pick};
+use super::setup::{Plane, Triangle, pick};
+use super::shade::{LANES, Shader, inverse_w};
 
 /// Premultiplied colours as floating-point channels.
 type Channels = [f32; 4];

@@ -222,3 +222,16 @@ pub(super) fn greater<T: PartialOrd>(a: T, b: T) -> T {
 pub(super) fn lesser<T: PartialOrd>(a: T, b: T) -> T {
     if a < b { a } else { b }
 }
+
+/// Sides of a picture in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Size {
+    pub(super) width: i32,
+    pub(super) height: i32,
+}
+
+/// The values at three indices; `None` where one is missing.
+#[inline(always)]
+pub(super) fn pick<T: Copy>(values: &[T], at: [usize; 3]) -> Option<[T; 3]> {
+    Some([*values.get(at[0])?, *values.get(at[1])?, *values.get(at[2])?])
+}

@@ -7,7 +7,7 @@ use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather};
 use super::pixel::{Pixel, premultiply};
-use super::setup::{Plane, Triangle, greater};
+use super::setup::{Plane, Triangle, greater, pick};
 
 /// Pixels that are worked on together.
 pub(super) const LANES: usize = 8;
@@ -361,12 +361,6 @@ fn gather_colors<K: Simd>(simd: K, colors: &[Rgba], corners: &Corners) -> ([u32x
     let [p, q, r] = &packed;
     let packed = [u32x8::from_slice(simd, p), u32x8::from_slice(simd, q), u32x8::from_slice(simd, r)];
     (packed, mask32x8::from_slice(simd, &present))
-}
-
-/// The values at three indices; `None` where one is missing.
-#[inline(always)]
-pub(super) fn pick<T: Copy>(values: &[T], at: [usize; 3]) -> Option<[T; 3]> {
-    Some([*values.get(at[0])?, *values.get(at[1])?, *values.get(at[2])?])
 }
 
 /// 1/w at the vertices of a triangle: 1 where the surface has none.

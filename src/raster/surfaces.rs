@@ -9,9 +9,9 @@ use crate::simd::with_vectors;
 
 use super::bins::Bins;
 use super::depth::{BandDepth, DepthBuffer};
-use super::fill::{Band, Counts, Size, fill};
+use super::fill::{Band, Counts, fill};
 use super::pixel::{Pixel, mean, premultiply};
-use super::setup::samples;
+use super::setup::{Size, samples};
 use super::shade::LANES;
 
 /// The samples of a band should stay in a processor's own cache: this many, each with colour and depth (8 bytes).

@@ -30,5 +30,6 @@ mod raster_slivers;
 mod reveal;
 mod scene;
 mod stages;
+mod stroke_runs;
 mod views;
 mod views_pictures;
