@@ -13,13 +13,14 @@ use std::time::Instant;
 
 use camera_lab::appearance::{Rgba, Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Parameters};
+use camera_lab::clock;
 use camera_lab::figure::Figure;
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::picture::{Source, Studio, clock};
+use camera_lab::picture::{Picture, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Stage, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, primitives};
-use camera_lab::views::{Size, View, scene_of};
+use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3};
 use tiny_skia::Pixmap;
 
@@ -106,7 +107,7 @@ fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, st
     let (Ok(camera), Some(mut pixmap)) = (Camera::new(parameters), Pixmap::new(target.width, target.height)) else {
         return;
     };
-    let options = Options { clock: Some(clock), ..Options::default() };
+    let options = Options { clock: Some(clock::now), ..Options::default() };
     Least::row(name, frames, || {
         let start = Instant::now();
         let frame = pipeline.frame(scene, &camera, target, style, options);
@@ -166,14 +167,17 @@ fn main() {
         return;
     };
     let labels = pictures::labels(Lang::En);
-    let source = Source { figure: &figure, camera: &camera, scene: &scene, labels, force_all_stages: false };
+    let scene = SharedScene::new(scene);
     for view in View::ALL {
         let name = format!("default figure, {}", view.name());
         if wanted(&name) {
-            let mut studio = Studio::default().with_clock(clock);
+            let (mut renderer, mut picture) = (Renderer::default(), Picture::default());
+            renderer.measure(Some(clock::now));
             let size = Size { width: 640, height: 640, scale: 1.0 };
+            let request = Request::of(&figure, view, &camera, &scene, labels, size);
             Least::row(&name, 50, || {
-                let Some(account) = studio.redraw(source, view, size) else { return Vec::new() };
+                renderer.forget();
+                let Some(account) = renderer.pixels_into(&request, &mut picture) else { return Vec::new() };
                 let time = |stage: Stage| account.stages[stage as usize].time.unwrap_or_default().as_secs_f64();
                 let times = STAGES.map(time);
                 let fill = time(Stage::Fill);

@@ -17,6 +17,7 @@
 pub mod appearance;
 pub mod camera;
 pub mod cli;
+pub mod clock;
 pub mod drawing;
 pub mod export;
 pub mod expression;

@@ -6,9 +6,10 @@ use serde::Serialize;
 
 use super::args::{BenchArgs, TableFormat};
 use super::{Failure, Subject, print};
+use crate::clock;
 use crate::i18n::{Lang, command_line as texts};
-use crate::picture::{self, Source, Studio};
-use crate::views::{Size, View, Views};
+use crate::picture::{Picture, Renderer, requests};
+use crate::views::{Request, View};
 
 /// Pictures that are drawn before the clock starts, so that buffers have their size.
 const WARM_UP: usize = 3;
@@ -29,9 +30,10 @@ struct Measurement<'a> {
 pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     let frames = args.frames(lang)?;
     let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
-    let Subject { scene, size, lang, .. } = &subject;
-    let times =
-        measure(subject.source(args.force_all_stages), args.view, *size, frames).ok_or_else(|| subject.too_large())?;
+    let Subject { opened, scene, size, lang, .. } = &subject;
+    let request = subject.request(View::Image, args.force_all_stages);
+    let requests = requests(args.view, &request, &opened.figure.observers).ok_or_else(|| subject.too_large())?;
+    let times = measure(&requests, frames).ok_or_else(|| subject.too_large())?;
     let measurement = Measurement {
         view: args.view.name(),
         width: size.width,
@@ -54,24 +56,19 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), *lang)
 }
 
-/// The times of the frames, shortest first. `None` where pictures cannot be so large.
-fn measure(source: Source<'_>, views: Views, size: Size, frames: usize) -> Option<Vec<Duration>> {
-    let pictures: Vec<(View, Size)> = match views {
-        Views::One(view) => vec![(view, size)],
-        Views::All => {
-            let widths = picture::widths(size)?;
-            View::ALL.into_iter().zip(widths).map(|(view, width)| (view, Size { width, ..size })).collect()
-        }
-    };
-    let mut studio = Studio::default();
+/// The times of the frames, shortest first, each made from scratch. `None` where pictures cannot be so large.
+fn measure(requests: &[Request], frames: usize) -> Option<Vec<Duration>> {
+    let mut renderer = Renderer::default();
+    let mut pictures = vec![Picture::default(); requests.len()];
     let mut times = Vec::with_capacity(frames);
     for frame in 0..WARM_UP + frames {
-        let start = picture::clock();
-        for &(view, size) in &pictures {
-            studio.redraw(source, view, size)?;
+        let start = clock::now();
+        renderer.forget();
+        for (request, picture) in requests.iter().zip(&mut pictures) {
+            renderer.pixels_into(request, picture)?;
         }
         if frame >= WARM_UP {
-            times.push(picture::clock().saturating_sub(start));
+            times.push(clock::now().saturating_sub(start));
         }
     }
     times.sort();

@@ -6,11 +6,12 @@ use serde::Serialize;
 
 use super::args::{ExplainArgs, TableFormat};
 use super::{Failure, Subject, print};
+use crate::clock;
 use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
-use crate::picture::{self, Account, Source, Studio};
+use crate::picture::{Account, Picture, Renderer};
 use crate::pipeline::{Containment, ObjectReport, StageReport};
 use crate::scene::{Object, Scene};
-use crate::views::{Size, View};
+use crate::views::{Request, Size, View};
 
 /// What programs read.
 #[derive(Serialize)]
@@ -51,7 +52,8 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
     let Subject { scene, size, lang, .. } = &subject;
     let (size, lang) = (*size, *lang);
-    let account = account(subject.source(args.force_all_stages), args.view, size).ok_or_else(|| subject.too_large())?;
+    let request = subject.request(args.view, args.force_all_stages);
+    let account = account(&request).ok_or_else(|| subject.too_large())?;
     let view = args.view.name();
     let objects = (args.view == View::Image).then(|| objects(scene, &account, lang));
     let text = match args.format {
@@ -90,10 +92,12 @@ fn objects<'a>(scene: &'a Scene, account: &Account, lang: Lang) -> Vec<ObjectLin
 }
 
 /// The picture is drawn twice: the first time, memory that is new to the process would be most of what is measured.
-fn account(source: Source<'_>, view: View, size: Size) -> Option<Account> {
-    let mut studio = Studio::default().with_clock(picture::clock);
-    studio.redraw(source, view, size)?;
-    studio.redraw(source, view, size)
+fn account(request: &Request) -> Option<Account> {
+    let (mut renderer, mut picture) = (Renderer::default(), Picture::default());
+    renderer.measure(Some(clock::now));
+    renderer.pixels_into(request, &mut picture)?;
+    renderer.forget();
+    renderer.pixels_into(request, &mut picture)
 }
 
 fn line(report: &StageReport, lang: Lang) -> StageLine {

@@ -7,12 +7,12 @@ mod args;
 mod bench;
 mod explain;
 mod inspect;
+mod opening;
 mod render;
-mod window;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -23,9 +23,8 @@ use crate::figure::read::line_of_object;
 use crate::files::{self, FileError, Opened};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::inspect::{InspectError, camera_after};
-use crate::picture::Source;
 use crate::scene::Scene;
-use crate::views::{Size, scene_of};
+use crate::views::{Request, SharedScene, Size, View, scene_of};
 use args::{Command, CommandLine, FigureArgs, LangArg};
 
 /// Why a command ends early.
@@ -39,8 +38,28 @@ enum Failure {
     ClosedPipe,
 }
 
-/// Runs the program with the arguments of a process (the program's name first).
-pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+/// What the arguments ask for.
+#[derive(Debug)]
+pub enum Asked {
+    /// Something that has been done, or could not be.
+    Done(ExitCode),
+    /// The window.
+    Window(Box<Opening>),
+}
+
+/// What the window is to open with.
+#[derive(Debug)]
+pub struct Opening {
+    /// The figure; its camera is possible.
+    pub figure: Figure,
+    /// Its file and the text in it; `None`: a new figure.
+    pub file: Option<(PathBuf, String)>,
+    /// The language of the window and of messages.
+    pub lang: Lang,
+}
+
+/// Runs the program with the arguments of a process (the program's name first), up to the window.
+pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
     let args: Vec<OsString> = args.into_iter().collect();
     let lang = args::written_lang(&args).unwrap_or_else(system_lang);
     let result = match CommandLine::try_parse_from(&args) {
@@ -49,7 +68,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
             Some(Command::Render(args)) => render::run(&args, lang),
             Some(Command::Explain(args)) => explain::run(&args, lang),
             Some(Command::Bench(args)) => bench::run(&args, lang),
-            None => window::run(&line.window, lang),
+            None => match opening::opening(&line.window, lang) {
+                Ok(opening) => return Asked::Window(Box::new(opening)),
+                Err(failure) => Err(failure),
+            },
         },
         Err(error) if error.use_stderr() => Err(Failure::BadInput(match args::unknown_command(&args) {
             Some(name) => texts::unknown_command(lang, &name, &args::commands()),
@@ -57,11 +79,16 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         })),
         Err(help) => print(help.render().to_string().as_bytes(), lang),
     };
-    let (status, message) = match result {
-        Ok(()) | Err(Failure::ClosedPipe) => return ExitCode::SUCCESS,
-        Err(Failure::Failed(message)) => (1, message),
-        Err(Failure::BadInput(message)) => (2, message),
-    };
+    Asked::Done(match result {
+        Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(Failure::Failed(message)) => fail(1, &message),
+        Err(Failure::BadInput(message)) => fail(2, &message),
+    })
+}
+
+/// Says on standard error why the program ends, and gives its exit status.
+#[must_use]
+pub fn fail(status: u8, message: &str) -> ExitCode {
     // Where even standard error is closed, the status has to do.
     let _ = writeln!(io::stderr(), "camera-lab: {message}");
     ExitCode::from(status)
@@ -110,7 +137,7 @@ fn scene(path: &Path, opened: &Opened, lang: Lang) -> Result<Scene, Failure> {
 struct Subject {
     opened: Opened,
     camera: Camera,
-    scene: Scene,
+    scene: SharedScene,
     size: Size,
     /// What goes to standard output does not depend on the system.
     lang: Lang,
@@ -119,20 +146,17 @@ struct Subject {
 impl Subject {
     fn open(path: &Path, args: &FigureArgs, size: Option<ImageSize>, lang: Lang) -> Result<Self, Failure> {
         let (opened, camera) = open(path, args, lang)?;
-        let scene = scene(path, &opened, lang)?;
+        let scene = SharedScene::new(scene(path, &opened, lang)?);
         let ImageSize { width, height } = size.unwrap_or(opened.figure.image);
         let size = Size { width, height, scale: 1.0 };
         Ok(Self { opened, camera, scene, size, lang: args.lang.map_or(Lang::En, LangArg::lang) })
     }
 
-    fn source(&self, force_all_stages: bool) -> Source<'_> {
-        Source {
-            figure: &self.opened.figure,
-            camera: &self.camera,
-            scene: &self.scene,
-            labels: pictures::labels(self.lang),
-            force_all_stages,
-        }
+    /// A picture of it.
+    fn request(&self, view: View, force_all_stages: bool) -> Request {
+        let labels = pictures::labels(self.lang);
+        let request = Request::of(&self.opened.figure, view, &self.camera, &self.scene, labels, self.size);
+        Request { force_all_stages, ..request }
     }
 
     /// Why there is no picture of this size.

@@ -3,12 +3,11 @@
 use super::args::{LangArg, RenderArgs};
 use super::{Failure, open, scene};
 use crate::camera::ImageSize;
-use crate::export::png;
 use crate::figure::update;
 use crate::files;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
-use crate::picture::{Source, Studio, gap};
-use crate::views::{Size, Views};
+use crate::picture::{Renderer, gap, requests};
+use crate::views::{Request, SharedScene, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let name = args.output.display().to_string();
@@ -18,7 +17,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let (given, scale) = (args.size(lang)?, args.scale(lang)?);
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
     opened.figure.style.theme = args.theme().unwrap_or(opened.figure.style.theme);
-    let scene = scene(&args.figure, &opened, lang)?;
+    let scene = SharedScene::new(scene(&args.figure, &opened, lang)?);
     let figure = &opened.figure;
     let [width, height] = pixels(given, figure.image, args.view == Views::All, scale);
     let too_large = || Failure::BadInput(texts::too_large(lang, width, height));
@@ -26,20 +25,13 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         (Ok(width), Ok(height)) => Size { width, height, scale },
         _ => return Err(too_large()),
     };
-    let source = Source {
-        figure,
-        camera: &camera,
-        scene: &scene,
-        labels: pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang)),
-        force_all_stages: args.force_all_stages,
-    };
-    let mut studio = Studio::default();
-    let pixmap = match args.view {
-        Views::One(view) => studio.paint(source, view, size),
-        Views::All => studio.paint_all(source, size),
-    }
-    .ok_or_else(too_large)?;
-    let bytes = png::encode(&pixmap, &update(&opened.text, &opened.figure))
+    let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
+    let request = Request::of(figure, View::Image, &camera, &scene, labels, size);
+    let request = Request { force_all_stages: args.force_all_stages, ..request };
+    let requests = requests(args.view, &request, &figure.observers).ok_or_else(too_large)?;
+    let picture = Renderer::default().sheet(&requests).ok_or_else(too_large)?;
+    let bytes = picture
+        .into_png(&update(&opened.text, &opened.figure))
         .map_err(|error| Failure::Failed(format!("{name}: {}", messages::png(lang, &error))))?;
     files::save(&args.output, &bytes).map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }

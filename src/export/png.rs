@@ -32,11 +32,11 @@ pub enum PngError {
 ///
 /// # Errors
 /// [`PngError::Encode`] when the encoder fails.
-pub fn encode(pixmap: &Pixmap, figure: &str) -> Result<Vec<u8>, PngError> {
+pub fn encode(pixmap: Pixmap, figure: &str) -> Result<Vec<u8>, PngError> {
     let error = |e: png::EncodingError| PngError::Encode(e.to_string());
     let (width, height) = (pixmap.width(), pixmap.height());
     let opaque = pixmap.pixels().iter().all(|p| p.alpha() == u8::MAX);
-    let rgba = pixmap.clone().take_demultiplied();
+    let rgba = pixmap.take_demultiplied();
     let (color, data) = if opaque {
         (ColorType::Rgb, rgba.as_chunks::<4>().0.iter().flat_map(|p| [p[0], p[1], p[2]]).collect())
     } else {
@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn the_figure_comes_back_with_accents_and_line_ends() {
         let text = "[camera] # câmera θ\nnear = 1\r\n";
-        let bytes = encode(&picture(255), text).unwrap();
+        let bytes = encode(picture(255), text).unwrap();
         assert_eq!(figure_text(&bytes).unwrap().as_deref(), Some(text));
         assert_eq!(figure_bytes(&bytes).unwrap().as_ref(), text.as_bytes());
         assert_eq!(figure_bytes(text.as_bytes()).unwrap().as_ref(), text.as_bytes());
@@ -117,15 +117,15 @@ mod tests {
 
     #[test]
     fn opaque_pictures_are_rgb_and_others_have_straight_alpha() {
-        let (color, data) = pixels(&encode(&picture(255), "").unwrap());
+        let (color, data) = pixels(&encode(picture(255), "").unwrap());
         assert_eq!((color, &data[..6]), (ColorType::Rgb, &[200, 100, 50, 127, 0, 255][..]));
-        let (color, data) = pixels(&encode(&picture(128), "").unwrap());
+        let (color, data) = pixels(&encode(picture(128), "").unwrap());
         assert_eq!((color, &data[..8]), (ColorType::Rgba, &[200, 100, 50, 255, 128, 0, 255, 128][..]));
     }
 
     #[test]
     fn a_figure_behind_the_pixels_is_found() {
-        let with = encode(&picture(255), "near the end").unwrap();
+        let with = encode(picture(255), "near the end").unwrap();
         let start = with.windows(4).position(|w| w == b"iTXt").unwrap() - 4;
         let length = 12 + u32::from_be_bytes(with[start..start + 4].try_into().unwrap()) as usize;
         let mut moved = with.clone();
@@ -142,7 +142,7 @@ mod tests {
         encoder.set_color(ColorType::Grayscale);
         encoder.write_header().unwrap().write_image_data(&[7]).unwrap();
         assert_eq!(figure_bytes(&bytes), Err(PngError::NoFigure));
-        let whole = encode(&picture(255), "text").unwrap();
+        let whole = encode(picture(255), "text").unwrap();
         for end in [8, 20, 40, 60] {
             assert!(matches!(figure_bytes(&whole[..end]), Err(PngError::Damaged(_))), "{end}");
         }

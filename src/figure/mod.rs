@@ -11,7 +11,7 @@ pub mod write;
 
 use crate::appearance::Style;
 use crate::camera::{ImageSize, Parameters, Viewport};
-use crate::scene::SceneSpec;
+use crate::scene::{Preset, SceneSpec};
 pub use edit::update;
 pub use error::FigureError;
 use glam::DVec3;
@@ -35,6 +35,15 @@ pub struct Figure {
     pub reveal: Reveal,
     /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be seen.
     pub observers: Observers,
+}
+
+impl Figure {
+    /// A named scene, from where it and its view volume are worth seeing.
+    #[must_use]
+    pub fn of_preset(preset: Preset) -> Self {
+        let scene = SceneSpec { preset, ..SceneSpec::default() };
+        Self { camera: recommended_camera(preset), scene, ..Self::default() }
+    }
 }
 
 /// The observers of the two three-dimensional pictures.

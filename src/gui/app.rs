@@ -174,7 +174,7 @@ impl App {
                 }
             }
             Command::Show(picture) => state.layout.toggle(picture),
-            Command::Look(look) => state.look = Some(look),
+            Command::Observe(change) => state.observer_change = Some(change),
             Command::Help => state.filing.dialog = Some(Dialog::Help),
             Command::Pipeline => state.layout.strip = !state.layout.strip,
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,

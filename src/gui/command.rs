@@ -2,10 +2,11 @@
 
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::state::{Look, Side, State, Tab};
+use super::state::{ObserverChange, Side, State, Tab};
 use crate::appearance::Theme;
 use crate::i18n::window::Texts;
 use crate::views::View;
+use crate::views::observer::Viewpoint;
 
 /// Something that can be done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -51,7 +52,7 @@ pub enum Command {
     /// Shows or hides a picture.
     Show(View),
     /// Looks at both 3D pictures from somewhere.
-    Look(Look),
+    Observe(ObserverChange),
     /// Turning one 3D picture turns the other.
     LinkOrbits,
     /// Shows or hides the stages of the pipeline.
@@ -73,11 +74,11 @@ impl Command {
         Self::Show(View::World),
         Self::Show(View::Canonical),
         Self::Show(View::Image),
-        Self::Look(Look::Front),
-        Self::Look(Look::Top),
-        Self::Look(Look::Side),
-        Self::Look(Look::Iso),
-        Self::Look(Look::Fit),
+        Self::Observe(ObserverChange::From(Viewpoint::Front)),
+        Self::Observe(ObserverChange::From(Viewpoint::Top)),
+        Self::Observe(ObserverChange::From(Viewpoint::Side)),
+        Self::Observe(ObserverChange::From(Viewpoint::Iso)),
+        Self::Observe(ObserverChange::Fit),
         Self::LinkOrbits,
         Self::Tab(Tab::Camera),
         Self::Tab(Tab::Scene),
@@ -138,11 +139,11 @@ impl Command {
             Self::Show(View::World) => (t.show_world, t.show_picture_hint),
             Self::Show(View::Canonical) => (t.show_canonical, t.show_picture_hint),
             Self::Show(View::Image) => (t.show_image, t.show_picture_hint),
-            Self::Look(Look::Front) => (t.look_front, t.look_front_hint),
-            Self::Look(Look::Top) => (t.look_top, t.look_top_hint),
-            Self::Look(Look::Side) => (t.look_side, t.look_side_hint),
-            Self::Look(Look::Iso) => (t.look_iso, t.look_iso_hint),
-            Self::Look(Look::Fit) => (t.look_fit, t.look_fit_hint),
+            Self::Observe(ObserverChange::From(Viewpoint::Front)) => (t.look_front, t.look_front_hint),
+            Self::Observe(ObserverChange::From(Viewpoint::Top)) => (t.look_top, t.look_top_hint),
+            Self::Observe(ObserverChange::From(Viewpoint::Side)) => (t.look_side, t.look_side_hint),
+            Self::Observe(ObserverChange::From(Viewpoint::Iso)) => (t.look_iso, t.look_iso_hint),
+            Self::Observe(ObserverChange::Fit) => (t.look_fit, t.look_fit_hint),
             Self::LinkOrbits => (t.link_orbits, t.link_orbits_hint),
             Self::Pipeline => (t.pipeline, t.pipeline_hint),
             Self::Help => (t.help, t.help_hint),
@@ -178,11 +179,11 @@ impl Command {
             Self::Show(View::World) => (Modifiers::COMMAND, Key::Num1),
             Self::Show(View::Canonical) => (Modifiers::COMMAND, Key::Num2),
             Self::Show(View::Image) => (Modifiers::COMMAND, Key::Num3),
-            Self::Look(Look::Front) => (Modifiers::ALT, Key::Num1),
-            Self::Look(Look::Top) => (Modifiers::ALT, Key::Num2),
-            Self::Look(Look::Side) => (Modifiers::ALT, Key::Num3),
-            Self::Look(Look::Iso) => (Modifiers::ALT, Key::Num4),
-            Self::Look(Look::Fit) => (Modifiers::ALT, Key::Num0),
+            Self::Observe(ObserverChange::From(Viewpoint::Front)) => (Modifiers::ALT, Key::Num1),
+            Self::Observe(ObserverChange::From(Viewpoint::Top)) => (Modifiers::ALT, Key::Num2),
+            Self::Observe(ObserverChange::From(Viewpoint::Side)) => (Modifiers::ALT, Key::Num3),
+            Self::Observe(ObserverChange::From(Viewpoint::Iso)) => (Modifiers::ALT, Key::Num4),
+            Self::Observe(ObserverChange::Fit) => (Modifiers::ALT, Key::Num0),
             Self::LinkOrbits => (Modifiers::ALT, Key::L),
             Self::Help => (Modifiers::NONE, Key::F1),
         };

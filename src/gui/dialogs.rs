@@ -8,12 +8,13 @@ use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
 use super::command::Command;
 use super::export::Export;
 use super::filing::{self, Dialog, Purpose};
-use super::number_field::{NumberField, Step};
-use super::panels::{choice, row};
+use super::number_field::{FieldError, NumberField, Step};
+use super::panels::{choice, complaint, row};
 use super::state::State;
 use crate::appearance::Theme;
 use crate::i18n::canvas::canvas;
 use crate::i18n::window::{self, Texts};
+use crate::limits::MAX_SIDE;
 use crate::views::{View, Views};
 
 /// Shows the question that is open, if any, and acts on the answer.
@@ -127,7 +128,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     }
     let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if let Some(error) = state.message.as_ref().filter(|message| message.is_error) {
-        super::panels::complaint(ui, &error.text);
+        complaint(ui, &error.text);
     }
     ui.add_space(10.0);
     let answer = buttons(ui, t.cancel, &[action], None);
@@ -162,9 +163,12 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
         choice(ui, t.export_size, t.export_size_hint, &mut export.times, &times)
     });
     export.fit_screen(state);
-    row(ui, "", t.export_pixels, "", |ui| {
-        ui.add_enabled_ui(export.times.is_none(), |ui| pixels(ui, t, &mut export));
+    let errors = row(ui, "", t.export_pixels, "", |ui| {
+        ui.add_enabled_ui(export.times.is_none(), |ui| pixels(ui, t, &mut export)).inner
     });
+    for error in &errors {
+        complaint(ui, &error.text(t.lang));
+    }
     let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
     row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
         choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
@@ -173,22 +177,25 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
     ui.label(RichText::new(t.export_note).small().weak());
     ui.add_space(10.0);
     match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
-        Answer::Yes(_) => filing::ask(ui.ctx(), state, Purpose::Export(export)),
+        Answer::Yes(_) if errors.is_empty() => filing::ask(ui.ctx(), state, Purpose::Export(export)),
         Answer::No => {}
-        Answer::Open => state.filing.dialog = Some(Dialog::Export(export)),
+        Answer::Yes(_) | Answer::Open => state.filing.dialog = Some(Dialog::Export(export)),
     }
 }
 
-fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) {
+/// Width and height; what is wrong with what was typed there.
+fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<FieldError> {
     let [mut width, mut height] = [f64::from(export.width), f64::from(export.height)];
-    let field = |name: &str| NumberField::new(name, Step::Add(16.0)).whole().width(64.0);
+    let sides = 1.0..=f64::from(MAX_SIDE);
+    let field = |name: &str| NumberField::new(name, Step::Add(16.0)).whole().within(sides.clone()).width(64.0);
     ui.spacing_mut().item_spacing.x = 4.0;
-    field(t.export_height).show(ui, t, &mut height);
+    let of_height = field(t.export_height).show(ui, t, &mut height);
     ui.label("×");
-    field(t.export_width).show(ui, t, &mut width);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
-    let side = |v: f64| v.round().clamp(1.0, f64::from(crate::limits::MAX_SIDE)) as u32;
+    let of_width = field(t.export_width).show(ui, t, &mut width);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
+    let side = |v: f64| v as u32;
     (export.width, export.height) = (side(width), side(height));
+    [of_width.error, of_height.error].into_iter().flatten().collect()
 }
 
 fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {

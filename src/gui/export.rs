@@ -1,20 +1,20 @@
 //! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
 
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::Sender;
 
 use eframe::egui;
 
 use super::state::State;
+use super::worker::Worker;
 use crate::appearance::Theme;
 use crate::camera::Camera;
-use crate::export::png;
+use crate::clock;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::files;
 use crate::i18n::{Lang, messages, pictures};
-use crate::picture::{Source, Studio};
-use crate::views::{Size, Views, scene_of};
+use crate::picture::{Renderer, requests};
+use crate::views::{Request, SharedScene, Size, View, Views, scene_of};
 
 /// Which picture, how large, in which theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,40 +68,53 @@ fn together(sizes: [[u32; 2]; 3]) -> [u32; 2] {
     [3 * side((area * 4.0 / 3.0).sqrt()), side((area * 0.75).sqrt())]
 }
 
-/// Paints and writes on a thread; sends the path, or a sentence that says what went wrong.
-pub fn start(ctx: &egui::Context, state: &State, export: Export, path: PathBuf, done: Sender<Result<PathBuf, String>>) {
+/// A picture that is being written.
+pub(super) type Exporting = Worker<Task, Result<PathBuf, String>>;
+
+/// Everything that a picture in a file depends on.
+pub(super) struct Task {
+    figure: Figure,
+    source: String,
+    folder: PathBuf,
+    lang: Lang,
+    export: Export,
+    path: PathBuf,
+}
+
+/// Draws and writes beside the window's thread; what comes of it is the path, or a sentence that says what went wrong.
+pub(super) fn start(ctx: &egui::Context, state: &State, export: Export, path: PathBuf) -> Exporting {
     let mut figure = state.document.figure().clone();
     figure.style.theme = export.theme;
     let source = state.document.source().to_owned();
     let folder = state.document.folder().map(Path::to_owned).unwrap_or_default();
-    let lang = state.settings.lang;
-    let ctx = ctx.clone();
-    std::thread::spawn(move || {
-        let result = picture(&figure, &source, &folder, export, lang).and_then(|bytes| {
-            let name = path.display().to_string();
-            files::save(&path, &bytes).map(|()| path).map_err(|error| messages::file(lang, &name, &error))
-        });
-        // Nobody waits any more when the window has been closed.
-        let _ = done.send(result);
-        ctx.request_repaint();
-    });
+    let mut exporting: Exporting = Worker::new("export", clock::now, || Box::new(Task::run));
+    exporting.ask(ctx, 0, Task { figure, source, folder, lang: state.settings.lang, export, path });
+    exporting
 }
 
-/// The bytes of the PNG, with the figure file in it.
-fn picture(figure: &Figure, source: &str, folder: &Path, export: Export, lang: Lang) -> Result<Vec<u8>, String> {
-    let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
-    let mut beside = |path: &str| files::read_for_scene(&folder.join(path));
-    let scene = scene_of(figure, &mut beside).map_err(|error| messages::scene(lang, &error))?;
-    let from =
-        Source { figure, camera: &camera, scene: &scene, labels: pictures::labels(lang), force_all_stages: false };
-    let size = Size { width: export.width, height: export.height, scale: export.scale };
-    let mut studio = Studio::default();
-    let pixmap = match export.what {
-        Views::One(view) => studio.paint(from, view, size),
-        Views::All => studio.paint_all(from, size),
-    };
-    let pixmap = pixmap.ok_or_else(|| crate::i18n::window::texts(lang).picture_too_large.to_owned())?;
-    png::encode(&pixmap, &update(source, figure)).map_err(|error| messages::png(lang, &error))
+impl Task {
+    fn run(self) -> Result<PathBuf, String> {
+        let bytes = self.png()?;
+        let Self { path, lang, .. } = self;
+        let name = path.display().to_string();
+        files::save(&path, &bytes).map(|()| path).map_err(|error| messages::file(lang, &name, &error))
+    }
+
+    /// The bytes of the PNG, with the figure file in it.
+    fn png(&self) -> Result<Vec<u8>, String> {
+        let Self { figure, source, folder, lang, export, .. } = self;
+        let lang = *lang;
+        let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
+        let mut beside = |path: &str| files::read_for_scene(&folder.join(path));
+        let scene = scene_of(figure, &mut beside).map_err(|error| messages::scene(lang, &error))?;
+        let size = Size { width: export.width, height: export.height, scale: export.scale };
+        let labels = pictures::labels(lang);
+        let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
+        let picture = requests(export.what, &request, &figure.observers)
+            .and_then(|requests| Renderer::default().sheet(&requests))
+            .ok_or_else(|| crate::i18n::window::texts(lang).picture_too_large.to_owned())?;
+        picture.into_png(&update(source, figure)).map_err(|error| messages::png(lang, &error))
+    }
 }
 
 #[cfg(test)]

@@ -6,15 +6,16 @@
 //! ```
 
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
 
 use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
-use super::export::{self, Export};
+use super::export::{self, Export, Exporting};
 use super::native::{Answer, Asking, Question};
 use super::panels::{self, scene::SceneTree};
 use super::state::{State, Tab};
+use super::worker::Done;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, Opened};
@@ -85,7 +86,7 @@ pub struct Filing {
     /// True from the moment when the window may close.
     pub may_close: bool,
     asking: Option<(Purpose, Asking)>,
-    exporting: Option<Receiver<Result<PathBuf, String>>>,
+    exporting: Vec<Exporting>,
 }
 
 impl Filing {
@@ -95,10 +96,15 @@ impl Filing {
         Self { native, ..Self::default() }
     }
 
-    /// True while the window waits for a dialog of the system.
-    #[must_use]
-    pub fn is_asking(&self) -> bool {
-        self.asking.is_some()
+    /// The exports that have come to an end.
+    fn exported(&mut self) -> Vec<Done<Result<PathBuf, String>>> {
+        let mut done = Vec::new();
+        self.exporting.retain_mut(|exporting| {
+            let before = done.len();
+            done.extend(exporting.take(Duration::ZERO).into_iter().flatten());
+            done.len() == before
+        });
+        done
     }
 }
 
@@ -223,9 +229,8 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Save(then) => write(ctx, state, path, then),
         Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::Export(export) => {
-            let (send, receive) = channel();
-            export::start(ctx, state, export, path.to_owned(), send);
-            state.filing.exporting = Some(receive);
+            let exporting = export::start(ctx, state, export, path.to_owned());
+            state.filing.exporting.push(exporting);
             state.say(window::texts(state.settings.lang).exporting);
         }
     }
@@ -295,7 +300,7 @@ pub(super) fn take_over(state: &mut State, document: Document) {
     let image = document.figure().image;
     state.settings.aspect_follows_image = document.draft().aspect == f64::from(image.width) / f64::from(image.height);
     state.document = document;
-    state.scenery.expect_another();
+    state.scene_cache.expect_another();
     state.tree = SceneTree::default();
     state.probe = None;
     state.message = None;
@@ -322,7 +327,7 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<Wish>
 
 /// What happens by itself in each frame: answers of dialogs and of exports, dropped files, the window's own close button.
 pub fn tend(ctx: &egui::Context, state: &mut State) {
-    if let Some((purpose, answer)) = state.filing.asking.as_ref().and_then(|(p, a)| Some((p.clone(), a.poll()?))) {
+    if let Some((purpose, answer)) = state.filing.asking.as_mut().and_then(|(p, a)| Some((p.clone(), a.poll()?))) {
         state.filing.asking = None;
         match answer {
             Answer::Chosen(path) => chosen(ctx, state, purpose, path),
@@ -333,11 +338,11 @@ pub fn tend(ctx: &egui::Context, state: &mut State) {
             }
         }
     }
-    if let Some(result) = state.filing.exporting.as_ref().and_then(|receive| receive.try_recv().ok()) {
-        state.filing.exporting = None;
-        match result {
-            Ok(path) => state.say(format!("{} {}", window::texts(state.settings.lang).saved, path.display())),
-            Err(error) => state.say_error(error),
+    for done in state.filing.exported() {
+        match done.outcome {
+            Some(Ok(path)) => state.say(format!("{} {}", window::texts(state.settings.lang).saved, path.display())),
+            Some(Err(error)) => state.say_error(error),
+            None => state.say_error(window::texts(state.settings.lang).picture_too_large),
         }
     }
     let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));

@@ -4,11 +4,10 @@ use eframe::egui::{CursorIcon, Modifiers};
 use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, CameraError, Parameters};
-use crate::figure::Observer;
 use crate::i18n::canvas::CanvasTexts;
 use crate::numbers::significant;
+use crate::views::Request;
 use crate::views::handles::{self, Handle};
-use crate::views::{Setup, Size};
 
 /// How near the pointer must come to a handle, in points.
 pub(super) const REACH: f32 = 10.0;
@@ -17,32 +16,22 @@ pub(super) const REACH: f32 = 10.0;
 #[derive(Clone, Debug)]
 pub(super) struct HandleDrag {
     handle: Handle,
-    observer: Observer,
-    size: Size,
-    /// The camera and the pointer (pixels) from which the motion is measured: those of the press, or of the moment in which
-    /// the modifier changed.
-    camera: Camera,
+    /// The picture and the pointer (pixels) from which the motion is measured: those of the press, or, with the camera of the
+    /// moment, those in which the modifier changed.
+    pressed: Request,
     from: DVec2,
     vertical: bool,
     /// What Esc brings back.
-    before: Parameters,
+    before: Camera,
     /// Why the handle does not follow the pointer.
     stopped: Option<CameraError>,
 }
 
 impl HandleDrag {
     /// Takes a handle at `from` (pixels).
-    pub(super) fn new(handle: Handle, setup: &Setup, observer: Observer, from: DVec2, modifiers: Modifiers) -> Self {
-        Self {
-            handle,
-            observer,
-            size: setup.size,
-            camera: setup.camera.clone(),
-            from,
-            vertical: vertical(modifiers),
-            before: *setup.camera.parameters(),
-            stopped: None,
-        }
+    pub(super) fn new(handle: Handle, pressed: Request, from: DVec2, modifiers: Modifiers) -> Self {
+        let before = pressed.camera.clone();
+        Self { handle, pressed, from, vertical: vertical(modifiers), before, stopped: None }
     }
 
     /// What is held.
@@ -55,21 +44,20 @@ impl HandleDrag {
         self.stopped.as_ref()
     }
 
-    /// The parameters when the handle was taken.
-    pub(super) fn before(&self) -> Parameters {
-        self.before
+    /// The camera when the handle was taken.
+    pub(super) fn before(&self) -> Camera {
+        self.before.clone()
     }
 
     /// The parameters with the pointer at `to` (pixels); `None` where they are no camera, so that the last one stays and
     /// [`HandleDrag::stopped`] says why.
-    pub(super) fn moved(&mut self, setup: &Setup, to: DVec2, modifiers: Modifiers) -> Option<Parameters> {
+    pub(super) fn moved(&mut self, now: &Request, to: DVec2, modifiers: Modifiers) -> Option<Parameters> {
         if self.vertical != vertical(modifiers) {
             self.vertical = !self.vertical;
-            self.camera = setup.camera.clone();
+            self.pressed.camera = now.camera.clone();
             self.from = to;
         }
-        let then = Setup { camera: &self.camera, size: self.size, ..*setup };
-        let parameters = handles::drag(&then, &self.observer, self.handle, self.from, to, self.vertical);
+        let parameters = handles::drag(&self.pressed, self.handle, self.from, to, self.vertical);
         if let Err(error) = Camera::new(&parameters) {
             self.stopped = Some(error);
             return None;

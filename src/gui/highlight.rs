@@ -1,7 +1,6 @@
 //! What is selected in the tree, marked in the pictures, and the arrows that move it.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
@@ -13,7 +12,7 @@ use crate::geometry::{Aabb, try_unit};
 use crate::numbers::round_to;
 use crate::scene::edit::{descendants, placements};
 use crate::scene::{LightSpec, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
-use crate::views::{Arrows, Palette};
+use crate::views::{Arrows, Palette, SharedScene};
 
 /// The scene with what is selected marked in it; it is made anew only when one of both has changed.
 #[derive(Debug, Default)]
@@ -23,10 +22,10 @@ pub(super) struct Highlight {
 
 #[derive(Debug)]
 struct Kept {
-    scene: Arc<Scene>,
+    scene: SharedScene,
     selected: Selected,
     theme: Theme,
-    marked: Arc<Scene>,
+    marked: SharedScene,
 }
 
 /// An object with more edges is marked by its box.
@@ -34,17 +33,16 @@ const MOST_EDGES: usize = 400;
 
 impl Highlight {
     /// The scene that the pictures show.
-    pub(super) fn scene(&mut self, state: &State) -> Arc<Scene> {
-        let (scene, figure) = (state.scenery.scene(), state.document.figure());
+    pub(super) fn scene(&mut self, state: &State) -> SharedScene {
+        let (scene, figure) = (state.scene_cache.scene(), state.document.figure());
         let Some(selected) = state.tree.selected(&figure.scene) else {
             self.kept = None;
-            return Arc::clone(scene);
+            return scene.clone();
         };
         let theme = figure.style.theme;
-        let is_same =
-            |kept: &&Kept| Arc::ptr_eq(&kept.scene, scene) && kept.selected == *selected && kept.theme == theme;
+        let is_same = |kept: &&Kept| kept.scene == *scene && kept.selected == *selected && kept.theme == theme;
         if let Some(kept) = self.kept.as_ref().filter(is_same) {
-            return Arc::clone(&kept.marked);
+            return kept.marked.clone();
         }
         let color = Palette::of(theme).probe;
         let mut marked = Scene::clone(scene);
@@ -52,13 +50,12 @@ impl Highlight {
             Selected::Object(name) | Selected::OfPreset(name) => mark_objects(&mut marked, &figure.scene, name, color),
             Selected::Light(index) => {
                 if let Some(light) = figure.scene.lights.get(*index) {
-                    mark_light(&mut marked, *light, state.scenery.bounds(), color);
+                    mark_light(&mut marked, *light, scene.bounds(), color);
                 }
             }
         }
-        let marked = Arc::new(marked);
-        self.kept =
-            Some(Kept { scene: Arc::clone(scene), selected: selected.clone(), theme, marked: Arc::clone(&marked) });
+        let marked = scene.marked(marked);
+        self.kept = Some(Kept { scene: scene.clone(), selected: selected.clone(), theme, marked: marked.clone() });
         marked
     }
 }

@@ -62,14 +62,15 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
 }
 
 fn is_first_of_group(command: Command) -> bool {
-    use super::state::Look;
+    use super::state::ObserverChange;
+    use crate::views::observer::Viewpoint;
     matches!(
         command,
         Command::Export
             | Command::Quit
             | Command::Reset
             | Command::CopyNumbers
-            | Command::Look(Look::Front)
+            | Command::Observe(ObserverChange::From(Viewpoint::Front))
             | Command::Tab(super::state::Tab::Camera)
             | Command::Presentation
             | Command::ZoomIn

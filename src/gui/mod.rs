@@ -5,7 +5,7 @@
 //! | [`app`] | what happens in a frame, in order |
 //! | [`state`] | what the panels and the pictures share |
 //! | [`document`] | the figure that is being edited, its file, undo and redo |
-//! | [`scenery`] | the scene that the pictures show |
+//! | [`scene_cache`] | the scene that the pictures show |
 //! | [`canvas`] | the three pictures in the middle |
 
 pub mod app;
@@ -22,10 +22,11 @@ pub mod native;
 pub mod number_field;
 pub mod panels;
 pub mod repair;
-pub mod scenery;
+pub mod scene_cache;
 pub mod session;
 pub mod state;
 pub mod theme;
+mod worker;
 
 use std::path::PathBuf;
 
@@ -60,7 +61,7 @@ pub enum GuiError {
 /// The figure that the window begins with: the default scene, from where it and its view volume are worth seeing.
 #[must_use]
 pub fn fresh() -> Figure {
-    Figure { camera: crate::figure::recommended_camera(Preset::default()), ..Figure::default() }
+    Figure::of_preset(Preset::default())
 }
 
 /// Opens the window and returns when it is closed.

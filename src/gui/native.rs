@@ -1,10 +1,13 @@
 //! The system's file dialogs, on a thread of their own, because they block.
 
 use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use std::time::{Duration, Instant};
+use std::pin::Pin;
+use std::time::Duration;
 
 use eframe::egui;
+
+use super::worker::{Done, Worker};
+use crate::clock;
 
 /// Where no portal and no zenity runs, the answer comes at once (10 ms, on a busy machine some hundreds) and looks like a
 /// cancellation. Nobody reads a dialog and closes it this fast; if somebody does, the question for a path does no harm.
@@ -38,18 +41,18 @@ pub enum Answer {
     Unavailable,
 }
 
-/// A dialog that is open.
+/// What is chosen in a dialog, once it has been closed.
+type Chosen = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
+
+/// A dialog that is open. Each has a thread of its own: one that never answers does not keep the next from being opened.
 #[derive(Debug)]
-pub struct Asking {
-    answer: Receiver<(Option<PathBuf>, Duration)>,
+pub(super) struct Asking {
+    worker: Worker<Chosen, Option<PathBuf>>,
 }
 
 impl Asking {
     /// Opens the dialog; `ctx` is woken when it is closed.
-    #[must_use]
-    pub fn start(ctx: &egui::Context, question: Question) -> Self {
-        let (send, answer) = channel();
-        let ctx = ctx.clone();
+    pub(super) fn start(ctx: &egui::Context, question: Question) -> Self {
         let mut dialog = rfd::AsyncFileDialog::new()
             .set_title(question.title)
             .set_file_name(question.name)
@@ -58,27 +61,21 @@ impl Asking {
             dialog = dialog.set_directory(folder);
         }
         // The future is made here: some systems insist on the main thread for that.
-        type Chosen = std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
         let chosen: Chosen = if question.save { Box::pin(dialog.save_file()) } else { Box::pin(dialog.pick_file()) };
-        let since = Instant::now();
-        std::thread::spawn(move || {
-            let path = pollster::block_on(chosen).map(|file| file.path().to_owned());
-            // Nobody waits any more when the window has been closed.
-            let _ = send.send((path, since.elapsed()));
-            ctx.request_repaint();
+        let mut worker = Worker::new("dialog", clock::now, || {
+            Box::new(|chosen: Chosen| pollster::block_on(chosen).map(|file| file.path().to_owned()))
         });
-        Self { answer }
+        worker.ask(ctx, 0, chosen);
+        Self { worker }
     }
 
     /// The answer, once there is one.
-    #[must_use]
-    pub fn poll(&self) -> Option<Answer> {
-        match self.answer.try_recv() {
-            Ok((Some(path), _)) => Some(Answer::Chosen(path)),
-            Ok((None, took)) if took < TOO_FAST => Some(Answer::Unavailable),
-            Ok((None, _)) => Some(Answer::Cancelled),
-            Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Answer::Unavailable),
-        }
+    pub(super) fn poll(&mut self) -> Option<Answer> {
+        let [done] = self.worker.take(Duration::ZERO);
+        Some(match done? {
+            Done { outcome: Some(Some(path)), .. } => Answer::Chosen(path),
+            Done { outcome: Some(None), time } if time >= TOO_FAST => Answer::Cancelled,
+            Done { .. } => Answer::Unavailable,
+        })
     }
 }

@@ -4,11 +4,13 @@
 //! faulty text, with the reason, until it is mended, changes the value only when something else was typed, and shows what
 //! it cannot show in full with an `…`.
 
+use std::ops::RangeInclusive;
+
 use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextEdit, TextWrapMode, WidgetInfo};
 
-use crate::expression::{self, Dimension, ExpressionError, ExpressionProblem};
-use crate::i18n::messages;
+use crate::expression::{self, Dimension, ExpressionProblem};
 use crate::i18n::window::Texts;
+use crate::i18n::{Lang, messages};
 use crate::numbers::{self, round_to};
 
 /// What dragging and the arrow keys do.
@@ -44,6 +46,7 @@ pub struct NumberField<'a> {
     dimension: Dimension,
     step: Step,
     whole: bool,
+    range: RangeInclusive<f64>,
     width: f32,
     marked: bool,
 }
@@ -53,8 +56,31 @@ pub struct NumberField<'a> {
 pub struct FieldOutput {
     /// The widget; `changed()` where the value has changed.
     pub response: egui::Response,
-    /// Why the text in the field is no number; the value has not changed then.
-    pub error: Option<ExpressionError>,
+    /// Why the text in the field cannot be taken over; the value has not changed then.
+    pub error: Option<FieldError>,
+}
+
+/// Why what was typed cannot be taken over.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FieldError {
+    /// It is not a number.
+    Expression(ExpressionProblem),
+    /// It is not a whole number.
+    NotWhole,
+    /// It is outside the range.
+    Outside(RangeInclusive<f64>),
+}
+
+impl FieldError {
+    /// The reason in words.
+    #[must_use]
+    pub fn text(&self, lang: Lang) -> String {
+        match self {
+            Self::Expression(problem) => messages::expression(lang, problem),
+            Self::NotWhole => messages::not_whole(lang).to_owned(),
+            Self::Outside(range) => messages::outside(lang, *range.start(), *range.end()),
+        }
+    }
 }
 
 #[derive(Clone, Default)]
@@ -62,7 +88,7 @@ struct Editing {
     text: String,
     first: String,
     value: f64,
-    error: Option<ExpressionError>,
+    error: Option<FieldError>,
 }
 
 impl<'a> NumberField<'a> {
@@ -78,6 +104,7 @@ impl<'a> NumberField<'a> {
             dimension: Dimension::Number,
             step,
             whole: false,
+            range: f64::MIN..=f64::MAX,
             width: 64.0,
             marked: false,
         }
@@ -95,10 +122,22 @@ impl<'a> NumberField<'a> {
         Self { unit: "°", dimension: Dimension::Angle, ..Self::new(name, Step::Add(step)) }
     }
 
-    /// Whole numbers only; what is typed is rounded.
+    /// Whole numbers only.
     #[must_use]
     pub fn whole(self) -> Self {
         Self { whole: true, ..self }
+    }
+
+    /// Only numbers in this range.
+    #[must_use]
+    pub fn within(self, range: RangeInclusive<f64>) -> Self {
+        Self { range, ..self }
+    }
+
+    /// Only numbers greater than 0.
+    #[must_use]
+    pub fn positive(self) -> Self {
+        self.within(f64::MIN_POSITIVE..=f64::MAX)
     }
 
     /// What is said when the pointer rests on it.
@@ -151,9 +190,9 @@ impl<'a> NumberField<'a> {
                 memory.interested_in_focus(id, ui.layer_id());
                 memory.has_focus(id)
             });
-        self.step_by_keys(ui, id, editing, value);
+        let refused = self.step_by_keys(ui, id, editing, value);
         let stale = |e: &Editing| e.value.to_bits() != value.to_bits();
-        let mut state = ui.data_mut(|data| data.remove_temp::<Editing>(id)).filter(|e| !stale(e));
+        let mut state = refused.or_else(|| ui.data_mut(|data| data.remove_temp::<Editing>(id)).filter(|e| !stale(e)));
         if !editing && state.as_ref().is_some_and(|s| s.error.is_none()) {
             state = self.finish(ui, state, value);
         }
@@ -181,8 +220,8 @@ impl<'a> NumberField<'a> {
         FieldOutput { response: self.announce(ui, response, *value), error }
     }
 
-    /// Arrow keys while it is edited, and what a screen reader asks for.
-    fn step_by_keys(&self, ui: &egui::Ui, id: egui::Id, editing: bool, value: &mut f64) {
+    /// Arrow keys while it is edited, and what a screen reader asks for; the result is what cannot be taken over of that.
+    fn step_by_keys(&self, ui: &egui::Ui, id: egui::Id, editing: bool, value: &mut f64) -> Option<Editing> {
         use egui::accesskit::{Action, ActionData};
         let steps = ui.input_mut(|input| {
             let mut steps = 0.0;
@@ -203,20 +242,39 @@ impl<'a> NumberField<'a> {
                 })
                 .last()
         });
-        if let Some(asked) = asked {
-            *value = self.fit(asked);
-        }
         if steps != 0.0 {
-            *value = self.fit(self.step.apply(*value, steps));
+            *value = self.stepped(*value, steps);
+        }
+        match self.checked(asked?) {
+            Ok(asked) => {
+                *value = asked;
+                None
+            }
+            Err(error) => {
+                let text = |v: f64| numbers::significant(v, numbers::EXACT_DIGITS);
+                Some(Editing { text: text(asked?), first: text(*value), value: *value, error: Some(error) })
+            }
         }
     }
 
-    fn fit(&self, value: f64) -> f64 {
-        if self.whole { value.round() } else { value }
+    /// The value some steps further; steps end where the range does.
+    fn stepped(&self, value: f64, steps: f64) -> f64 {
+        let stepped = self.step.apply(value, steps).clamp(*self.range.start(), *self.range.end());
+        if self.whole { stepped.round() } else { stepped }
     }
 
-    fn evaluate(&self, text: &str) -> Result<f64, ExpressionError> {
-        expression::evaluate(text, self.dimension).map(|v| self.fit(v))
+    /// A number that can be the field's value.
+    fn checked(&self, value: f64) -> Result<f64, FieldError> {
+        match value {
+            _ if self.whole && value != value.round() => Err(FieldError::NotWhole),
+            _ if !self.range.contains(&value) => Err(FieldError::Outside(self.range.clone())),
+            _ => Ok(value),
+        }
+    }
+
+    fn evaluate(&self, text: &str) -> Result<f64, FieldError> {
+        let value = expression::evaluate(text, self.dimension);
+        self.checked(value.map_err(|error| FieldError::Expression(error.problem))?)
     }
 
     /// Takes over what was typed when the field has lost the focus; Escape drops it.
@@ -269,12 +327,10 @@ impl<'a> NumberField<'a> {
                     response.show_tooltip_text(format!("= {preview}{}", self.unit));
                 }
                 Ok(_) => {}
-                Err(error) => match error.problem {
-                    ExpressionProblem::Empty
-                    | ExpressionProblem::Unfinished
-                    | ExpressionProblem::MissingParenthesis => {}
-                    problem => response.show_tooltip_text(messages::expression(texts.lang, &problem)),
-                },
+                Err(FieldError::Expression(
+                    ExpressionProblem::Empty | ExpressionProblem::Unfinished | ExpressionProblem::MissingParenthesis,
+                )) => {}
+                Err(error) => response.show_tooltip_text(error.text(texts.lang)),
             }
         }
         response
@@ -338,7 +394,7 @@ impl<'a> NumberField<'a> {
         if let (Some(start), Some(way)) = (start, response.total_drag_delta()) {
             let slow = if ui.input(|i| i.modifiers.shift) { 0.1 } else { 1.0 };
             let steps = f64::from(way.x - way.y) * 0.1 * slow;
-            *value = if steps == 0.0 { start } else { self.fit(self.step.apply(start, steps)) };
+            *value = if steps == 0.0 { start } else { self.stepped(start, steps) };
         }
     }
 

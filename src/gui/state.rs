@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use crate::camera::CameraError;
+use crate::camera::{CameraError, Operation};
 use crate::figure::Figure;
 use crate::i18n::{Lang, faults};
+use crate::views::observer::Viewpoint;
 use crate::views::{Ghost, Probe, View};
 
 use super::Start;
@@ -12,19 +13,13 @@ use super::document::Document;
 use super::filing::Filing;
 use super::panels::operations::Operations;
 use super::panels::scene::SceneTree;
-use super::scenery::Scenery;
+use super::scene_cache::SceneCache;
 
 /// From where a three-dimensional picture is to be seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Look {
-    /// From +z.
-    Front,
-    /// From +y.
-    Top,
-    /// From +x.
-    Side,
-    /// From a corner.
-    Iso,
+pub enum ObserverChange {
+    /// From a side, with everything in the picture.
+    From(Viewpoint),
     /// As now, but with everything in the picture.
     Fit,
 }
@@ -209,7 +204,7 @@ pub struct State {
     /// The figure.
     pub document: Document,
     /// The scene of the figure.
-    pub scenery: Scenery,
+    pub scene_cache: SceneCache,
     /// The window.
     pub settings: Settings,
     /// The pictures.
@@ -227,7 +222,7 @@ pub struct State {
     /// What was said last at the bottom of the window.
     pub message: Option<Message>,
     /// Asks the pictures to look from somewhere; they take it (`take()`) in the next frame. For both three-dimensional pictures.
-    pub look: Option<Look>,
+    pub observer_change: Option<ObserverChange>,
     /// True where no field on the screen says what is wrong with the parameters (its section is closed).
     pub problem_out_of_sight: bool,
     /// The operation that is being tried or pointed at; written by the panel in each frame, shown in the world.
@@ -258,7 +253,7 @@ impl State {
         let square = start.figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
         Ok(Self {
             document: begin(start.figure, start.file)?,
-            scenery: Scenery::default(),
+            scene_cache: SceneCache::default(),
             settings: Settings {
                 lang: start.lang,
                 zoom: 1.0,
@@ -277,11 +272,24 @@ impl State {
             picture_sizes: [[640, 480]; 3],
             screen_scale: 1.0,
             message: None,
-            look: None,
+            observer_change: None,
             problem_out_of_sight: false,
             ghost: None,
             probe: None,
         })
+    }
+
+    /// Does an operation to the camera, by the signs that are chosen; where it cannot be done, says why.
+    pub fn operate(&mut self, operation: Operation) {
+        let done = self.document.operate(operation, self.operations.convention);
+        self.say_camera_error(done);
+    }
+
+    /// Says at the bottom of the window why a camera is impossible.
+    pub fn say_camera_error(&mut self, done: Result<(), CameraError>) {
+        if let Err(error) = done {
+            self.say_error(faults::camera_error(self.settings.lang, &error));
+        }
     }
 
     /// Says something at the bottom of the window.

@@ -27,3 +27,23 @@ pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
         (Lang::PtBr, ExpressionProblem::TooLong) => "a expressão é longa demais".to_owned(),
     }
 }
+
+/// A number is not whole.
+#[must_use]
+pub fn not_whole(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "must be a whole number",
+        Lang::PtBr => "tem de ser um número inteiro",
+    }
+}
+
+/// A number is outside a range, which may be that of all numbers greater than 0.
+#[must_use]
+pub fn outside(lang: Lang, low: f64, high: f64) -> String {
+    match (lang, low == f64::MIN_POSITIVE) {
+        (Lang::En, true) => "must be greater than 0".to_owned(),
+        (Lang::En, false) => format!("must be between {low} and {high}"),
+        (Lang::PtBr, true) => "tem de ser maior que 0".to_owned(),
+        (Lang::PtBr, false) => format!("tem de estar entre {low} e {high}"),
+    }
+}

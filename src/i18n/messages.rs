@@ -1,6 +1,6 @@
 //! What went wrong, or may not have been meant, in both languages: what the shells say of errors and warnings.
 
 pub use super::cameras::{camera, inspect, operation, warning};
-pub use super::expressions::expression;
+pub use super::expressions::{expression, not_whole, outside};
 pub use super::figure_files::{figure, scene};
 pub use super::files::{file, png};

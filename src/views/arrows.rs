@@ -3,13 +3,12 @@
 use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape};
-use crate::figure::Observer;
 use crate::scene::Line;
 
 use super::gizmos::{SMALL_TYPE, Sheet};
 use super::handles::Grip;
 use super::screen::Screen;
-use super::{Palette, Setup, world};
+use super::{Palette, Request, world};
 
 /// Where the arrows stand.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,9 +33,9 @@ impl Arrows {
 /// The arrow at `pointer` (pixels), within `reach` pixels: near its tip, or on its outer half. None of those that are seen
 /// end-on, because they cannot be dragged.
 #[must_use]
-pub fn arrow_at(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<usize> {
-    let arrows = setup.extras.arrows?;
-    let screen = world::screen(setup, observer)?;
+pub fn arrow_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> {
+    let arrows = request.overlays.arrows?;
+    let screen = world::screen(request)?;
     let from = screen.place(arrows.origin)?;
     let distance = |tip: DVec3| {
         let to = screen.place(tip)?;
@@ -57,21 +56,16 @@ pub fn arrow_at(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) 
 /// How far (world) a thing goes along `axis` (a unit vector) of `origin` when the pointer goes from `from` to `to` (pixels), and
 /// the length of a pixel there. `None` where the axis is seen end-on.
 #[must_use]
-pub fn pull(
-    setup: &Setup,
-    observer: &Observer,
-    (origin, axis): (DVec3, DVec3),
-    from: DVec2,
-    to: DVec2,
-) -> Option<(f64, f64)> {
-    let screen = world::screen(setup, observer)?;
-    let grip = Grip { observer, from: screen.ray(from), to: screen.ray(to) };
+pub fn pull(request: &Request, (origin, axis): (DVec3, DVec3), from: DVec2, to: DVec2) -> Option<(f64, f64)> {
+    let screen = world::screen(request)?;
+    let observer = request.seen_from()?;
+    let grip = Grip { observer: &observer, from: screen.ray(from), to: screen.ray(to) };
     Some((grip.along(origin, axis)?, screen.units_per_pixel(origin)))
 }
 
 /// Adds the arrows, if there are any; nothing hides them.
-pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
-    let Some(arrows) = setup.extras.arrows else { return };
+pub(super) fn in_world(sheet: &mut Sheet, request: &Request, palette: Palette) {
+    let Some(arrows) = request.overlays.arrows else { return };
     let tips = arrows.tips(sheet.screen);
     for (i, ((tip, color), name)) in tips.into_iter().zip(palette.axes).zip(["x", "y", "z"]).enumerate() {
         let width = if arrows.hot == Some(i) { 4.5 } else { 2.5 };
@@ -89,9 +83,9 @@ mod tests {
     use super::*;
     use crate::camera::{Camera, Parameters};
     use crate::figure::Figure;
+    use crate::figure::Observer;
     use crate::i18n::{Lang, pictures};
-    use crate::scene::Scene;
-    use crate::views::{Extras, Size};
+    use crate::views::{Overlays, SharedScene, Size, View};
 
     #[test]
     fn an_arrow_is_found_at_its_tip_and_a_pull_moves_what_it_stands_on_under_the_pointer() {
@@ -99,29 +93,28 @@ mod tests {
             Observer { target: DVec3::ZERO, distance: 30.0, azimuth: 40.0, elevation: 25.0, parallel: false };
         let origin = DVec3::new(1.0, 0.5, -1.0);
         let axes = [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.0, 0.8)];
-        let extras = Extras { arrows: Some(Arrows { origin, axes, hot: None }), ..Extras::default() };
+        let arrows = Arrows { origin, axes, hot: None };
         let (figure, camera) = (Figure::default(), Camera::new(&Parameters::default()).unwrap());
-        let setup = Setup {
-            figure: &figure,
-            camera: &camera,
-            scene: &Scene::default(),
-            labels: pictures::labels(Lang::En),
-            size: Size { width: 600, height: 400, scale: 1.0 },
-            extras: &extras,
+        let size = Size { width: 600, height: 400, scale: 1.0 };
+        let scene = SharedScene::default();
+        let request = Request {
+            observer: Some(observer),
+            overlays: Overlays { arrows: Some(arrows), ..Overlays::default() },
+            ..Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size)
         };
-        let screen = world::screen(&setup, &observer).unwrap();
-        let tips = extras.arrows.unwrap().tips(&screen);
+        let screen = world::screen(&request).unwrap();
+        let tips = arrows.tips(&screen);
         for (i, tip) in tips.into_iter().enumerate() {
             let place = screen.place(tip).unwrap();
-            assert_eq!(arrow_at(&setup, &observer, place + 1.0, 8.0), Some(i));
+            assert_eq!(arrow_at(&request, place + 1.0, 8.0), Some(i));
             let goal = screen.place(tip + axes[i] * 1.75).unwrap();
             // Taken at its tip, the arrow's line stays under the pointer.
-            let (way, pixel) = pull(&setup, &observer, (tip, axes[i]), place, goal).unwrap();
+            let (way, pixel) = pull(&request, (tip, axes[i]), place, goal).unwrap();
             assert!((way - 1.75).abs() < 1e-9 && pixel > 0.0, "{way}");
         }
-        assert_eq!(arrow_at(&setup, &observer, screen.place(origin).unwrap(), 4.0), None);
+        assert_eq!(arrow_at(&request, screen.place(origin).unwrap(), 4.0), None);
         let along_axis = Observer { azimuth: 90.0, elevation: 0.0, parallel: true, ..observer };
         let (from, to) = (DVec2::new(10.0, 10.0), DVec2::new(90.0, 10.0));
-        assert_eq!(pull(&setup, &along_axis, (origin, DVec3::X), from, to), None);
+        assert_eq!(pull(&Request { observer: Some(along_axis), ..request }, (origin, DVec3::X), from, to), None);
     }
 }

@@ -6,7 +6,6 @@
 use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines};
-use crate::drawing::Drawing;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
 use crate::pipeline::Frame;
@@ -14,10 +13,10 @@ use crate::scene::Scene;
 
 use super::gizmos::{self, SMALL_TYPE, Sheet};
 use super::image::PixelRect;
-use super::observer::{Direction, Preset};
+use super::observer::{Direction, Viewpoint};
 use super::reveal::{self, Revealed};
 use super::screen::Screen;
-use super::{Engine, Palette, Setup, placing, probe};
+use super::{Engine, Palette, Request, placing, probe};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -27,68 +26,60 @@ const AXIS: f64 = 1.42;
 const BEYOND: f64 = 1.5;
 const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, parallel: false };
 
-/// The observer that a button gives: it looks from the preset's side and has the cube in the picture.
-#[must_use]
-pub fn observer(setup: &Setup, preset: Preset) -> Observer {
-    frame(setup, preset.direction(ISO))
+/// The observer that a button gives: it looks from the viewpoint's side and has the cube in the picture.
+pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
+    framing(request, viewpoint.direction(ISO))
 }
 
 /// The observer that looks in the same direction and has the cube in the picture.
-#[must_use]
-pub fn fit(setup: &Setup, observer: &Observer) -> Observer {
-    frame(setup, Direction::from(*observer))
+pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
+    framing(request, Direction::from(*observer))
 }
 
-fn frame(setup: &Setup, direction: Direction) -> Observer {
+fn framing(request: &Request, direction: Direction) -> Observer {
     let tips = [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| axis * (AXIS + 0.05));
-    let beyond = match setup.figure.reveal.outside {
+    let beyond = match request.look.reveal.outside {
         Outside::Usual | Outside::Cut => 1.0,
         Outside::Tinted | Outside::Shown => BEYOND,
     };
     let points: Vec<_> = CUBE.corners().map(|p| p * beyond).into_iter().chain(tips).collect();
-    Observer::framing(&points, direction, setup.size.aspect())
+    Observer::framing(&points, direction, request.size.aspect())
 }
 
 /// The observer's camera and its pixels; `None` for an observer that is no camera.
-pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
+pub(super) fn screen(request: &Request) -> Option<Screen> {
+    let observer = request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso));
     let bounds = Aabb { min: CUBE.min * 2.0, max: CUBE.max * 2.0 };
-    let camera = observer.camera(Some(bounds), setup.size.aspect()).ok()?;
-    Some(Screen::new(camera, PixelRect::whole(setup.size), setup.size.scale))
+    let camera = observer.camera(Some(bounds), request.size.aspect()).ok()?;
+    Some(Screen::new(camera, PixelRect::whole(request.size), request.size.scale))
 }
 
 /// The clipped and projected scene, in display space.
-pub(super) fn contents(setup: &Setup) -> Scene {
-    revealed(setup).scene
+pub(super) fn contents(request: &Request) -> Scene {
+    revealed(request).scene
 }
 
-fn revealed(setup: &Setup) -> Revealed {
-    reveal::in_canonical(setup, Palette::of(setup.figure.style.theme))
+fn revealed(request: &Request) -> Revealed {
+    reveal::in_canonical(request, Palette::of(request.look.style.theme))
 }
 
-/// Draws the canonical volume as `observer` sees it; an observer that is no camera sees nothing.
-#[must_use]
-pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
-    frame_of(setup, observer, &mut Engine::default()).drawing
-}
-
-/// Draws the canonical volume as [`draw`] does, and tells what was done.
-#[must_use]
-pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Frame {
-    let style = &setup.figure.style;
+/// Draws the canonical volume; an observer that is no camera sees nothing.
+pub(super) fn frame_of(request: &Request, engine: &mut Engine) -> Frame {
+    let style = &request.look.style;
     let palette = Palette::of(style.theme);
-    let target = setup.size.target(palette.paper);
-    let Some(screen) = screen(setup, observer) else {
-        return engine.frame(setup, &Scene::default(), setup.camera, target, style);
+    let target = request.size.target(palette.paper);
+    let Some(screen) = screen(request) else {
+        return engine.frame(request, &Scene::default(), &request.camera, target, style);
     };
-    let mut revealed = revealed(setup);
+    let mut revealed = revealed(request);
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let mut sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
     axes(&mut sheet, palette);
     revealed.mark(&mut sheet, palette);
-    probe::in_canonical(&mut sheet, setup, palette);
-    cube(&mut sheet, setup, palette);
-    let mut drawn = engine.frame(setup, &sheet.scene, screen.camera(), target, &style);
-    let legend = reveal::legend(setup, revealed.rows, &target, palette);
+    probe::in_canonical(&mut sheet, request, palette);
+    cube(&mut sheet, request, palette);
+    let mut drawn = engine.frame(request, &sheet.scene, screen.camera(), target, &style);
+    let legend = reveal::legend(request, revealed.rows, &target, palette);
     placing::settle(&mut drawn.drawing, &[], reveal::room(legend.as_ref()));
     reveal::explain(&mut drawn.drawing, legend.as_ref());
     drawn
@@ -102,7 +93,7 @@ fn axes(sheet: &mut Sheet, palette: Palette) {
 }
 
 /// The cube: its near face (z_n = −1) stands out as the window does in the world, its far face has dashed edges as there.
-fn cube(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
+fn cube(sheet: &mut Sheet, request: &Request, palette: Palette) {
     let square = |z: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, z));
     let (near, far) = (square(1.0), square(-1.0));
     let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
@@ -115,8 +106,10 @@ fn cube(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
     sheet.closed(&near, palette.ink, 2.0, Dash::Solid);
     hatch(sheet, palette);
 
-    let names =
-        [(near[3], format!("{} (z_n = −1)", setup.labels.near)), (far[2], format!("{} (z_n = 1)", setup.labels.far))];
+    let names = [
+        (near[3], format!("{} (z_n = −1)", request.labels.near)),
+        (far[2], format!("{} (z_n = 1)", request.labels.far)),
+    ];
     for (p, text) in names {
         sheet.text(p, &text, outwards(sheet.screen, p), SMALL_TYPE, palette.ink);
     }

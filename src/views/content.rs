@@ -6,7 +6,7 @@ use crate::camera::{Camera, Projection};
 use crate::geometry::Aabb;
 use crate::numbers::nice_above;
 
-use super::Setup;
+use super::Request;
 use super::observer::Direction;
 
 /// The boxes of what the world shows.
@@ -20,11 +20,11 @@ pub(super) struct Content {
 }
 
 impl Content {
-    pub(super) fn of(setup: &Setup) -> Self {
-        let camera = setup.camera;
-        let scene = setup.extras.bounds.or_else(|| setup.scene.bounds());
+    pub(super) fn of(request: &Request) -> Self {
+        let camera = &request.camera;
+        let scene = request.scene.bounds();
         let mut points = vec![camera.position()];
-        points.extend(setup.extras.ghost.iter().map(|g| g.before.position()));
+        points.extend(request.overlays.ghost.iter().map(|g| g.before.position()));
         points.extend(scene.iter().flat_map(Aabb::corners));
         let boxed = |points: &[DVec3]| {
             Aabb::around(points.iter().copied()).unwrap_or(Aabb { min: camera.position(), max: camera.position() })
@@ -117,7 +117,7 @@ fn volume_of_interest(camera: &Camera, core: &Aabb) -> Vec<DVec3> {
     vec![at(w.left, w.bottom), at(w.right, w.bottom), at(w.right, w.top), at(w.left, w.top)]
 }
 
-/// Where the corner of the preset "iso" is: to the side of the camera and a little behind it, so that its axis runs across
+/// Where the corner of [`Viewpoint::Iso`](super::observer::Viewpoint::Iso) is: to the side of the camera and a little behind it, so that its axis runs across
 /// the picture from left to right and the image on its window is not seen from the back.
 pub(super) fn iso_direction(camera: &Camera) -> Direction {
     const ASIDE: f64 = 58.0;

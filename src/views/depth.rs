@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::appearance::{Rgba, Shading, Style, Visibility};
-use crate::camera::{Camera, Projected, Projection, Viewport};
+use crate::camera::{Camera, Projected, Projection};
 use crate::drawing::Paint;
 use crate::figure::Depth;
 use crate::pipeline::divide_before_clip::divided_first;
@@ -11,7 +11,7 @@ use crate::pipeline::{Frame, Reason, Stage};
 use crate::scene::Scene;
 
 use super::legend::Row;
-use super::{Palette, Setup, pick};
+use super::{Palette, Request, pick};
 use crate::numbers::typeset;
 
 /// The numbers of one pixel of the image.
@@ -28,21 +28,17 @@ pub struct DepthReading {
 /// What the depth buffer holds where the ray through a point (x_p, y_p) of the view window goes; `None` where no opaque face
 /// is drawn.
 #[must_use]
-pub fn reading(setup: &Setup, point: DVec2) -> Option<DepthReading> {
-    let camera = setup.camera;
+pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
+    let camera = &request.camera;
     let ray = camera.ray_through_window(point);
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
     // What is divided first is no depth where it is wrong: it is drawn as glass.
-    let folded = setup.figure.reveal.divide_first.then(|| divided_first(setup.scene, camera, 1.0).right);
-    let hit = pick::first_opaque(folded.as_ref().unwrap_or(setup.scene), from, to)?;
-    let stations = camera.stations(hit, setup.figure.image, &viewport(setup));
+    let folded = request.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
+    let hit = pick::first_opaque(folded.as_ref().unwrap_or(&request.scene), from, to)?;
+    let stations = camera.stations(hit, request.look.image, &request.look.viewport);
     let Projected { ndc, viewport, .. } = stations.projected?;
     Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })
-}
-
-fn viewport(setup: &Setup) -> Viewport {
-    setup.figure.viewport.unwrap_or_else(|| Viewport::whole(setup.figure.image))
 }
 
 /// The style in which faces leave their depth: a depth buffer needs faces, and a depth buffer, but no colours.
@@ -70,14 +66,14 @@ pub(super) struct Greys {
 
 impl Greys {
     /// `None` where the image shows colours.
-    pub(super) fn of(setup: &Setup) -> Option<Self> {
-        let v = viewport(setup);
-        let range = match setup.figure.reveal.depth {
+    pub(super) fn of(request: &Request) -> Option<Self> {
+        let v = request.look.viewport;
+        let range = match request.look.reveal.depth {
             Depth::Off => return None,
             Depth::Stored => Some([v.depth_near, v.depth_far]),
             Depth::Linear => None,
         };
-        Some(Self { near_over_far: near_over_far(setup.camera), range })
+        Some(Self { near_over_far: near_over_far(&request.camera), range })
     }
 
     /// The level for a depth of the display list, which is 1 at F and 0 at B.
@@ -128,9 +124,9 @@ impl Greys {
     }
 
     /// The levels from F to B with their numbers, and what has none.
-    pub(super) fn legend(self, setup: &Setup, palette: Palette) -> Vec<Row> {
+    pub(super) fn legend(self, request: &Request, palette: Palette) -> Vec<Row> {
         const STEPS: u32 = 40;
-        let (camera, labels) = (setup.camera, setup.labels);
+        let (camera, labels) = (&request.camera, request.labels);
         let (f, b) = (camera.near(), camera.far());
         let ends = self.range.unwrap_or([0.0, 1.0]);
         let level = |share: f64| ends[0] + (ends[1] - ends[0]) * share;

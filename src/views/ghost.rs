@@ -11,13 +11,13 @@ use crate::scene::{Object, ObjectPaint};
 
 use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
 use super::world::Gear;
-use super::{Ghost, Palette, Setup};
+use super::{Ghost, Palette, Request};
 
 /// Adds the operation that is being tried, if there is one.
-pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette, gear: Gear) {
-    let Some(ghost) = &setup.extras.ghost else { return };
-    camera_before(sheet, setup, palette, gear, &ghost.before);
-    let after = setup.camera;
+pub(super) fn in_world(sheet: &mut Sheet, request: &Request, palette: Palette, gear: Gear) {
+    let Some(ghost) = &request.overlays.ghost else { return };
+    camera_before(sheet, request, palette, gear, &ghost.before);
+    let after = &request.camera;
     match ghost.operation.axis(&ghost.before) {
         Some(axis) => turn(sheet, palette, gear, ghost, axis),
         None => {
@@ -31,7 +31,7 @@ pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette, gear:
 }
 
 /// The camera before, faintly: body, line to PF, and where the window was.
-fn camera_before(sheet: &mut Sheet, setup: &Setup, palette: Palette, gear: Gear, before: &Camera) {
+fn camera_before(sheet: &mut Sheet, request: &Request, palette: Palette, gear: Gear, before: &Camera) {
     let color = palette.ghost;
     let c = before.position();
     sheet.scene.objects.push(Object {
@@ -47,10 +47,10 @@ fn camera_before(sheet: &mut Sheet, setup: &Setup, palette: Palette, gear: Gear,
     sheet.line(vec![c, before.focal_point()], color, 0.9, Dash::Dotted);
     let corners = before.volume_corners();
     sheet.closed(&corners[..4], color, 1.2, Dash::Dotted);
-    let moved = c.distance(setup.camera.position()) > 0.5 * gear.axis;
+    let moved = c.distance(request.camera.position()) > 0.5 * gear.axis;
     if moved {
         sheet.mark(c, MarkShape::Ring, 3.0, color);
-        sheet.text(c, setup.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
+        sheet.text(c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
     }
 }
 

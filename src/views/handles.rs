@@ -6,7 +6,7 @@ use crate::camera::Parameters;
 use crate::figure::Observer;
 use crate::geometry::{Ray, try_unit};
 
-use super::Setup;
+use super::Request;
 use super::screen::Screen;
 use super::world::{self, Gear};
 
@@ -27,15 +27,15 @@ pub enum Handle {
 
 /// The handles that lie in the picture, with their places in pixels.
 #[must_use]
-pub fn handles(setup: &Setup, observer: &Observer) -> Vec<(Handle, DVec2)> {
-    let Some(screen) = world::screen(setup, observer) else { return Vec::new() };
-    on_screen(setup, &screen).into_iter().filter_map(|(h, p)| Some((h, screen.place_inside(p)?))).collect()
+pub fn handles(request: &Request) -> Vec<(Handle, DVec2)> {
+    let Some(screen) = world::screen(request) else { return Vec::new() };
+    on_screen(request, &screen).into_iter().filter_map(|(h, p)| Some((h, screen.place_inside(p)?))).collect()
 }
 
 /// The handle at `pointer` (pixels), within `reach` pixels. Of two at the same place the one that comes first in [`Handle`].
 #[must_use]
-pub fn handle_at(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<Handle> {
-    handles(setup, observer)
+pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle> {
+    handles(request)
         .into_iter()
         .map(|(handle, place)| (handle, place.distance(pointer)))
         .filter(|(_, distance)| *distance <= reach)
@@ -44,21 +44,21 @@ pub fn handle_at(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64)
 }
 
 /// Where the handles are in the world.
-pub(super) fn on_screen(setup: &Setup, screen: &Screen) -> Vec<(Handle, DVec3)> {
-    let camera = setup.camera;
+pub(super) fn on_screen(request: &Request, screen: &Screen) -> Vec<(Handle, DVec3)> {
+    let camera = &request.camera;
     let mut all = vec![
         (Handle::Position, camera.position()),
         (Handle::FocalPoint, camera.focal_point()),
         (Handle::ViewUp, Gear::new(screen, camera).view_up_tip(camera)),
     ];
-    all.extend(on_axis(setup, screen, 20.0));
+    all.extend(on_axis(request, screen, 20.0));
     all
 }
 
 /// The handles of the clipping planes on the axis of projection, but at least `clear` pixels (at scale 1) away from C, where a small F
 /// would hide its handle; none where the axis is seen end-on.
-pub(super) fn on_axis(setup: &Setup, screen: &Screen, clear: f64) -> Vec<(Handle, DVec3)> {
-    let camera = setup.camera;
+pub(super) fn on_axis(request: &Request, screen: &Screen, clear: f64) -> Vec<(Handle, DVec3)> {
+    let camera = &request.camera;
     let (c, dop) = (camera.position(), camera.direction_of_projection());
     let unit = screen.units_per_pixel(c);
     let pixels_per_step = match (screen.place(c), screen.place(c + dop * unit)) {
@@ -72,7 +72,7 @@ pub(super) fn on_axis(setup: &Setup, screen: &Screen, clear: f64) -> Vec<(Handle
     [(Handle::Near, camera.near()), (Handle::Far, camera.far())].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
 }
 
-/// The camera parameters after `handle` was taken at `from` and is now at `to` (pixels), beginning with the camera of `setup`,
+/// The camera parameters after `handle` was taken at `from` and is now at `to` (pixels), beginning with the camera of `request`,
 /// which must be the one at the time of taking.
 ///
 /// C and PF move on the plane y = their own height, or vertically; where that plane is seen from the edge they move in the
@@ -82,11 +82,12 @@ pub(super) fn on_axis(setup: &Setup, screen: &Screen, clear: f64) -> Vec<(Handle
 /// # Guarantees
 /// A drag that cannot be read (an axis seen end-on, an observer that is no camera) changes nothing.
 #[must_use]
-pub fn drag(setup: &Setup, observer: &Observer, handle: Handle, from: DVec2, to: DVec2, vertical: bool) -> Parameters {
-    let mut parameters = *setup.camera.parameters();
-    let Some(screen) = world::screen(setup, observer) else { return parameters };
-    let grip = Grip { observer, from: screen.ray(from), to: screen.ray(to) };
-    let camera = setup.camera;
+pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical: bool) -> Parameters {
+    let mut parameters = *request.camera.parameters();
+    let Some(screen) = world::screen(request) else { return parameters };
+    let Some(observer) = request.seen_from() else { return parameters };
+    let grip = Grip { observer: &observer, from: screen.ray(from), to: screen.ray(to) };
+    let camera = &request.camera;
     let along_axis = || grip.along(camera.position(), camera.direction_of_projection()).unwrap_or(0.0);
     match handle {
         Handle::Position => parameters.position += grip.shift(camera.position(), vertical),
@@ -175,8 +176,7 @@ mod tests {
     use crate::camera::Camera;
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
-    use crate::scene::Scene;
-    use crate::views::{Extras, Size};
+    use crate::views::{SharedScene, Size, View};
 
     const FRONT: Observer =
         Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 0.0, elevation: 0.0, parallel: true };
@@ -184,44 +184,39 @@ mod tests {
         Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 100.0, elevation: 30.0, parallel: false };
 
     /// Calls `test` with the picture of a camera that has F = 2 and B = 9, and the pixels of an observer.
-    fn with_picture(observer: Observer, test: impl Fn(&Setup, &Screen)) {
+    fn with_picture(observer: Observer, test: impl Fn(&Request, &Screen)) {
         let parameters =
             Parameters { near: 2.0, far: 9.0, view_up: DVec3::new(0.0, 2.0, 0.0), ..Parameters::default() };
         let (figure, camera) = (Figure::default(), Camera::new(&parameters).unwrap());
-        let setup = Setup {
-            figure: &figure,
-            camera: &camera,
-            scene: &Scene::default(),
-            labels: pictures::labels(Lang::En),
-            size: Size { width: 600, height: 400, scale: 1.0 },
-            extras: &Extras::default(),
-        };
-        test(&setup, &world::screen(&setup, &observer).unwrap());
+        let (scene, size) = (SharedScene::default(), Size { width: 600, height: 400, scale: 1.0 });
+        let request = Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size);
+        let request = Request { observer: Some(observer), ..request };
+        test(&request, &world::screen(&request).unwrap());
     }
 
     #[test]
     fn every_handle_is_found_where_it_is() {
-        with_picture(CORNER, |setup, _| {
-            let all = handles(setup, &CORNER);
+        with_picture(CORNER, |request, _| {
+            let all = handles(request);
             assert_eq!(all.len(), 5);
             for (handle, place) in all {
-                assert_eq!(handle_at(setup, &CORNER, place + DVec2::new(1.0, -2.0), 8.0), Some(handle));
+                assert_eq!(handle_at(request, place + DVec2::new(1.0, -2.0), 8.0), Some(handle));
             }
-            assert_eq!(handle_at(setup, &CORNER, DVec2::new(1.0, 1.0), 8.0), None);
+            assert_eq!(handle_at(request, DVec2::new(1.0, 1.0), 8.0), None);
         });
     }
 
     #[test]
     fn positions_move_on_their_own_height_under_the_pointer() {
         for observer in [CORNER, Observer { parallel: true, ..CORNER }, Observer { elevation: -20.0, ..CORNER }] {
-            with_picture(observer, |setup, screen| {
-                let c = setup.camera.position();
+            with_picture(observer, |request, screen| {
+                let c = request.camera.position();
                 let goal = c + DVec3::new(-1.5, 0.0, 2.5);
                 let (from, to) = (screen.place(c).unwrap(), screen.place(goal).unwrap());
-                let moved = drag(setup, &observer, Handle::Position, from, to, false);
+                let moved = drag(request, Handle::Position, from, to, false);
                 assert!((moved.position - goal).length() < 1e-9, "{observer:?}: {}", moved.position);
-                assert_eq!(moved.focal_point, setup.camera.focal_point());
-                let moved = drag(setup, &observer, Handle::FocalPoint, from, to, false);
+                assert_eq!(moved.focal_point, request.camera.focal_point());
+                let moved = drag(request, Handle::FocalPoint, from, to, false);
                 assert_eq!(moved.position, c);
                 assert!(moved.focal_point.y.abs() < 1e-9);
             });
@@ -230,33 +225,33 @@ mod tests {
 
     #[test]
     fn with_the_modifier_they_move_vertically() {
-        with_picture(CORNER, |setup, screen| {
-            let c = setup.camera.position();
+        with_picture(CORNER, |request, screen| {
+            let c = request.camera.position();
             let goal = c + DVec3::Y * 1.25;
             let (from, to) = (screen.place(c).unwrap(), screen.place(goal).unwrap());
-            let moved = drag(setup, &CORNER, Handle::Position, from, to, true);
+            let moved = drag(request, Handle::Position, from, to, true);
             assert!((moved.position - goal).length() < 1e-9);
         });
     }
 
     #[test]
     fn where_the_ground_is_an_edge_they_move_in_the_picture() {
-        with_picture(FRONT, |setup, screen| {
-            let c = setup.camera.position();
+        with_picture(FRONT, |request, screen| {
+            let c = request.camera.position();
             let goal = c + DVec3::new(1.0, 2.0, 0.0);
             let (from, to) = (screen.place(c).unwrap(), screen.place(goal).unwrap());
-            let moved = drag(setup, &FRONT, Handle::Position, from, to, false);
+            let moved = drag(request, Handle::Position, from, to, false);
             assert!((moved.position - goal).length() < 1e-9, "{}", moved.position);
         });
     }
 
     #[test]
     fn a_point_dragged_into_the_sky_stays_before_the_eye() {
-        with_picture(CORNER, |setup, screen| {
-            let from = screen.place(setup.camera.focal_point()).unwrap();
+        with_picture(CORNER, |request, screen| {
+            let from = screen.place(request.camera.focal_point()).unwrap();
             let [_, _, back] = CORNER.axes();
             let depth = |y: f64| {
-                let moved = drag(setup, &CORNER, Handle::FocalPoint, from, DVec2::new(from.x, y), false);
+                let moved = drag(request, Handle::FocalPoint, from, DVec2::new(from.x, y), false);
                 assert!(moved.focal_point.is_finite());
                 -back.dot(moved.focal_point)
             };
@@ -267,10 +262,11 @@ mod tests {
 
     #[test]
     fn clipping_planes_follow_the_pointer_along_the_axis_and_stop_at_each_other() {
-        with_picture(CORNER, |setup, screen| {
-            let on_axis =
-                |d: f64| screen.place(setup.camera.position() + setup.camera.direction_of_projection() * d).unwrap();
-            let dragged = |handle, from, to| drag(setup, &CORNER, handle, on_axis(from), on_axis(to), false);
+        with_picture(CORNER, |request, screen| {
+            let on_axis = |d: f64| {
+                screen.place(request.camera.position() + request.camera.direction_of_projection() * d).unwrap()
+            };
+            let dragged = |handle, from, to| drag(request, handle, on_axis(from), on_axis(to), false);
             assert!((dragged(Handle::Near, 2.0, 2.7).near - 2.7).abs() < 1e-9);
             assert!((dragged(Handle::Far, 9.0, 6.5).far - 6.5).abs() < 1e-9);
             let (near, far) = (dragged(Handle::Near, 2.0, 12.0), dragged(Handle::Far, 9.0, 0.5));
@@ -284,13 +280,12 @@ mod tests {
 
     #[test]
     fn the_tip_of_vup_follows_the_pointer_and_vup_keeps_its_length() {
-        with_picture(CORNER, |setup, screen| {
-            let c = setup.camera.position();
-            let tip = Gear::new(screen, setup.camera).view_up_tip(setup.camera);
+        with_picture(CORNER, |request, screen| {
+            let c = request.camera.position();
+            let tip = Gear::new(screen, &request.camera).view_up_tip(&request.camera);
             let [right, ..] = CORNER.axes();
             let goal = tip + right * 0.8;
-            let moved =
-                drag(setup, &CORNER, Handle::ViewUp, screen.place(tip).unwrap(), screen.place(goal).unwrap(), false);
+            let moved = drag(request, Handle::ViewUp, screen.place(tip).unwrap(), screen.place(goal).unwrap(), false);
             assert!((moved.view_up.length() - 2.0).abs() < 1e-12);
             assert!((moved.view_up.normalize() - (goal - c).normalize()).length() < 1e-9);
         });
@@ -302,19 +297,19 @@ mod tests {
         let azimuth = 3.0_f64.atan2(5.0).to_degrees();
         let elevation = 4.0_f64.atan2(34.0_f64.sqrt()).to_degrees();
         let behind = Observer { azimuth, elevation, parallel: true, ..CORNER };
-        with_picture(behind, |setup, _| {
-            assert!(handles(setup, &behind).iter().all(|(h, _)| !matches!(h, Handle::Near | Handle::Far)));
-            let moved = drag(setup, &behind, Handle::Near, DVec2::new(300.0, 200.0), DVec2::new(350.0, 100.0), false);
-            assert_eq!(moved, *setup.camera.parameters());
+        with_picture(behind, |request, _| {
+            assert!(handles(request).iter().all(|(h, _)| !matches!(h, Handle::Near | Handle::Far)));
+            let moved = drag(request, Handle::Near, DVec2::new(300.0, 200.0), DVec2::new(350.0, 100.0), false);
+            assert_eq!(moved, *request.camera.parameters());
         });
     }
 
     #[test]
     fn a_small_f_keeps_its_handle_clear_of_the_camera() {
-        with_picture(CORNER, |setup, screen| {
-            let camera = Camera::new(&Parameters { near: 1e-6, ..*setup.camera.parameters() }).unwrap();
-            let setup = Setup { camera: &camera, ..*setup };
-            let places = handles(&setup, &CORNER);
+        with_picture(CORNER, |request, screen| {
+            let camera = Camera::new(&Parameters { near: 1e-6, ..*request.camera.parameters() }).unwrap();
+            let request = Request { camera: camera.clone(), ..request.clone() };
+            let places = handles(&request);
             let place = |h| places.iter().find(|(handle, _)| *handle == h).unwrap().1;
             let apart = place(Handle::Near).distance(place(Handle::Position));
             assert!((15.0..25.0).contains(&apart), "{apart} px");
@@ -322,7 +317,7 @@ mod tests {
             let step = camera.direction_of_projection() * 0.5;
             let to = screen.place(camera.position() + step).unwrap();
             let from = screen.place(camera.position()).unwrap();
-            assert!((drag(&setup, &CORNER, Handle::Near, from, to, false).near - 0.5).abs() < 1e-5);
+            assert!((drag(&request, Handle::Near, from, to, false).near - 0.5).abs() < 1e-5);
         });
     }
 }

@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use super::depth::{self, Greys};
 use super::gizmos::{Sheet, stroke};
 use super::screen::Screen;
-use super::{Engine, Palette, Setup, Size, placing, probe, reveal};
+use super::{Engine, Palette, Request, Size, placing, probe, reveal};
 
 /// A rectangle of a picture, in pixels; (0, 0) is the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,62 +51,55 @@ fn rounded(pixels: f64, most: u32) -> u32 {
 }
 
 /// The camera and the pixels that its window fills.
-pub(super) fn screen(setup: &Setup) -> Screen {
-    Screen::new(setup.camera.clone(), frame(setup.size, setup.camera.window()), setup.size.scale)
+pub(super) fn screen(request: &Request) -> Screen {
+    Screen::new(request.camera.clone(), frame(request.size, request.camera.window()), request.size.scale)
 }
 
 /// Draws the image.
-#[must_use]
-pub fn draw(setup: &Setup) -> Drawing {
-    frame_of(setup, &mut Engine::default()).drawing
-}
-
-/// Draws the image as [`draw`] does, and tells what was done.
-#[must_use]
-pub fn frame_of(setup: &Setup, engine: &mut Engine) -> Frame {
-    let style = &setup.figure.style;
+pub(super) fn frame_of(request: &Request, engine: &mut Engine) -> Frame {
+    let style = &request.look.style;
     let palette = Palette::of(style.theme);
-    let greys = Greys::of(setup);
+    let greys = Greys::of(request);
     let paper = if greys.is_some() { palette.nothing } else { palette.paper };
-    let style = match (greys, setup.figure.reveal.divide_first) {
+    let style = match (greys, request.look.reveal.divide_first) {
         (Some(_), _) => depth::style(style),
         // What is wrong is drawn for itself, and only a depth buffer brings both together.
         (None, true) => Style { visibility: Visibility::DepthBuffer, ..*style },
         (None, false) => *style,
     };
-    let (whole, screen) = (setup.size.target(paper), screen(setup));
-    let rect = frame(setup.size, setup.camera.window());
+    let (whole, screen) = (request.size.target(paper), screen(request));
+    let rect = frame(request.size, request.camera.window());
     let target = Target { width: rect.width, height: rect.height, ..whole };
     // A scene of many objects is not copied where nothing is added to it.
-    let plain = setup.figure.reveal == Reveal::default() && setup.extras.probe.is_none();
-    let (revealed, wrong) = if plain { Default::default() } else { reveal::in_image(setup, palette) };
+    let plain = request.look.reveal == Reveal::default() && request.overlays.probe.is_none();
+    let (revealed, wrong) = if plain { Default::default() } else { reveal::in_image(request, palette) };
     let mut drawn = if plain {
-        engine.frame(setup, setup.scene, setup.camera, target, &style)
+        engine.frame(request, &request.scene, &request.camera, target, &style)
     } else {
         let mut sheet = Sheet { scene: revealed.scene.clone(), screen: &screen, hidden: style.hidden_lines };
         if greys.is_some() {
             depth::only(&mut sheet.scene);
         }
         revealed.mark(&mut sheet, palette);
-        probe::in_image(&mut sheet, setup, palette);
-        engine.frame(setup, &sheet.scene, setup.camera, target, &style)
+        probe::in_image(&mut sheet, request, palette);
+        engine.frame(request, &sheet.scene, &request.camera, target, &style)
     };
     // Where nothing is behind the eye, dividing first makes no difference, and clipping did its work as ever.
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(reveal::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);
-        add(&mut drawn.drawing, Engine::default().frame(setup, &wrong, &front, target, &style).drawing);
+        add(&mut drawn.drawing, Engine::default().frame(request, &wrong, &front, target, &style).drawing);
     }
     let mut rows = revealed.rows;
     if let Some(greys) = greys {
         greys.paint(&mut drawn);
-        rows.extend(greys.legend(setup, palette));
+        rows.extend(greys.legend(request, palette));
     }
     placing::settle(&mut drawn.drawing, &[], None);
-    if rect != PixelRect::whole(setup.size) {
-        drawn.drawing = mounted(drawn.drawing, rect, setup.size, palette);
+    if rect != PixelRect::whole(request.size) {
+        drawn.drawing = mounted(drawn.drawing, rect, request.size, palette);
     }
-    reveal::explain(&mut drawn.drawing, reveal::legend(setup, rows, &whole, palette).as_ref());
+    reveal::explain(&mut drawn.drawing, reveal::legend(request, rows, &whole, palette).as_ref());
     drawn
 }
 

@@ -11,7 +11,7 @@
 //! | [`canonical`] | ndc, shown as (x_n, y_n, −z_n), which is right-handed | [`Observer`](crate::figure::Observer) |
 
 pub mod arrows;
-pub mod canonical;
+mod canonical;
 mod content;
 pub mod depth;
 mod ghost;
@@ -24,10 +24,11 @@ pub mod palette;
 pub mod pick;
 mod placing;
 mod probe;
+mod request;
 mod reveal;
 mod screen;
 mod view;
-pub mod world;
+mod world;
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -37,30 +38,13 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Rgba, Style, Texture};
 use crate::camera::{Camera, Convention, Operation};
 use crate::figure::Figure;
-use crate::geometry::Aabb;
 use crate::pipeline::{Frame, Options, Pipeline, Target};
 use crate::scene::{self, ReadFile, Scene, SceneError};
 pub use arrows::Arrows;
 pub use handles::Handle;
 pub use palette::Palette;
+pub use request::{Look, Overlays, Request, SharedScene, observer_in};
 pub use view::{View, Views};
-
-/// What all three pictures are made from.
-#[derive(Clone, Copy, Debug)]
-pub struct Setup<'a> {
-    /// Style and image size are taken from here; the camera's parameters in it may be nonsense.
-    pub figure: &'a Figure,
-    /// The camera that the pictures are about.
-    pub camera: &'a Camera,
-    /// What the camera looks at: [`scene_of`] the figure.
-    pub scene: &'a Scene,
-    /// The words in the pictures.
-    pub labels: &'a Labels,
-    /// Size of the picture.
-    pub size: Size,
-    /// What comes and goes with the pointer.
-    pub extras: &'a Extras,
-}
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,27 +112,6 @@ pub struct Labels {
     pub no_difference: &'static str,
 }
 
-/// What comes and goes with the pointer, and what only a shell can make.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Extras {
-    /// The image's pixels, painted on the view window in the world.
-    pub painted_image: Option<Arc<Texture>>,
-    /// What is pointed at, marked in all three pictures.
-    pub probe: Option<Probe>,
-    /// The operation that is being tried, shown in the world.
-    pub ghost: Option<Ghost>,
-    /// The handle under the pointer, drawn stronger.
-    pub hot: Option<Handle>,
-    /// Without legends: the picture is painted on something.
-    pub bare: bool,
-    /// What is selected can be moved by these, in the world.
-    pub arrows: Option<Arrows>,
-    /// The box around the scene, where who keeps the scene knows it: with a million vertices it takes a while to find.
-    pub bounds: Option<Aabb>,
-    /// Run every stage of the pipeline, needed or not. The picture is the same.
-    pub force_all_stages: bool,
-}
-
 /// What is pointed at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Probe {
@@ -158,7 +121,7 @@ pub enum Probe {
     Window(DVec2),
 }
 
-/// An operation and the camera before it; the camera after it is the one of the [`Setup`].
+/// An operation and the camera before it; the camera after it is the one of the [`Request`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ghost {
     /// The camera before.
@@ -181,9 +144,20 @@ pub struct Engine {
 
 impl Engine {
     /// Sends what a picture shows through the pipeline.
-    fn frame(&mut self, setup: &Setup, scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Frame {
-        let options = Options { force_all_stages: setup.extras.force_all_stages, clock: self.clock };
+    fn frame(&mut self, request: &Request, scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Frame {
+        let options = Options { force_all_stages: request.force_all_stages, clock: self.clock };
         self.pipeline.frame(scene, camera, target, style, options)
+    }
+}
+
+/// Draws a picture, and tells what was done. `on_window` is the image that the view window of the world shows:
+/// [`Request::image_on_window`] as pixels; without it the window is plain.
+#[must_use]
+pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, engine: &mut Engine) -> Frame {
+    match request.view {
+        View::World => world::frame_of(request, on_window, engine),
+        View::Canonical => canonical::frame_of(request, engine),
+        View::Image => image::frame_of(request, engine),
     }
 }
 

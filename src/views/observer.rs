@@ -18,7 +18,7 @@ const PARALLEL_DEPTH: f64 = 100.0;
 
 /// A side to look from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Preset {
+pub enum Viewpoint {
     /// From +z, parallel.
     Front,
     /// From +y, parallel.
@@ -41,8 +41,8 @@ pub(super) struct Direction {
     pub(super) parallel: bool,
 }
 
-impl Preset {
-    /// The direction of the preset; `iso` says where the corner is.
+impl Viewpoint {
+    /// The direction; `iso` says where the corner is.
     pub(super) fn direction(self, iso: Direction) -> Direction {
         let along = |azimuth, elevation| Direction { azimuth, elevation, parallel: true };
         match self {
@@ -183,25 +183,25 @@ mod tests {
 
     #[test]
     fn framing_has_every_point_in_the_picture_and_touches_two_sides() {
-        for preset in [Preset::Front, Preset::Top, Preset::Side, Preset::Iso] {
+        for viewpoint in [Viewpoint::Front, Viewpoint::Top, Viewpoint::Side, Viewpoint::Iso] {
             for aspect in [0.5, 1.0, 2.0] {
-                let o = Observer::framing(&cloud(), preset.direction(ISO), aspect);
+                let o = Observer::framing(&cloud(), viewpoint.direction(ISO), aspect);
                 let camera = o.camera(Aabb::around(cloud()), aspect).unwrap();
                 let points: Vec<_> = cloud().iter().map(|&p| ndc(&camera, p)).collect();
                 let widest = points.iter().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
-                assert!((widest - FILL).abs() < 1e-9, "{preset:?} {aspect}: {widest}");
-                assert!(points.iter().all(|p| p.z.abs() < 1.0), "{preset:?}: inside the clipping planes");
+                assert!((widest - FILL).abs() < 1e-9, "{viewpoint:?} {aspect}: {widest}");
+                assert!(points.iter().all(|p| p.z.abs() < 1.0), "{viewpoint:?}: inside the clipping planes");
             }
         }
     }
 
     #[test]
-    fn presets_look_from_their_side() {
-        let eye = |p: Preset| Observer::framing(&cloud(), p.direction(ISO), 1.0).axes()[2];
-        assert!((eye(Preset::Front) - DVec3::Z).length() < 1e-15);
-        assert!((eye(Preset::Top) - DVec3::Y).length() < 1e-15);
-        assert!((eye(Preset::Side) - DVec3::X).length() < 1e-15);
-        let top = Observer::framing(&cloud(), Preset::Top.direction(ISO), 1.0);
+    fn viewpoints_look_from_their_side() {
+        let eye = |p: Viewpoint| Observer::framing(&cloud(), p.direction(ISO), 1.0).axes()[2];
+        assert!((eye(Viewpoint::Front) - DVec3::Z).length() < 1e-15);
+        assert!((eye(Viewpoint::Top) - DVec3::Y).length() < 1e-15);
+        assert!((eye(Viewpoint::Side) - DVec3::X).length() < 1e-15);
+        let top = Observer::framing(&cloud(), Viewpoint::Top.direction(ISO), 1.0);
         assert!((top.axes()[0] - DVec3::X).length() < 1e-15, "on a map, x goes to the right");
         assert!((top.axes()[1] + DVec3::Z).length() < 1e-15, "and z towards the reader");
     }

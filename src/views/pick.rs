@@ -3,55 +3,63 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::Projection;
-use crate::figure::Observer;
 use crate::geometry::Ray;
 use crate::pipeline::project::displayed_ndc;
 use crate::scene::{Object, Scene};
 
 use super::screen::Screen;
-use super::{Setup, canonical, image, world};
+use super::{Request, View, canonical, image, world};
 
 /// The ray in the world through a place (pixels) of the world picture; `None` for an observer that is no camera.
 #[must_use]
-pub fn ray_in_world(setup: &Setup, observer: &Observer, pointer: DVec2) -> Option<Ray> {
-    Some(world::screen(setup, observer)?.ray(pointer))
+pub fn ray_in_world(request: &Request, pointer: DVec2) -> Option<Ray> {
+    Some(world::screen(request)?.ray(pointer))
 }
 
-/// The ray through a place (pixels) of the picture of the canonical volume, in its display space (x_n, y_n, −z_n).
+/// The vertex of the scene (world) nearest to a place (pixels) of a picture, within `reach` pixels. A hidden vertex is taken
+/// only where no other is within reach; in the canonical volume and in the image only vertices inside the view volume are.
 #[must_use]
-pub fn ray_in_canonical(setup: &Setup, observer: &Observer, pointer: DVec2) -> Option<Ray> {
-    Some(canonical::screen(setup, observer)?.ray(pointer))
+pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
+    match request.view {
+        View::World => vertex_in_world(request, pointer, reach),
+        View::Canonical => vertex_in_canonical(request, pointer, reach),
+        View::Image => vertex_in_image(request, pointer, reach),
+    }
 }
 
-/// The vertex of the scene (world) nearest to a place (pixels) of the world picture, within `reach` pixels. A hidden vertex is
-/// taken only where no other is within reach.
+/// The name of the object whose face a place (pixels) of a picture shows; `None` where there is none, and in the canonical
+/// volume, where what is seen has been clipped and projected.
 #[must_use]
-pub fn vertex_in_world(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let screen = world::screen(setup, observer)?;
-    nearest(vertices(setup.scene).map(|p| (p, p)), setup.scene, &screen, pointer, reach)
+pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
+    match request.view {
+        View::World => object_in_world(request, pointer),
+        View::Canonical => None,
+        View::Image => object_in_image(request, pointer),
+    }
 }
 
-/// As [`vertex_in_world`], for the picture of the canonical volume: of the vertices inside it. The result is in world space.
-#[must_use]
-pub fn vertex_in_canonical(setup: &Setup, observer: &Observer, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let screen = canonical::screen(setup, observer)?;
-    let shown = vertices(setup.scene)
-        .filter_map(|p| Some((displayed_ndc(setup.camera, p).filter(|n| n.abs().max_element() <= 1.0)?, p)));
-    nearest(shown, &canonical::contents(setup), &screen, pointer, reach)
+fn vertex_in_world(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
+    let screen = world::screen(request)?;
+    nearest(vertices(&request.scene).map(|p| (p, p)), &request.scene, &screen, pointer, reach)
 }
 
-/// As [`vertex_in_world`], for the image.
-#[must_use]
-pub fn vertex_in_image(setup: &Setup, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let screen = image::screen(setup);
-    let inside = |p: &DVec3| displayed_ndc(setup.camera, *p).is_some_and(|n| n.abs().max_element() <= 1.0);
-    nearest(vertices(setup.scene).filter(inside).map(|p| (p, p)), setup.scene, &screen, pointer, reach)
+fn vertex_in_canonical(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
+    let screen = canonical::screen(request)?;
+    let shown = vertices(&request.scene)
+        .filter_map(|p| Some((displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0)?, p)));
+    nearest(shown, &canonical::contents(request), &screen, pointer, reach)
+}
+
+fn vertex_in_image(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
+    let screen = image::screen(request);
+    let inside = |p: &DVec3| displayed_ndc(&request.camera, *p).is_some_and(|n| n.abs().max_element() <= 1.0);
+    nearest(vertices(&request.scene).filter(inside).map(|p| (p, p)), &request.scene, &screen, pointer, reach)
 }
 
 /// The point (x_p, y_p) of the view window at a place (pixels) of the image picture; `None` outside the frame.
 #[must_use]
-pub fn window_point_in_image(setup: &Setup, pointer: DVec2) -> Option<DVec2> {
-    let screen = image::screen(setup);
+pub fn window_point_in_image(request: &Request, pointer: DVec2) -> Option<DVec2> {
+    let screen = image::screen(request);
     screen.holds(pointer).then(|| screen.window_point(pointer))
 }
 
@@ -69,27 +77,23 @@ pub(super) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec
     Some(from + (to - from) * t)
 }
 
-/// The name of the object whose face a place (pixels) of the world picture shows; `None` where there is none.
-#[must_use]
-pub fn object_in_world(setup: &Setup, observer: &Observer, pointer: DVec2) -> Option<String> {
-    let ray = ray_in_world(setup, observer, pointer)?;
-    first_object(setup, ray)
+fn object_in_world(request: &Request, pointer: DVec2) -> Option<String> {
+    let ray = ray_in_world(request, pointer)?;
+    first_object(request, ray)
 }
 
-/// The name of the object whose face a place (pixels) of the image shows; `None` where there is none.
-#[must_use]
-pub fn object_in_image(setup: &Setup, pointer: DVec2) -> Option<String> {
-    let point = window_point_in_image(setup, pointer)?;
-    let ray = setup.camera.ray_through_window(point);
+fn object_in_image(request: &Request, pointer: DVec2) -> Option<String> {
+    let point = window_point_in_image(request, pointer)?;
+    let ray = request.camera.ray_through_window(point);
     // Before the window nothing is seen.
-    let per_depth = ray.direction / ray.direction.dot(setup.camera.direction_of_projection());
-    first_object(setup, Ray { origin: ray.origin + per_depth * setup.camera.near(), ..ray })
+    let per_depth = ray.direction / ray.direction.dot(request.camera.direction_of_projection());
+    first_object(request, Ray { origin: ray.origin + per_depth * request.camera.near(), ..ray })
 }
 
-fn first_object(setup: &Setup, ray: Ray) -> Option<String> {
-    let bounds = setup.extras.bounds.or_else(|| setup.scene.bounds())?;
+fn first_object(request: &Request, ray: Ray) -> Option<String> {
+    let bounds = request.scene.bounds()?;
     let far = ray.origin + ray.direction * (bounds.center().distance(ray.origin) + 2.0 * bounds.radius());
-    let faced = setup.scene.objects.iter().filter(|o| o.faces);
+    let faced = request.scene.objects.iter().filter(|o| o.faces);
     let hits = faced.filter_map(|o| Some((crossing(o, ray.origin, far, !o.two_sided)?, o)));
     hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, object)| object.name.clone())
 }
@@ -183,10 +187,11 @@ mod tests {
     use crate::camera::{Camera, Parameters};
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
-    use crate::views::{Extras, Size, observer::Preset};
+    use crate::views::observer::Viewpoint;
+    use crate::views::{SharedScene, Size};
 
     /// Calls `test` with a picture of the cube \[−1, 1\]³, which a camera at (3, 4, 5) sees whole.
-    fn with_cube(parameters: Parameters, test: impl Fn(&Setup)) {
+    fn with_cube(parameters: Parameters, test: impl Fn(&Request)) {
         let mut figure = Figure::default();
         figure.scene.preset = crate::scene::Preset::Empty;
         figure.scene.objects.push(crate::scene::ObjectSpec {
@@ -201,27 +206,29 @@ mod tests {
         });
         let scene = crate::views::scene_of(&figure, &mut crate::scene::no_files).unwrap();
         let camera = Camera::new(&parameters).unwrap();
-        test(&Setup {
-            figure: &figure,
-            camera: &camera,
-            scene: &scene,
-            labels: pictures::labels(Lang::En),
-            size: Size { width: 600, height: 450, scale: 1.0 },
-            extras: &Extras::default(),
-        });
+        let (scene, size) = (SharedScene::new(scene), Size { width: 600, height: 450, scale: 1.0 });
+        test(&Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size));
+    }
+
+    /// The same, of another picture.
+    fn seen(request: &Request, view: View, viewpoint: Viewpoint) -> Request {
+        let request = Request { view, ..request.clone() };
+        Request { observer: request.observer_from(viewpoint), ..request }
     }
 
     #[test]
     fn of_two_vertices_at_one_place_the_one_in_front_is_caught() {
-        with_cube(Parameters::default(), |setup| {
-            for (preset, front) in [(Preset::Front, DVec3::Z), (Preset::Side, DVec3::X), (Preset::Top, DVec3::Y)] {
-                let observer = world::observer(setup, preset);
-                let screen = world::screen(setup, &observer).unwrap();
+        with_cube(Parameters::default(), |request| {
+            for (viewpoint, front) in
+                [(Viewpoint::Front, DVec3::Z), (Viewpoint::Side, DVec3::X), (Viewpoint::Top, DVec3::Y)]
+            {
+                let request = seen(request, View::World, viewpoint);
+                let screen = world::screen(&request).unwrap();
                 for other in [DVec3::ONE, DVec3::NEG_ONE, DVec3::new(1.0, -1.0, 1.0)] {
                     let p = other * (DVec3::ONE - front) + front;
                     let place = screen.place(p - 2.0 * front).unwrap();
-                    let found = vertex_in_world(setup, &observer, place + DVec2::new(2.0, 1.0), 8.0);
-                    assert_eq!(found, Some(p), "{preset:?}");
+                    let found = vertex(&request, place + DVec2::new(2.0, 1.0), 8.0);
+                    assert_eq!(found, Some(p), "{viewpoint:?}");
                 }
             }
         });
@@ -229,42 +236,42 @@ mod tests {
 
     #[test]
     fn a_hidden_vertex_is_caught_where_there_is_no_other() {
-        with_cube(Parameters::default(), |setup| {
-            let screen = image::screen(setup);
+        with_cube(Parameters::default(), |request| {
+            let screen = image::screen(request);
             let place = screen.place(DVec3::NEG_ONE).unwrap();
-            assert!(!can_be_seen(DVec3::NEG_ONE, setup.scene, &screen));
-            assert!(can_be_seen(DVec3::ONE, setup.scene, &screen));
-            assert_eq!(vertex_in_image(setup, place, 8.0), Some(DVec3::NEG_ONE));
-            assert_eq!(vertex_in_image(setup, place + 20.0, 8.0), None);
+            assert!(!can_be_seen(DVec3::NEG_ONE, &request.scene, &screen));
+            assert!(can_be_seen(DVec3::ONE, &request.scene, &screen));
+            assert_eq!(vertex(request, place, 8.0), Some(DVec3::NEG_ONE));
+            assert_eq!(vertex(request, place + 20.0, 8.0), None);
         });
     }
 
     #[test]
     fn the_object_that_is_seen_is_the_one_that_is_found() {
-        with_cube(Parameters::default(), |setup| {
-            let observer = world::observer(setup, Preset::Front);
-            let screen = world::screen(setup, &observer).unwrap();
+        with_cube(Parameters::default(), |request| {
+            let world = seen(request, View::World, Viewpoint::Front);
+            let screen = world::screen(&world).unwrap();
             let middle = screen.place(DVec3::Z).unwrap();
-            assert_eq!(object_in_world(setup, &observer, middle).as_deref(), Some("cube"));
-            assert_eq!(object_in_world(setup, &observer, DVec2::ONE), None);
-            let middle = image::screen(setup).place(DVec3::ZERO).unwrap();
-            assert_eq!(object_in_image(setup, middle).as_deref(), Some("cube"));
-            assert_eq!(object_in_image(setup, DVec2::ONE), None);
+            assert_eq!(object(&world, middle).as_deref(), Some("cube"));
+            assert_eq!(object(&world, DVec2::ONE), None);
+            let middle = image::screen(request).place(DVec3::ZERO).unwrap();
+            assert_eq!(object(request, middle).as_deref(), Some("cube"));
+            assert_eq!(object(request, DVec2::ONE), None);
         });
     }
 
     #[test]
     fn the_canonical_picture_leads_back_to_the_world() {
-        with_cube(Parameters { near: 2.0, far: 12.0, ..Parameters::default() }, |setup| {
-            let observer = canonical::observer(setup, Preset::Iso);
-            let screen = canonical::screen(setup, &observer).unwrap();
+        with_cube(Parameters { near: 2.0, far: 12.0, ..Parameters::default() }, |request| {
+            let request = seen(request, View::Canonical, Viewpoint::Iso);
+            let screen = canonical::screen(&request).unwrap();
             let mut seen = 0;
             for p in canonical::CUBE.corners() {
-                let shown = displayed_ndc(setup.camera, p).unwrap();
-                if can_be_seen(shown, &canonical::contents(setup), &screen) {
+                let shown = displayed_ndc(&request.camera, p).unwrap();
+                if can_be_seen(shown, &canonical::contents(&request), &screen) {
                     seen += 1;
                     let place = screen.place(shown).unwrap();
-                    assert_eq!(vertex_in_canonical(setup, &observer, place, 3.0), Some(p));
+                    assert_eq!(vertex(&request, place, 3.0), Some(p));
                 }
             }
             assert!((4..=7).contains(&seen), "{seen} of eight");
@@ -274,18 +281,18 @@ mod tests {
     #[test]
     fn what_is_not_in_the_volume_is_not_caught_in_the_image() {
         // F = 7: the corner (1, 1, 1), nearest to C, has been cut off.
-        with_cube(Parameters { near: 7.0, ..Parameters::default() }, |setup| {
-            let toward = setup.camera.view_point(DVec3::ONE);
-            let place = image::screen(setup).window_place(toward.truncate() * (7.0 / -toward.z));
-            assert_eq!(vertex_in_image(setup, place, 4.0), None);
+        with_cube(Parameters { near: 7.0, ..Parameters::default() }, |request| {
+            let toward = request.camera.view_point(DVec3::ONE);
+            let place = image::screen(request).window_place(toward.truncate() * (7.0 / -toward.z));
+            assert_eq!(vertex(request, place, 4.0), None);
         });
     }
 
     #[test]
     fn the_image_maps_to_the_window() {
-        with_cube(Parameters { aspect: 1.0, ..Parameters::default() }, |setup| {
-            let w = setup.camera.window();
-            let at = |x, y| window_point_in_image(setup, DVec2::new(x, y));
+        with_cube(Parameters { aspect: 1.0, ..Parameters::default() }, |request| {
+            let w = request.camera.window();
+            let at = |x, y| window_point_in_image(request, DVec2::new(x, y));
             assert_eq!(at(75.0, 0.0), Some(DVec2::new(w.left, w.top)), "the frame is 450 × 450 in the middle of 600");
             assert_eq!(at(525.0, 450.0), Some(DVec2::new(w.right, w.bottom)));
             assert_eq!(at(74.0, 10.0), None);
@@ -294,12 +301,12 @@ mod tests {
 
     #[test]
     fn a_segment_ends_on_the_first_face() {
-        with_cube(Parameters::default(), |setup| {
-            let hit = first_hit(setup.scene, DVec3::new(0.25, 0.5, 9.0), DVec3::new(0.25, 0.5, -9.0)).unwrap();
+        with_cube(Parameters::default(), |request| {
+            let hit = first_hit(&request.scene, DVec3::new(0.25, 0.5, 9.0), DVec3::new(0.25, 0.5, -9.0)).unwrap();
             assert!((hit - DVec3::new(0.25, 0.5, 1.0)).length() < 1e-12);
-            let short = first_hit(setup.scene, DVec3::new(0.25, 0.5, 9.0), DVec3::new(0.25, 0.5, 1.5));
+            let short = first_hit(&request.scene, DVec3::new(0.25, 0.5, 9.0), DVec3::new(0.25, 0.5, 1.5));
             assert_eq!(short, None);
-            assert_eq!(first_hit(setup.scene, DVec3::new(1.25, 0.5, 9.0), DVec3::new(1.25, 0.5, -9.0)), None);
+            assert_eq!(first_hit(&request.scene, DVec3::new(1.25, 0.5, 9.0), DVec3::new(1.25, 0.5, -9.0)), None);
         });
     }
 }

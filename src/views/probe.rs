@@ -7,7 +7,7 @@ use crate::camera::Projection;
 use crate::pipeline::project::displayed_ndc;
 
 use super::gizmos::{SMALL_TYPE, Sheet, TYPE};
-use super::{Palette, Probe, Setup, pick};
+use super::{Palette, Probe, Request, pick};
 
 /// The ray of the probe from its origin O_R through its window point to the end of the volume, `[0]` Eqs. (5.17) to (5.21).
 struct Pixel {
@@ -19,27 +19,27 @@ struct Pixel {
 }
 
 impl Pixel {
-    fn new(setup: &Setup, point: DVec2) -> Self {
-        let camera = setup.camera;
+    fn new(request: &Request, point: DVec2) -> Self {
+        let camera = &request.camera;
         let ray = camera.ray_through_window(point);
         // Depths along −n are what F and B measure.
         let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
         let (window, end) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
-        Self { origin: ray.origin, window, end, hit: pick::first_hit(setup.scene, window, end) }
+        Self { origin: ray.origin, window, end, hit: pick::first_hit(&request.scene, window, end) }
     }
 }
 
 /// The ray from O_R through the window, or the point with its projector.
-pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
+pub(super) fn in_world(sheet: &mut Sheet, request: &Request, palette: Palette) {
     let color = palette.probe;
-    match setup.extras.probe {
+    match request.overlays.probe {
         None => {}
         Some(Probe::Point(p)) => {
-            let camera = setup.camera;
+            let camera = &request.camera;
             let c = camera.view_point(p);
             if c.z < 0.0 {
-                let w = window_of(setup, c);
-                let pixel = Pixel::new(setup, w);
+                let w = window_of(request, c);
+                let pixel = Pixel::new(request, w);
                 sheet.line(vec![pixel.origin, p], color, 1.4, Dash::Solid);
                 sheet.mark(pixel.window, MarkShape::Square, 3.0, color);
             }
@@ -47,7 +47,7 @@ pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
             sheet.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
         }
         Some(Probe::Window(point)) => {
-            let pixel = Pixel::new(setup, point);
+            let pixel = Pixel::new(request, point);
             sheet.line(vec![pixel.origin, pixel.hit.unwrap_or(pixel.end)], color, 1.6, Dash::Solid);
             if let Some(hit) = pixel.hit {
                 sheet.line(vec![hit, pixel.end], color, 1.2, Dash::Dotted);
@@ -55,7 +55,7 @@ pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
                 sheet.text(hit, "P", DVec2::new(0.8, -0.8), TYPE, color);
             }
             sheet.mark(pixel.window, MarkShape::Square, 3.0, color);
-            if setup.camera.projection() == Projection::Parallel {
+            if request.camera.projection() == Projection::Parallel {
                 sheet.mark(pixel.origin, MarkShape::Disc, 3.0, color);
                 sheet.text(pixel.origin, "O_R", DVec2::new(-0.7, 0.7), SMALL_TYPE, color);
             }
@@ -64,14 +64,14 @@ pub(super) fn in_world(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
 }
 
 /// Projectors are parallel to z_n in the canonical volume, whatever the projection.
-pub(super) fn in_canonical(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
-    let Some(probe) = setup.extras.probe else { return };
+pub(super) fn in_canonical(sheet: &mut Sheet, request: &Request, palette: Palette) {
+    let Some(probe) = request.overlays.probe else { return };
     let color = palette.probe;
-    let shown = |p: DVec3| displayed_ndc(setup.camera, p);
+    let shown = |p: DVec3| displayed_ndc(&request.camera, p);
     let (through, marked) = match probe {
         Probe::Point(p) => (shown(p), shown(p)),
         Probe::Window(point) => {
-            let pixel = Pixel::new(setup, point);
+            let pixel = Pixel::new(request, point);
             (shown(pixel.window), pixel.hit.and_then(shown))
         }
     };
@@ -90,19 +90,19 @@ pub(super) fn in_canonical(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
 }
 
 /// A cross at the pixel, or a ring around the point.
-pub(super) fn in_image(sheet: &mut Sheet, setup: &Setup, palette: Palette) {
-    let (point, shape) = match setup.extras.probe {
+pub(super) fn in_image(sheet: &mut Sheet, request: &Request, palette: Palette) {
+    let (point, shape) = match request.overlays.probe {
         None => return,
         Some(Probe::Point(p)) => (p, MarkShape::Ring),
-        Some(Probe::Window(point)) => (Pixel::new(setup, point).window, MarkShape::Cross),
+        Some(Probe::Window(point)) => (Pixel::new(request, point).window, MarkShape::Cross),
     };
     sheet.mark(point, shape, 6.0, palette.probe);
 }
 
 /// (x_p, y_p) of a point in front of C (VRC), `[0]` Eqs. (5.9) and (5.10).
-fn window_of(setup: &Setup, p_view: DVec3) -> DVec2 {
-    match setup.camera.projection() {
-        Projection::Perspective => p_view.truncate() * (setup.camera.near() / -p_view.z),
+fn window_of(request: &Request, p_view: DVec3) -> DVec2 {
+    match request.camera.projection() {
+        Projection::Perspective => p_view.truncate() * (request.camera.near() / -p_view.z),
         Projection::Parallel => p_view.truncate(),
     }
 }

@@ -18,7 +18,7 @@ use crate::scene::{Object, ObjectPaint, Scene};
 use super::gizmos::{SMALL_TYPE, Sheet};
 use super::legend::{Legend, Row};
 use super::placing::Box2;
-use super::{Labels, Palette, Setup};
+use super::{Labels, Palette, Request};
 
 /// How far beyond the canonical volume is shown what lies outside, in its own half sides.
 pub(super) const REACH: f64 = 2.0;
@@ -60,10 +60,10 @@ impl Revealed {
         }
     }
 
-    fn note_cuts(&mut self, parts: &Parts, setup: &Setup, palette: Palette, place: impl Fn(DVec3) -> DVec3) {
+    fn note_cuts(&mut self, parts: &Parts, request: &Request, palette: Palette, place: impl Fn(DVec3) -> DVec3) {
         self.cuts = parts.cuts.iter().map(|&p| place(p)).collect();
         self.sides = parts.sides.iter().map(|side| side.map(&place)).collect();
-        let meaning = setup.labels.cuts.to_owned();
+        let meaning = request.labels.cuts.to_owned();
         self.rows.extend(match self.cuts.len() {
             0 => None,
             1..=MOST_MARKS => Some(Row::Mark(MarkShape::Diamond, palette.cut, meaning)),
@@ -73,9 +73,9 @@ impl Revealed {
 }
 
 /// A legend of `rows`, where there is room for one.
-pub(super) fn legend(setup: &Setup, rows: Vec<Row>, target: &Target, palette: Palette) -> Option<Legend> {
-    let size = [setup.size.width, setup.size.height];
-    Legend::new(rows, size, target.scale, palette).filter(|_| !setup.extras.bare)
+pub(super) fn legend(request: &Request, rows: Vec<Row>, target: &Target, palette: Palette) -> Option<Legend> {
+    let size = [request.size.width, request.size.height];
+    Legend::new(rows, size, target.scale, palette).filter(|_| !request.overlays.bare)
 }
 
 /// Where it lies, and the drawing of it.
@@ -91,27 +91,27 @@ pub(super) fn room(legend: Option<&Legend>) -> Option<Box2> {
 }
 
 /// The scene of the world.
-pub(super) fn in_world(setup: &Setup, palette: Palette) -> Revealed {
-    let reveal = setup.figure.reveal;
-    let edges_only = setup.figure.style.shading == Shading::Wireframe;
-    let mut revealed = Revealed { scene: setup.scene.clone(), ..Revealed::default() };
+pub(super) fn in_world(request: &Request, palette: Palette) -> Revealed {
+    let reveal = request.look.reveal;
+    let edges_only = request.look.style.shading == Shading::Wireframe;
+    let mut revealed = Revealed { scene: Scene::clone(&request.scene), ..Revealed::default() };
     let mut dropped = Scene::default();
     if reveal.culled {
-        let (kept, gone) = culled(setup, edges_only, palette, &mut revealed);
+        let (kept, gone) = culled(request, edges_only, palette, &mut revealed);
         revealed.scene.objects = kept;
         dropped.objects = gone;
     }
     let parted = matches!(reveal.outside, Outside::Cut | Outside::Tinted);
     if parted || reveal.clipping {
-        let parts = clip_parts(&revealed.scene, setup.camera, edges_only);
+        let parts = clip_parts(&revealed.scene, &request.camera, edges_only);
         if reveal.clipping {
-            revealed.note_cuts(&parts, setup, palette, |p| p);
+            revealed.note_cuts(&parts, request, palette, |p| p);
         }
         if parted {
             revealed.scene = parts.inside;
         }
         if reveal.outside == Outside::Tinted {
-            revealed.add_outside(parts.outside, setup.labels, palette);
+            revealed.add_outside(parts.outside, request.labels, palette);
         }
     }
     append(&mut revealed.scene, glass(dropped, palette.dropped));
@@ -128,27 +128,27 @@ impl Revealed {
 }
 
 /// The scene of the canonical volume, in its display space.
-pub(super) fn in_canonical(setup: &Setup, palette: Palette) -> Revealed {
-    let reveal = setup.figure.reveal;
-    let shading = setup.figure.style.shading;
+pub(super) fn in_canonical(request: &Request, palette: Palette) -> Revealed {
+    let reveal = request.look.reveal;
+    let shading = request.look.style.shading;
     let edges_only = shading == Shading::Wireframe;
     let beyond = matches!(reveal.outside, Outside::Tinted | Outside::Shown);
     let mut revealed = Revealed::default();
     let divided =
-        reveal.divide_first.then(|| divide_first(setup, if beyond { REACH } else { 1.0 }, palette, &mut revealed));
-    let right = divided.as_ref().map_or(setup.scene, |divided| &divided.right);
-    revealed.scene = clipped_scene(right, setup.camera, shading);
+        reveal.divide_first.then(|| divide_first(request, if beyond { REACH } else { 1.0 }, palette, &mut revealed));
+    let right = divided.as_ref().map_or(&*request.scene, |divided| &divided.right);
+    revealed.scene = clipped_scene(right, &request.camera, shading);
     if beyond || reveal.clipping {
-        let parts = clip_parts(right, setup.camera, edges_only);
+        let parts = clip_parts(right, &request.camera, edges_only);
         if reveal.clipping {
-            let shown = |p| displayed_ndc(setup.camera, p).unwrap_or_default().clamp(DVec3::NEG_ONE, DVec3::ONE);
-            revealed.note_cuts(&parts, setup, palette, shown);
+            let shown = |p| displayed_ndc(&request.camera, p).unwrap_or_default().clamp(DVec3::NEG_ONE, DVec3::ONE);
+            revealed.note_cuts(&parts, request, palette, shown);
         }
-        if let Some(wider) = Wider::new(setup.camera).filter(|_| beyond) {
-            let outside = Scene { lights: setup.scene.lights.clone(), ..parts.outside };
+        if let Some(wider) = Wider::new(&request.camera).filter(|_| beyond) {
+            let outside = Scene { lights: request.scene.lights.clone(), ..parts.outside };
             let outside = wider.show(&outside, shading);
             if reveal.outside == Outside::Tinted {
-                revealed.add_outside(outside, setup.labels, palette);
+                revealed.add_outside(outside, request.labels, palette);
             } else {
                 append(&mut revealed.scene, outside);
             }
@@ -161,17 +161,18 @@ pub(super) fn in_canonical(setup: &Setup, palette: Palette) -> Revealed {
 }
 
 /// The scene of the image: in the world, and in the display space of the canonical volume, whose front is the image.
-pub(super) fn in_image(setup: &Setup, palette: Palette) -> (Revealed, Option<Scene>) {
-    let reveal = setup.figure.reveal;
+pub(super) fn in_image(request: &Request, palette: Palette) -> (Revealed, Option<Scene>) {
+    let reveal = request.look.reveal;
     let mut revealed = Revealed::default();
-    let divided = reveal.divide_first.then(|| divide_first(setup, 1.0, palette, &mut revealed));
-    let (right, wrong) = divided.map_or((setup.scene.clone(), None), |divided| (divided.right, Some(divided.wrong)));
+    let divided = reveal.divide_first.then(|| divide_first(request, 1.0, palette, &mut revealed));
+    let (right, wrong) =
+        divided.map_or((Scene::clone(&request.scene), None), |divided| (divided.right, Some(divided.wrong)));
     if reveal.clipping {
-        let edges_only = setup.figure.style.shading == Shading::Wireframe;
-        let parts = clip_parts(&right, setup.camera, edges_only);
+        let edges_only = request.look.style.shading == Shading::Wireframe;
+        let parts = clip_parts(&right, &request.camera, edges_only);
         // A hair inwards, so that rounding does not leave a new vertex outside the plane that it is in.
-        let middle = setup.camera.volume_corners().iter().fold(DVec3::ZERO, |sum, &p| sum + p / 8.0);
-        revealed.note_cuts(&parts, setup, palette, |p| p + (middle - p) * 1e-9);
+        let middle = request.camera.volume_corners().iter().fold(DVec3::ZERO, |sum, &p| sum + p / 8.0);
+        revealed.note_cuts(&parts, request, palette, |p| p + (middle - p) * 1e-9);
     }
     revealed.scene = right;
     (revealed, wrong)
@@ -193,10 +194,10 @@ pub(super) fn front() -> Option<Camera> {
 }
 
 /// Divides before clipping, and says so.
-fn divide_first(setup: &Setup, reach: f64, palette: Palette, revealed: &mut Revealed) -> DividedFirst {
-    let mut divided = divided_first(setup.scene, setup.camera, reach);
+fn divide_first(request: &Request, reach: f64, palette: Palette, revealed: &mut Revealed) -> DividedFirst {
+    let mut divided = divided_first(&request.scene, &request.camera, reach);
     let Scene { objects, lines, marks, .. } = &mut divided.wrong;
-    let (labels, edges_only) = (setup.labels, setup.figure.style.shading == Shading::Wireframe);
+    let (labels, edges_only) = (request.labels, request.look.style.shading == Shading::Wireframe);
     revealed.rows.push(if objects.is_empty() && lines.is_empty() && marks.is_empty() {
         Row::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
     } else {
@@ -224,15 +225,20 @@ fn mixed(own: Rgba, with: Rgba) -> Rgba {
 }
 
 /// The objects that are kept, back faces in their colour, and those that are dropped.
-fn culled(setup: &Setup, edges_only: bool, palette: Palette, revealed: &mut Revealed) -> (Vec<Object>, Vec<Object>) {
-    let open = matches!(setup.figure.reveal.outside, Outside::Cut | Outside::Tinted);
+fn culled(
+    request: &Request,
+    edges_only: bool,
+    palette: Palette,
+    revealed: &mut Revealed,
+) -> (Vec<Object>, Vec<Object>) {
+    let open = matches!(request.look.reveal.outside, Outside::Cut | Outside::Tinted);
     let (mut kept, mut dropped) = (Vec::new(), Vec::new());
     let mut turned = false;
-    for object in &setup.scene.objects {
-        match cull_result(object, setup.camera) {
+    for object in &request.scene.objects {
+        match cull_result(object, &request.camera) {
             CullResult::Dropped(planes) => {
                 if let Some(bounds) = object.bounds().filter(|_| dropped.len() < MOST_NAMES) {
-                    revealed.names.push((bounds.center(), reason(planes, setup.labels)));
+                    revealed.names.push((bounds.center(), reason(planes, request.labels)));
                 }
                 dropped.push(object.clone());
             }
@@ -245,10 +251,10 @@ fn culled(setup: &Setup, edges_only: bool, palette: Palette, revealed: &mut Reve
         }
     }
     if turned {
-        revealed.rows.push(Row::Swatch(palette.back, setup.labels.back_faces.to_owned()));
+        revealed.rows.push(Row::Swatch(palette.back, request.labels.back_faces.to_owned()));
     }
     if !dropped.is_empty() {
-        revealed.rows.push(Row::Swatch(palette.dropped, setup.labels.dropped.to_owned()));
+        revealed.rows.push(Row::Swatch(palette.dropped, request.labels.dropped.to_owned()));
     }
     (kept, dropped)
 }

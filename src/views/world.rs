@@ -6,7 +6,6 @@ use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
 use crate::camera::{Camera, Projection};
-use crate::drawing::Drawing;
 use crate::figure::Observer;
 use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
@@ -14,64 +13,57 @@ use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 use super::content::{Content, iso_direction};
 use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
 use super::image::PixelRect;
-use super::observer::{Direction, Preset};
+use super::observer::{Direction, Viewpoint};
 use super::screen::Screen;
-use super::{Engine, Handle, Palette, Setup, arrows, ghost, handles, placing, probe, reveal};
+use super::{Engine, Handle, Palette, Request, arrows, ghost, handles, placing, probe, reveal};
 
-/// The observer that a button gives: it looks from the preset's side and has everything of interest in the picture.
-#[must_use]
-pub fn observer(setup: &Setup, preset: Preset) -> Observer {
-    frame(setup, preset.direction(iso_direction(setup.camera)))
+/// The observer that a button gives: it looks from the viewpoint's side and has everything of interest in the picture.
+pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
+    framing(request, viewpoint.direction(iso_direction(&request.camera)))
 }
 
 /// The observer that looks in the same direction and has everything of interest in the picture.
-#[must_use]
-pub fn fit(setup: &Setup, observer: &Observer) -> Observer {
-    frame(setup, Direction::from(*observer))
+pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
+    framing(request, Direction::from(*observer))
 }
 
 /// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a first framing only.
-fn frame(setup: &Setup, direction: Direction) -> Observer {
-    let aspect = setup.size.aspect();
-    let content = Content::of(setup);
+fn framing(request: &Request, direction: Direction) -> Observer {
+    let aspect = request.size.aspect();
+    let content = Content::of(request);
     let first = Observer::framing(&content.of_interest, direction, aspect);
     let mut points = content.of_interest.clone();
-    if let Some(screen) = screen_of(setup, &first, &content) {
-        points.extend(Gear::new(&screen, setup.camera).room(setup.camera));
+    if let Some(screen) = screen_of(request, &first, &content) {
+        points.extend(Gear::new(&screen, &request.camera).room(&request.camera));
     }
     Observer::framing(&points, direction, aspect)
 }
 
 /// The observer's camera and its pixels; `None` for an observer that is no camera.
-pub(super) fn screen(setup: &Setup, observer: &Observer) -> Option<Screen> {
-    screen_of(setup, observer, &Content::of(setup))
+pub(super) fn screen(request: &Request) -> Option<Screen> {
+    let observer = request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso));
+    screen_of(request, &observer, &Content::of(request))
 }
 
-fn screen_of(setup: &Setup, observer: &Observer, content: &Content) -> Option<Screen> {
-    let camera = observer.camera(Some(content.bounds(setup.camera)), setup.size.aspect()).ok()?;
-    Some(Screen::new(camera, PixelRect::whole(setup.size), setup.size.scale))
+fn screen_of(request: &Request, observer: &Observer, content: &Content) -> Option<Screen> {
+    let camera = observer.camera(Some(content.bounds(&request.camera)), request.size.aspect()).ok()?;
+    Some(Screen::new(camera, PixelRect::whole(request.size), request.size.scale))
 }
 
-/// Draws the world as `observer` sees it; an observer that is no camera sees nothing.
-#[must_use]
-pub fn draw(setup: &Setup, observer: &Observer) -> Drawing {
-    frame_of(setup, observer, &mut Engine::default()).drawing
-}
-
-/// Draws the world as [`draw`] does, and tells what was done.
-#[must_use]
-pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Frame {
-    let style = &setup.figure.style;
+/// Draws the world with `on_window` as the image on the view window; an observer that is no camera sees nothing.
+pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, engine: &mut Engine) -> Frame {
+    let style = &request.look.style;
     let palette = Palette::of(style.theme);
-    let target = setup.size.target(palette.paper);
-    let content = Content::of(setup);
-    let Some(screen) = screen_of(setup, observer, &content) else {
-        return engine.frame(setup, &Scene::default(), setup.camera, target, style);
+    let target = request.size.target(palette.paper);
+    let content = Content::of(request);
+    let observer = request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso));
+    let Some(screen) = screen_of(request, &observer, &content) else {
+        return engine.frame(request, &Scene::default(), &request.camera, target, style);
     };
-    let mut revealed = reveal::in_world(setup, palette);
+    let mut revealed = reveal::in_world(request, palette);
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
-    let mut world = World { setup, palette, content, gear: Gear::new(&screen, setup.camera), sheet };
+    let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, sheet };
     world.ground();
     world.volume();
     world.window();
@@ -80,12 +72,12 @@ pub fn frame_of(setup: &Setup, observer: &Observer, engine: &mut Engine) -> Fram
     world.axes();
     world.drop_lines();
     world.hot_handle();
-    ghost::in_world(&mut world.sheet, setup, palette, world.gear);
+    ghost::in_world(&mut world.sheet, request, palette, world.gear);
     revealed.mark(&mut world.sheet, palette);
-    probe::in_world(&mut world.sheet, setup, palette);
-    arrows::in_world(&mut world.sheet, setup, palette);
-    let mut drawn = engine.frame(setup, &world.sheet.scene, screen.camera(), target, &style);
-    let legend = reveal::legend(setup, revealed.rows, &target, palette);
+    probe::in_world(&mut world.sheet, request, palette);
+    arrows::in_world(&mut world.sheet, request, palette);
+    let mut drawn = engine.frame(request, &world.sheet.scene, screen.camera(), target, &style);
+    let legend = reveal::legend(request, revealed.rows, &target, palette);
     placing::settle(&mut drawn.drawing, &[palette.grid], reveal::room(legend.as_ref()));
     reveal::explain(&mut drawn.drawing, legend.as_ref());
     drawn
@@ -126,7 +118,8 @@ impl Gear {
 
 /// The picture while it is being made.
 struct World<'a> {
-    setup: &'a Setup<'a>,
+    request: &'a Request,
+    on_window: Option<&'a Arc<Texture>>,
     palette: Palette,
     content: Content,
     gear: Gear,
@@ -149,7 +142,7 @@ impl World<'_> {
 
     /// The view volume, from the corners that the matrices in use give.
     fn volume(&mut self) {
-        let c = self.setup.camera.volume_corners();
+        let c = self.request.camera.volume_corners();
         let side = |i: usize| [c[i], c[(i + 1) % 4], c[4 + (i + 1) % 4], c[4 + i]];
         let far = [c[4], c[5], c[6], c[7]];
         let faces = [side(0), side(1), side(2), side(3), far];
@@ -159,13 +152,13 @@ impl World<'_> {
             self.sheet.line(vec![c[i], c[4 + i]], color, 1.3, Dash::Solid);
         }
         self.sheet.closed(&far, color, 1.5, Dash::Dashed);
-        let text = format!("{} (B)", self.setup.labels.far);
+        let text = format!("{} (B)", self.request.labels.far);
         self.name_face(&far, &text);
     }
 
     /// The window at distance F, with the image on it, and the rays through its corners.
     fn window(&mut self) {
-        let camera = self.setup.camera;
+        let camera = &self.request.camera;
         let corners = camera.volume_corners();
         let near = [corners[0], corners[1], corners[2], corners[3]];
         if camera.projection() == Projection::Perspective {
@@ -173,12 +166,12 @@ impl World<'_> {
                 self.sheet.line(vec![camera.position(), corner], self.palette.volume_edge, 1.0, Dash::Solid);
             }
         }
-        match &self.setup.extras.painted_image {
+        match self.on_window {
             Some(image) => self.sheet.scene.objects.push(painted(near, image, camera.projection())),
             None => self.sheet.sheer("window", &[near], self.palette.volume),
         }
         self.sheet.closed(&near, self.palette.ink, 2.0, Dash::Solid);
-        let text = format!("{} (F)", self.setup.labels.window);
+        let text = format!("{} (F)", self.request.labels.window);
         self.name_face(&near, &text);
     }
 
@@ -198,7 +191,7 @@ impl World<'_> {
 
     /// The camera's body at C, and its VRC.
     fn camera(&mut self) {
-        let camera = self.setup.camera;
+        let camera = &self.request.camera;
         let (c, basis, gear) = (camera.position(), camera.basis(), self.gear);
         let edge = gizmos::stroke(self.palette.body_edge, 0.8, Dash::Solid, HiddenLines::Hidden);
         self.sheet.scene.objects.push(Object {
@@ -226,7 +219,7 @@ impl World<'_> {
 
     /// PF, and DOP from C towards it.
     fn aim(&mut self) {
-        let camera = self.setup.camera;
+        let camera = &self.request.camera;
         let (c, pf, dop) = (camera.position(), camera.focal_point(), camera.direction_of_projection());
         self.sheet.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
         let end = c + dop * camera.far();
@@ -245,7 +238,7 @@ impl World<'_> {
             SMALL_TYPE,
             self.palette.aim,
         );
-        for (handle, place) in handles::on_axis(self.setup, self.sheet.screen, 0.0) {
+        for (handle, place) in handles::on_axis(self.request, self.sheet.screen, 0.0) {
             if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.axis {
                 self.sheet.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
             }
@@ -267,7 +260,7 @@ impl World<'_> {
     /// From C and PF down (or up) to the ground: people judge distance by where a thing stands.
     fn drop_lines(&mut self) {
         let reach = 4.0 * self.content.radius();
-        for p in [self.setup.camera.position(), self.setup.camera.focal_point()] {
+        for p in [self.request.camera.position(), self.request.camera.focal_point()] {
             if p.y.abs() > reach || p.y.abs() < 1e-6 * reach {
                 continue;
             }
@@ -279,8 +272,8 @@ impl World<'_> {
 
     /// A ring around the handle under the pointer.
     fn hot_handle(&mut self) {
-        let Some(hot) = self.setup.extras.hot else { return };
-        if let Some((_, p)) = handles::on_screen(self.setup, self.sheet.screen).into_iter().find(|(h, _)| *h == hot) {
+        let Some(hot) = self.request.overlays.hot else { return };
+        if let Some((_, p)) = handles::on_screen(self.request, self.sheet.screen).into_iter().find(|(h, _)| *h == hot) {
             self.sheet.mark_above(p, MarkShape::Ring, 9.0, self.palette.probe);
         }
     }

@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use tiny_skia::Pixmap;
+use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 /// Straight RGBA, rows from the top.
 #[derive(PartialEq)]
@@ -19,11 +19,20 @@ struct Picture {
 /// Holds `pixmap` against `tests/images/NAME.png`.
 #[track_caller]
 pub(crate) fn assert_picture(name: &str, pixmap: &Pixmap) {
-    let actual = Picture {
-        width: pixmap.width(),
-        height: pixmap.height(),
-        rgba: pixmap.pixels().iter().flat_map(|p| straight(p.demultiply())).collect(),
-    };
+    assert_same(name, pixmap.width(), pixmap.height(), pixmap.data());
+}
+
+/// Holds a finished picture against `tests/images/NAME.png`.
+#[track_caller]
+pub(crate) fn assert_rendered(name: &str, picture: &camera_lab::picture::Picture) {
+    assert_same(name, picture.width(), picture.height(), picture.rgba());
+}
+
+#[track_caller]
+fn assert_same(name: &str, width: u32, height: u32, premultiplied: &[u8]) {
+    let color = |p: &[u8; 4]| PremultipliedColorU8::from_rgba(p[0], p[1], p[2], p[3]).expect("premultiplied");
+    let (pixels, _) = premultiplied.as_chunks::<4>();
+    let actual = Picture { width, height, rgba: pixels.iter().flat_map(|p| straight(color(p).demultiply())).collect() };
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/images");
     let path = folder.join(format!("{name}.png"));
     let strip = folder.join(format!("{name}.diff.png"));

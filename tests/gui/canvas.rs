@@ -14,7 +14,8 @@ use camera_lab::i18n::pictures::labels;
 use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
 use camera_lab::views::arrows::{Arrows, arrow_at};
 use camera_lab::views::handles::{Handle, handles};
-use camera_lab::views::{self, Extras, Probe, Setup, Size, View};
+use camera_lab::views::image::frame;
+use camera_lab::views::{Overlays, Probe, Request, Size, View, pick};
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, vec2,
 };
@@ -71,24 +72,19 @@ fn canonical_observer(harness: &Harness<Stage>) -> Observer {
     harness.state().state.document.figure().observers.canonical.unwrap()
 }
 
-/// What the views know of a picture in `rect`.
-fn with_setup<T>(harness: &Harness<Stage>, rect: Rect, ask: impl FnOnce(&Setup) -> T) -> T {
+/// The world in `rect`.
+fn world(harness: &Harness<Stage>, rect: Rect) -> Request {
     let state = &harness.state().state;
     let side = |s: f32| s.round() as u32;
-    ask(&Setup {
-        figure: state.document.figure(),
-        camera: state.document.camera(),
-        scene: state.scenery.scene(),
-        labels: labels(Lang::En),
-        size: Size { width: side(rect.width()), height: side(rect.height()), scale: 1.0 },
-        extras: &Extras::default(),
-    })
+    let size = Size { width: side(rect.width()), height: side(rect.height()), scale: 1.0 };
+    let (figure, camera) = (state.document.figure(), state.document.camera());
+    Request::of(figure, View::World, camera, state.scene_cache.scene(), labels(Lang::En), size)
 }
 
 /// Where a handle is on the screen.
 fn handle(harness: &Harness<Stage>, wanted: Handle) -> Pos2 {
     let rect = place(harness, WORLD);
-    let all = with_setup(harness, rect, |setup| handles(setup, &world_observer(harness)));
+    let all = handles(&world(harness, rect));
     let (_, p) = all.into_iter().find(|(h, _)| *h == wanted).unwrap();
     rect.min + vec2(p.x as f32, p.y as f32)
 }
@@ -283,7 +279,7 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     let mut h = stage(|_| ());
     let rect = place(&h, IMAGE);
     let window = h.state().state.document.camera().window();
-    let frame = with_setup(&h, rect, |setup| views::image::frame(setup.size, window));
+    let frame = frame(world(&h, rect).size, window);
     let share = DVec2::new(0.03, 0.96);
     let inside = DVec2::new(f64::from(frame.width), f64::from(frame.height)) * share;
     let at = rect.min + vec2((f64::from(frame.x) + inside.x) as f32, (f64::from(frame.y) + inside.y) as f32);
@@ -322,7 +318,7 @@ fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
     let mut h = stage(|state| state.document.observers_mut().world = Some(observer));
     let [_, _, back] = observer.axes();
     let eye = observer.target + back * observer.distance;
-    let scene = h.state().state.scenery.scene().clone();
+    let scene = h.state().state.scene_cache.scene().clone();
     let object = &scene.objects[0];
     let corners = object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p));
     let corner = corners.min_by(|a, b| a.distance(eye).total_cmp(&b.distance(eye))).unwrap();
@@ -463,16 +459,16 @@ fn with_cone(state: &mut State) {
 /// A place in the world picture where the arrow of an axis can be taken.
 fn on_arrow(harness: &Harness<Stage>, arrows: Arrows, axis: usize) -> Pos2 {
     let rect = place(harness, WORLD);
-    let extras = Extras { arrows: Some(arrows), ..Extras::default() };
-    let found = with_setup(harness, rect, |setup| {
-        let setup = Setup { extras: &extras, ..*setup };
+    let overlays = Overlays { arrows: Some(arrows), ..Overlays::default() };
+    let world = Request { overlays, ..world(harness, rect) };
+    let found = {
         let columns = (0..rect.width() as u32).step_by(3);
         let mut places = columns.flat_map(|x| (0..rect.height() as u32).step_by(3).map(move |y| (x, y)));
         places.find(|&(x, y)| {
             let at = DVec2::new(f64::from(x), f64::from(y));
-            arrow_at(&setup, &world_observer(harness), at, 2.0) == Some(axis)
+            arrow_at(&world, at, 2.0) == Some(axis)
         })
-    });
+    };
     let (x, y) = found.unwrap();
     rect.min + vec2(x as f32, y as f32)
 }
@@ -530,13 +526,14 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
     h.run();
     // The cone is at (1.5, 1 … 5, 0) and 4 wide.
     let rect = place(&h, WORLD);
-    let at = with_setup(&h, rect, |setup| {
+    let world = world(&h, rect);
+    let at = {
         let screen_center = DVec2::new(f64::from(rect.width()) / 2.0, f64::from(rect.height()) / 2.0);
         (0..400)
             .map(|i| screen_center + DVec2::new(f64::from(i % 20) * 6.0 - 60.0, f64::from(i / 20) * 6.0 - 60.0))
-            .find(|p| views::pick::object_in_world(setup, &world_observer(&h), *p).as_deref() == Some("cone"))
+            .find(|p| pick::object(&world, *p).as_deref() == Some("cone"))
             .unwrap()
-    });
+    };
     let at = rect.min + vec2(at.x as f32, at.y as f32);
     let click = |h: &mut Harness<Stage>| {
         drag(h, at, Vec2::ZERO, PointerButton::Primary, Modifiers::NONE);
@@ -553,4 +550,60 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
     }
     click(&mut h);
     assert_eq!(selected(&h), Some(Selected::Object("cone".to_owned())));
+}
+
+/// The image alone, with the focus.
+fn focused_image() -> Harness<'static, Stage> {
+    let mut h = stage(|state| state.layout.maximized = Some(View::Image));
+    h.get_by_label_contains(IMAGE).focus();
+    h.run();
+    h
+}
+
+#[test]
+fn keys_all_the_way_round_give_the_camera_back() {
+    let mut h = focused_image();
+    let before = parameters(&h);
+    for key in [Key::ArrowRight, Key::ArrowUp] {
+        for _ in 0..72 {
+            h.key_press(key);
+            h.step();
+        }
+        let after = parameters(&h);
+        assert_eq!((after.position, after.focal_point), (before.position, before.focal_point), "{key:?}: 72 times 5°");
+        // What is left of a zero is far below the last bit of anything else.
+        assert!(after.view_up.distance(before.view_up) < 1e-30, "{key:?}: {}", after.view_up);
+    }
+}
+
+#[test]
+fn keys_raise_the_camera_by_the_signs_that_are_chosen() {
+    use camera_lab::camera::{Convention, Operation};
+    use camera_lab::geometry::Angle;
+    for (convention, degrees) in [(Convention::RightHand, -5.0), (Convention::Vtk, 5.0)] {
+        let mut h = focused_image();
+        h.state_mut().state.operations.convention = convention;
+        let camera = h.state().state.document.camera().clone();
+        h.key_press(Key::ArrowUp);
+        h.run();
+        let elevated = Operation::Elevation(Angle::from_degrees(degrees)).apply(&camera, convention).unwrap();
+        assert_eq!(parameters(&h), *elevated.parameters());
+        assert!(parameters(&h).position.y > camera.position().y, "up raises it");
+    }
+}
+
+#[test]
+fn a_key_that_can_do_nothing_says_why() {
+    let mut h = focused_image();
+    let impossible = Parameters { near: 100.0, ..parameters(&h) };
+    h.state_mut().state.document.set_parameters(impossible);
+    h.run();
+    for key in [Key::PageUp, Key::ArrowLeft, Key::Plus] {
+        h.state_mut().state.message = None;
+        h.key_press(key);
+        h.run();
+        assert_eq!(parameters(&h), impossible, "what was typed stays");
+        let message = h.state().state.message.as_ref().unwrap();
+        assert!(message.is_error && message.text.contains("F must be less than B"), "{message:?}");
+    }
 }

@@ -2,10 +2,11 @@
 
 use camera_lab::appearance::Theme;
 use camera_lab::gui::command::Command;
-use camera_lab::gui::state::{Look, Side};
+use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
 use camera_lab::views::View;
+use camera_lab::views::observer::Viewpoint;
 use eframe::egui::{self, Key, Modifiers};
 
 use super::window::Window;
@@ -95,7 +96,12 @@ fn pictures_are_hidden_and_shown_and_looked_at() {
     window.harness.key_press_modifiers(Modifiers::ALT, Key::Num2);
     window.run();
     let observers = window.state().document.figure().observers;
-    assert_eq!(observers.world.map(|observer| observer.elevation), Some(90.0), "{:?}", Look::Top);
+    assert_eq!(
+        observers.world.map(|observer| observer.elevation),
+        Some(90.0),
+        "{:?}",
+        ObserverChange::From(Viewpoint::Top)
+    );
     // Looking from somewhere else is no change of the figure.
     assert!(!window.state().document.is_changed() && !window.state().document.can_undo());
 }

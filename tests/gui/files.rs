@@ -195,7 +195,7 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
     let rendered = folder.file("rendered.png");
     let [figure, rendered_name] = [&figure, &rendered].map(|path| path.display().to_string());
     let arguments = ["camera-lab", "render", &figure, "--view", "image", "--size", "64x48", "--theme", "print", "-o"];
-    camera_lab::cli::run(arguments.into_iter().chain([rendered_name.as_str()]).map(Into::into));
+    let _ = camera_lab::cli::run(arguments.into_iter().chain([rendered_name.as_str()]).map(Into::into));
     assert_eq!(bytes, fs::read(&rendered).expect("rendered"));
 
     let mut other = Window::new(Lang::En);

@@ -10,6 +10,7 @@ mod painter;
 mod panels;
 mod pictures;
 mod reveal;
+mod same_pixels;
 mod scene;
 mod strip;
 mod window;

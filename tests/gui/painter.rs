@@ -3,7 +3,9 @@
 //! Integer edge functions at pixel centres with 8 sub-pixel bits and the top-left rule, as a graphics card does it; colours are
 //! blended in gamma space, as egui's own renderers do.
 
+use std::cell::RefCell;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use eframe::egui::epaint::{ClippedPrimitive, Primitive, Vertex};
 use eframe::egui::{self, Color32, ImageData, Mesh, Pos2, TextureFilter, TextureId, TextureOptions, TexturesDelta};
@@ -12,8 +14,12 @@ use image::RgbaImage;
 /// The renderer.
 #[derive(Default)]
 pub(crate) struct Painter {
-    textures: HashMap<TextureId, Texture>,
+    textures: Textures,
 }
+
+/// What egui has handed over, for tests to look at.
+#[derive(Clone, Default)]
+pub(crate) struct Textures(Rc<RefCell<HashMap<TextureId, Texture>>>);
 
 struct Texture {
     size: [usize; 2],
@@ -21,9 +27,27 @@ struct Texture {
     options: TextureOptions,
 }
 
+impl Painter {
+    /// The textures that it draws with.
+    pub(crate) fn textures(&self) -> Textures {
+        self.textures.clone()
+    }
+}
+
+impl Textures {
+    /// The pixels (premultiplied RGBA) of the only texture of this size.
+    pub(crate) fn only(&self, size: [usize; 2]) -> Vec<u8> {
+        let textures = self.0.borrow();
+        let found: Vec<&Texture> = textures.values().filter(|texture| texture.size == size).collect();
+        let [texture] = found[..] else { panic!("{} textures of {size:?}", found.len()) };
+        texture.pixels.iter().flat_map(Color32::to_array).collect()
+    }
+}
+
 impl egui_kittest::TestRenderer for Painter {
     #[expect(clippy::iter_over_hash_type, reason = "each texture is changed on its own, in any order")]
     fn handle_delta(&mut self, delta: &mut TexturesDelta) {
+        let mut textures = self.textures.0.borrow_mut();
         for (id, changes) in delta.set.drain() {
             for change in changes {
                 let ImageData::Color(image) = &change.image;
@@ -31,10 +55,10 @@ impl egui_kittest::TestRenderer for Painter {
                     None => {
                         let texture =
                             Texture { size: image.size, pixels: image.pixels.clone(), options: change.options };
-                        self.textures.insert(id, texture);
+                        textures.insert(id, texture);
                     }
                     Some([x, y]) => {
-                        let texture = self.textures.get_mut(&id).expect("a patch for a texture that is there");
+                        let texture = textures.get_mut(&id).expect("a patch for a texture that is there");
                         for row in 0..image.size[1] {
                             let to = (y + row) * texture.size[0] + x;
                             let from = row * image.size[0];
@@ -46,17 +70,18 @@ impl egui_kittest::TestRenderer for Painter {
             }
         }
         for id in delta.free.drain() {
-            self.textures.remove(&id);
+            textures.remove(&id);
         }
     }
 
     fn render(&mut self, ctx: &egui::Context, output: &egui::FullOutput) -> Result<RgbaImage, String> {
+        let textures = self.textures.0.borrow();
         let scale = output.pixels_per_point;
         let size = ctx.content_rect().size() * scale;
         let mut image = RgbaImage::new(size.x.round() as u32, size.y.round() as u32);
         for ClippedPrimitive { clip_rect, primitive } in ctx.tessellate(output.shapes.clone(), scale) {
             let Primitive::Mesh(mesh) = primitive else { return Err("a paint callback".to_owned()) };
-            let texture = self.textures.get(&mesh.texture_id).ok_or("an unknown texture")?;
+            let texture = textures.get(&mesh.texture_id).ok_or("an unknown texture")?;
             let clip = [
                 (clip_rect.min.x * scale).round().max(0.0) as i64,
                 (clip_rect.min.y * scale).round().max(0.0) as i64,

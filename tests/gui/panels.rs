@@ -305,3 +305,72 @@ fn reset_brings_the_camera_of_the_file_back_and_can_be_undone() {
     window.command_key(Key::Z);
     assert_eq!(window.state().document.draft().view_angle, 20.0);
 }
+
+#[test]
+fn a_number_of_pixels_that_cannot_be_stays_as_it_was_typed_with_its_reason() {
+    let mut window = Window::new(Lang::En);
+    let image = window.state().document.figure().image;
+    for (text, reason) in [
+        ("0", "must be between 1 and 16384"),
+        ("20000", "must be between 1 and 16384"),
+        ("-3", "must be between 1 and 16384"),
+        ("10.5", "must be a whole number"),
+    ] {
+        window.enter("m", text);
+        assert!(window.says(reason), "{text}");
+        assert_eq!(window.state().document.figure().image, image, "{text}");
+        window.key(Key::Escape);
+        assert!(!window.says(reason), "{text}");
+    }
+    window.enter("m", "16384");
+    assert_eq!(window.state().document.figure().image.width, 16_384);
+    // Steps end where the numbers do.
+    window.field("m").increment_accesskit();
+    window.run();
+    assert_eq!(window.state().document.figure().image.width, 16_384);
+    window.field("m").set_value_accesskit(99_999.0);
+    window.run();
+    assert!(window.says("must be between 1 and 16384"));
+    assert_eq!(window.state().document.figure().image.width, 16_384);
+}
+
+#[test]
+fn digits_and_steps_that_cannot_be_are_said() {
+    let mut window = Window::new(Lang::PtBr);
+    window.enter("dígitos", "18");
+    assert!(window.says("tem de estar entre 2 e 17"));
+    assert_eq!(window.state().settings.digits, 5);
+    window.key(Key::Escape);
+    window.enter("dígitos", "17");
+    assert_eq!(window.state().settings.digits, 17);
+    window.enter("Azimute: passo", "0");
+    assert!(window.says("tem de ser maior que 0"));
+}
+
+#[test]
+fn the_numbers_are_those_of_the_camera_and_not_of_its_rounded_parameters() {
+    let mut window = Window::new(Lang::En);
+    window.enter("digits", "17");
+    for _ in 0..5 {
+        window.click("Azimuth +");
+    }
+    let camera = window.state().document.camera().clone();
+    assert!(window.says(&camera.basis().u.x.to_string()));
+    assert!(window.says(&camera.distance().to_string()));
+}
+
+#[test]
+fn a_size_of_an_export_that_cannot_be_is_said_and_nothing_is_written() {
+    use eframe::egui::accesskit::Role;
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::E);
+    window.harness.get_by_role_and_label(Role::ComboBox, "size").click();
+    window.run();
+    window.click("typed");
+    window.enter("picture width", "0");
+    assert!(window.says("must be between 1 and 16384"));
+    window.click("Export…");
+    assert!(window.says("Export pictures") && window.says("must be between 1 and 16384"), "the question stands");
+    window.enter("picture width", "64");
+    assert!(!window.says("must be between 1 and 16384"));
+}

@@ -1,6 +1,5 @@
 //! Whole windows against pictures that were looked at. `UPDATE_IMAGES=1` renews them.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::path::PathBuf;
 
@@ -13,10 +12,8 @@ use image::RgbaImage;
 
 use super::window::Window;
 
-/// The pictures are kept in eight steps a channel, which makes them a quarter as large. What differs by less than half a step,
-/// and by the last bits of letters, which depend on the processor, is the same.
-const STEP: u8 = 32;
-const TOLERANCE: u8 = STEP / 2 + 2;
+/// The last bits of letters depend on the processor; nothing that one could see is less than this.
+const TOLERANCE: u8 = 2;
 
 fn assert_window(name: &str, window: &mut Window) {
     window.harness.remove_cursor();
@@ -40,18 +37,12 @@ fn assert_window(name: &str, window: &mut Window) {
     }
 }
 
-/// As small as PNG makes it: a palette of the few colours that are left.
+/// Every colour as it is.
 fn write(path: &PathBuf, picture: &RgbaImage) {
-    let step = |v: u8| (u16::from(v) + u16::from(STEP / 2)) / u16::from(STEP) * u16::from(STEP);
-    let color = |p: &image::Rgba<u8>| [p[0], p[1], p[2]].map(|v| u8::try_from(step(v).min(255)).expect("a byte"));
-    let palette: BTreeSet<[u8; 3]> = picture.pixels().map(color).collect();
-    let index: BTreeMap<[u8; 3], u8> = palette.iter().copied().zip(0..=255).collect();
     let mut encoder = png::Encoder::new(File::create(path).expect("a file"), picture.width(), picture.height());
-    encoder.set_color(png::ColorType::Indexed);
-    encoder.set_palette(palette.iter().flatten().copied().collect::<Vec<_>>());
+    encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::High);
-    encoder.set_filter(png::Filter::NoFilter);
-    let pixels: Vec<u8> = picture.pixels().map(|p| index[&color(p)]).collect();
+    let pixels: Vec<u8> = picture.pixels().flat_map(|p| [p[0], p[1], p[2]]).collect();
     encoder.write_header().and_then(|mut writer| writer.write_image_data(&pixels)).expect("written");
 }
 

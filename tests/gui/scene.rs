@@ -280,7 +280,7 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     window.run();
     assert_eq!(window.names(), ["tent"]);
     assert_eq!(window.objects()[0].shape, Some(Shape::Mesh { path: "tent.obj".to_owned() }));
-    assert_eq!(window.state().scenery.scene().objects.len(), 1);
+    assert_eq!(window.state().scene_cache.scene().objects.len(), 1);
 
     window.harness.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(folder.file("torn.obj"))));
     window.run();
@@ -290,13 +290,13 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     // The rest of the scene is there, and can be changed.
     window.select("tent");
     window.enter("translation z", "1");
-    let scene = window.state().scenery.scene();
+    let scene = window.state().scene_cache.scene();
     assert_eq!((scene.objects.len(), scene.objects[0].world_from_object.w_axis.z), (1, 1.0));
     std::fs::write(folder.file("torn.obj"), triangle).expect("written");
     window.select("torn");
     window.click("Read again");
     window.run();
-    assert_eq!(window.state().scenery.scene().objects.len(), 2);
+    assert_eq!(window.state().scene_cache.scene().objects.len(), 2);
     assert!(!window.says("line 2"));
 }
 
@@ -315,5 +315,5 @@ fn a_figure_that_is_saved_elsewhere_takes_the_way_to_its_meshes_along() {
     window.run();
     let whole = folder.file("tent.obj").display().to_string();
     assert_eq!(window.objects()[0].shape, Some(Shape::Mesh { path: whole }));
-    assert_eq!(window.state().scenery.scene().objects.len(), 1);
+    assert_eq!(window.state().scene_cache.scene().objects.len(), 1);
 }

@@ -11,12 +11,14 @@ use eframe::egui::{Event, Key, Modifiers, Pos2, Ui, UiBuilder, Vec2};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, Node};
 
-use super::painter::Painter;
+use super::painter::{Painter, Textures};
 
 /// The window in a harness.
 pub(crate) struct Window {
     /// The harness.
     pub(crate) harness: Harness<'static, Option<App>>,
+    /// What egui draws with.
+    pub(crate) textures: Textures,
 }
 
 impl Window {
@@ -44,9 +46,17 @@ impl Window {
 
     /// A window with a state.
     pub(crate) fn with_state(state: State, size: [f32; 2]) -> Self {
+        Self::at_scale(state, size, 1.0)
+    }
+
+    /// A window with a state, on a screen with so many pixels to a point.
+    pub(crate) fn at_scale(state: State, size: [f32; 2], pixels_per_point: f32) -> Self {
         let mut start = Some(state);
+        let painter = Painter::default();
+        let textures = painter.textures();
         let harness = Harness::builder()
             .with_size(Vec2::from(size))
+            .with_pixels_per_point(pixels_per_point)
             .with_theme(eframe::egui::Theme::Light)
             .with_context_setup(|ctx| {
                 theme::install_fonts(ctx);
@@ -54,7 +64,7 @@ impl Window {
             })
             .with_max_steps(12)
             .with_render_cursor(false)
-            .renderer(Painter::default())
+            .renderer(painter)
             .build_ui_state(
                 move |ui, app: &mut Option<App>| {
                     let ctx = ui.ctx().clone();
@@ -69,7 +79,7 @@ impl Window {
                 },
                 None,
             );
-        let mut window = Self { harness };
+        let mut window = Self { harness, textures };
         window.run();
         window
     }

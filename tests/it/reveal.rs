@@ -9,14 +9,14 @@ use camera_lab::pipeline::cull_result::{CullResult, cull_result};
 use camera_lab::pipeline::divide_before_clip::divided_first;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Mesh, Object, ObjectPaint, ObjectSpec, PointMark, Preset as ScenePreset, Scene, Shape};
-use camera_lab::views::observer::Preset;
-use camera_lab::views::{self, Palette, depth};
+use camera_lab::views::observer::Viewpoint;
+use camera_lab::views::{Palette, View, depth, scene_of};
 use glam::{DMat4, DVec2, DVec3};
 use proptest::prelude::*;
 use tiny_skia::Pixmap;
 
 use crate::common::picture::assert_picture;
-use crate::views::Pictured;
+use crate::views::{Pictured, draw};
 
 /// The house from its best side, with its volume close around it.
 fn house(reveal: Reveal) -> Figure {
@@ -30,7 +30,7 @@ fn preset(preset: ScenePreset, reveal: Reveal) -> Figure {
 }
 
 fn image(pictured: &Pictured) -> Pixmap {
-    Rasterizer::default().paint(&views::image::draw(&pictured.setup())).unwrap()
+    Rasterizer::default().paint(&pictured.image()).unwrap()
 }
 
 fn stored() -> Reveal {
@@ -79,7 +79,7 @@ fn the_greys_are_those_of_the_depth_buffer() {
         figure.reveal = Reveal::default();
         let mut rasterizer = Rasterizer::default();
         let colors = Pictured::of(figure).forced();
-        rasterizer.paint(&views::image::draw(&colors.setup())).unwrap();
+        rasterizer.paint(&colors.image()).unwrap();
         let (mut levels, mut compared, mut worst) = ([false; 256], 0, 0.0_f64);
         for (i, p) in (0..).zip(greys.pixels()) {
             let found = rasterizer.depth().at(i % 320, i / 320);
@@ -127,14 +127,14 @@ fn the_numbers_of_a_pixel_are_those_of_the_notes() {
     for (projection, ndc_z) in [(Projection::Perspective, 1.0 / 3.0), (Projection::Parallel, -1.0 / 3.0)] {
         for [n, f] in [[0.0, 1.0], [0.2, 0.8], [1.0, 0.0]] {
             let pictured = pictured(projection, [n, f]);
-            let reading = depth::reading(&pictured.setup(), DVec2::new(0.1, 0.05)).unwrap();
+            let reading = depth::reading(pictured.request(), DVec2::new(0.1, 0.05)).unwrap();
             assert!((reading.distance - 4.0).abs() < 1e-14, "{reading:?}");
             assert!((reading.ndc_z - ndc_z).abs() < 1e-14, "{reading:?}");
             assert!((reading.z - (n + (f - n) * (ndc_z + 1.0) / 2.0)).abs() < 1e-14, "{reading:?}");
         }
     }
     let window = pictured(Projection::Perspective, [0.0, 1.0]);
-    assert_eq!(depth::reading(&window.setup(), DVec2::new(-1.0, 0.8)), None, "beside the cube");
+    assert_eq!(depth::reading(window.request(), DVec2::new(-1.0, 0.8)), None, "beside the cube");
 }
 
 #[test]
@@ -143,13 +143,13 @@ fn the_numbers_are_those_of_the_picture_and_glass_has_none() {
     figure.style.antialias = 1;
     let pictured = Pictured::of(figure.clone()).forced();
     let mut rasterizer = Rasterizer::default();
-    rasterizer.paint(&views::image::draw(&pictured.setup())).unwrap();
+    rasterizer.paint(&pictured.image()).unwrap();
     let window = Camera::new(&figure.camera).unwrap().window();
     let (mut same, mut all) = (0, 0);
     for (i, j) in (0..240).step_by(7).flat_map(|j| (0..320).step_by(7).map(move |i| (i, j))) {
         let share = (DVec2::new(f64::from(i), f64::from(j)) + 0.5) / DVec2::new(320.0, 240.0);
         let point = DVec2::new(window.left + share.x * window.width(), window.top - share.y * window.height());
-        let reading = depth::reading(&pictured.setup(), point).map(|reading| reading.z);
+        let reading = depth::reading(pictured.request(), point).map(|reading| reading.z);
         let kept = rasterizer.depth().at(i, j).map(|kept| 1.0 - f64::from(kept));
         all += 1;
         same += i32::from(match (reading, kept) {
@@ -164,7 +164,7 @@ fn the_numbers_are_those_of_the_picture_and_glass_has_none() {
 
 /// The three pictures, painted.
 fn painted(pictured: &Pictured) -> [Vec<u8>; 3] {
-    [views::image::draw(&pictured.setup()), pictured.canonical(Preset::Iso), pictured.world(Preset::Iso)]
+    [pictured.image(), pictured.canonical(Viewpoint::Iso), pictured.world(Viewpoint::Iso)]
         .map(|drawing| Rasterizer::default().paint(&drawing).unwrap().take())
 }
 
@@ -227,8 +227,7 @@ fn cameras_that_a_careless_picture_would_spoil_spoil_none() {
             figure.reveal = Reveal { outside, depth, ..ALL };
             figure.scene.preset = ScenePreset::House;
             let pictured = Pictured::of(figure.clone());
-            let drawings =
-                [views::image::draw(&pictured.setup()), pictured.canonical(Preset::Iso), pictured.world(Preset::Iso)];
+            let drawings = [pictured.image(), pictured.canonical(Viewpoint::Iso), pictured.world(Viewpoint::Iso)];
             for drawing in drawings {
                 let surfaces = drawing.surfaces.iter().flat_map(|s| &s.positions);
                 let all = surfaces.chain(drawing.strokes.iter().flat_map(|s| &s.points));
@@ -318,7 +317,7 @@ fn the_two_parts_are_the_whole_and_each_is_on_its_side() {
         let camera = Camera::new(&parameters).unwrap();
         let mut figure = Figure::default();
         figure.scene.preset = scene;
-        let whole = views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
+        let whole = scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
         let parts = clip_parts::clip_parts(&whole, &camera, false);
         let (area_inside, area_outside) = (area(&parts.inside), area(&parts.outside));
         assert!(area_outside > 0.1, "{scene:?}");
@@ -418,7 +417,7 @@ fn a_face_that_passes_the_eye_is_where_its_divided_corners_are() {
 #[test]
 fn culling_says_what_it_drops_and_why() {
     let figure = preset(ScenePreset::Cube, Reveal::default());
-    let scene = views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
+    let scene = scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
     let cube = scene.objects.iter().find(|o| o.mesh.convex).unwrap();
     let camera = |position: DVec3, focal_point: DVec3| {
         Camera::new(&Parameters { position, focal_point, near: 0.5, far: 20.0, ..Parameters::default() }).unwrap()
@@ -471,11 +470,11 @@ fn from_behind(mut figure: Figure) -> Pixmap {
     });
     let observer = figure.observers.world.unwrap();
     let pictured = Pictured::of(figure);
-    Rasterizer::default().paint(&views::world::draw(&pictured.setup(), &observer)).unwrap()
+    Rasterizer::default().paint(&draw(&pictured.seen_by(View::World, observer))).unwrap()
 }
 
 fn canonical(figure: Figure) -> Pixmap {
-    Rasterizer::default().paint(&Pictured::of(figure).canonical(Preset::Iso)).unwrap()
+    Rasterizer::default().paint(&Pictured::of(figure).canonical(Viewpoint::Iso)).unwrap()
 }
 
 #[test]

@@ -5,10 +5,10 @@
 use camera_lab::camera::Camera;
 use camera_lab::figure::read::parse;
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::picture::{Source, Studio};
-use camera_lab::views::{Size, View, scene_of};
+use camera_lab::picture::Renderer;
+use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 
-use crate::common::picture::assert_picture;
+use crate::common::picture::assert_rendered;
 
 const SIZE: Size = Size { width: 160, height: 120, scale: 1.0 };
 const LIGHT: &str = "[[scene.lights]]\nkind = \"directional\"\ndirection = [-1, -1.2, -1.6]\n";
@@ -19,17 +19,13 @@ fn assert_stage(name: &str, figure: &str) {
     let figure = parse(figure).unwrap();
     let camera = Camera::new(&figure.camera).unwrap();
     let scene = scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
-    let source = |force_all_stages| Source {
-        figure: &figure,
-        camera: &camera,
-        scene: &scene,
-        labels: pictures::labels(Lang::En),
-        force_all_stages,
-    };
-    let mut studio = Studio::default();
-    let planned = studio.paint(source(false), View::Image, SIZE).unwrap();
-    assert_picture(&format!("stage_{name}"), &planned);
-    assert!(planned == studio.paint(source(true), View::Image, SIZE).unwrap(), "{name}: the plan changed a pixel");
+    let (scene, labels) = (SharedScene::new(scene), pictures::labels(Lang::En));
+    let planned = Request::of(&figure, View::Image, &camera, &scene, labels, SIZE);
+    let forced = Request { force_all_stages: true, ..planned.clone() };
+    let mut renderer = Renderer::default();
+    let planned = renderer.pixels(&planned).unwrap();
+    assert_rendered(&format!("stage_{name}"), &planned);
+    assert!(planned == renderer.pixels(&forced).unwrap(), "{name}: the plan changed a pixel");
 }
 
 /// One ball with a light, in a shading.

@@ -6,20 +6,17 @@ use camera_lab::camera::{Camera, Convention, Operation, Parameters, Projection, 
 use camera_lab::drawing::{Anchor, Drawing, Label};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::scene::{Preset as ScenePreset, Scene};
+use camera_lab::scene::Preset as ScenePreset;
 use camera_lab::text::{measure, x_height};
-use camera_lab::views::observer::Preset;
-use camera_lab::views::{self, Extras, Ghost, Palette, Probe, Setup, Size};
+use camera_lab::views::handles::handles;
+use camera_lab::views::observer::Viewpoint;
+use camera_lab::views::{self, Engine, Ghost, Palette, Probe, Request, SharedScene, Size, View};
 use glam::{DVec2, DVec3, DVec4};
 
-/// What a [`Setup`] borrows.
+/// Pictures of a figure, without the image on the view window.
 pub(crate) struct Pictured {
     pub(crate) figure: Figure,
-    camera: Camera,
-    scene: Scene,
-    extras: Extras,
-    size: Size,
-    lang: Lang,
+    request: Request,
 }
 
 impl Pictured {
@@ -28,77 +25,92 @@ impl Pictured {
         let camera = Camera::new(&figure.camera).unwrap();
         let scene = views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
         let size = Size { width: 320, height: 240, scale: 1.0 };
-        Self { figure, camera, scene, extras: Extras::default(), size, lang: Lang::En }
+        let labels = pictures::labels(Lang::En);
+        let request = Request::of(&figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
+        Self { figure, request }
     }
 
-    pub(crate) fn sized(self, width: u32, height: u32) -> Self {
-        Self { size: Size { width, height, scale: 1.0 }, ..self }
+    pub(crate) fn sized(mut self, width: u32, height: u32) -> Self {
+        self.request.size = Size { width, height, scale: 1.0 };
+        self
     }
 
     pub(crate) fn probed(mut self, probe: Probe) -> Self {
-        self.extras.probe = Some(probe);
+        self.request.overlays.probe = Some(probe);
         self
     }
 
     /// While `operation` is tried.
     pub(crate) fn tried(mut self, operation: Operation) -> Self {
         let convention = Convention::RightHand;
-        let after = operation.apply(&self.camera, convention).unwrap();
-        self.extras.ghost = Some(Ghost { before: std::mem::replace(&mut self.camera, after), operation, convention });
-        self
-    }
-
-    pub(crate) fn painted(mut self, image: camera_lab::appearance::Texture) -> Self {
-        self.extras.painted_image = Some(std::sync::Arc::new(image));
+        let after = operation.apply(&self.request.camera, convention).unwrap();
+        let before = std::mem::replace(&mut self.request.camera, after);
+        self.request.overlays.ghost = Some(Ghost { before, operation, convention });
         self
     }
 
     /// Without legends.
     pub(crate) fn bare(mut self) -> Self {
-        self.extras.bare = true;
+        self.request.overlays.bare = true;
         self
     }
 
     /// With every stage, needed or not.
     pub(crate) fn forced(mut self) -> Self {
-        self.extras.force_all_stages = true;
+        self.request.force_all_stages = true;
         self
     }
 
-    pub(crate) fn in_portuguese(self) -> Self {
-        Self { lang: Lang::PtBr, ..self }
+    pub(crate) fn in_portuguese(mut self) -> Self {
+        self.request.labels = pictures::labels(Lang::PtBr);
+        self
     }
 
-    pub(crate) fn setup(&self) -> Setup<'_> {
-        Setup {
-            figure: &self.figure,
-            camera: &self.camera,
-            scene: &self.scene,
-            labels: pictures::labels(self.lang),
-            size: self.size,
-            extras: &self.extras,
-        }
+    /// The image.
+    pub(crate) fn request(&self) -> &Request {
+        &self.request
     }
 
-    pub(crate) fn world(&self, preset: Preset) -> Drawing {
-        views::world::draw(&self.setup(), &views::world::observer(&self.setup(), preset))
+    /// A three-dimensional picture as an observer sees it.
+    pub(crate) fn seen_by(&self, view: View, observer: Observer) -> Request {
+        Request { view, observer: Some(observer), ..self.request.clone() }
     }
 
-    pub(crate) fn canonical(&self, preset: Preset) -> Drawing {
-        views::canonical::draw(&self.setup(), &views::canonical::observer(&self.setup(), preset))
+    pub(crate) fn observer(&self, view: View, viewpoint: Viewpoint) -> Observer {
+        Request { view, ..self.request.clone() }.observer_from(viewpoint).unwrap()
+    }
+
+    pub(crate) fn image(&self) -> Drawing {
+        draw(&self.request)
+    }
+
+    pub(crate) fn world(&self, viewpoint: Viewpoint) -> Drawing {
+        draw(&self.seen_by(View::World, self.observer(View::World, viewpoint)))
+    }
+
+    pub(crate) fn canonical(&self, viewpoint: Viewpoint) -> Drawing {
+        draw(&self.seen_by(View::Canonical, self.observer(View::Canonical, viewpoint)))
     }
 
     /// Where an observer's picture has a point, in pixels.
     fn place(&self, observer: &Observer, p: DVec3) -> DVec2 {
-        let aspect = f64::from(self.size.width) / f64::from(self.size.height);
+        let aspect = f64::from(self.request.size.width) / f64::from(self.request.size.height);
         let clip = observer.camera(None, aspect).unwrap().clip_from_world() * p.extend(1.0);
         self.pixel(clip)
     }
 
     fn pixel(&self, clip: DVec4) -> DVec2 {
         let (x, y) = (clip.x / clip.w, clip.y / clip.w);
-        DVec2::new(f64::from(self.size.width) * (0.5 + 0.5 * x), f64::from(self.size.height) * (0.5 - 0.5 * y))
+        DVec2::new(
+            f64::from(self.request.size.width) * (0.5 + 0.5 * x),
+            f64::from(self.request.size.height) * (0.5 - 0.5 * y),
+        )
     }
+}
+
+/// The drawing of a view, with a plain view window.
+pub(crate) fn draw(request: &Request) -> Drawing {
+    views::frame(request, None, &mut Engine::default()).drawing
 }
 
 pub(crate) fn figure(change: impl FnOnce(&mut Parameters)) -> Figure {
@@ -137,7 +149,7 @@ pub(crate) fn cameras() -> Vec<(&'static str, Figure)> {
     ]
 }
 
-const PRESETS: [Preset; 4] = [Preset::Front, Preset::Top, Preset::Side, Preset::Iso];
+const VIEWPOINTS: [Viewpoint; 4] = [Viewpoint::Front, Viewpoint::Top, Viewpoint::Side, Viewpoint::Iso];
 
 /// Left, top, right, bottom of a text in pixels.
 fn text_box(label: &Label) -> [f32; 4] {
@@ -153,9 +165,11 @@ fn no_text_covers_another_and_none_is_cut_off() {
     for (name, figure) in cameras() {
         for (width, height) in [(320, 240), (640, 480), (300, 700)] {
             let pictured = Pictured::of(simple(figure.clone())).sized(width, height).probed(Probe::Point(DVec3::ONE));
-            for preset in PRESETS {
-                for (view, drawing) in [("world", pictured.world(preset)), ("canonical", pictured.canonical(preset))] {
-                    let what = format!("{name}, {view}, {preset:?}, {width} × {height}");
+            for viewpoint in VIEWPOINTS {
+                for (view, drawing) in
+                    [("world", pictured.world(viewpoint)), ("canonical", pictured.canonical(viewpoint))]
+                {
+                    let what = format!("{name}, {view}, {viewpoint:?}, {width} × {height}");
                     let boxes: Vec<_> = drawing.labels.iter().map(|l| (text_box(l), &l.text)).collect();
                     for (i, ([l, t, r, b], text)) in boxes.iter().enumerate() {
                         let inside = *l >= -1.0 && *t >= -1.0 && *r <= width as f32 + 1.0 && *b <= height as f32 + 1.0;
@@ -174,7 +188,7 @@ fn no_text_covers_another_and_none_is_cut_off() {
 #[test]
 fn the_camera_has_its_names_in_every_world() {
     for (name, figure) in cameras() {
-        let world = Pictured::of(figure).sized(640, 480).world(Preset::Iso);
+        let world = Pictured::of(figure).sized(640, 480).world(Viewpoint::Iso);
         for symbol in ["C", "u", "v", "n", "VUP"] {
             assert!(world.labels.iter().any(|l| l.text == symbol), "{name}: {symbol} is missing");
         }
@@ -186,10 +200,10 @@ fn the_volume_drawn_is_the_inverse_of_the_matrices() {
     for (name, figure) in cameras() {
         let pictured = Pictured::of(figure);
         let palette = Palette::of(pictured.figure.style.theme);
-        let observer = views::world::observer(&pictured.setup(), Preset::Iso);
-        let world = views::world::draw(&pictured.setup(), &observer);
+        let observer = pictured.observer(View::World, Viewpoint::Iso);
+        let world = draw(&pictured.seen_by(View::World, observer));
         // Near corners by a numerical inverse; the library has its own in closed form.
-        let world_from_clip = pictured.camera.clip_from_world().inverse();
+        let world_from_clip = pictured.request.camera.clip_from_world().inverse();
         for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
             let corner = world_from_clip * DVec4::new(x, y, -1.0, 1.0);
             let place = pictured.place(&observer, corner.truncate() / corner.w);
@@ -209,11 +223,11 @@ fn camera_and_scene_are_in_the_picture_and_large_enough_to_be_read() {
         for (name, mut figure) in cameras() {
             figure.scene.preset = scene;
             let pictured = Pictured::of(figure).sized(640, 480);
-            let bounds = pictured.scene.bounds().unwrap();
-            for preset in PRESETS {
-                let observer = views::world::observer(&pictured.setup(), preset);
-                let what = format!("{scene:?}, {name}, {preset:?}");
-                let c = pictured.place(&observer, pictured.camera.position());
+            let bounds = pictured.request.scene.bounds().unwrap();
+            for viewpoint in VIEWPOINTS {
+                let observer = pictured.observer(View::World, viewpoint);
+                let what = format!("{scene:?}, {name}, {viewpoint:?}");
+                let c = pictured.place(&observer, pictured.request.camera.position());
                 let corners = bounds.corners().map(|p| pictured.place(&observer, p));
                 for place in corners.iter().chain([&c]) {
                     assert!(place.cmpge(DVec2::ZERO).all() && place.x <= 640.0 && place.y <= 480.0, "{what}: {place}");
@@ -232,12 +246,12 @@ fn the_canonical_front_view_is_the_image() {
     for (name, figure) in cameras() {
         let aspect = figure.camera.aspect;
         let pictured = Pictured::of(figure).sized(400, 300);
-        let observer = views::canonical::observer(&pictured.setup(), Preset::Front);
-        let image = views::image::frame(pictured.size, pictured.camera.window());
+        let observer = pictured.observer(View::Canonical, Viewpoint::Front);
+        let image = views::image::frame(pictured.request.size, pictured.request.camera.window());
         let corner = |x, y| pictured.place(&observer, DVec3::new(x, y, 1.0));
         let (low, high) = (corner(-1.0, 1.0), corner(1.0, -1.0));
         for p in [DVec3::new(0.1, 0.2, 0.3), DVec3::new(-0.5, 0.4, 0.2), DVec3::new(0.6, 0.1, -0.7)] {
-            let clip = pictured.camera.clip_from_world() * p.extend(1.0);
+            let clip = pictured.request.camera.clip_from_world() * p.extend(1.0);
             let ndc = clip.truncate() / clip.w;
             let shown = pictured.place(&observer, DVec3::new(ndc.x, ndc.y, -ndc.z));
             let share = (shown - low) / (high - low);
@@ -257,17 +271,17 @@ fn one_probe_marks_the_same_point_in_all_three() {
         let at = |m: &camera_lab::drawing::Mark| DVec2::new(f64::from(m.position[0]), f64::from(m.position[1]));
         drawing.marks.iter().any(|m| m.color == color && at(m).distance(place) < 0.01)
     };
-    let clip = pictured.camera.clip_from_world() * p.extend(1.0);
+    let clip = pictured.request.camera.clip_from_world() * p.extend(1.0);
     let ndc = clip.truncate() / clip.w;
 
-    let observer = views::world::observer(&pictured.setup(), Preset::Iso);
-    assert!(has_mark(&pictured.world(Preset::Iso), pictured.place(&observer, p)));
-    let observer = views::canonical::observer(&pictured.setup(), Preset::Iso);
+    let observer = pictured.observer(View::World, Viewpoint::Iso);
+    assert!(has_mark(&pictured.world(Viewpoint::Iso), pictured.place(&observer, p)));
+    let observer = pictured.observer(View::Canonical, Viewpoint::Iso);
     let shown = DVec3::new(ndc.x, ndc.y, -ndc.z);
-    assert!(has_mark(&pictured.canonical(Preset::Iso), pictured.place(&observer, shown)));
+    assert!(has_mark(&pictured.canonical(Viewpoint::Iso), pictured.place(&observer, shown)));
     // The frame of a square window in 320 × 240.
     let place = DVec2::new(40.0 + 120.0 * (1.0 + ndc.x), 120.0 * (1.0 - ndc.y));
-    assert!(has_mark(&views::image::draw(&pictured.setup()), place));
+    assert!(has_mark(&pictured.image(), place));
 }
 
 #[test]
@@ -276,8 +290,8 @@ fn a_pixels_ray_ends_on_what_the_pixel_shows() {
     let mut figure = figure(|c| (c.position, c.near, c.far) = (DVec3::new(0.0, 0.0, 6.0), 2.0, 12.0));
     figure.scene.preset = ScenePreset::Cube;
     let pictured = Pictured::of(figure).probed(Probe::Window(DVec2::ZERO));
-    let observer = views::world::observer(&pictured.setup(), Preset::Iso);
-    let world = views::world::draw(&pictured.setup(), &observer);
+    let observer = pictured.observer(View::World, Viewpoint::Iso);
+    let world = draw(&pictured.seen_by(View::World, observer));
     let color = Palette::of(Theme::Light).probe;
     let hit = pictured.place(&observer, DVec3::Z);
     let at = |m: &camera_lab::drawing::Mark| DVec2::new(f64::from(m.position[0]), f64::from(m.position[1]));
@@ -287,7 +301,7 @@ fn a_pixels_ray_ends_on_what_the_pixel_shows() {
 #[test]
 fn in_wireframe_the_scene_loses_its_faces_and_the_camera_keeps_its() {
     let mut figure = figure(|_| {});
-    let faces = |figure: &Figure| Pictured::of(figure.clone()).world(Preset::Iso).surfaces.len();
+    let faces = |figure: &Figure| Pictured::of(figure.clone()).world(Viewpoint::Iso).surfaces.len();
     let shaded = faces(&figure);
     figure.style.shading = Shading::Wireframe;
     let wired = faces(&figure);
@@ -300,9 +314,7 @@ fn in_wireframe_the_scene_loses_its_faces_and_the_camera_keeps_its() {
 fn an_observer_that_is_no_camera_gives_an_empty_picture() {
     let pictured = Pictured::of(figure(|_| {}));
     let nowhere = Observer { target: DVec3::ZERO, distance: f64::NAN, azimuth: 0.0, elevation: 0.0, parallel: false };
-    for drawing in
-        [views::world::draw(&pictured.setup(), &nowhere), views::canonical::draw(&pictured.setup(), &nowhere)]
-    {
+    for drawing in [draw(&pictured.seen_by(View::World, nowhere)), draw(&pictured.seen_by(View::Canonical, nowhere))] {
         assert_eq!((drawing.width, drawing.height), (320, 240));
         assert!(drawing.surfaces.is_empty() && drawing.strokes.is_empty() && drawing.labels.is_empty());
     }
@@ -330,14 +342,13 @@ fn cameras_of_any_size_make_finite_pictures() {
                     continue;
                 }
                 let pictured = Pictured::of(simple(figure)).probed(Probe::Window(DVec2::ZERO));
-                for preset in PRESETS {
-                    let what = format!("1e{exponent} at {at}, {projection:?}, {preset:?}");
-                    assert!(finite(&pictured.world(preset)), "world, {what}");
-                    assert!(finite(&pictured.canonical(preset)), "canonical, {what}");
-                    let _ =
-                        views::handles::handles(&pictured.setup(), &views::world::observer(&pictured.setup(), preset));
+                for viewpoint in VIEWPOINTS {
+                    let what = format!("1e{exponent} at {at}, {projection:?}, {viewpoint:?}");
+                    assert!(finite(&pictured.world(viewpoint)), "world, {what}");
+                    assert!(finite(&pictured.canonical(viewpoint)), "canonical, {what}");
+                    let _ = handles(&pictured.seen_by(View::World, pictured.observer(View::World, viewpoint)));
                 }
-                assert!(finite(&views::image::draw(&pictured.setup())), "image, 1e{exponent} at {at}");
+                assert!(finite(&pictured.image()), "image, 1e{exponent} at {at}");
             }
         }
     }
@@ -347,8 +358,8 @@ fn cameras_of_any_size_make_finite_pictures() {
 fn a_picture_at_twice_the_scale_is_the_same_picture_with_twice_the_pixels() {
     let one = Pictured::of(figure(|c| (c.near, c.far) = (2.0, 12.0)));
     let mut two = Pictured::of(one.figure.clone());
-    two.size = Size { width: 640, height: 480, scale: 2.0 };
-    let (one, two) = (one.world(Preset::Iso), two.world(Preset::Iso));
+    two.request.size = Size { width: 640, height: 480, scale: 2.0 };
+    let (one, two) = (one.world(Viewpoint::Iso), two.world(Viewpoint::Iso));
     assert_eq!(one.labels.len(), two.labels.len());
     for (a, b) in one.labels.iter().zip(&two.labels) {
         assert_eq!(a.text, b.text);

@@ -1,19 +1,20 @@
 //! Reference pictures of the three views, each of one thing.
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use camera_lab::appearance::{Texture, Theme};
+use camera_lab::appearance::Theme;
 use camera_lab::camera::{Operation, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::Drawing;
 use camera_lab::figure::Figure;
 use camera_lab::geometry::Angle;
+use camera_lab::picture::Renderer;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::Preset as ScenePreset;
-use camera_lab::views;
-use camera_lab::views::observer::Preset;
+use camera_lab::views::observer::Viewpoint;
+use camera_lab::views::{self, View};
 use glam::DVec2;
 use tiny_skia::Pixmap;
 
-use crate::common::picture::assert_picture;
+use crate::common::picture::{assert_picture, assert_rendered};
 use crate::views::{Pictured, figure};
 
 fn paint(drawing: &Drawing) -> Pixmap {
@@ -31,23 +32,17 @@ fn short(theme: Theme, scene: ScenePreset, change: impl FnOnce(&mut Parameters))
     figure
 }
 
-/// With the image on the window, as the shells paint it.
-fn with_image(pictured: Pictured) -> Pictured {
-    let pixmap = paint(&views::image::draw(&pictured.setup()));
-    let image = Texture { width: pixmap.width(), height: pixmap.height(), rgba: pixmap.take() };
-    pictured.painted(image)
-}
-
 #[test]
 fn the_world_of_the_default_figure() {
     let pictured = Pictured::of(Figure::default());
-    assert_picture("world_default", &paint(&pictured.world(Preset::Iso)));
+    assert_picture("world_default", &paint(&pictured.world(Viewpoint::Iso)));
 }
 
 #[test]
 fn a_world_with_the_image_on_the_window() {
-    let pictured = with_image(Pictured::of(short(Theme::Light, ScenePreset::House, |_| {})));
-    assert_picture("world_painted_window", &paint(&pictured.world(Preset::Iso)));
+    let pictured = Pictured::of(short(Theme::Light, ScenePreset::House, |_| {}));
+    let world = pictured.seen_by(View::World, pictured.observer(View::World, Viewpoint::Iso));
+    assert_rendered("world_painted_window", &Renderer::default().pixels(&world).unwrap());
 }
 
 #[test]
@@ -56,7 +51,7 @@ fn a_parallel_volume_in_the_dark() {
         c.projection = Projection::Parallel;
         c.height = 3.0;
     });
-    assert_picture("world_parallel_dark", &paint(&Pictured::of(figure).world(Preset::Iso)));
+    assert_picture("world_parallel_dark", &paint(&Pictured::of(figure).world(Viewpoint::Iso)));
 }
 
 #[test]
@@ -64,32 +59,32 @@ fn an_asymmetric_window_for_paper() {
     let figure = short(Theme::Print, ScenePreset::House, |c| {
         c.window = Some(ViewWindow { left: -1.0, right: 0.2, bottom: -0.3, top: 1.2 });
     });
-    assert_picture("world_asymmetric_print", &paint(&Pictured::of(figure).world(Preset::Side)));
+    assert_picture("world_asymmetric_print", &paint(&Pictured::of(figure).world(Viewpoint::Side)));
 }
 
 #[test]
 fn an_azimuth_while_it_is_tried() {
     let azimuth = Operation::Azimuth(Angle::from_degrees(-50.0));
     let pictured = Pictured::of(short(Theme::Light, ScenePreset::House, |_| {})).tried(azimuth);
-    assert_picture("world_ghost_azimuth", &paint(&pictured.world(Preset::Iso)));
+    assert_picture("world_ghost_azimuth", &paint(&pictured.world(Viewpoint::Iso)));
 }
 
 #[test]
 fn the_canonical_volume_and_the_ray_of_a_pixel() {
     let figure = short(Theme::Light, ScenePreset::House, |_| {});
     let pictured = Pictured::of(figure).probed(views::Probe::Window(DVec2::new(0.2, 0.15)));
-    assert_picture("canonical_probe", &paint(&pictured.canonical(Preset::Iso)));
+    assert_picture("canonical_probe", &paint(&pictured.canonical(Viewpoint::Iso)));
 }
 
 #[test]
 fn the_canonical_volume_from_above() {
     let pictured = Pictured::of(short(Theme::Print, ScenePreset::House, |_| {}));
-    assert_picture("canonical_top_print", &paint(&pictured.canonical(Preset::Top)));
+    assert_picture("canonical_top_print", &paint(&pictured.canonical(Viewpoint::Top)));
 }
 
 #[test]
 fn an_image_narrower_than_its_picture() {
     let figure = short(Theme::Dark, ScenePreset::House, |c| c.aspect = 0.8);
     let pictured = Pictured::of(figure).probed(views::Probe::Window(DVec2::new(0.2, 0.15)));
-    assert_picture("image_letterboxed_dark", &paint(&views::image::draw(&pictured.setup())));
+    assert_picture("image_letterboxed_dark", &paint(&pictured.image()));
 }

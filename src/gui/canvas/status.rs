@@ -5,7 +5,7 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
-use super::probe::Cell;
+use super::readout::Cell;
 use crate::gui::state::Arrangement;
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::View;

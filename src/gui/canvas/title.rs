@@ -3,15 +3,16 @@
 use eframe::egui::{self, Align2, Id, Popup, Rect, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
 use super::icons::{Icon, icon_button, left_center};
-use crate::gui::state::Look;
+use crate::gui::state::ObserverChange;
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::View;
+use crate::views::observer::Viewpoint;
 
 /// What a title's buttons ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TitleAction {
-    /// Look from somewhere.
-    Look(Look),
+    /// Look from somewhere else.
+    Observe(ObserverChange),
     /// Turn both three-dimensional pictures together, or no more.
     ToggleLink,
     /// Give the picture all the room, or give it back.
@@ -30,12 +31,12 @@ pub(super) struct Title<'a> {
     pub(super) can_hide: bool,
 }
 
-const LOOKS: [(Look, Icon); 5] = [
-    (Look::Fit, Icon::Fit),
-    (Look::Front, Icon::Front),
-    (Look::Top, Icon::Top),
-    (Look::Side, Icon::Side),
-    (Look::Iso, Icon::Iso),
+const CHANGES: [(ObserverChange, Icon); 5] = [
+    (ObserverChange::Fit, Icon::Fit),
+    (ObserverChange::From(Viewpoint::Front), Icon::Front),
+    (ObserverChange::From(Viewpoint::Top), Icon::Top),
+    (ObserverChange::From(Viewpoint::Side), Icon::Side),
+    (ObserverChange::From(Viewpoint::Iso), Icon::Iso),
 ];
 
 impl Title<'_> {
@@ -48,14 +49,14 @@ impl Title<'_> {
         let side = ui.spacing().interact_size.y;
         let solid = matches!(self.picture, View::World | View::Canonical);
         let room_for_all = rect.width() >= galley.size().x + 8.0 * (side + 1.0) + 18.0;
-        let looks: u8 = if !solid {
+        let observer_buttons: u8 = if !solid {
             0
         } else if room_for_all {
             6
         } else {
             1
         };
-        let buttons = looks + 1 + u8::from(self.can_hide);
+        let buttons = observer_buttons + 1 + u8::from(self.can_hide);
         let width = f32::from(buttons) * (side + 1.0) + if solid { 5.0 } else { 1.0 };
 
         let bar = ui.interact(rect, Id::unique(("picture title", self.picture)), Sense::CLICK);
@@ -70,7 +71,7 @@ impl Title<'_> {
         ui.scope_builder(builder, |ui| {
             ui.spacing_mut().item_spacing.x = 1.0;
             if solid {
-                action = if room_for_all { self.look_buttons(ui) } else { self.look_menu(ui) }.or(action);
+                action = if room_for_all { self.observer_buttons(ui) } else { self.observer_menu(ui) }.or(action);
                 ui.add_space(4.0);
             }
             let (icon, text) = if self.maximized {
@@ -92,11 +93,11 @@ impl Title<'_> {
         action
     }
 
-    fn look_buttons(&self, ui: &mut Ui) -> Option<TitleAction> {
+    fn observer_buttons(&self, ui: &mut Ui) -> Option<TitleAction> {
         let mut action = None;
-        for (look, icon) in LOOKS {
-            if icon_button(ui, icon, look_name(self.texts, look), false).clicked() {
-                action = Some(TitleAction::Look(look));
+        for (change, icon) in CHANGES {
+            if icon_button(ui, icon, change_name(self.texts, change), false).clicked() {
+                action = Some(TitleAction::Observe(change));
             }
         }
         if icon_button(ui, Icon::Link, self.texts.link, self.linked).clicked() {
@@ -105,13 +106,13 @@ impl Title<'_> {
         action
     }
 
-    fn look_menu(&self, ui: &mut Ui) -> Option<TitleAction> {
+    fn observer_menu(&self, ui: &mut Ui) -> Option<TitleAction> {
         let mut action = None;
         let button = icon_button(ui, Icon::Iso, self.texts.look_menu, false);
         Popup::menu(&button).show(|ui| {
-            for (look, _) in LOOKS {
-                if ui.button(look_name(self.texts, look)).clicked() {
-                    action = Some(TitleAction::Look(look));
+            for (change, _) in CHANGES {
+                if ui.button(change_name(self.texts, change)).clicked() {
+                    action = Some(TitleAction::Observe(change));
                 }
             }
             ui.separator();
@@ -124,12 +125,12 @@ impl Title<'_> {
     }
 }
 
-fn look_name(texts: &CanvasTexts, look: Look) -> &'static str {
-    match look {
-        Look::Fit => texts.fit,
-        Look::Front => texts.front,
-        Look::Top => texts.top,
-        Look::Side => texts.side,
-        Look::Iso => texts.iso,
+fn change_name(texts: &CanvasTexts, change: ObserverChange) -> &'static str {
+    match change {
+        ObserverChange::Fit => texts.fit,
+        ObserverChange::From(Viewpoint::Front) => texts.front,
+        ObserverChange::From(Viewpoint::Top) => texts.top,
+        ObserverChange::From(Viewpoint::Side) => texts.side,
+        ObserverChange::From(Viewpoint::Iso) => texts.iso,
     }
 }

@@ -2,12 +2,11 @@
 
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
-use super::{TEXT_LINE, section};
+use super::{TEXT_LINE, complaint, section};
 use crate::camera::{Amount, Camera, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::State;
 use crate::gui::theme;
-use crate::i18n::faults;
 use crate::i18n::window::{self, Texts};
 use crate::numbers;
 use crate::views::Ghost;
@@ -139,7 +138,7 @@ fn describe(freedom: Freedom, amount: f64) -> String {
 /// − step + and the slider.
 fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Freedom) {
     let name = name(freedom, t);
-    ui.horizontal(|ui| {
+    let error = ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         button(ui, t, state, freedom, false);
         let step = &mut state.operations.steps[freedom as usize];
@@ -149,14 +148,14 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
             Amount::Length => NumberField::new(title, Step::Multiply(1.1)),
             Amount::Angle => NumberField::angle(title, 5.0),
         };
-        let before = *step;
-        field.width(58.0).hint(t.step_hint).show(ui, t, step);
-        if !(*step > 0.0 && step.is_finite()) {
-            *step = before;
-        }
+        let error = field.positive().width(58.0).hint(t.step_hint).show(ui, t, step).error;
         button(ui, t, state, freedom, true);
         slider(ui, t, state, freedom);
+        error
     });
+    if let Some(error) = error.inner {
+        complaint(ui, &error.text(t.lang));
+    }
 }
 
 fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, forwards: bool) {
@@ -164,7 +163,7 @@ fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, for
     let button = egui::Button::new(sign).min_size(egui::vec2(24.0, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
     if ui.add(button).accessible_name(name).on_hover_text(effect(freedom, t)).clicked() {
-        apply(state, stepped(freedom, state.operations.steps[freedom as usize], forwards));
+        state.operate(stepped(freedom, state.operations.steps[freedom as usize], forwards));
     }
 }
 
@@ -193,26 +192,16 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
             state.ghost = Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
             if scrub.amount != amount {
                 scrub.amount = amount;
-                let after = if amount == 0.0 {
-                    Ok(scrub.start.clone())
+                let done = if amount == 0.0 {
+                    state.document.set_camera(scrub.start.clone());
+                    Ok(())
                 } else {
-                    pulled(freedom, amount).apply(&scrub.start, convention)
+                    state.document.operate_from(&scrub.start, pulled(freedom, amount), convention)
                 };
-                match after {
-                    Ok(camera) => state.document.set_camera(camera),
-                    Err(error) => state.say_error(faults::camera_error(state.settings.lang, &error)),
-                }
+                state.say_camera_error(done);
             }
         }
     } else if response.changed() {
-        apply(state, pulled(freedom, amount));
-    }
-}
-
-/// Does an operation to the camera; where it has no result, says why.
-pub fn apply(state: &mut State, operation: Operation) {
-    match operation.apply(state.document.camera(), state.operations.convention) {
-        Ok(camera) => state.document.set_camera(camera),
-        Err(error) => state.say_error(faults::camera_error(state.settings.lang, &error)),
+        state.operate(pulled(freedom, amount));
     }
 }

@@ -2,8 +2,7 @@
 
 use eframe::egui::{self, RichText};
 
-use super::{TEXT_LINE, section};
-use crate::camera::Convention;
+use super::{TEXT_LINE, complaint, section};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::State;
 use crate::gui::theme;
@@ -13,7 +12,8 @@ use crate::numbers;
 
 /// The numbers of the figure.
 fn report(state: &State) -> Option<Report> {
-    Report::new(state.document.figure(), &[], Convention::RightHand, &[], &[]).ok()
+    let figure = state.document.figure();
+    Report::of(state.document.camera(), figure.image, figure.viewport, &[], &[]).ok()
 }
 
 /// Shows the numbers.
@@ -38,18 +38,23 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
 }
 
 fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Report) {
-    ui.horizontal(|ui| {
+    let error = ui.horizontal(|ui| {
         ui.label(t.digits).on_hover_text(t.digits_hint);
         let mut digits = state.settings.digits as f64;
-        NumberField::new(t.digits, Step::Add(1.0)).whole().width(40.0).hint(t.digits_hint).show(ui, t, &mut digits);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 2 and 17")]
-        let digits = digits.clamp(2.0, 17.0) as usize;
+        let field = NumberField::new(t.digits, Step::Add(1.0)).whole().within(2.0..=17.0);
+        let output = field.width(40.0).hint(t.digits_hint).show(ui, t, &mut digits);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, between 2 and 17")]
+        let digits = digits as usize;
         state.settings.digits = digits;
         ui.checkbox(&mut state.settings.inverse, t.inverse).on_hover_text(t.inverse_hint);
         if ui.button(t.copy).on_hover_text(t.copy_numbers_hint).clicked() {
             ui.ctx().copy_text(text(t, report, numbers::EXACT_DIGITS));
         }
+        output.error
     });
+    if let Some(error) = error.inner {
+        complaint(ui, &error.text(t.lang));
+    }
 }
 
 /// A group of numbers: its symbol, its name with the equation, and its rows.

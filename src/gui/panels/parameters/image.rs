@@ -1,5 +1,7 @@
 //! The image and the viewport.
 
+use std::ops::RangeInclusive;
+
 use eframe::egui;
 
 use super::{complaint, row};
@@ -8,9 +10,10 @@ use crate::gui::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::panels::section;
 use crate::gui::state::State;
 use crate::i18n::window::{self, Texts};
+use crate::limits;
 
-/// No screen and no paper needs more; the product stays far below what memory holds.
-const MAX_SIDE: f64 = crate::limits::MAX_SIDE as f64;
+const MAX_SIDE: f64 = limits::MAX_SIDE as f64;
+const MAX_OFFSET: f64 = limits::MAX_OFFSET as f64;
 
 /// Image size and, closed at first, the viewport.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -20,8 +23,10 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         let [mut m, mut n] = [f64::from(width), f64::from(height)];
         let outputs = row(ui, "m × n", t.image_size, t.image_size_hint, |ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            let field =
-                |name: &str| NumberField::new(name, Step::Add(16.0)).whole().hint(t.image_size_hint).width(62.0);
+            let field = |name: &str| {
+                let field = NumberField::new(name, Step::Add(16.0)).whole().within(1.0..=MAX_SIDE);
+                field.hint(t.image_size_hint).width(62.0)
+            };
             let second = field("n").show(ui, t, &mut n);
             ui.label("×");
             [field("m").show(ui, t, &mut m), second]
@@ -46,19 +51,20 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
 
 fn complain(ui: &mut egui::Ui, t: &Texts, outputs: &[FieldOutput]) {
     for error in outputs.iter().filter_map(|output| output.error.as_ref()) {
-        complaint(ui, &crate::i18n::messages::expression(t.lang, &error.problem));
+        complaint(ui, &error.text(t.lang));
     }
 }
 
-/// A number of pixels, 1 … [`MAX_SIDE`].
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
+/// A number of pixels: its field takes whole numbers of 1 … [`MAX_SIDE`] alone.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
 fn to_side(value: f64) -> u32 {
-    value.round().clamp(1.0, MAX_SIDE) as u32
+    value as u32
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "clamped to what fits")]
+/// A place in pixels: its field takes whole numbers of −[`MAX_OFFSET`] … [`MAX_OFFSET`] alone.
+#[expect(clippy::cast_possible_truncation, reason = "a whole number that fits")]
 fn to_corner(value: f64) -> i32 {
-    value.round().clamp(-MAX_SIDE, MAX_SIDE) as i32
+    value as i32
 }
 
 fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
@@ -70,27 +76,34 @@ fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     ui.checkbox(&mut is_whole, t.whole_image).on_hover_text(t.whole_image_hint);
     let mut new = old.unwrap_or(whole);
     if !is_whole {
-        let mut pair = |symbols: [&str; 2], name: &str, hint: &'static str, step: f64, values: [&mut f64; 2]| {
-            let [first, second] = values;
-            let outputs = row(ui, "", name, hint, |ui| {
-                ui.spacing_mut().item_spacing.x = 4.0;
-                let field = |symbol: &str| {
-                    let field = NumberField::new(symbol, Step::Add(step)).hint(hint).width(72.0);
-                    if step >= 1.0 { field.whole() } else { field }
-                };
-                let second = field(symbols[1]).show(ui, t, second);
-                [field(symbols[0]).show(ui, t, first), second]
-            });
-            complain(ui, t, &outputs);
-        };
+        let mut pair =
+            |symbols: [&str; 2], name: &str, hint: &'static str, range: RangeInclusive<f64>, values: [&mut f64; 2]| {
+                let [first, second] = values;
+                let outputs = row(ui, "", name, hint, |ui| {
+                    ui.spacing_mut().item_spacing.x = 4.0;
+                    let field = |symbol: &str| {
+                        let pixels = *range.end() > 1.0;
+                        let field = NumberField::new(symbol, Step::Add(if pixels { 16.0 } else { 0.1 }));
+                        let field = field.within(range.clone()).hint(hint).width(72.0);
+                        if pixels { field.whole() } else { field }
+                    };
+                    let second = field(symbols[1]).show(ui, t, second);
+                    [field(symbols[0]).show(ui, t, first), second]
+                });
+                complain(ui, t, &outputs);
+            };
         let [mut x, mut y] = [f64::from(new.x), f64::from(new.y)];
         let [mut width, mut height] = [f64::from(new.width), f64::from(new.height)];
-        pair(["X_v", "Y_v"], t.viewport_corner, t.viewport_hint, 16.0, [&mut x, &mut y]);
-        pair(["W_v", "H_v"], t.viewport_size, t.viewport_hint, 16.0, [&mut width, &mut height]);
-        pair(["n (Z)", "f (Z)"], t.depth_range, t.depth_range_hint, 0.1, [&mut new.depth_near, &mut new.depth_far]);
+        pair(["X_v", "Y_v"], t.viewport_corner, t.viewport_hint, -MAX_OFFSET..=MAX_OFFSET, [&mut x, &mut y]);
+        pair(["W_v", "H_v"], t.viewport_size, t.viewport_hint, 1.0..=MAX_SIDE, [&mut width, &mut height]);
+        pair(
+            ["n (Z)", "f (Z)"],
+            t.depth_range,
+            t.depth_range_hint,
+            0.0..=1.0,
+            [&mut new.depth_near, &mut new.depth_far],
+        );
         new = Viewport { x: to_corner(x), y: to_corner(y), width: to_side(width), height: to_side(height), ..new };
-        new.depth_near = new.depth_near.clamp(0.0, 1.0);
-        new.depth_far = new.depth_far.clamp(0.0, 1.0);
     }
     let new = (!is_whole).then_some(new);
     if new != old {

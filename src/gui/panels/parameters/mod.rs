@@ -109,7 +109,7 @@ impl Form {
     /// What is wrong with a value, below its field: the fault of the text that was typed, or of the value.
     fn complain(&mut self, ui: &mut egui::Ui, key: &str, fields: &[FieldOutput]) {
         for error in fields.iter().filter_map(|field| field.error.as_ref()) {
-            complaint(ui, &crate::i18n::messages::expression(self.t.lang, &error.problem));
+            complaint(ui, &error.text(self.t.lang));
         }
         if self.error.as_ref().is_some_and(|error| error.keys().first() == Some(&key)) {
             self.problem(ui);

@@ -251,7 +251,7 @@ impl Form {
     /// What is wrong with a value, below its field: the fault of the text that was typed, or of the value.
     fn complain(&self, ui: &mut egui::Ui, object: Option<&str>, key: &str, fields: &[FieldOutput]) {
         for error in fields.iter().filter_map(|field| field.error.as_ref()) {
-            super::complaint(ui, &crate::i18n::messages::expression(self.window.lang, &error.problem));
+            super::complaint(ui, &error.text(self.window.lang));
         }
         if let Some(error) = self.error.as_ref().filter(|_| self.is_marked(object, key)) {
             super::complaint(ui, &scenes::scene_error(self.lang, error));

@@ -208,7 +208,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let of_parts = format!("{owner}/");
-    let shown = state.scenery.scene().objects.iter().find_map(|o| match o.paint {
+    let shown = state.scene_cache.scene().objects.iter().find_map(|o| match o.paint {
         ObjectPaint::Solid(color) if o.name == owner || o.name.starts_with(&of_parts) => Some(color),
         _ => None,
     });
@@ -364,10 +364,10 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     } else if !left && text != *path {
         state.tree.typing = Some(typing);
     }
-    if let Some(error) = state.scenery.problem_of(owner) {
+    if let Some(error) = state.scene_cache.problem_of(owner) {
         complaint(ui, &scenes::scene_error(state.settings.lang, &error));
         if ui.button(t.read_again).on_hover_text(t.read_again_hint).clicked() {
-            state.scenery.read_again();
+            state.scene_cache.read_again();
             state.message = None;
         }
     }

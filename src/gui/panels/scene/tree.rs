@@ -44,7 +44,7 @@ struct Dragged(String);
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height: f32) -> Vec<Edit> {
     let mut edits = Vec::new();
     let scene = state.document.figure().scene.clone();
-    let rows = rows(&scene, state.scenery.scene(), &state.tree.folded, t);
+    let rows = rows(&scene, state.scene_cache.scene(), &state.tree.folded, t);
     let selected = state.tree.selected(&scene).cloned();
     let dragged = egui::DragAndDrop::payload::<Dragged>(ui.ctx());
     let frame = egui::Frame::NONE

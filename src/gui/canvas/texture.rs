@@ -1,17 +1,17 @@
 //! A picture on the screen: its textures, and where each of its pixels is.
 
-use eframe::egui::{Color32, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
+use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
 use glam::DVec2;
 
-use super::easel::Sheet;
+use crate::picture::Picture;
 use crate::views;
 
 /// One pixel of a picture is one pixel of the screen.
 const OPTIONS: TextureOptions = TextureOptions::NEAREST;
 
-/// The place of a picture: its corner on a whole pixel, its sides whole pixels.
+/// Where a picture lies: its corner on a whole pixel, its sides whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct PictureRect {
     /// In points.
     pub(super) rect: Rect,
     /// In pixels.
@@ -19,8 +19,8 @@ pub(super) struct Place {
     pixels_per_point: f32,
 }
 
-impl Place {
-    /// The largest place in `room` (points).
+impl PictureRect {
+    /// The largest in `room` (points).
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -58,23 +58,61 @@ impl Place {
     }
 }
 
+/// A picture in tiles no larger than a texture may be.
+pub(super) struct Tiles {
+    /// Width and height in pixels.
+    pub(super) size: [usize; 2],
+    /// The place of each tile (left, top, in pixels) and its pixels.
+    tiles: Vec<([usize; 2], ColorImage)>,
+}
+
+impl Tiles {
+    /// Cuts a picture into tiles.
+    pub(super) fn of(picture: &Picture, max_side: usize) -> Self {
+        Self::cut([picture.width() as usize, picture.height() as usize], picture.rgba(), max_side)
+    }
+
+    /// Cuts premultiplied RGBA into tiles.
+    fn cut([width, height]: [usize; 2], rgba: &[u8], max_side: usize) -> Self {
+        let side = max_side.max(1);
+        let mut tiles = Vec::new();
+        for top in (0..height).step_by(side) {
+            for left in (0..width).step_by(side) {
+                let (w, h) = (side.min(width - left), side.min(height - top));
+                let image = if w == width {
+                    ColorImage::from_rgba_premultiplied([w, h], &rgba[4 * width * top..4 * width * (top + h)])
+                } else {
+                    let mut part = Vec::with_capacity(4 * w * h);
+                    for y in top..top + h {
+                        let start = 4 * (y * width + left);
+                        part.extend_from_slice(&rgba[start..start + 4 * w]);
+                    }
+                    ColorImage::from_rgba_premultiplied([w, h], &part)
+                };
+                tiles.push(([left, top], image));
+            }
+        }
+        Self { size: [width, height], tiles }
+    }
+}
+
 /// The newest finished picture, as textures.
 #[derive(Default)]
-pub(super) struct Screen {
+pub(super) struct PictureTexture {
     size: [usize; 2],
     tiles: Vec<([usize; 2], [usize; 2], TextureHandle)>,
     /// The last drawing failed.
     failed: bool,
 }
 
-impl Screen {
+impl PictureTexture {
     /// Takes a new picture; the textures are kept where their number is the same.
-    pub(super) fn set(&mut self, ctx: &Context, name: &str, sheet: Option<Sheet>) {
-        self.failed = sheet.is_none();
-        let Some(sheet) = sheet else { return };
-        self.size = sheet.size;
-        self.tiles.truncate(sheet.tiles.len());
-        for (i, (place, image)) in sheet.tiles.into_iter().enumerate() {
+    pub(super) fn set(&mut self, ctx: &Context, name: &str, picture: Option<Tiles>) {
+        self.failed = picture.is_none();
+        let Some(Tiles { size, tiles }) = picture else { return };
+        self.size = size;
+        self.tiles.truncate(tiles.len());
+        for (i, (place, image)) in tiles.into_iter().enumerate() {
             let size = image.size;
             match self.tiles.get_mut(i) {
                 Some(tile) => {
@@ -93,7 +131,7 @@ impl Screen {
 
     /// Paints the picture at its place; one of another size, which is there while the next is being drawn, in the middle.
     #[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
-    pub(super) fn paint(&self, ui: &Ui, place: &Place) {
+    pub(super) fn paint(&self, ui: &Ui, place: &PictureRect) {
         let painter = ui.painter().with_clip_rect(place.rect.intersect(ui.clip_rect()));
         let (width, height) = (self.size[0] as f32, self.size[1] as f32);
         let shift_x = ((place.size.width as f32 - width) / 2.0).round();
@@ -111,10 +149,30 @@ mod tests {
     use super::*;
 
     #[test]
+    fn tiles_hold_each_pixel_once_at_its_place() {
+        let (width, height) = (7_u8, 5_u8);
+        let rgba: Vec<u8> = (0..width * height).flat_map(|i| [i % width, i / width, 0, 255]).collect();
+        for max_side in [2, 3, 5, 7, 100] {
+            let Tiles { size, tiles } = Tiles::cut([7, 5], &rgba, max_side);
+            assert_eq!(size, [7, 5]);
+            let mut seen = [0; 35];
+            for ([left, top], image) in &tiles {
+                assert!(image.size[0] <= max_side && image.size[1] <= max_side);
+                for (k, pixel) in image.pixels.iter().enumerate() {
+                    let (x, y) = (left + k % image.size[0], top + k / image.size[0]);
+                    assert_eq!((usize::from(pixel.r()), usize::from(pixel.g())), (x, y));
+                    seen[y * 7 + x] += 1;
+                }
+            }
+            assert!(seen.iter().all(|&n| n == 1));
+        }
+    }
+
+    #[test]
     fn pixels_of_a_picture_are_pixels_of_the_screen() {
         for (pixels_per_point, width) in [(1.0_f32, 199), (1.25, 249), (1.5, 299), (2.0, 399)] {
             let room = Rect::from_min_max(pos2(10.3, 20.7), pos2(210.1, 170.2));
-            let place = Place::in_room(room, pixels_per_point, 1.5);
+            let place = PictureRect::in_room(room, pixels_per_point, 1.5);
             assert_eq!(place.size.width, width);
             assert_eq!(place.size.scale, 1.5 * pixels_per_point);
             assert!(room.contains_rect(place.rect));
@@ -130,6 +188,6 @@ mod tests {
     #[test]
     fn a_room_without_height_has_a_picture_without_pixels() {
         let room = Rect::from_min_max(pos2(0.0, 50.0), pos2(100.0, 40.0));
-        assert_eq!(Place::in_room(room, 1.0, 1.0).size.height, 0);
+        assert_eq!(PictureRect::in_room(room, 1.0, 1.0).size.height, 0);
     }
 }

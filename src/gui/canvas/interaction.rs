@@ -6,23 +6,23 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-use super::seek::What;
+use super::picking::{self, Question, What};
 use super::status::Status;
-use super::{Canvas, Pane, look, probe, question, setup, toggle_maximized};
+use super::{Canvas, Pane, orbit, readout, toggle_maximized};
 use crate::camera::{Convention, Operation};
 use crate::figure::Observer;
 use crate::geometry::Angle;
 use crate::gui::handles::{self, HandleDrag};
 use crate::gui::highlight::Movable;
 use crate::gui::panels::scene::Selected;
-use crate::gui::state::{Look, Side, State, Tab};
+use crate::gui::state::{ObserverChange, Side, State, Tab};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::faults::camera_error;
 use crate::i18n::scenes;
 use crate::numbers::significant;
 use crate::views::arrows::{arrow_at, pull};
 use crate::views::handles::{Handle, handle_at};
-use crate::views::{Probe, View, pick};
+use crate::views::{Overlays, Probe, Request, View, pick};
 
 /// Logarithm of the zoom for one point of the wheel.
 const ZOOM_PER_POINT: f64 = 0.004;
@@ -39,7 +39,7 @@ const ARROW_REACH: f32 = 7.0;
 /// What is held with the pointer.
 pub(super) enum Drag {
     /// The eye of a three-dimensional picture turns.
-    Orbit { picture: View, pressed: [Observer; 2] },
+    Orbit { picture: View, pressed: [Option<Observer>; 3] },
     /// The eye of a three-dimensional picture moves.
     Pan { picture: View, pressed: Observer },
     /// Something in the world is moved.
@@ -53,7 +53,7 @@ pub(super) struct ArrowDrag {
     /// As it was when it was taken.
     movable: Movable,
     axis: usize,
-    observer: Observer,
+    observer: Option<Observer>,
     from: DVec2,
 }
 
@@ -68,16 +68,22 @@ impl Drag {
 
 impl Canvas {
     /// Lets pointer and keys act; the result says what is under the pictures.
-    pub(super) fn act(&mut self, ui: &Ui, state: &mut State, panes: &[Pane], texts: &'static CanvasTexts) -> Status {
+    pub(super) fn interact(
+        &mut self,
+        ui: &Ui,
+        state: &mut State,
+        panes: &[Pane],
+        texts: &'static CanvasTexts,
+    ) -> Status {
         let mut status = Status::default();
-        if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|drag| drag.picture() == pane.picture)) {
+        if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|drag| drag.picture() == pane.view)) {
             self.drag = None;
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
             self.pinned = None;
         }
         let mut hovered = None;
-        self.extras.hot = None;
+        self.overlays.hot = None;
         for pane in panes {
             self.focus(ui, state, pane);
             self.drag(ui, state, pane);
@@ -87,7 +93,7 @@ impl Canvas {
             }
             self.click(state, pane, hovered);
             if status.message.is_empty() && pane.response.has_focus() {
-                keys_hint(pane.picture, texts).clone_into(&mut status.message);
+                keys_hint(pane.view, texts).clone_into(&mut status.message);
             }
         }
         if self.drag.is_some() {
@@ -96,7 +102,7 @@ impl Canvas {
         if status.message.is_empty() {
             texts.idle.clone_into(&mut status.message);
         }
-        self.extras.probe = self.pinned.or(hovered);
+        self.overlays.probe = self.pinned.or(hovered);
         status
     }
 
@@ -104,7 +110,7 @@ impl Canvas {
         let response = &pane.response;
         if response.double_clicked_by(PointerButton::Primary) {
             self.pinned = self.pinned_before;
-            toggle_maximized(state, pane.picture);
+            toggle_maximized(state, pane.view);
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
             self.pinned_before = self.pinned;
@@ -120,15 +126,10 @@ impl Canvas {
     fn select(&self, state: &mut State, pane: &Pane) {
         let is_open = state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left);
         let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| is_open) else { return };
-        let pointer = pane.place.pixel(pointer);
-        let setup = setup(state, &self.extras, pane.place.size);
-        let found = match pane.picture {
-            View::World => pick::object_in_world(&setup, &self.seen[0], pointer),
-            View::Image => pick::object_in_image(&setup, pointer),
-            // What is seen there has been clipped and projected: it is taken in the other two.
-            View::Canonical => None,
-        };
-        let selected = found.and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
+        let pointer = pane.rect.pixel(pointer);
+        let request = self.request(state, pane.view, pane.rect.size);
+        let selected =
+            pick::object(&request, pointer).and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
         if selected.is_some() {
             state.tree.select(selected);
             pane.response.ctx.request_repaint();
@@ -144,7 +145,7 @@ impl Canvas {
         {
             self.drag = self.taken(ui, state, pane, origin);
         }
-        if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.picture) {
+        if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.view) {
             return;
         }
         if ui.input(|i| i.key_pressed(Key::Escape)) {
@@ -161,64 +162,64 @@ impl Canvas {
 
     /// What a press at `origin` takes.
     fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
-        let picture = pane.picture;
+        let picture = pane.view;
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
         if picture == View::Image {
             return None;
         }
-        let from = pane.place.pixel(origin);
+        let from = pane.rect.pixel(origin);
         if picture == View::World && primary {
-            let setup = setup(state, &self.extras, pane.place.size);
-            let observer = self.seen[0];
-            if let Some(handle) = handle_at(&setup, &observer, from, pane.place.pixels(handles::REACH)) {
-                return Some(Drag::Handle(Box::new(HandleDrag::new(handle, &setup, observer, from, modifiers))));
+            let request = self.request(state, pane.view, pane.rect.size);
+            if let Some(handle) = handle_at(&request, from, pane.rect.pixels(handles::REACH)) {
+                return Some(Drag::Handle(Box::new(HandleDrag::new(handle, request, from, modifiers))));
             }
             if let Some(movable) = Movable::selected(state)
-                && let Some(axis) = arrow_at(&setup, &observer, from, pane.place.pixels(ARROW_REACH))
+                && let Some(axis) = arrow_at(&request, from, pane.rect.pixels(ARROW_REACH))
             {
+                let observer = request.observer;
                 return Some(Drag::Arrow(Box::new(ArrowDrag { movable, axis, observer, from })));
             }
         }
         Some(if primary && !modifiers.shift {
             Drag::Orbit { picture, pressed: self.seen }
         } else {
-            Drag::Pan { picture, pressed: self.seen[picture.index()] }
+            Drag::Pan { picture, pressed: self.seen[picture.index()]? }
         })
     }
 
     fn follow(&mut self, ui: &Ui, state: &mut State, pane: &Pane, origin: Pos2, pointer: Pos2) {
         let motion = pointer - origin;
+        let request = self.request(state, pane.view, pane.rect.size);
         match &mut self.drag {
             None => {}
             Some(Drag::Orbit { picture, pressed }) => {
                 let (picture, pressed) = (*picture, *pressed);
-                for other in [View::World, View::Canonical] {
-                    if other == picture || state.layout.linked {
-                        self.turn(state, other, look::orbited(pressed[other.index()], motion));
+                for other in turning_with(picture, state) {
+                    if let Some(pressed) = pressed[other.index()] {
+                        self.turn(state, other, orbit::orbited(pressed, motion));
                     }
                 }
             }
             Some(Drag::Pan { picture, pressed }) => {
                 let (picture, pressed) = (*picture, *pressed);
-                let motion = pane.place.pixel(pointer) - pane.place.pixel(origin);
-                let height = f64::from(pane.place.size.height);
+                let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
+                let height = f64::from(pane.rect.size.height);
                 self.turn(state, picture, pressed.pan(motion.x, motion.y, height));
             }
             Some(Drag::Handle(held)) => {
-                let setup = setup(state, &self.extras, pane.place.size);
                 let modifiers = ui.input(|i| i.modifiers);
-                let moved = held.moved(&setup, pane.place.pixel(pointer), modifiers);
+                let moved = held.moved(&request, pane.rect.pixel(pointer), modifiers);
                 if let Some(parameters) = moved.filter(|p| p != state.document.draft()) {
                     state.document.set_parameters(parameters);
                     ui.request_repaint();
                 }
             }
             Some(Drag::Arrow(held)) => {
-                let setup = setup(state, &self.extras, pane.place.size);
                 let ArrowDrag { movable, axis, observer, from } = held.as_ref();
                 let Some(arrows) = movable.arrows(None) else { return };
                 let line = (arrows.origin, arrows.axes[*axis]);
-                if let Some(way) = pull(&setup, observer, line, *from, pane.place.pixel(pointer)) {
+                let request = Request { observer: *observer, ..request };
+                if let Some(way) = pull(&request, line, *from, pane.rect.pixel(pointer)) {
                     let place = movable.moved(*axis, way);
                     if Movable::selected(state).is_some_and(|now| now.place != place) {
                         movable.put(&mut state.document, place);
@@ -233,15 +234,15 @@ impl Canvas {
     fn give_up(&mut self, state: &mut State) {
         match self.drag.take() {
             None => {}
-            Some(Drag::Orbit { pressed: [world, canonical], picture }) => {
-                for (other, observer) in [(View::World, world), (View::Canonical, canonical)] {
-                    if other == picture || state.layout.linked {
-                        self.turn(state, other, observer);
+            Some(Drag::Orbit { pressed, picture }) => {
+                for other in turning_with(picture, state) {
+                    if let Some(pressed) = pressed[other.index()] {
+                        self.turn(state, other, pressed);
                     }
                 }
             }
             Some(Drag::Pan { picture, pressed }) => self.turn(state, picture, pressed),
-            Some(Drag::Handle(held)) => state.document.set_parameters(held.before()),
+            Some(Drag::Handle(held)) => state.document.set_camera(held.before()),
             Some(Drag::Arrow(held)) => held.movable.put(&mut state.document, held.movable.place),
         }
     }
@@ -251,7 +252,7 @@ impl Canvas {
         match &self.drag {
             None => {}
             Some(Drag::Orbit { picture, .. }) => {
-                let Observer { azimuth, elevation, .. } = self.seen[picture.index()];
+                let Some(Observer { azimuth, elevation, .. }) = self.seen[picture.index()] else { return };
                 let angles = [azimuth, elevation].map(|a| significant(a, 4));
                 status.message = format!("{}: {}°, {}°", texts.turning, angles[0], angles[1]);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
@@ -261,7 +262,7 @@ impl Canvas {
                 ui.set_cursor_icon(CursorIcon::Move);
             }
             Some(Drag::Handle(held)) => {
-                self.extras.hot = Some(held.handle());
+                self.overlays.hot = Some(held.handle());
                 let camera = state.document.camera();
                 let mut lines = vec![handles::readout(held.handle(), camera, digits, texts)];
                 status.message = match held.stopped() {
@@ -277,7 +278,7 @@ impl Canvas {
                 ui.set_cursor_icon(handles::cursor(true));
             }
             Some(Drag::Arrow(held)) => {
-                if let Some(arrows) = &mut self.extras.arrows {
+                if let Some(arrows) = &mut self.overlays.arrows {
                     arrows.hot = Some(held.axis);
                 }
                 let lines = arrow_lines(state, digits);
@@ -289,17 +290,18 @@ impl Canvas {
     }
 
     fn wheel(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
-        if pane.picture == View::Image || !pane.response.hovered() {
+        if pane.view == View::Image || !pane.response.hovered() {
             return;
         }
         let (wheel, pinch) = ui.input(|i| (f64::from(i.smooth_scroll_delta().y), f64::from(i.zoom_delta())));
         let factor = (wheel * ZOOM_PER_POINT).exp() * pinch;
         if factor != 1.0
             && let Some(pointer) = pane.response.hover_pos()
+            && let Some(seen) = self.seen[pane.view.index()]
         {
-            let at = pane.place.pixel(pointer);
-            let observer = look::zoomed_at(self.seen[pane.picture.index()], factor, at, pane.place.size);
-            self.turn(state, pane.picture, observer);
+            let at = pane.rect.pixel(pointer);
+            let observer = orbit::zoomed_at(seen, factor, at, pane.rect.size);
+            self.turn(state, pane.view, observer);
         }
     }
 
@@ -314,47 +316,38 @@ impl Canvas {
         status: &mut Status,
         texts: &'static CanvasTexts,
     ) -> Option<Probe> {
-        let pointer = pane.place.pixel(pane.response.hover_pos()?);
-        let setup = setup(state, &self.extras, pane.place.size);
+        let pointer = pane.rect.pixel(pane.response.hover_pos()?);
+        let request = self.request(state, pane.view, pane.rect.size);
         let (camera, digits) = (state.document.camera(), state.settings.digits.min(6));
-        let observer = self.seen.get(pane.picture.index()).unwrap_or(&self.seen[0]);
-        status.aside = format!("{} × {} px", pane.place.size.width, pane.place.size.height);
-        if pane.picture == View::World
-            && let Some(handle) = handle_at(&setup, observer, pointer, pane.place.pixels(handles::REACH))
+        status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
+        if pane.view == View::World
+            && let Some(handle) = handle_at(&request, pointer, pane.rect.pixels(handles::REACH))
         {
             let lines = [handles::readout(handle, camera, digits, texts), handles::hint(handle, camera, digits, texts)];
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handles::cursor(false));
-            self.extras.hot = Some(handle);
+            self.overlays.hot = Some(handle);
             return probed(handle, state);
         }
-        if pane.picture == View::World
-            && let Some(axis) = arrow_at(&setup, observer, pointer, pane.place.pixels(ARROW_REACH))
+        if pane.view == View::World
+            && let Some(axis) = arrow_at(&request, pointer, pane.rect.pixels(ARROW_REACH))
         {
             let lines = arrow_lines(state, digits);
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handles::cursor(false));
-            if let Some(arrows) = &mut self.extras.arrows {
+            if let Some(arrows) = &mut self.overlays.arrows {
                 arrows.hot = Some(axis);
             }
             return None;
         }
-        let what = What::Under {
-            picture: pane.picture,
-            observer: *observer,
-            size: pane.place.size,
-            pointer,
-            reach: pane.place.pixels(probe::REACH),
-        };
-        let asked = question(state, &self.extras, what);
-        status.message = match pane.picture {
-            View::Image => match pick::window_point_in_image(&setup, pointer) {
+        status.message = match pane.view {
+            View::Image => match pick::window_point_in_image(&request, pointer) {
                 Some(point) => {
                     let image = state.document.figure().image;
-                    let pixel = probe::pair(probe::pixel_of(image, camera, point), 17);
-                    let point = probe::pair(point, 4);
+                    let pixel = readout::pair(picking::pixel_of(image, camera, point), 17);
+                    let point = readout::pair(point, 4);
                     format!(
                         "{} {pixel} / {} × {} · {} {point} · {}",
                         texts.space_pixel, image.width, image.height, texts.space_window, texts.pointer_in_image
@@ -362,9 +355,11 @@ impl Canvas {
                 }
                 None => texts.pointer_in_image.to_owned(),
             },
-            _ => texts.pointer_in_space.to_owned(),
+            View::World | View::Canonical => texts.pointer_in_space.to_owned(),
         };
-        self.seeker.ask(ui.ctx(), asked).probe
+        let what = What::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
+        let request = Request { overlays: Overlays::default(), ..request };
+        self.picker.ask(ui.ctx(), Question { request, what }).probe
     }
 
     // The keys.
@@ -386,7 +381,7 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            self.key(state, pane.picture, key, modifiers);
+            self.key(state, pane.view, key, modifiers);
             ui.request_repaint();
         }
     }
@@ -403,47 +398,50 @@ impl Canvas {
             (Key::Plus | Key::Equals | Key::Minus, _) => {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
                 if picture == View::Image {
-                    operate(state, Operation::Zoom(factor));
-                } else {
-                    self.turn(state, picture, self.seen[picture.index()].zoom(factor));
+                    state.operate(Operation::Zoom(factor));
+                } else if let Some(seen) = self.seen[picture.index()] {
+                    self.turn(state, picture, seen.zoom(factor));
                 }
             }
-            (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, Look::Fit)),
-            (Key::PageUp, View::World | View::Image) => operate(state, Operation::Dolly(STEP_FACTOR)),
-            (Key::PageDown, View::World | View::Image) => operate(state, Operation::Dolly(STEP_FACTOR.recip())),
+            (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, ObserverChange::Fit)),
+            (Key::PageUp, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR)),
+            (Key::PageDown, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR.recip())),
             _ if arrow != DVec2::ZERO => self.arrow(state, picture, arrow, modifiers),
             _ => {}
         }
     }
 
     /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule a
-    /// positive elevation would lower it. In the canonical volume, and with Shift in the world, the observer turns instead.
+    /// positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the world, the observer turns instead.
     fn arrow(&mut self, state: &mut State, picture: View, arrow: DVec2, modifiers: Modifiers) {
         if picture == View::Canonical || (picture == View::World && modifiers.shift) {
-            let step = STEP / look::DEGREES_PER_POINT;
+            let step = STEP / orbit::DEGREES_PER_POINT;
             #[expect(clippy::cast_possible_truncation, reason = "a few steps")]
             let motion = Vec2::new(-(arrow.x * step) as f32, (arrow.y * step) as f32);
-            for other in [View::World, View::Canonical] {
-                if other == picture || state.layout.linked {
-                    self.turn(state, other, look::orbited(self.seen[other.index()], motion));
+            for other in turning_with(picture, state) {
+                if let Some(seen) = self.seen[other.index()] {
+                    self.turn(state, other, orbit::orbited(seen, motion));
                 }
             }
             return;
         }
         if arrow.y != 0.0 {
-            operate(state, Operation::Elevation(Angle::from_degrees(-STEP * arrow.y)));
+            let raised = match state.operations.convention {
+                Convention::RightHand => -STEP,
+                Convention::Vtk => STEP,
+            };
+            state.operate(Operation::Elevation(Angle::from_degrees(raised * arrow.y)));
         }
         if arrow.x != 0.0 {
-            operate(state, Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
+            state.operate(Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
         }
     }
 }
 
-/// Does an operation to the camera; where it cannot be done, nothing happens.
-fn operate(state: &mut State, operation: Operation) {
-    if let Ok(camera) = operation.apply(state.document.camera(), Convention::RightHand) {
-        state.document.set_parameters(*camera.parameters());
-    }
+/// The pictures whose observers turn with that of `view`.
+fn turning_with(view: View, state: &State) -> impl Iterator<Item = View> + use<> {
+    let linked = state.layout.linked;
+    [View::World, View::Canonical].into_iter().filter(move |other| *other == view || linked)
 }
 
 /// C and PF are points of the world, and so can be probed.

@@ -4,28 +4,28 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use eframe::egui;
 
 use super::document::Document;
+use super::worker::Worker;
 use crate::appearance::{HiddenLines, Theme};
+use crate::clock;
 use crate::files;
-use crate::geometry::Aabb;
 use crate::scene::import::{Part, read};
-use crate::scene::{self, MeshError, MeshFiles, Preset, Scene, SceneError, SceneSpec, Shape};
+use crate::scene::{self, MeshError, MeshFiles, Preset, SceneError, SceneSpec, Shape};
+use crate::views::SharedScene;
 
 /// The scene of the figure, or the last one that could be made.
 #[derive(Debug, Default)]
-pub struct Scenery {
+pub struct SceneCache {
     made_from: Option<MadeFrom>,
     files: MeshFiles,
     /// Files that could not be read; they are not tried again by themselves.
     broken: BTreeMap<String, MeshError>,
-    loading: Option<Loading>,
-    scene: Arc<Scene>,
-    bounds: Option<Aabb>,
+    reader: Reader,
+    scene: SharedScene,
     /// Counts the scenes that have nothing to do with each other.
     subject: u64,
 }
@@ -50,47 +50,85 @@ impl MadeFrom {
 
 type Parts = Result<Arc<Vec<Part>>, MeshError>;
 
-/// Files that are being read.
-#[derive(Debug)]
-struct Loading {
-    paths: BTreeSet<String>,
-    done: Receiver<(String, Parts)>,
-}
-
-/// What is done beside the window's thread.
-#[derive(Clone)]
-struct Task {
-    paths: BTreeSet<String>,
+/// A file to be read.
+#[derive(Clone, Debug, PartialEq)]
+struct MeshFile {
+    path: String,
     folder: PathBuf,
-    ctx: egui::Context,
-    send: Sender<(String, Parts)>,
 }
 
-impl Task {
-    fn run(self) {
-        let mut read_file = |name: &str| files::read_for_scene(&self.folder.join(name));
-        for path in self.paths {
-            let parts = read(&path, &mut read_file);
-            // Nobody waits any more when another figure has been opened.
-            if self.send.send((path, parts)).is_err() {
-                return;
-            }
-            self.ctx.request_repaint();
+impl MeshFile {
+    fn read(&self) -> Parts {
+        read(&self.path, &mut |name| files::read_for_scene(&self.folder.join(name)))
+    }
+}
+
+/// Reads one file after the other.
+#[derive(Debug)]
+struct Reader {
+    worker: Worker<MeshFile, (MeshFile, Parts)>,
+    /// The file that is being read, and those that come next.
+    reading: Option<MeshFile>,
+    waiting: Vec<MeshFile>,
+}
+
+impl Default for Reader {
+    fn default() -> Self {
+        let worker = Worker::new("meshes", clock::now, || {
+            Box::new(|file: MeshFile| {
+                let parts = file.read();
+                (file, parts)
+            })
+        });
+        Self { worker, reading: None, waiting: Vec::new() }
+    }
+}
+
+impl Reader {
+    /// Has these files read, and no others.
+    fn begin(&mut self, ctx: &egui::Context, files: Vec<MeshFile>) {
+        self.reading = None;
+        self.waiting = files;
+        self.next(ctx);
+    }
+
+    fn next(&mut self, ctx: &egui::Context) {
+        if self.reading.is_none() && !self.waiting.is_empty() {
+            let file = self.waiting.remove(0);
+            self.worker.ask(ctx, 0, file.clone());
+            self.reading = Some(file);
         }
     }
-}
 
-impl Scenery {
-    /// The scene. It is another one (for `Arc::ptr_eq`) only after the figure's has changed.
-    #[must_use]
-    pub fn scene(&self) -> &Arc<Scene> {
-        &self.scene
+    fn is_busy(&self) -> bool {
+        self.reading.is_some()
     }
 
-    /// The box around the scene.
+    /// The next file that has been read. Waits for it up to `patience`.
+    fn take(&mut self, ctx: &egui::Context, patience: Duration) -> Option<(String, Parts)> {
+        let reading = self.reading.as_ref()?;
+        let [done] = self.worker.take(patience);
+        let Some((file, parts)) = done?.outcome else {
+            // A panic; what is missing is asked for again with the next change.
+            self.reading = None;
+            self.next(ctx);
+            return self.take(ctx, patience);
+        };
+        // What was begun for another figure is not wanted any more.
+        if file != *reading {
+            return self.take(ctx, patience);
+        }
+        self.reading = None;
+        self.next(ctx);
+        Some((file.path, parts))
+    }
+}
+
+impl SceneCache {
+    /// The scene. It is another one only after the figure's has changed.
     #[must_use]
-    pub fn bounds(&self) -> Option<Aabb> {
-        self.bounds
+    pub fn scene(&self) -> &SharedScene {
+        &self.scene
     }
 
     /// A number that stays while one and the same scene is changed, and is another one after another scene has come.
@@ -107,7 +145,7 @@ impl Scenery {
     /// The files that are being read.
     #[must_use]
     pub fn loading(&self) -> Vec<&str> {
-        self.loading.iter().flat_map(|loading| &loading.paths).map(String::as_str).collect()
+        self.reader.reading.iter().chain(&self.reader.waiting).map(|file| file.path.as_str()).collect()
     }
 
     /// Why the file of an object cannot be used.
@@ -133,7 +171,7 @@ impl Scenery {
     /// What cannot be read or built. It is said once, not in each frame.
     pub fn update(&mut self, ctx: &egui::Context, document: &Document, patience: Duration) -> Result<(), SceneError> {
         let figure = document.figure();
-        if self.loading.is_none() && self.made_from.as_ref().is_some_and(|made| made.is_of(document)) {
+        if !self.reader.is_busy() && self.made_from.as_ref().is_some_and(|made| made.is_of(document)) {
             return Ok(());
         }
         let wanted = MadeFrom {
@@ -149,16 +187,16 @@ impl Scenery {
             // Another folder: other files under the same names.
             self.files = MeshFiles::default();
             self.broken.clear();
-            self.loading = None;
+            self.reader.begin(ctx, Vec::new());
         }
         if before.is_some_and(|before| before.spec.preset != wanted.spec.preset && wanted.spec.preset != Preset::Empty)
         {
             self.subject += 1;
         }
-        let mut arrived = self.receive(Duration::ZERO, &wanted, &mut said);
+        let mut arrived = self.receive(ctx, Duration::ZERO, &wanted, &mut said);
         if changed || arrived {
             if self.begin_to_load(ctx, &wanted) {
-                arrived |= self.receive(patience, &wanted, &mut said);
+                arrived |= self.receive(ctx, patience, &wanted, &mut said);
             }
             self.broken.retain(|path, _| paths(&wanted.spec).contains(path));
         }
@@ -169,31 +207,27 @@ impl Scenery {
     }
 
     /// Takes over what has been read; true where something has. Waits up to `patience` until all is.
-    fn receive(&mut self, patience: Duration, wanted: &MadeFrom, said: &mut Result<(), SceneError>) -> bool {
+    fn receive(
+        &mut self,
+        ctx: &egui::Context,
+        patience: Duration,
+        wanted: &MadeFrom,
+        said: &mut Result<(), SceneError>,
+    ) -> bool {
         let mut arrived = false;
-        while let Some(loading) = &mut self.loading {
-            match loading.done.recv_timeout(patience) {
-                Ok((path, parts)) => {
-                    arrived = true;
-                    loading.paths.remove(&path);
-                    if loading.paths.is_empty() {
-                        self.loading = None;
+        let end = clock::now() + patience;
+        while let Some((path, parts)) = self.reader.take(ctx, end.saturating_sub(clock::now())) {
+            arrived = true;
+            match parts {
+                Ok(parts) => self.files.insert(&path, parts),
+                Err(error) => {
+                    let shape = Some(Shape::Mesh { path: path.clone() });
+                    if let Some(object) = wanted.spec.objects.iter().find(|o| o.shape == shape) {
+                        let name = object.name.clone();
+                        *said = Err(SceneError::Mesh { name, path: path.clone(), error: error.clone() });
                     }
-                    match parts {
-                        Ok(parts) => self.files.insert(&path, parts),
-                        Err(error) => {
-                            let shape = Some(Shape::Mesh { path: path.clone() });
-                            if let Some(object) = wanted.spec.objects.iter().find(|o| o.shape == shape) {
-                                let name = object.name.clone();
-                                *said = Err(SceneError::Mesh { name, path: path.clone(), error: error.clone() });
-                            }
-                            self.broken.insert(path, error);
-                        }
-                    }
+                    self.broken.insert(path, error);
                 }
-                Err(RecvTimeoutError::Timeout) => break,
-                // Whoever read has been lost; what is missing is asked for again with the next change.
-                Err(RecvTimeoutError::Disconnected) => self.loading = None,
             }
         }
         arrived
@@ -201,23 +235,17 @@ impl Scenery {
 
     /// Has the files read that are not known, unless others are being read; true where that has begun.
     fn begin_to_load(&mut self, ctx: &egui::Context, wanted: &MadeFrom) -> bool {
-        if self.loading.is_some() {
+        if self.reader.is_busy() {
             return false;
         }
         let unknown = |path: &String| !self.files.knows(path) && !self.broken.contains_key(path);
-        let missing: BTreeSet<String> = paths(&wanted.spec).into_iter().filter(unknown).collect();
+        let folder = wanted.folder.clone().unwrap_or_default();
+        let file = |path| MeshFile { path, folder: folder.clone() };
+        let missing: Vec<MeshFile> = paths(&wanted.spec).into_iter().filter(unknown).map(file).collect();
         if missing.is_empty() {
             return false;
         }
-        let (send, done) = channel();
-        let task =
-            Task { paths: missing.clone(), folder: wanted.folder.clone().unwrap_or_default(), ctx: ctx.clone(), send };
-        let again = task.clone();
-        // Where there are no threads it is done here.
-        if std::thread::Builder::new().name("meshes".to_owned()).spawn(move || task.run()).is_err() {
-            again.run();
-        }
-        self.loading = Some(Loading { paths: missing, done });
+        self.reader.begin(ctx, missing);
         true
     }
 
@@ -236,8 +264,7 @@ impl Scenery {
         };
         self.made_from = Some(wanted);
         let scene = scene::build_with(&spec, &style, &mut scene::no_files, &mut self.files)?;
-        self.bounds = scene.bounds();
-        self.scene = Arc::new(scene);
+        self.scene = SharedScene::new(scene);
         Ok(())
     }
 }

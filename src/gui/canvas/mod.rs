@@ -3,20 +3,18 @@
 //! Nothing is stored that can be computed: each frame says anew what each visible picture is made from, and only a picture
 //! for which that has changed is drawn again.
 
-mod act;
 mod arrange;
-mod easel;
 mod icons;
-mod look;
-mod paint;
-mod probe;
-mod screen;
-mod seek;
+mod interaction;
+mod orbit;
+mod picking;
+mod readout;
+mod rendering;
 mod status;
 mod strip;
+mod texture;
 mod title;
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
@@ -24,25 +22,25 @@ use eframe::egui::{
     Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
-use self::act::Drag;
 use self::arrange::{Axis, Shares, arrange};
-use self::easel::Job;
-use self::look::Auto;
-use self::paint::Painter;
-use self::screen::{Place, Screen};
-use self::seek::{Question, Seeker, What};
+use self::interaction::Drag;
+use self::orbit::Auto;
+use self::picking::{Picker, Question, What};
+use self::rendering::{Job, Rendering};
 use self::status::{Status, StatusAction};
 use self::strip::{Strip, StripAction};
+use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
-use super::handles::point;
-use super::highlight::{Highlight, Movable};
-use super::state::{Look, State};
 use crate::appearance::Rgba;
-use crate::figure::{Depth, Figure, Observer};
+use crate::figure::{Depth, Observer};
+use crate::gui::handles::point;
+use crate::gui::highlight::{Highlight, Movable};
+use crate::gui::state::{ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::picture::Account;
-use crate::views::{self, Extras, Palette, Probe, Setup, View};
+use crate::views::image::frame;
+use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, observer_in};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
@@ -51,21 +49,21 @@ const PATIENCE: Duration = Duration::from_millis(30);
 pub struct Canvas {
     /// How long a frame waits for its pictures; tests have more of it than a hand that drags.
     pub patience: Duration,
-    painter: Option<Painter>,
-    screens: [Screen; 3],
+    rendering: Rendering,
+    textures: [PictureTexture; 3],
     /// How the pictures on the screen came about.
     accounts: [Option<Account>; 3],
     shares: Shares,
-    /// What the two three-dimensional pictures are seen from where the figure does not say, and in this frame.
-    autos: [Auto; 2],
-    seen: [Observer; 2],
+    /// From where each picture is seen where the figure does not say, and in this frame; the image from nowhere.
+    autos: [Auto; 3],
+    seen: [Option<Observer>; 3],
     /// What a title's button asked for.
-    asked: Option<(View, Look)>,
-    extras: Extras,
+    asked: Option<(View, ObserverChange)>,
+    overlays: Overlays,
     highlight: Highlight,
     /// What looks for what is pointed at, and for its depth.
-    seeker: Seeker,
-    depth_seeker: Seeker,
+    picker: Picker,
+    depth_picker: Picker,
     drag: Option<Drag>,
     pinned: Option<Probe>,
     /// For a double-click, whose first click was not meant to pin.
@@ -74,21 +72,19 @@ pub struct Canvas {
 
 impl Default for Canvas {
     fn default() -> Self {
-        let nobody =
-            Observer { target: glam::DVec3::ZERO, distance: 1.0, azimuth: 0.0, elevation: 0.0, parallel: false };
         Self {
             patience: PATIENCE,
-            painter: None,
-            screens: Default::default(),
+            rendering: Rendering::default(),
+            textures: Default::default(),
             accounts: Default::default(),
             shares: Shares::default(),
             autos: Default::default(),
-            seen: [nobody; 2],
+            seen: [None; 3],
             asked: None,
-            extras: Extras::default(),
+            overlays: Overlays::default(),
             highlight: Highlight::default(),
-            seeker: Seeker::default(),
-            depth_seeker: Seeker::default(),
+            picker: Picker::default(),
+            depth_picker: Picker::default(),
             drag: None,
             pinned: None,
             pinned_before: None,
@@ -98,46 +94,32 @@ impl Default for Canvas {
 
 /// A picture in this frame.
 struct Pane {
-    picture: View,
-    place: Place,
+    view: View,
+    rect: PictureRect,
     response: Response,
-}
-
-/// What the views need to know, for a picture of this size.
-fn setup<'a>(state: &'a State, extras: &'a Extras, size: views::Size) -> Setup<'a> {
-    Setup {
-        figure: state.document.figure(),
-        camera: state.document.camera(),
-        scene: state.scenery.scene(),
-        labels: labels(state.settings.lang),
-        size,
-        extras,
-    }
-}
-
-/// What is asked about the scene as it is now.
-fn question(state: &State, extras: &Extras, what: What) -> Question {
-    let figure = state.document.figure();
-    Question {
-        what,
-        figure: Figure {
-            image: figure.image,
-            viewport: figure.viewport,
-            style: figure.style,
-            reveal: figure.reveal,
-            ..Figure::default()
-        },
-        camera: state.document.camera().clone(),
-        scene: Arc::clone(state.scenery.scene()),
-        extras: Extras { bounds: extras.bounds, ..Extras::default() },
-    }
 }
 
 impl Canvas {
     /// How often each picture has been drawn since the window was opened, in the order of [`View::ALL`].
     #[must_use]
     pub fn drawn(&self) -> [u64; 3] {
-        self.painter.as_ref().map_or([0; 3], Painter::drawn)
+        self.rendering.drawn()
+    }
+
+    /// A picture as it is now, seen from where it is seen in this frame, with the overlays that it shows.
+    fn request(&self, state: &State, view: View, size: Size) -> Request {
+        let document = &state.document;
+        Request {
+            view,
+            look: Look::of(document.figure()),
+            camera: document.camera().clone(),
+            scene: state.scene_cache.scene().clone(),
+            observer: self.seen[view.index()],
+            overlays: self.overlays.seen_in(view),
+            labels: labels(state.settings.lang),
+            size,
+            force_all_stages: false,
+        }
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
@@ -155,20 +137,19 @@ impl Canvas {
         if state.tree.settle() {
             ctx.request_repaint();
         }
-        if let Err(error) = state.scenery.update(&ctx, &state.document, self.patience) {
+        if let Err(error) = state.scene_cache.update(&ctx, &state.document, self.patience) {
             state.say_error(crate::i18n::messages::scene(state.settings.lang, &error));
         }
-        self.extras.ghost = state.ghost.clone();
-        self.extras.bounds = state.scenery.bounds();
-        self.extras.arrows = Movable::selected(state).and_then(|movable| movable.arrows(None));
+        self.overlays.ghost = state.ghost.clone();
+        self.overlays.arrows = Movable::selected(state).and_then(|movable| movable.arrows(None));
         let panes = self.panes(ui, pictures, state, texts);
         for pane in &panes {
-            state.picture_sizes[pane.picture.index()] = [pane.place.size.width, pane.place.size.height];
-            state.screen_scale = pane.place.size.scale;
+            state.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
+            state.screen_scale = pane.rect.size.scale;
         }
         self.settle_observers(ui, state, &panes);
-        let mut status = self.act(ui, state, &panes, texts);
-        state.probe = self.extras.probe;
+        let mut status = self.interact(ui, state, &panes, texts);
+        state.probe = self.overlays.probe;
         self.draw(ui, state, &panes);
         self.decorate(ui, state, &panes, texts);
 
@@ -242,11 +223,11 @@ impl Canvas {
             }
             .show(ui, title);
             self.take_action(ui, state, picture, action);
-            let place = Place::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
-            let response = ui.interact(place.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
+            let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
+            let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
             let description = describe(state, picture);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
-            panes.push(Pane { picture, place, response });
+            panes.push(Pane { view: picture, rect: pane_rect, response });
         }
         panes
     }
@@ -254,7 +235,7 @@ impl Canvas {
     fn take_action(&mut self, ui: &Ui, state: &mut State, picture: View, action: Option<TitleAction>) {
         match action {
             None => return,
-            Some(TitleAction::Look(look)) => self.asked = Some((picture, look)),
+            Some(TitleAction::Observe(change)) => self.asked = Some((picture, change)),
             Some(TitleAction::ToggleLink) => state.layout.linked = !state.layout.linked,
             Some(TitleAction::ToggleMaximized) => toggle_maximized(state, picture),
             Some(TitleAction::Hide) => state.layout.shown[picture.index()] = false,
@@ -264,124 +245,96 @@ impl Canvas {
 
     /// Decides from where the three-dimensional pictures are seen in this frame.
     fn settle_observers(&mut self, ui: &Ui, state: &mut State, panes: &[Pane]) {
-        let wanted = state.look.take();
+        let wanted = state.observer_change.take();
         let asked = self.asked.take();
         let steady = ui.input(|i| i.pointer.any_down());
-        for pane in panes.iter().filter(|pane| pane.picture != View::Image) {
-            let (picture, i) = (pane.picture, pane.picture.index());
-            let look = wanted.or(asked.filter(|(p, _)| *p == picture || state.layout.linked).map(|(_, look)| look));
-            if let Some(look) = look {
+        for pane in panes.iter().filter(|pane| pane.view != View::Image) {
+            let (view, i) = (pane.view, pane.view.index());
+            let request = self.request(state, view, pane.rect.size);
+            let asked = asked.filter(|(of, _)| *of == view || state.layout.linked).map(|(_, change)| change);
+            if let Some(change) = wanted.or(asked) {
                 self.autos[i].forget();
-                let setup = setup(state, &self.extras, pane.place.size);
-                let observer = look::looked(picture, &setup, look, &self.seen[i]);
-                *look::slot(state.document.observers_mut(), picture) = observer;
+                orbit::set(state.document.observers_mut(), view, orbit::changed(&request, change));
             }
-            self.seen[i] = match look::told(&state.document.figure().observers, picture) {
-                Some(observer) => observer,
-                None => {
-                    let setup = setup(state, &self.extras, pane.place.size);
-                    let scene = (state.scenery.scene(), state.scenery.subject());
-                    self.autos[i].observer(picture, &setup, scene, steady)
-                }
-            };
+            let written = observer_in(&state.document.figure().observers, view);
+            let subject = state.scene_cache.subject();
+            self.seen[i] = written.or_else(|| self.autos[i].observer(&request, subject, steady));
         }
     }
 
     /// Looks at a picture from somewhere else.
-    fn turn(&mut self, state: &mut State, picture: View, observer: Observer) {
-        self.seen[picture.index()] = observer;
-        *look::slot(state.document.observers_mut(), picture) = Some(observer);
+    fn turn(&mut self, state: &mut State, view: View, observer: Observer) {
+        self.seen[view.index()] = Some(observer);
+        orbit::set(state.document.observers_mut(), view, Some(observer));
     }
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
     fn draw(&mut self, ui: &Ui, state: &State, panes: &[Pane]) {
         let ctx = ui.ctx();
-        let painter = self.painter.get_or_insert_with(|| Painter::new(ctx));
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
         let figure = state.document.figure();
         let scene = self.highlight.scene(state);
-        for pane in panes {
-            if pane.place.size.width == 0 || pane.place.size.height == 0 {
-                continue;
-            }
-            let only_world = pane.picture == View::World;
-            painter.ask(Job {
-                picture: pane.picture,
-                figure: Figure {
-                    image: figure.image,
-                    viewport: figure.viewport,
-                    style: figure.style,
-                    reveal: figure.reveal,
-                    ..Figure::default()
-                },
-                camera: state.document.camera().clone(),
-                scene: Arc::clone(&scene),
-                labels: labels(state.settings.lang),
-                size: pane.place.size,
-                draft: moving && figure.style.antialias > 1 && painter.is_heavy(pane.picture, self.patience),
-                observer: (pane.picture != View::Image).then(|| self.seen[pane.picture.index()]),
-                extras: Extras {
-                    probe: self.extras.probe,
-                    ghost: self.extras.ghost.clone().filter(|_| only_world),
-                    hot: self.extras.hot.filter(|_| only_world),
-                    arrows: self.extras.arrows.filter(|_| only_world),
-                    bounds: self.extras.bounds.filter(|_| only_world),
-                    ..Extras::default()
-                },
-                max_side,
-                accounted: state.layout.strip && state.layout.strip_of == pane.picture,
-            });
+        for pane in panes.iter().filter(|pane| pane.rect.size.width > 0 && pane.rect.size.height > 0) {
+            let request = Request { scene: scene.clone(), ..self.request(state, pane.view, pane.rect.size) };
+            let heavy = figure.style.antialias > 1 && self.rendering.is_heavy(pane.view, self.patience);
+            let accounted = state.layout.strip && state.layout.strip_of == pane.view;
+            self.rendering.ask(ctx, Job { request, draft: moving && heavy, max_side, accounted });
         }
-        for (i, sheet) in painter.collect(self.patience).into_iter().enumerate() {
-            if let Some(mut sheet) = sheet {
-                self.accounts[i] = sheet.as_mut().and_then(|sheet| sheet.account.take());
-                self.screens[i].set(ctx, words::canvas(state.settings.lang).view(View::ALL[i]), sheet);
+        for (view, done) in View::ALL.into_iter().zip(self.rendering.collect(self.patience)) {
+            if let Some(rendered) = done {
+                let (tiles, account) = rendered.map_or((None, None), |r| (Some(r.tiles), r.account));
+                self.accounts[view.index()] = account;
+                self.textures[view.index()].set(ctx, words::canvas(state.settings.lang).view(view), tiles);
             }
         }
         let palette = Palette::of(figure.style.theme);
         for pane in panes {
-            let ground = if pane.picture == View::Image { palette.surround } else { palette.paper };
+            let ground = if pane.view == View::Image { palette.surround } else { palette.paper };
             let Rgba { r, g, b, .. } = ground;
-            ui.painter().rect_filled(pane.place.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
-            self.screens[pane.picture.index()].paint(ui, &pane.place);
+            ui.painter().rect_filled(pane.rect.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
+            self.textures[pane.view.index()].paint(ui, &pane.rect);
         }
     }
 
     /// What lies over the pictures: borders, the ring of the keyboard's focus, the cross of lines under the pointer.
     fn decorate(&self, ui: &Ui, state: &State, panes: &[Pane], texts: &CanvasTexts) {
         for pane in panes {
-            let rect = pane.place.rect;
+            let rect = pane.rect.rect;
             let border = ui.visuals().widgets.noninteractive.bg_stroke;
             ui.painter().rect_stroke(rect, 0.0, border, StrokeKind::Inside);
             if pane.response.has_focus() {
                 let ring = Stroke::new(2.0, ui.visuals().hyperlink_color);
                 ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
             }
-            if self.screens[pane.picture.index()].failed() {
+            if self.textures[pane.view.index()].failed() {
                 let font = TextStyle::Body.resolve(ui.style());
                 let color = ui.visuals().error_fg_color;
                 ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);
             }
             note(ui, rect, &loading(state));
-            if pane.picture == View::Image && pane.response.hovered() && self.drag.is_none() {
+            if pane.view == View::Image && pane.response.hovered() && self.drag.is_none() {
                 cross(ui, state, pane);
             }
         }
     }
 
     fn describe_probe(&mut self, ctx: &Context, state: &State, status: &mut Status, texts: &'static CanvasTexts) {
-        let Some(probe) = self.extras.probe else {
+        let Some(probe) = self.overlays.probe else {
             status.note = texts.probe_hint;
             return;
         };
-        let setup = setup(state, &self.extras, views::Size { width: 1, height: 1, scale: 1.0 });
+        // What is found there does not depend on the size.
+        let size = Size { width: 1, height: 1, scale: 1.0 };
+        let request = Request { overlays: Overlays::default(), ..self.request(state, View::Image, size) };
         let digits = state.settings.digits;
-        let asks = matches!(probe, Probe::Window(_)) && setup.figure.reveal.depth != Depth::Off;
+        let asks = matches!(probe, Probe::Window(_)) && request.look.reveal.depth != Depth::Off;
         let depths = asks
-            .then(|| self.depth_seeker.ask(ctx, question(state, &self.extras, What::Depths(probe))).depths)
+            .then(|| {
+                self.depth_picker.ask(ctx, Question { request: request.clone(), what: What::Depths(probe) }).depths
+            })
             .flatten();
-        status.cells = probe::cells(probe, depths, &setup, digits.min(4), texts);
-        status.exact = probe::cells(probe, depths, &setup, digits, texts);
+        status.cells = readout::cells(probe, depths, &request, digits.min(4), texts);
+        status.exact = readout::cells(probe, depths, &request, digits, texts);
         if self.pinned.is_some() {
             status.aside = if status.aside.is_empty() {
                 texts.pinned.to_owned()
@@ -394,7 +347,7 @@ impl Canvas {
 
 /// Which mesh files are being read, in a sentence; empty where none is.
 fn loading(state: &State) -> String {
-    let files = state.scenery.loading();
+    let files = state.scene_cache.loading();
     if files.is_empty() {
         return String::new();
     }
@@ -439,8 +392,8 @@ fn describe(state: &State, picture: View) -> String {
 #[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
 fn cross(ui: &Ui, state: &State, pane: &Pane) {
     let Some(pointer) = pane.response.hover_pos() else { return };
-    let f = views::image::frame(pane.place.size, state.document.camera().window());
-    let frame = pane.place.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32);
+    let f = frame(pane.rect.size, state.document.camera().window());
+    let frame = pane.rect.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32);
     if !frame.contains(pointer) {
         return;
     }

@@ -1,16 +1,13 @@
 //! From where the two three-dimensional pictures are seen, and how pointer and keys change that.
 
-use std::sync::Arc;
-
 use eframe::egui::Vec2;
 use glam::DVec2;
 
 use crate::camera::Camera;
 use crate::figure::{Observer, Observers, Outside};
-use crate::gui::state::Look;
-use crate::scene::Scene;
-use crate::views::observer::{Preset, VIEW_ANGLE};
-use crate::views::{self, Setup, View};
+use crate::gui::state::ObserverChange;
+use crate::views::observer::{VIEW_ANGLE, Viewpoint};
+use crate::views::{Request, SharedScene, Size, View};
 
 /// Degrees of orbit for one point of pointer motion.
 pub(super) const DEGREES_PER_POINT: f64 = 0.5;
@@ -28,65 +25,42 @@ struct Kept {
     /// The observer that would fit, and what it was computed from.
     fitted: Observer,
     camera: Camera,
-    scene: Arc<Scene>,
+    scene: SharedScene,
     subject: u64,
     aspect: f64,
     outside: Outside,
 }
 
 impl Auto {
-    /// The observer for the picture of `setup`. With `steady` (while something is dragged) it does not move, except to fit
+    /// The observer for a picture; `None` for the image. With `steady` (while something is dragged) it does not move, except to fit
     /// a picture of another shape. It looks in the same direction until there is another `subject`: a scene that has nothing to
     /// do with the last one.
-    pub(super) fn observer(
-        &mut self,
-        picture: View,
-        setup: &Setup,
-        (scene, subject): (&Arc<Scene>, u64),
-        steady: bool,
-    ) -> Observer {
-        let aspect = setup.size.aspect();
+    pub(super) fn observer(&mut self, request: &Request, subject: u64, steady: bool) -> Option<Observer> {
+        let (camera, scene, aspect) = (&request.camera, &request.scene, request.size.aspect());
+        let outside = request.look.reveal.outside;
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
-            let fitted = preset(picture, setup, Preset::default());
-            let (camera, scene) = (setup.camera.clone(), Arc::clone(scene));
-            let outside = setup.figure.reveal.outside;
+            let fitted = request.observer_from(Viewpoint::default())?;
+            let (camera, scene) = (camera.clone(), scene.clone());
             self.kept = Some(Kept { observer: fitted, fitted, camera, scene, subject, aspect, outside });
-            return fitted;
+            return Some(fitted);
         };
         // What lies outside the canonical volume needs room.
-        let outside = setup.figure.reveal.outside;
-        let reshaped = kept.aspect != aspect || (picture == View::Canonical && kept.outside != outside);
-        if reshaped || kept.camera != *setup.camera || !Arc::ptr_eq(&kept.scene, scene) {
+        let reshaped = kept.aspect != aspect || (request.view == View::Canonical && kept.outside != outside);
+        if reshaped || kept.camera != *camera || kept.scene != *scene {
             (kept.aspect, kept.outside) = (aspect, outside);
-            kept.camera = setup.camera.clone();
-            kept.scene = Arc::clone(scene);
-            kept.fitted = fit(picture, setup, &kept.observer);
+            kept.camera = camera.clone();
+            kept.scene = scene.clone();
+            kept.fitted = request.fitted(&kept.observer)?;
         }
         if reshaped || !(steady || still_fits(&kept.observer, &kept.fitted)) {
             kept.observer = kept.fitted;
         }
-        kept.observer
+        Some(kept.observer)
     }
 
     /// Fits again in the next frame.
     pub(super) fn forget(&mut self) {
         self.kept = None;
-    }
-}
-
-/// The observer that looks in the same direction and has everything in the picture.
-fn fit(picture: View, setup: &Setup, observer: &Observer) -> Observer {
-    match picture {
-        View::Canonical => views::canonical::fit(setup, observer),
-        View::World | View::Image => views::world::fit(setup, observer),
-    }
-}
-
-/// The observer that looks from a side and has everything in the picture.
-fn preset(picture: View, setup: &Setup, preset: Preset) -> Observer {
-    match picture {
-        View::Canonical => views::canonical::observer(setup, preset),
-        View::World | View::Image => views::world::observer(setup, preset),
     }
 }
 
@@ -97,14 +71,13 @@ fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
     needed <= 1.3 * observer.distance && fitted.distance >= 0.4 * observer.distance
 }
 
-/// What a button of the toolbar or a key asks for. `None`: the figure says nothing any more, and [`Auto`] looks.
-pub(super) fn looked(picture: View, setup: &Setup, look: Look, now: &Observer) -> Option<Observer> {
-    match look {
-        Look::Iso => None,
-        Look::Front => Some(preset(picture, setup, Preset::Front)),
-        Look::Top => Some(preset(picture, setup, Preset::Top)),
-        Look::Side => Some(preset(picture, setup, Preset::Side)),
-        Look::Fit => Some(fit(picture, setup, now)),
+/// What a button of the toolbar or a key asks for, from where one looks now. `None`: the figure says nothing any more, and
+/// [`Auto`] looks.
+pub(super) fn changed(request: &Request, change: ObserverChange) -> Option<Observer> {
+    match change {
+        ObserverChange::From(Viewpoint::Iso) => None,
+        ObserverChange::From(viewpoint) => request.observer_from(viewpoint),
+        ObserverChange::Fit => request.fitted(&request.seen_from()?),
     }
 }
 
@@ -114,27 +87,19 @@ pub(super) fn orbited(pressed: Observer, motion: Vec2) -> Observer {
 }
 
 /// Goes nearer by `factor` so that what is at `pointer` (pixels) stays there.
-pub(super) fn zoomed_at(observer: Observer, factor: f64, pointer: DVec2, size: views::Size) -> Observer {
+pub(super) fn zoomed_at(observer: Observer, factor: f64, pointer: DVec2, size: Size) -> Observer {
     let height = f64::from(size.height);
     let from_center = pointer - DVec2::new(f64::from(size.width), height) / 2.0;
     let shift = from_center * (1.0 - factor);
     observer.zoom(factor).pan(shift.x, shift.y, height)
 }
 
-/// Where the observer of a picture is written in a figure.
-pub(super) fn slot(observers: &mut Observers, picture: View) -> &mut Option<Observer> {
-    match picture {
-        View::Canonical => &mut observers.canonical,
-        View::World | View::Image => &mut observers.world,
-    }
-}
-
-/// What a figure says about the observer of a picture.
-pub(super) fn told(observers: &Observers, picture: View) -> Option<Observer> {
-    match picture {
-        View::World => observers.world,
-        View::Canonical => observers.canonical,
-        View::Image => None,
+/// Writes the observer of a picture into a figure; the image has none.
+pub(super) fn set(observers: &mut Observers, view: View, observer: Option<Observer>) {
+    match view {
+        View::World => observers.world = observer,
+        View::Canonical => observers.canonical = observer,
+        View::Image => {}
     }
 }
 
@@ -146,7 +111,6 @@ mod tests {
     use crate::camera::Parameters;
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures::labels};
-    use crate::views::Extras;
     use eframe::egui::vec2;
     use glam::DVec3;
 
@@ -163,7 +127,7 @@ mod tests {
     /// Projects by hand: right and up in the plane of the target, one length for all pixels there.
     #[test]
     fn zoom_keeps_what_is_under_the_pointer() {
-        let size = views::Size { width: 400, height: 300, scale: 1.0 };
+        let size = Size { width: 400, height: 300, scale: 1.0 };
         let pointer = DVec2::new(310.0, 60.0);
         let on_target_plane = |o: Observer| {
             let unit = 2.0 * o.distance * (VIEW_ANGLE.radians() / 2.0).tan() / 300.0;
@@ -190,19 +154,13 @@ mod tests {
     #[test]
     fn an_untold_observer_keeps_its_direction_and_waits_until_nothing_is_held() {
         let figure = Figure::default();
-        let (scene, extras) = (Arc::new(Scene::default()), Extras::default());
+        let scene = SharedScene::default();
         let mut auto = Auto::default();
         let mut seen = |position: DVec3, width: u32, steady: bool| {
             let camera = Camera::new(&Parameters { position, far: 12.0, ..figure.camera }).unwrap();
-            let setup = Setup {
-                figure: &figure,
-                camera: &camera,
-                scene: &scene,
-                labels: labels(Lang::En),
-                size: views::Size { width, height: 300, scale: 1.0 },
-                extras: &extras,
-            };
-            auto.observer(View::World, &setup, (&scene, 0), steady)
+            let size = Size { width, height: 300, scale: 1.0 };
+            let request = Request::of(&figure, View::World, &camera, &scene, labels(Lang::En), size);
+            auto.observer(&request, 0, steady).unwrap()
         };
         let near = DVec3::new(3.0, 4.0, 5.0);
         let first = seen(near, 400, false);

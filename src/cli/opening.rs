@@ -1,0 +1,18 @@
+//! No subcommand: what the window opens with.
+
+use super::args::WindowArgs;
+use super::{Failure, Opening};
+use crate::figure::Figure;
+use crate::i18n::{Lang, messages};
+use crate::scene::Preset;
+
+pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure> {
+    if let Some(path) = &args.figure {
+        let (opened, _) = super::open(path, &args.common, lang)?;
+        return Ok(Opening { figure: opened.figure, file: Some((path.clone(), opened.text)), lang });
+    }
+    let mut figure = Figure::of_preset(Preset::default());
+    super::operate(&mut figure, &args.common.operations(lang)?, args.common.convention())
+        .map_err(|error| Failure::BadInput(messages::inspect(lang, &error)))?;
+    Ok(Opening { figure, file: None, lang })
+}

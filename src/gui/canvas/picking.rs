@@ -1,0 +1,187 @@
+//! Finds what the pointer points at: at once in a light scene, beside the window's thread in a heavy one, so that neither the
+//! pointer nor the pictures wait for a walk through a million triangles.
+
+use std::time::Duration;
+
+use eframe::egui;
+use glam::DVec2;
+
+use crate::camera::{Camera, ImageSize};
+use crate::clock;
+use crate::figure::Depth;
+use crate::gui::worker::Worker;
+use crate::views::depth::{self, DepthReading};
+use crate::views::{Probe, Request, View, pick};
+
+/// How near the pointer must come to a vertex, in points.
+pub(super) const REACH: f32 = 7.0;
+
+/// More vertices and triangles than this take longer to look through than a frame has.
+const HEAVY: usize = 60_000;
+
+/// How long a frame waits for what is found.
+const PATIENCE: Duration = Duration::from_millis(4);
+
+/// What is asked about a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum What {
+    /// What is at a place (pixels), within reach (pixels).
+    Under { pointer: DVec2, reach: f64 },
+    /// What the depth buffer holds where the probe is.
+    Depths(Probe),
+}
+
+/// A question, with all that its answer depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Question {
+    pub(super) request: Request,
+    pub(super) what: What,
+}
+
+impl Question {
+    /// True where what was found for the other is better than nothing: the pointer has moved a little.
+    fn is_near(&self, other: &Self) -> bool {
+        let is_under = |question: &Self| matches!(question.what, What::Under { .. });
+        is_under(self) && is_under(other) && self.request == other.request
+    }
+
+    fn is_heavy(&self) -> bool {
+        let scene = &self.request.scene;
+        scene.objects.iter().map(|o| o.mesh.positions.len() + o.mesh.triangles.len()).sum::<usize>() > HEAVY
+    }
+
+    fn find(&self) -> Found {
+        match self.what {
+            What::Under { pointer, reach } => Found { probe: probe_at(&self.request, pointer, reach), depths: None },
+            What::Depths(probe) => Found { probe: None, depths: depths(probe, &self.request) },
+        }
+    }
+}
+
+/// What was found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Found {
+    pub(super) probe: Option<Probe>,
+    pub(super) depths: Option<Depths>,
+}
+
+/// What the depth buffer holds at a pixel, if anything.
+pub(super) type Depths = Option<DepthReading>;
+
+/// What is at `pointer` (pixels) in a picture: a vertex within `reach` pixels, or a pixel of the image.
+fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
+    // What a pixel of the depth buffer holds is the depth of a face, not of a vertex behind or beside it.
+    let shows_depths = request.view == View::Image && request.look.reveal.depth != Depth::Off;
+    let vertex = if shows_depths { None } else { pick::vertex(request, pointer, reach) };
+    vertex.map(Probe::Point).or_else(|| {
+        let point = pick::window_point_in_image(request, pointer).filter(|_| request.view == View::Image)?;
+        let pixel = pixel_of(request.look.image, &request.camera, point);
+        Some(Probe::Window(center_of(request.look.image, &request.camera, pixel)))
+    })
+}
+
+/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22); on the right and the lower border
+/// the last one.
+pub(super) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2 {
+    let last = DVec2::new(f64::from(image.width), f64::from(image.height)) - 1.0;
+    image.image_from_window(&camera.window(), point).floor().clamp(DVec2::ZERO, last.max(DVec2::ZERO))
+}
+
+/// The point of the view window at the centre of a pixel, `[0]` Eq. (5.23).
+fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
+    image.window_from_image(&camera.window(), pixel + 0.5)
+}
+
+/// What the depth buffer holds under the probe; `None` where the image does not show depths.
+fn depths(probe: Probe, request: &Request) -> Option<Depths> {
+    match probe {
+        Probe::Window(w) if request.look.reveal.depth != Depth::Off => Some(depth::reading(request, w)),
+        Probe::Window(_) | Probe::Point(_) => None,
+    }
+}
+
+/// Answers one question after the other; one that has not been begun is forgotten when the next comes.
+pub(super) struct Picker {
+    worker: Worker<Question, (Question, Found)>,
+    asked: Option<Question>,
+    last: Option<(Question, Found)>,
+}
+
+impl Default for Picker {
+    fn default() -> Self {
+        let worker = Worker::new("pointer", clock::now, || {
+            Box::new(|question: Question| {
+                let found = question.find();
+                (question, found)
+            })
+        });
+        Self { worker, asked: None, last: None }
+    }
+}
+
+impl Picker {
+    /// What was found, or what was found last near it while this is being looked for; `ctx` is asked for a frame when it is found.
+    pub(super) fn ask(&mut self, ctx: &egui::Context, question: Question) -> Found {
+        if !question.is_heavy() {
+            return question.find();
+        }
+        if self.asked.as_ref() != Some(&question) {
+            self.worker.ask(ctx, 0, question.clone());
+            self.asked = Some(question.clone());
+        }
+        let [done] = self.worker.take(PATIENCE);
+        if let Some(found) = done.and_then(|done| done.outcome) {
+            self.last = Some(found);
+        }
+        let near = self.last.as_ref().filter(|(last, _)| *last == question || last.is_near(&question));
+        near.map_or_else(Found::default, |(_, found)| *found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::appearance::Style;
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures};
+    use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape, build, no_files};
+    use crate::views::{SharedScene, Size};
+
+    fn question(segments: u32, pointer: DVec2) -> Question {
+        let ball = ObjectSpec::new("ball", Shape::Sphere).with_segments(segments);
+        let spec = SceneSpec { preset: Preset::Empty, objects: vec![ball], lights: Vec::new() };
+        let scene = SharedScene::new(build(&spec, &Style::default(), &mut no_files).unwrap());
+        let figure = Figure::default();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let size = Size { width: 400, height: 300, scale: 1.0 };
+        let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size);
+        Question { request, what: What::Under { pointer, reach: 7.0 } }
+    }
+
+    #[test]
+    fn a_heavy_scene_gives_the_same_answer_a_little_later() {
+        let ctx = egui::Context::default();
+        let mut picker = Picker::default();
+        let light = question(16, DVec2::new(200.0, 150.0));
+        assert!(!light.is_heavy());
+        assert_eq!(picker.ask(&ctx, light.clone()), light.find());
+        assert!(picker.asked.is_none(), "at once");
+        let heavy = question(256, DVec2::new(200.0, 150.0));
+        assert!(heavy.is_heavy());
+        let wanted = heavy.find();
+        assert!(wanted.probe.is_some());
+        let start = clock::now();
+        while picker.ask(&ctx, heavy.clone()) != wanted {
+            assert!(clock::now() - start < Duration::from_secs(60));
+        }
+        // Until the next is found, the last one nearby stands; nothing of another camera.
+        let what = What::Under { pointer: DVec2::new(201.0, 150.0), reach: 7.0 };
+        let beside = Question { what, ..heavy.clone() };
+        assert!(picker.ask(&ctx, beside).probe.is_some());
+        let near = crate::camera::Parameters { near: 2.0, ..*heavy.request.camera.parameters() };
+        let other = Question { request: Request { camera: Camera::new(&near).unwrap(), ..heavy.request }, ..heavy };
+        assert!(!other.is_near(&picker.last.as_ref().unwrap().0));
+    }
+}

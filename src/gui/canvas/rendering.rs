@@ -1,0 +1,201 @@
+//! Has pictures drawn beside the window's thread, each only when something that made it has changed.
+
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::texture::Tiles;
+use crate::clock;
+use crate::gui::worker::{Work, Worker};
+use crate::picture::{Account, Picture, Renderer};
+use crate::views::View;
+
+/// A picture to draw. Two equal jobs make the same pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Job {
+    pub(super) request: crate::views::Request,
+    /// One sample per pixel, whatever the style says.
+    pub(super) draft: bool,
+    /// The greatest side of a texture, pixels.
+    pub(super) max_side: usize,
+    /// Every stage is timed and counted.
+    pub(super) accounted: bool,
+}
+
+/// A picture that has been drawn.
+pub(super) struct Rendered {
+    pub(super) tiles: Tiles,
+    /// How it came about, where that was asked for.
+    pub(super) account: Option<Account>,
+}
+
+/// What came of a job; without a picture, it has no size, or no memory is left for it.
+struct Outcome {
+    rendered: Option<Rendered>,
+    draft: bool,
+}
+
+/// Has pictures drawn, one slot for each.
+pub(super) struct Rendering {
+    worker: Worker<Job, Outcome, 3>,
+    /// What was asked for last, by picture.
+    asked: [Option<Job>; 3],
+    /// How many pictures have been drawn, by picture.
+    drawn: [u64; 3],
+    /// What the last drawing of each picture took, and the last one that was not a draft.
+    cost: [Duration; 3],
+    full_cost: [Duration; 3],
+}
+
+impl Default for Rendering {
+    fn default() -> Self {
+        Self {
+            worker: Worker::new("pictures", clock::now, work),
+            asked: Default::default(),
+            drawn: [0; 3],
+            cost: [Duration::ZERO; 3],
+            full_cost: [Duration::ZERO; 3],
+        }
+    }
+}
+
+fn work() -> Work<Job, Outcome> {
+    let mut renderer = Renderer::default();
+    let mut pictures: [Picture; 3] = Default::default();
+    Box::new(move |job| {
+        let Job { mut request, draft, max_side, accounted } = job;
+        if draft {
+            request.look.style.antialias = 1;
+        }
+        renderer.measure(accounted.then_some(clock::now));
+        let picture = &mut pictures[request.view.index()];
+        let account = renderer.pixels_into(&request, picture);
+        let rendered = account
+            .map(|account| Rendered { tiles: Tiles::of(picture, max_side), account: accounted.then_some(account) });
+        Outcome { rendered, draft }
+    })
+}
+
+impl Rendering {
+    /// How many pictures have been drawn, by picture.
+    pub(super) fn drawn(&self) -> [u64; 3] {
+        self.drawn
+    }
+
+    /// True for a picture that takes longer than `patience`: while the hand moves, a draft of it is better than a late one.
+    pub(super) fn is_heavy(&self, view: View, patience: Duration) -> bool {
+        self.full_cost[view.index()] > patience
+    }
+
+    /// Asks for a picture, unless it, or one of which it would be a draft, was asked for last. `ctx` is asked for a frame when it
+    /// is done.
+    pub(super) fn ask(&mut self, ctx: &egui::Context, job: Job) {
+        let i = job.request.view.index();
+        // A picture that is there needs no draft of itself, and no second drawing without the account that it has.
+        let is_as_good = |last: &Job| {
+            (!last.draft || job.draft)
+                && (last.accounted || !job.accounted)
+                && last.max_side == job.max_side
+                && last.request == job.request
+        };
+        if !self.asked[i].as_ref().is_some_and(is_as_good) {
+            self.worker.ask(ctx, i, job.clone());
+            self.asked[i] = Some(job);
+        }
+    }
+
+    /// The pictures that are done; `None` within: it could not be drawn. Waits for them up to `patience`, so that a light scene is
+    /// never a frame late; where the last drawings took longer than that, it does not wait at all, and the window gets a frame
+    /// of its own when they are done.
+    pub(super) fn collect(&mut self, patience: Duration) -> [Option<Option<Rendered>>; 3] {
+        let expected: Duration = (0..3).filter(|&i| self.worker.is_pending(i)).map(|i| self.cost[i]).sum();
+        let mut done = self.worker.take(if expected <= patience { patience } else { Duration::ZERO });
+        std::array::from_fn(|i| {
+            let done = done[i].take()?;
+            self.drawn[i] += 1;
+            self.cost[i] = done.time;
+            let outcome = done.outcome?;
+            if !outcome.draft {
+                self.full_cost[i] = done.time;
+            }
+            Some(outcome.rendered)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::camera::Camera;
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures};
+    use crate::views::{Request, SharedScene, Size};
+
+    fn job(side: u32) -> Job {
+        let figure = Figure::default();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let size = Size { width: side, height: side, scale: 1.0 };
+        let labels = pictures::labels(Lang::En);
+        let request = Request::of(&figure, View::Image, &camera, &SharedScene::default(), labels, size);
+        Job { request, draft: false, max_side: 2048, accounted: false }
+    }
+
+    fn sized(job: &Job, side: u32) -> Job {
+        let size = Size { width: side, height: side, scale: 1.0 };
+        Job { request: Request { size, ..job.request.clone() }, ..job.clone() }
+    }
+
+    #[test]
+    fn what_took_long_is_not_waited_for() {
+        let ctx = egui::Context::default();
+        let mut rendering = Rendering { cost: [Duration::from_secs(1); 3], ..Rendering::default() };
+        rendering.ask(&ctx, job(40));
+        let mut rendered = rendering.collect(Duration::from_millis(1));
+        let start = clock::now();
+        while rendered[2].is_none() && clock::now() - start < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(2));
+            rendered = rendering.collect(Duration::ZERO);
+        }
+        assert_eq!(rendered[2].as_ref().unwrap().as_ref().unwrap().tiles.size, [40, 40]);
+        assert_eq!(rendering.drawn(), [0, 0, 1]);
+    }
+
+    #[test]
+    fn the_same_picture_is_not_drawn_twice_nor_as_a_draft_of_itself() {
+        let ctx = egui::Context::default();
+        let mut rendering = Rendering::default();
+        let full = job(30);
+        let draft = Job { draft: true, ..full.clone() };
+        for (job, drawn) in [
+            (full.clone(), 1),
+            (full.clone(), 1),
+            (draft.clone(), 1),
+            (sized(&draft, 31), 2),
+            (sized(&full, 31), 3),
+            (Job { accounted: true, ..sized(&full, 31) }, 4),
+            (sized(&full, 31), 4),
+        ] {
+            rendering.ask(&ctx, job);
+            rendering.collect(Duration::from_secs(60));
+            assert_eq!(rendering.drawn()[2], drawn);
+        }
+    }
+
+    #[test]
+    fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
+        let worker = Worker::new("pictures", clock::now, work).without_thread();
+        let mut rendering = Rendering { worker, ..Rendering::default() };
+        rendering.ask(&egui::Context::default(), job(25));
+        let rendered = rendering.collect(Duration::ZERO);
+        assert_eq!(rendered[2].as_ref().unwrap().as_ref().unwrap().tiles.size, [25, 25]);
+    }
+
+    #[test]
+    fn a_picture_without_pixels_is_said_to_be_none() {
+        let mut rendering = Rendering::default();
+        rendering.ask(&egui::Context::default(), job(0));
+        assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(None)));
+    }
+}

@@ -1,0 +1,328 @@
+//! Work that is done beside the window's thread, or, where there are no threads, in the frame.
+
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use eframe::egui;
+
+/// What does the jobs, with what it keeps from one to the next.
+pub(super) type Work<Job, Outcome> = Box<dyn FnMut(Job) -> Outcome>;
+
+/// Does one job after the other. Of each slot the latest job wins: one that has not been begun is forgotten when the next comes.
+/// Every slot that waits gets the same share of the time: a light job is not as late as a heavy one, and none starves.
+pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
+    shared: Arc<Shared<Job, Outcome, SLOTS>>,
+    place: Place<Job, Outcome>,
+    name: &'static str,
+    make: fn() -> Work<Job, Outcome>,
+    clock: fn() -> Duration,
+}
+
+/// Where the work is done.
+enum Place<Job, Outcome> {
+    /// Nothing has been asked for.
+    Nowhere,
+    /// On a thread.
+    Thread,
+    /// In the frame.
+    Here(Work<Job, Outcome>),
+}
+
+/// A job that has been done.
+pub(super) struct Done<Outcome> {
+    /// What came of it; `None` where the work panicked.
+    pub(super) outcome: Option<Outcome>,
+    /// How long it took.
+    pub(super) time: Duration,
+}
+
+struct Shared<Job, Outcome, const SLOTS: usize> {
+    mailbox: Mutex<Mailbox<Job, Outcome, SLOTS>>,
+    wake: Condvar,
+    done: Condvar,
+}
+
+struct Mailbox<Job, Outcome, const SLOTS: usize> {
+    wanted: [Option<Job>; SLOTS],
+    busy: Option<usize>,
+    finished: [Option<Done<Outcome>>; SLOTS],
+    /// The window waits for `done`, and needs no other call.
+    waited_for: bool,
+    quit: bool,
+}
+
+impl<Job, Outcome, const SLOTS: usize> Shared<Job, Outcome, SLOTS> {
+    /// What a panic could leave half done is replaced as a whole, so a poisoned lock is as good as any.
+    fn mailbox(&self) -> MutexGuard<'_, Mailbox<Job, Outcome, SLOTS>> {
+        self.mailbox.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
+    fn is_pending(&self, slot: usize) -> bool {
+        self.busy == Some(slot) || self.wanted[slot].is_some()
+    }
+
+    fn any_pending(&self) -> bool {
+        (0..SLOTS).any(|slot| self.is_pending(slot))
+    }
+}
+
+impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Job, Outcome, SLOTS> {
+    /// `make` makes what does the jobs: on the thread, with the first job, and anew after a panic. `name` is the thread's.
+    pub(super) fn new(name: &'static str, clock: fn() -> Duration, make: fn() -> Work<Job, Outcome>) -> Self {
+        let mailbox = Mailbox {
+            wanted: std::array::from_fn(|_| None),
+            busy: None,
+            finished: std::array::from_fn(|_| None),
+            waited_for: false,
+            quit: false,
+        };
+        let shared = Arc::new(Shared { mailbox: Mutex::new(mailbox), wake: Condvar::new(), done: Condvar::new() });
+        Self { shared, place: Place::Nowhere, name, make, clock }
+    }
+
+    /// Does the jobs in the frame, as where there are no threads.
+    #[cfg(test)]
+    pub(super) fn without_thread(mut self) -> Self {
+        self.place = Place::Here((self.make)());
+        self
+    }
+
+    /// Asks for a job; `ctx` is asked for a frame when it is done.
+    pub(super) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
+        if matches!(self.place, Place::Nowhere) {
+            let (shared, ctx, make, clock) = (Arc::clone(&self.shared), ctx.clone(), self.make, self.clock);
+            let thread = std::thread::Builder::new().name(self.name.to_owned());
+            self.place = match thread.spawn(move || work(&shared, &ctx, make, clock)) {
+                Ok(_) => Place::Thread,
+                Err(_) => Place::Here(make()),
+            };
+        }
+        self.shared.mailbox().wanted[slot] = Some(job);
+        self.shared.wake.notify_one();
+    }
+
+    /// True where the job that was asked for last has not been done.
+    pub(super) fn is_pending(&self, slot: usize) -> bool {
+        self.shared.mailbox().is_pending(slot)
+    }
+
+    /// Takes what has been done. Waits up to `patience` until all is.
+    pub(super) fn take(&mut self, patience: Duration) -> [Option<Done<Outcome>>; SLOTS] {
+        let mut mailbox = self.shared.mailbox();
+        match &mut self.place {
+            Place::Nowhere => {}
+            Place::Thread if patience.is_zero() || !mailbox.any_pending() => {}
+            Place::Thread => {
+                mailbox.waited_for = true;
+                let waiting = self.shared.done.wait_timeout_while(mailbox, patience, |mailbox| mailbox.any_pending());
+                mailbox = match waiting {
+                    Ok((mailbox, _)) => mailbox,
+                    Err(poisoned) => poisoned.into_inner().0,
+                };
+                mailbox.waited_for = false;
+            }
+            Place::Here(work) => {
+                for slot in 0..SLOTS {
+                    if let Some(job) = mailbox.wanted[slot].take() {
+                        mailbox.finished[slot] = Some(carry_out(work, job, self.make, self.clock));
+                    }
+                }
+            }
+        }
+        std::array::from_fn(|slot| mailbox.finished[slot].take())
+    }
+}
+
+impl<Job, Outcome, const SLOTS: usize> Drop for Worker<Job, Outcome, SLOTS> {
+    fn drop(&mut self) {
+        self.shared.mailbox().quit = true;
+        self.shared.wake.notify_one();
+    }
+}
+
+impl<Job, Outcome, const SLOTS: usize> fmt::Debug for Worker<Job, Outcome, SLOTS> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Worker").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// The thread.
+fn work<Job, Outcome, const SLOTS: usize>(
+    shared: &Shared<Job, Outcome, SLOTS>,
+    ctx: &egui::Context,
+    make: fn() -> Work<Job, Outcome>,
+    clock: fn() -> Duration,
+) {
+    let mut work = make();
+    let mut shares = Shares::<SLOTS>::default();
+    loop {
+        let mut mailbox = shared.mailbox();
+        let (slot, job) = loop {
+            if mailbox.quit {
+                return;
+            }
+            let turn = shares.next(std::array::from_fn(|slot| mailbox.wanted[slot].is_some()));
+            if let Some(next) = turn.and_then(|slot| mailbox.wanted[slot].take().map(|job| (slot, job))) {
+                break next;
+            }
+            mailbox = shared.wake.wait(mailbox).unwrap_or_else(PoisonError::into_inner);
+        };
+        mailbox.busy = Some(slot);
+        drop(mailbox);
+
+        let done = carry_out(&mut work, job, make, clock);
+        shares.book(slot, done.time);
+
+        let mut mailbox = shared.mailbox();
+        mailbox.busy = None;
+        mailbox.finished[slot] = Some(done);
+        let waited_for = mailbox.waited_for;
+        drop(mailbox);
+        shared.done.notify_one();
+        if !waited_for {
+            ctx.request_repaint();
+        }
+    }
+}
+
+/// A panic here is a bug, but not one for which the window should stand still for ever: what it left half done is made anew.
+fn carry_out<Job, Outcome>(
+    work: &mut Work<Job, Outcome>,
+    job: Job,
+    make: fn() -> Work<Job, Outcome>,
+    clock: fn() -> Duration,
+) -> Done<Outcome> {
+    let start = clock();
+    let outcome = catch_unwind(AssertUnwindSafe(|| work(job))).ok();
+    if outcome.is_none() {
+        *work = make();
+    }
+    Done { outcome, time: clock().saturating_sub(start) }
+}
+
+/// How much time each slot has had, so that the next is the one that had least.
+struct Shares<const SLOTS: usize> {
+    had: [Duration; SLOTS],
+    /// What the slot that came last had had before: one that has not waited gets no credit for it.
+    floor: Duration,
+}
+
+impl<const SLOTS: usize> Default for Shares<SLOTS> {
+    fn default() -> Self {
+        Self { had: [Duration::ZERO; SLOTS], floor: Duration::ZERO }
+    }
+}
+
+impl<const SLOTS: usize> Shares<SLOTS> {
+    fn next(&mut self, waiting: [bool; SLOTS]) -> Option<usize> {
+        for slot in (0..SLOTS).filter(|&slot| waiting[slot]) {
+            self.had[slot] = self.had[slot].max(self.floor);
+        }
+        let next = (0..SLOTS).filter(|&slot| waiting[slot]).min_by_key(|&slot| self.had[slot])?;
+        self.floor = self.had[next];
+        Some(next)
+    }
+
+    fn book(&mut self, slot: usize, time: Duration) {
+        self.had[slot] += time;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::clock;
+
+    const LONG: Duration = Duration::from_secs(60);
+
+    /// Doubles numbers, counts them, and panics at 0.
+    fn doubling<const SLOTS: usize>() -> Worker<u32, (u32, u32), SLOTS> {
+        Worker::new("doubling", clock::now, || {
+            let mut count = 0;
+            Box::new(move |n| {
+                count += 1;
+                assert_ne!(n, 0, "as the test wants it");
+                (2 * n, count)
+            })
+        })
+    }
+
+    fn one<const SLOTS: usize>(worker: &mut Worker<u32, (u32, u32), SLOTS>, n: u32) -> Option<(u32, u32)> {
+        worker.ask(&egui::Context::default(), 0, n);
+        let [done, ..] = worker.take(LONG).map(|done| done.unwrap().outcome)[..] else { panic!("a slot") };
+        done
+    }
+
+    #[test]
+    fn a_panic_resets_what_does_the_work_on_a_thread_and_in_the_frame() {
+        for mut worker in [doubling::<1>(), doubling::<1>().without_thread()] {
+            assert_eq!(one(&mut worker, 4), Some((8, 1)));
+            assert_eq!(one(&mut worker, 5), Some((10, 2)));
+            assert_eq!(one(&mut worker, 0), None);
+            assert!(!worker.is_pending(0));
+            assert_eq!(one(&mut worker, 6), Some((12, 1)), "made anew");
+        }
+    }
+
+    #[test]
+    fn in_the_frame_each_slot_has_its_latest_job_done_when_it_is_taken() {
+        let ctx = egui::Context::default();
+        let mut worker = doubling::<3>().without_thread();
+        worker.ask(&ctx, 2, 1);
+        worker.ask(&ctx, 0, 2);
+        worker.ask(&ctx, 2, 3);
+        assert!(worker.is_pending(2) && !worker.is_pending(1));
+        let done = worker.take(Duration::ZERO).map(|done| done.and_then(|done| done.outcome));
+        assert_eq!(done, [Some((4, 1)), None, Some((6, 2))]);
+        assert!(worker.take(Duration::ZERO).iter().all(Option::is_none));
+    }
+
+    #[test]
+    fn the_window_is_called_when_it_does_not_wait() {
+        let ctx = egui::Context::default();
+        let called = Arc::new(Mutex::new(0));
+        let count = Arc::clone(&called);
+        ctx.set_request_repaint_callback(move |_| *count.lock().unwrap() += 1);
+        let mut worker = doubling::<1>();
+        worker.ask(&ctx, 0, 1);
+        let start = clock::now();
+        while *called.lock().unwrap() == 0 && clock::now() - start < LONG {
+            std::thread::yield_now();
+        }
+        assert_eq!(*called.lock().unwrap(), 1);
+        assert_eq!(worker.take(Duration::ZERO)[0].as_ref().unwrap().outcome, Some((2, 1)));
+    }
+
+    #[test]
+    fn a_light_job_comes_more_often_than_a_heavy_one_and_none_starves() {
+        let mut shares = Shares::default();
+        let mut came = [0_u32; 3];
+        let takes = [60, 180, 20].map(Duration::from_millis);
+        for _ in 0..100 {
+            let i = shares.next([true; 3]).unwrap();
+            came[i] += 1;
+            shares.book(i, takes[i]);
+        }
+        assert!(came[1] >= 6 && came[0] >= 3 * came[1] - 3 && came[2] >= 3 * came[0] - 3, "{came:?}");
+        // One that had nothing to do for long has no right to all the time after that.
+        for _ in 0..50 {
+            let i = shares.next([false, false, true]).unwrap();
+            shares.book(i, takes[i]);
+        }
+        let first: Vec<usize> = (0..12)
+            .map(|_| {
+                let i = shares.next([true; 3]).unwrap();
+                shares.book(i, takes[i]);
+                i
+            })
+            .collect();
+        assert!(first.contains(&2) && first.contains(&1) && first.contains(&0), "{first:?}");
+        assert_eq!(shares.next([false; 3]), None);
+    }
+}

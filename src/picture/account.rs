@@ -1,0 +1,66 @@
+//! How a picture came about: what the pipeline did, and what was done to pixels.
+
+use std::time::Duration;
+
+use crate::drawing::{Drawing, Paint, Surface};
+use crate::pipeline::{Frame, ObjectReport, Stage, StageReport};
+use crate::raster::Work;
+
+/// How a picture came about; empty without a clock.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Account {
+    /// Every stage, in order. Their times add up to the total.
+    pub stages: Vec<StageReport>,
+    /// What was done with each object that went through the pipeline: those of the scene first, in its order.
+    pub objects: Vec<ObjectReport>,
+    /// From the scene to the last pixel.
+    pub total: Duration,
+}
+
+impl Account {
+    /// The report of the pipeline, completed with what was done to pixels; `on_window` is the time that the image on the view
+    /// window took, if it was drawn. What is neither the pipeline's nor the rasterizer's work went into the scene that the picture shows:
+    /// the canonical volume's is clipped and projected, the world's has the camera's gear in it. It counts as traversal.
+    pub(super) fn of(frame: &Frame, work: Work, on_window: Option<Duration>, total: Duration) -> Self {
+        let mut stages = frame.report.clone();
+        for report in stages.iter_mut().filter(|report| report.ran) {
+            complete(report, &frame.drawing, work, on_window);
+        }
+        let known = stages.iter().filter_map(|report| report.time).sum();
+        if let Some(traversal) = stages.iter_mut().find(|report| report.stage == Stage::Traverse) {
+            traversal.time = Some(traversal.time.unwrap_or_default() + total.saturating_sub(known));
+        }
+        Self { stages, objects: frame.objects.clone(), total }
+    }
+}
+
+/// Adds what was done to pixels.
+fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, on_window: Option<Duration>) {
+    let count = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+    let triangles = |which: &dyn Fn(&Surface) -> bool| {
+        let n = drawing.surfaces.iter().filter(|s| which(s)).map(|s| s.triangles.len()).sum();
+        Some((n, n))
+    };
+    let pixels = drawing.width as usize * drawing.height as usize;
+    let own = |time: Duration| Some(report.time.unwrap_or_default() + time);
+    match report.stage {
+        Stage::Fill => {
+            report.time = own(work.surfaces);
+            report.counts = Some((work.triangles, count(work.covered)));
+        }
+        // Painted in order, the picture's triangles decide among themselves.
+        Stage::HiddenSurfaces if !drawing.painted_in_order => {
+            report.counts = Some((count(work.covered), count(work.written)));
+        }
+        Stage::Interpolate => report.counts = triangles(&|s| !matches!(s.paint, Paint::Solid(_) | Paint::Faces(_))),
+        Stage::Texture => {
+            report.counts = triangles(&|s| matches!(s.paint, Paint::Texture { .. }));
+            report.time = on_window;
+        }
+        Stage::Blend => report.counts = triangles(&|s| s.translucent),
+        Stage::Antialias => report.counts = Some((pixels * usize::from(drawing.antialias), pixels)),
+        Stage::Write => report.counts = Some((pixels, pixels)),
+        Stage::Lines => report.time = own(work.strokes),
+        _ => {}
+    }
+}

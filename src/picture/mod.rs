@@ -1,0 +1,77 @@
+//! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. What is on the screen, what `render` writes
+//! and what the window exports is the same, byte for byte.
+
+mod account;
+mod renderer;
+mod sheet;
+
+use tiny_skia::{IntSize, Pixmap};
+
+use crate::appearance::{Rgba, Texture};
+use crate::export::png::{self, PngError};
+use crate::export::sheet::side_by_side;
+pub use account::Account;
+pub use renderer::Renderer;
+pub use sheet::{gap, requests, widths};
+
+/// A finished picture; without pixels until something has been drawn on it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Picture {
+    width: u32,
+    height: u32,
+    rgba: Vec<u8>,
+}
+
+impl Picture {
+    /// Pixels.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// Premultiplied RGBA, rows from the top.
+    #[must_use]
+    pub fn rgba(&self) -> &[u8] {
+        &self.rgba
+    }
+
+    /// The picture as a PNG with a figure file in it.
+    ///
+    /// *Guarantees*: the same picture and text give the same bytes.
+    ///
+    /// # Errors
+    /// [`PngError::Encode`] for a picture without pixels, and when the encoder fails.
+    pub fn into_png(mut self, figure: &str) -> Result<Vec<u8>, PngError> {
+        let pixmap = self.take_pixmap().ok_or_else(|| PngError::Encode("no pixels".to_owned()))?;
+        png::encode(pixmap, figure)
+    }
+
+    /// Pictures side by side on a ground. `None` where that would be empty or too large for memory.
+    fn side_by_side(pictures: Vec<Self>, gap: u32, ground: Rgba) -> Option<Self> {
+        let pixmaps: Option<Vec<Pixmap>> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect();
+        side_by_side(&pixmaps?, gap, ground).map(Self::from)
+    }
+
+    /// The pixels, without copying them; the picture has none afterwards.
+    fn take_pixmap(&mut self) -> Option<Pixmap> {
+        let Self { width, height, rgba } = std::mem::take(self);
+        Pixmap::from_vec(rgba, IntSize::from_wh(width, height)?)
+    }
+
+    fn into_texture(self) -> Texture {
+        let Self { width, height, rgba } = self;
+        Texture { width, height, rgba }
+    }
+}
+
+impl From<Pixmap> for Picture {
+    fn from(pixmap: Pixmap) -> Self {
+        Self { width: pixmap.width(), height: pixmap.height(), rgba: pixmap.take() }
+    }
+}

@@ -1,0 +1,276 @@
+//! Everything that a picture depends on, as one value: equal requests give equal pixels.
+
+use std::ops::Deref;
+use std::sync::{Arc, OnceLock};
+
+use super::observer::Viewpoint;
+use super::{Arrows, Ghost, Handle, Labels, Probe, Size, View, canonical, image, world};
+use crate::appearance::Style;
+use crate::camera::{Camera, ImageSize, Viewport};
+use crate::figure::{Figure, Observer, Observers, Reveal};
+use crate::geometry::Aabb;
+use crate::scene::Scene;
+
+/// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// Which picture.
+    pub view: View,
+    /// How everything looks.
+    pub look: Look,
+    /// The camera that the picture is about.
+    pub camera: Camera,
+    /// What it looks at.
+    pub scene: SharedScene,
+    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image is
+    /// seen by the camera alone.
+    pub observer: Option<Observer>,
+    /// What comes and goes with the pointer.
+    pub overlays: Overlays,
+    /// The words in the picture.
+    pub labels: &'static Labels,
+    /// Size of the picture.
+    pub size: Size,
+    /// Run every stage of the pipeline, needed or not. The picture is the same.
+    pub force_all_stages: bool,
+}
+
+impl Request {
+    /// A picture of a figure, with nothing pointed at. The camera is the figure's, or what operations have made of it; the
+    /// scene is [`scene_of`](super::scene_of) the figure.
+    #[must_use]
+    pub fn of(
+        figure: &Figure,
+        view: View,
+        camera: &Camera,
+        scene: &SharedScene,
+        labels: &'static Labels,
+        size: Size,
+    ) -> Self {
+        Self {
+            view,
+            look: Look::of(figure),
+            camera: camera.clone(),
+            scene: scene.clone(),
+            observer: observer_in(&figure.observers, view),
+            overlays: Overlays::default(),
+            labels,
+            size,
+            force_all_stages: false,
+        }
+    }
+
+    /// The image, without margins and legends, for the view window in the world: half as large as the picture, within reason.
+    #[must_use]
+    pub fn image_on_window(&self) -> Self {
+        let side = (self.size.width.max(self.size.height) / 2).clamp(256, 1024);
+        let frame = image::frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window());
+        Self {
+            view: View::Image,
+            observer: None,
+            overlays: Overlays { bare: true, ..Overlays::default() },
+            size: Size { width: frame.width, height: frame.height, scale: 1.0 },
+            ..self.clone()
+        }
+    }
+
+    /// From where the picture is seen; `None` for the image.
+    #[must_use]
+    pub fn seen_from(&self) -> Option<Observer> {
+        match self.view {
+            View::World | View::Canonical => self.observer.or_else(|| self.observer_from(Viewpoint::Iso)),
+            View::Image => None,
+        }
+    }
+
+    /// The observer that looks from a side and has everything of interest in the picture; `None` for the image.
+    #[must_use]
+    pub fn observer_from(&self, viewpoint: Viewpoint) -> Option<Observer> {
+        match self.view {
+            View::World => Some(world::observer(self, viewpoint)),
+            View::Canonical => Some(canonical::observer(self, viewpoint)),
+            View::Image => None,
+        }
+    }
+
+    /// The observer that looks in the same direction as `observer` and has everything of interest in the picture; `None` for
+    /// the image.
+    #[must_use]
+    pub fn fitted(&self, observer: &Observer) -> Option<Observer> {
+        match self.view {
+            View::World => Some(world::fit(self, observer)),
+            View::Canonical => Some(canonical::fit(self, observer)),
+            View::Image => None,
+        }
+    }
+}
+
+/// What a figure says about the observer of a picture.
+#[must_use]
+pub fn observer_in(observers: &Observers, view: View) -> Option<Observer> {
+    match view {
+        View::World => observers.world,
+        View::Canonical => observers.canonical,
+        View::Image => None,
+    }
+}
+
+/// What a picture depends on besides camera, scene and observer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// `[image]`
+    pub image: ImageSize,
+    /// `[viewport]`: the figure's, or the whole image.
+    pub viewport: Viewport,
+    /// `[style]`
+    pub style: Style,
+    /// `[reveal]`
+    pub reveal: Reveal,
+}
+
+impl Look {
+    /// As a figure wants it.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        let Figure { image, viewport, style, reveal, .. } = *figure;
+        Self { image, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal }
+    }
+}
+
+/// What comes and goes with the pointer.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Overlays {
+    /// What is pointed at, marked in all three pictures.
+    pub probe: Option<Probe>,
+    /// The operation that is being tried, shown in the world.
+    pub ghost: Option<Ghost>,
+    /// The handle under the pointer, drawn stronger, in the world.
+    pub hot: Option<Handle>,
+    /// What is selected can be moved by these, in the world.
+    pub arrows: Option<Arrows>,
+    /// Without legends: the picture is painted on something.
+    pub bare: bool,
+}
+
+impl Overlays {
+    /// Those that a picture shows.
+    #[must_use]
+    pub fn seen_in(&self, view: View) -> Self {
+        match view {
+            View::World => self.clone(),
+            View::Canonical | View::Image => Self { ghost: None, hot: None, arrows: None, ..self.clone() },
+        }
+    }
+}
+
+/// A scene that requests share. Two are equal where they are the same one, not where they look alike: scenes have millions of
+/// vertices, and whoever keeps one makes another only when something in it has changed.
+#[derive(Clone, Debug, Default)]
+pub struct SharedScene(Arc<Kept>);
+
+#[derive(Debug, Default)]
+struct Kept {
+    scene: Scene,
+    /// The box around the scene: with a million vertices it takes a while to find.
+    bounds: OnceLock<Option<Aabb>>,
+}
+
+impl SharedScene {
+    /// Shares a scene.
+    #[must_use]
+    pub fn new(scene: Scene) -> Self {
+        Self(Arc::new(Kept { scene, bounds: OnceLock::new() }))
+    }
+
+    /// Another scene, which is this one with marks in it: pictures frame it as they frame this one.
+    #[must_use]
+    pub fn marked(&self, scene: Scene) -> Self {
+        Self(Arc::new(Kept { scene, bounds: OnceLock::from(self.bounds()) }))
+    }
+
+    /// The box around the scene; `None` for an empty one.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Aabb> {
+        *self.0.bounds.get_or_init(|| self.0.scene.bounds())
+    }
+}
+
+impl Deref for SharedScene {
+    type Target = Scene;
+
+    fn deref(&self) -> &Scene {
+        &self.0.scene
+    }
+}
+
+impl PartialEq for SharedScene {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use crate::i18n::{Lang, pictures};
+    use crate::scene::PointMark;
+    use glam::{DVec2, DVec3};
+
+    fn request() -> Request {
+        let figure = Figure::default();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let size = Size { width: 400, height: 300, scale: 1.0 };
+        let scene = SharedScene::new(Scene::default());
+        Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size)
+    }
+
+    #[test]
+    fn a_scene_is_equal_to_itself_and_not_to_one_that_looks_like_it() {
+        let one = request();
+        assert_eq!(one, one.clone());
+        assert_ne!(one, Request { scene: SharedScene::new(Scene::default()), ..one.clone() });
+    }
+
+    #[test]
+    fn a_marked_scene_is_framed_as_the_scene_without_marks() {
+        let scene = SharedScene::new(Scene::default());
+        let mark = PointMark {
+            position: DVec3::splat(100.0),
+            shape: crate::appearance::MarkShape::Disc,
+            radius: 3.0,
+            color: crate::appearance::Rgba::rgb(0, 0, 0),
+            fade_if_hidden: false,
+        };
+        let marked = scene.marked(Scene { marks: vec![mark], ..Scene::default() });
+        assert_eq!((marked.bounds(), marked.marks.len()), (None, 1));
+        assert_ne!(marked, scene);
+    }
+
+    #[test]
+    fn what_moves_things_is_seen_in_the_world_alone_and_the_probe_everywhere() {
+        let overlays = Overlays {
+            probe: Some(Probe::Window(DVec2::ZERO)),
+            hot: Some(Handle::Near),
+            arrows: Some(Arrows { origin: DVec3::ZERO, axes: DVec3::AXES, hot: None }),
+            ..Overlays::default()
+        };
+        assert_eq!(overlays.seen_in(View::World), overlays);
+        for view in [View::Canonical, View::Image] {
+            assert_eq!(overlays.seen_in(view), Overlays { probe: overlays.probe, ..Overlays::default() });
+        }
+    }
+
+    #[test]
+    fn the_image_on_the_window_has_its_aspect_and_never_vanishes() {
+        for (width, height, side) in [(100, 80, 256), (1280, 900, 640), (16_000, 10, 1024)] {
+            let request = Request { size: Size { width, height, scale: 2.0 }, ..request() };
+            let on_window = request.image_on_window();
+            assert_eq!(on_window.view, View::Image);
+            assert_eq!(on_window.size, Size { width: side, height: side * 3 / 4, scale: 1.0 });
+        }
+        let parameters = crate::camera::Parameters { aspect: 1e9, ..crate::camera::Parameters::default() };
+        let thin = Request { camera: Camera::new(&parameters).unwrap(), ..request() }.image_on_window();
+        assert_eq!((thin.size.width, thin.size.height), (256, 1));
+    }
+}

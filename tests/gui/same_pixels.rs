@@ -1,0 +1,98 @@
+//! The picture on the screen, the one that is exported and the one that `render` writes are the same, byte for byte.
+
+use std::fs;
+use std::time::{Duration, Instant};
+
+use camera_lab::files::open_figure;
+use camera_lab::gui::export::Export;
+use camera_lab::gui::filing::Dialog;
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::Lang;
+use camera_lab::views::{View, Views};
+
+use super::files::Folder;
+use super::window::Window;
+
+const FIGURE: &str = "[camera]\nposition = [2.5, 3, 5]\nnear = 2\nfar = 12\n[scene]\npreset = \"house\"\n\
+                      [style]\ntheme = \"light\"\nantialias = 4\n";
+
+/// From where the pictures are seen, in a figure that says it.
+const OBSERVERS: &str = "[observers.world]\ntarget = [1, 1, 1]\ndistance = 20\nazimuth = 70\nelevation = 25\n\
+                         [observers.canonical]\ntarget = [0, 0, 0]\ndistance = 7\nazimuth = 20\nelevation = 35\n";
+
+/// The pixels of a PNG that has no alpha channel, as RGBA.
+fn pixels(png: &[u8]) -> ([usize; 2], Vec<u8>) {
+    let image = image::load_from_memory(png).expect("a PNG").to_rgba8();
+    ([image.width() as usize, image.height() as usize], image.into_raw())
+}
+
+fn assert_same_everywhere(view: View, scale: f32, figure: &str) {
+    let folder = Folder::new(&format!("same-{}-{scale}-{}", view.name(), figure.len()));
+    let path = folder.file("figure.toml");
+    fs::write(&path, figure).expect("written");
+    let opened = open_figure(&path).expect("a figure");
+    let file = Some((path.clone(), opened.text));
+    let mut state = State::new(Start { figure: opened.figure, file, lang: Lang::En }).expect("a possible camera");
+    state.filing.native = false;
+    state.layout.maximized = Some(view);
+    let mut window = Window::at_scale(state, [640.0, 400.0], scale);
+
+    let [width, height] = window.state().picture_sizes[view.index()];
+    let on_screen = window.textures.only([width as usize, height as usize]);
+
+    let exported = folder.file("exported.png");
+    let mut export = Export::new(window.state());
+    (export.what, export.times, export.theme) =
+        (Views::One(view), Some(1), window.state().document.figure().style.theme);
+    export.fit_screen(window.state());
+    window.app_mut().state.filing.dialog = Some(Dialog::Export(export));
+    window.run();
+    window.click("Export…");
+    window.choose(&exported);
+    let since = Instant::now();
+    while !exported.exists() {
+        assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
+        std::thread::sleep(Duration::from_millis(20));
+        window.run();
+    }
+
+    let rendered = folder.file("rendered.png");
+    assert_eq!((width % scale as u32, height % scale as u32), (0, 0), "a size that the command line can be asked for");
+    let size = format!("{}x{}", width / scale as u32, height / scale as u32);
+    let [path, out, scale] = [path.display().to_string(), rendered.display().to_string(), scale.to_string()];
+    let arguments =
+        ["camera-lab", "render", &path, "--view", view.name(), "--size", &size, "--scale", &scale, "-o", &out];
+    let _ = camera_lab::cli::run(arguments.into_iter().map(Into::into));
+
+    let what = format!("{} at scale {scale}", view.name());
+    let (exported, rendered) = (fs::read(exported).expect("exported"), fs::read(rendered).expect("rendered"));
+    assert!(exported == rendered, "{what}: the exported file is not the rendered one");
+    let (size, pixels) = pixels(&rendered);
+    assert_eq!(size, [width as usize, height as usize], "{what}");
+    let differ = pixels.chunks(4).zip(on_screen.chunks(4)).filter(|(a, b)| a != b).count();
+    assert_eq!(differ, 0, "{what}: pixels on the screen are not the rendered ones");
+}
+
+#[test]
+fn the_screen_the_export_and_render_agree_on_the_world() {
+    for scale in [1.0, 2.0] {
+        assert_same_everywhere(View::World, scale, FIGURE);
+        assert_same_everywhere(View::World, scale, &format!("{FIGURE}{OBSERVERS}"));
+    }
+}
+
+#[test]
+fn the_screen_the_export_and_render_agree_on_the_canonical_volume() {
+    for scale in [1.0, 2.0] {
+        assert_same_everywhere(View::Canonical, scale, FIGURE);
+        assert_same_everywhere(View::Canonical, scale, &format!("{FIGURE}{OBSERVERS}"));
+    }
+}
+
+#[test]
+fn the_screen_the_export_and_render_agree_on_the_image() {
+    for scale in [1.0, 2.0] {
+        assert_same_everywhere(View::Image, scale, FIGURE);
+        assert_same_everywhere(View::Image, scale, &format!("{FIGURE}[reveal]\ndepth = \"linear\"\nclipping = true\n"));
+    }
+}
