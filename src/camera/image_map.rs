@@ -119,3 +119,27 @@ impl Camera {
         [w.left + w.width() * (i / m), w.top - w.height() * (j / n)]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
+
+    use super::*;
+    use crate::camera::Parameters;
+
+    #[test]
+    fn a_window_point_is_on_a_border_of_pixels_within_the_noise_of_its_computation_and_no_farther() {
+        let window = ViewWindow { left: 0.0, right: 1.0, bottom: 0.0, top: 1.0 };
+        let camera = Camera::new(&Parameters { window: Some(window), ..Parameters::default() }).unwrap();
+        let image = ImageSize { width: 100, height: 50 };
+        // Of W and H: 1e-7 of a pixel across, 5e-8 down.
+        let noise = [1e-9, 1e-9];
+        let pixel = |x: f64, y: f64| camera.pixel_of_window(image, [x, y].map(Dd::new), noise);
+        assert_eq!(pixel(0.3 - 5e-10, 0.4 + 5e-10), [30.0, 30.0], "within the noise: on the border");
+        assert_eq!(pixel(0.3 - 2e-9, 0.4 + 2e-9), [29.0, 29.0], "beyond it: the pixel before");
+        assert_eq!(pixel(0.3 + 2e-9, 0.4 - 2e-9), [30.0, 30.0]);
+        // What is said of one direction does not hold for the other.
+        let across = camera.pixel_of_window(image, [0.3 - 5e-10, 0.4 + 5e-10].map(Dd::new), [1e-9, 0.0]);
+        assert_eq!(across, [30.0, 29.0]);
+    }
+}
