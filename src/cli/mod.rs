@@ -117,11 +117,11 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
     let name = path.display().to_string();
     // What is wrong with the arguments is said first: it does not depend on the file.
     let operations = args.operations(lang)?;
-    let opened = files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
-    let Opened { mut figure, text } = opened;
-    let camera = operate(&mut figure, &operations, args.convention())
+    let mut opened =
+        files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
+    let camera = operate(&mut opened.figure, &operations, args.convention())
         .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::inspect(lang, &error))))?;
-    Ok((Opened { figure, text }, camera))
+    Ok((opened, camera))
 }
 
 /// The scene of a figure; its meshes are looked for beside the figure file.

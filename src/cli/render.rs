@@ -4,7 +4,7 @@ use super::args::{LangArg, RenderArgs};
 use super::{Failure, open, scene};
 use crate::camera::ImageSize;
 use crate::figure::update;
-use crate::files;
+use crate::files::{self, Overwrite};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{Renderer, gap, requests};
 use crate::views::{Request, SharedScene, Size, View, Views};
@@ -33,7 +33,8 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let bytes = picture
         .into_png(&update(&opened.text, &opened.figure))
         .map_err(|error| Failure::Failed(format!("{name}: {}", messages::png(lang, &error))))?;
-    files::save(&args.output, &bytes).map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+    files::save(&args.output, &bytes, Overwrite::Writable)
+        .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }
 
 /// Width and height in pixels.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::Cursor;
 
-use png::{BitDepth, ColorType, Compression, Decoder, Encoder};
+use png::{BitDepth, ColorType, Compression, DecodeOptions, Decoder, DecodingError, Encoder};
 use tiny_skia::Pixmap;
 
 /// The keyword of the iTXt chunk that holds the figure file.
@@ -20,10 +20,44 @@ pub enum PngError {
     Encode(String),
     /// The bytes are a damaged PNG.
     #[error("damaged PNG: {0}")]
-    Damaged(String),
+    Damaged(Damage),
+    /// The figure in it is longer than any.
+    #[error("the figure in the PNG has more than {limit} bytes")]
+    TooLong {
+        /// Bytes.
+        limit: usize,
+    },
     /// The picture holds no figure.
     #[error("the PNG holds no figure")]
     NoFigure,
+}
+
+/// What is wrong with a PNG.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Damage {
+    /// It ends early.
+    #[error("it ends early")]
+    Truncated,
+    /// A checksum does not fit: bytes have changed on the way.
+    #[error("a checksum does not fit")]
+    Checksum,
+    /// The text of the figure cannot be unpacked.
+    #[error("its text cannot be unpacked")]
+    Text,
+    /// Its parts contradict the format.
+    #[error("its parts contradict the format")]
+    Format,
+}
+
+impl From<DecodingError> for PngError {
+    fn from(error: DecodingError) -> Self {
+        Self::Damaged(match error {
+            DecodingError::IoError(_) => Damage::Truncated,
+            // The decoder tells its kinds of faults apart by their sentences alone.
+            error if error.to_string().starts_with("CRC error") => Damage::Checksum,
+            _ => Damage::Format,
+        })
+    }
 }
 
 /// The PNG of `pixmap`, with `figure` (the text of a figure file) in an iTXt chunk. Opaque pictures have no alpha channel.
@@ -54,35 +88,57 @@ pub fn encode(pixmap: Pixmap, figure: &str) -> Result<Vec<u8>, PngError> {
     Ok(bytes)
 }
 
-/// The figure file in a PNG; `None` for a PNG without one.
+/// The figure file in a PNG, of at most `limit` bytes; `None` for a PNG without one.
 ///
 /// # Errors
-/// [`PngError::Damaged`] when the bytes are not a whole PNG.
-pub fn figure_text(bytes: &[u8]) -> Result<Option<String>, PngError> {
-    let error = |e: png::DecodingError| PngError::Damaged(e.to_string());
-    let mut reader = Decoder::new(Cursor::new(bytes)).read_info().map_err(error)?;
-    if let Some(text) = find(reader.info())? {
+/// [`PngError::Damaged`] when the bytes are not a whole PNG, [`PngError::TooLong`] for a longer text, however well it is packed.
+pub fn figure_text(bytes: &[u8], limit: usize) -> Result<Option<String>, PngError> {
+    // A fault in a text of another program is none of ours; only where no figure is found, it may have been the figure's.
+    if let Some(text) = text_with(DecodeOptions::default(), bytes, limit)? {
+        return Ok(Some(text));
+    }
+    let mut strict = DecodeOptions::default();
+    strict.set_skip_ancillary_crc_failures(false);
+    text_with(strict, bytes, limit)
+}
+
+fn text_with(options: DecodeOptions, bytes: &[u8], limit: usize) -> Result<Option<String>, PngError> {
+    let mut reader = Decoder::new_with_options(Cursor::new(bytes), options).read_info()?;
+    if let Some(text) = find(reader.info(), limit)? {
         return Ok(Some(text));
     }
     // Other programs write texts behind the pixels.
-    reader.finish().map_err(error)?;
-    find(reader.info())
+    reader.finish()?;
+    find(reader.info(), limit)
 }
 
-fn find(info: &png::Info<'_>) -> Result<Option<String>, PngError> {
-    let chunk = info.utf8_text.iter().find(|chunk| chunk.keyword == KEYWORD);
-    chunk.map(png::text_metadata::ITXtChunk::get_text).transpose().map_err(|e| PngError::Damaged(e.to_string()))
+fn find(info: &png::Info<'_>, limit: usize) -> Result<Option<String>, PngError> {
+    let Some(chunk) = info.utf8_text.iter().find(|chunk| chunk.keyword == KEYWORD) else { return Ok(None) };
+    let mut chunk = chunk.clone();
+    // A few packed megabytes can hold gigabytes: what is longer than the limit is never unpacked.
+    chunk.decompress_text_with_limit(limit).map_err(|error| match error.to_string() {
+        text if text.contains("decompression space") => PngError::TooLong { limit },
+        _ => PngError::Damaged(Damage::Text),
+    })?;
+    let text = chunk.get_text().map_err(|_| PngError::Damaged(Damage::Text))?;
+    if text.len() > limit { Err(PngError::TooLong { limit }) } else { Ok(Some(text)) }
 }
 
-/// The bytes of the figure file in `bytes`, which are a figure file themselves or a picture that holds one.
+/// True for what begins as every PNG does.
+#[must_use]
+pub fn is_png(bytes: &[u8]) -> bool {
+    bytes.starts_with(SIGNATURE)
+}
+
+/// The bytes of the figure file in `bytes`, which are a figure file themselves or a picture that holds one of at most `limit` bytes.
 ///
 /// # Errors
-/// [`PngError`] for a picture that is damaged or holds no figure.
-pub fn figure_bytes(bytes: &[u8]) -> Result<Cow<'_, [u8]>, PngError> {
-    if !bytes.starts_with(SIGNATURE) {
+/// [`PngError`] for a picture that is damaged, holds no figure, or too long a one.
+pub fn figure_bytes(bytes: &[u8], limit: usize) -> Result<Cow<'_, [u8]>, PngError> {
+    if !is_png(bytes) {
         return Ok(Cow::Borrowed(bytes));
     }
-    figure_text(bytes)?.map(|text| Cow::Owned(text.into_bytes())).ok_or(PngError::NoFigure)
+    figure_text(bytes, limit)?.map(|text| Cow::Owned(text.into_bytes())).ok_or(PngError::NoFigure)
 }
 
 #[cfg(test)]
@@ -91,6 +147,20 @@ mod tests {
 
     use super::*;
     use tiny_skia::{Color, PremultipliedColorU8};
+
+    const LIMIT: usize = 1 << 20;
+
+    /// A PNG with this chunk before its pixels.
+    fn with_chunk(kind: [u8; 4], data: &[u8]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        let mut encoder = Encoder::new(&mut bytes, 1, 1);
+        encoder.set_color(ColorType::Grayscale);
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_chunk(png::chunk::ChunkType(kind), data).unwrap();
+        writer.write_image_data(&[7]).unwrap();
+        writer.finish().unwrap();
+        bytes
+    }
 
     fn picture(alpha: u8) -> Pixmap {
         let mut pixmap = Pixmap::new(3, 2).unwrap();
@@ -110,9 +180,9 @@ mod tests {
     fn the_figure_comes_back_with_accents_and_line_ends() {
         let text = "[camera] # câmera θ\nnear = 1\r\n";
         let bytes = encode(picture(255), text).unwrap();
-        assert_eq!(figure_text(&bytes).unwrap().as_deref(), Some(text));
-        assert_eq!(figure_bytes(&bytes).unwrap().as_ref(), text.as_bytes());
-        assert_eq!(figure_bytes(text.as_bytes()).unwrap().as_ref(), text.as_bytes());
+        assert_eq!(figure_text(&bytes, LIMIT).unwrap().as_deref(), Some(text));
+        assert_eq!(figure_bytes(&bytes, LIMIT).unwrap().as_ref(), text.as_bytes());
+        assert_eq!(figure_bytes(text.as_bytes(), LIMIT).unwrap().as_ref(), text.as_bytes());
     }
 
     #[test]
@@ -132,7 +202,7 @@ mod tests {
         let chunk: Vec<u8> = moved.drain(start..start + length).collect();
         let end = moved.len() - 12;
         moved.splice(end..end, chunk);
-        assert_eq!(figure_text(&moved).unwrap().as_deref(), Some("near the end"));
+        assert_eq!(figure_text(&moved, LIMIT).unwrap().as_deref(), Some("near the end"));
     }
 
     #[test]
@@ -141,10 +211,52 @@ mod tests {
         let mut encoder = Encoder::new(&mut bytes, 1, 1);
         encoder.set_color(ColorType::Grayscale);
         encoder.write_header().unwrap().write_image_data(&[7]).unwrap();
-        assert_eq!(figure_bytes(&bytes), Err(PngError::NoFigure));
+        assert_eq!(figure_bytes(&bytes, LIMIT), Err(PngError::NoFigure));
         let whole = encode(picture(255), "text").unwrap();
         for end in [8, 20, 40, 60] {
-            assert!(matches!(figure_bytes(&whole[..end]), Err(PngError::Damaged(_))), "{end}");
+            assert!(matches!(figure_bytes(&whole[..end], LIMIT), Err(PngError::Damaged(_))), "{end}");
         }
+    }
+
+    #[test]
+    fn a_text_that_swells_is_refused_and_not_unpacked() {
+        // 16 MiB of one letter, packed.
+        let mut long = png::text_metadata::ITXtChunk::new(KEYWORD, "#".repeat(16 << 20));
+        long.compressed = true;
+        long.compress_text().unwrap();
+        let mut bytes = Vec::new();
+        let mut encoder = Encoder::new(&mut bytes, 1, 1);
+        encoder.set_color(ColorType::Grayscale);
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_text_chunk(&long).unwrap();
+        writer.write_image_data(&[7]).unwrap();
+        writer.finish().unwrap();
+        assert!(bytes.len() < LIMIT);
+        assert_eq!(figure_text(&bytes, LIMIT), Err(PngError::TooLong { limit: LIMIT }));
+        assert_eq!(figure_text(&bytes, 16 << 20).unwrap().map(|text| text.len()), Some(16 << 20));
+        let whole = encode(picture(255), "text").unwrap();
+        assert_eq!(figure_text(&whole, 3), Err(PngError::TooLong { limit: 3 }));
+    }
+
+    #[test]
+    fn a_figure_whose_checksum_does_not_fit_is_damage() {
+        let mut bytes = encode(picture(255), "near = 1").unwrap();
+        let at = bytes.windows(8).position(|w| w == b"near = 1").unwrap();
+        bytes[at] ^= 1;
+        assert_eq!(figure_text(&bytes, LIMIT), Err(PngError::Damaged(Damage::Checksum)));
+        assert_eq!(figure_text(&bytes[..40], LIMIT), Err(PngError::Damaged(Damage::Truncated)));
+    }
+
+    #[test]
+    fn a_damaged_text_of_another_program_does_not_hide_the_figure() {
+        let with = encode(picture(255), "mine").unwrap();
+        let other = with_chunk(*b"tEXt", b"Comment\0theirs");
+        let start = other.windows(4).position(|w| w == b"tEXt").unwrap() - 4;
+        let length = 12 + u32::from_be_bytes(other[start..start + 4].try_into().unwrap()) as usize;
+        let mut chunk = other[start..start + length].to_vec();
+        chunk[12] ^= 1;
+        let mut both = with.clone();
+        both.splice(33..33, chunk);
+        assert_eq!(figure_text(&both, LIMIT).unwrap().as_deref(), Some("mine"));
     }
 }

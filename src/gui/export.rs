@@ -11,7 +11,7 @@ use crate::camera::Camera;
 use crate::clock;
 use crate::figure::Figure;
 use crate::figure::update;
-use crate::files;
+use crate::files::{self, Overwrite};
 use crate::i18n::{Lang, messages, pictures};
 use crate::picture::{Renderer, requests};
 use crate::views::{Request, SharedScene, Size, View, Views, scene_of};
@@ -97,7 +97,9 @@ impl Task {
         let bytes = self.png()?;
         let Self { path, lang, .. } = self;
         let name = path.display().to_string();
-        files::save(&path, &bytes).map(|()| path).map_err(|error| messages::file(lang, &name, &error))
+        files::save(&path, &bytes, Overwrite::Writable)
+            .map(|()| path)
+            .map_err(|error| messages::file(lang, &name, &error))
     }
 
     /// The bytes of the PNG, with the figure file in it.

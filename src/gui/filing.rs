@@ -18,7 +18,7 @@ use super::state::{State, Tab};
 use super::worker::Done;
 use crate::figure::Figure;
 use crate::figure::update;
-use crate::files::{self, Opened};
+use crate::files::{self, Opened, Overwrite};
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{messages, scenes};
 use crate::scene::Shape;
@@ -285,7 +285,7 @@ fn open(state: &mut State, path: &Path) {
     let name = path.display().to_string();
     let lang = state.settings.lang;
     match files::open_figure(path) {
-        Ok(Opened { figure, text }) => match Document::new(figure, Some((path.to_owned(), text))) {
+        Ok(Opened { figure, text, .. }) => match Document::new(figure, Some((path.to_owned(), text))) {
             Ok(document) => {
                 take_over(state, document);
                 state.say(format!("{} {name}", window::texts(lang).opened));
@@ -310,7 +310,7 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<Wish>
     let figure = for_folder(&state.document, path);
     let text = update(state.document.source(), &figure);
     let name = path.display().to_string();
-    match files::save(path, text.as_bytes()) {
+    match files::save(path, text.as_bytes(), Overwrite::Writable) {
         Ok(()) => {
             if figure.scene != state.document.figure().scene {
                 state.document.edit(|own| own.scene = figure.scene);

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::document::Document;
 use crate::figure::update;
-use crate::files;
+use crate::files::{self, Overwrite};
 
 /// More windows than anybody opens at once.
 const SLOTS: usize = 16;
@@ -70,7 +70,7 @@ impl Session {
         }
         // A session that cannot be written must not disturb the work; the figure itself is saved on demand.
         if let Ok(text) = serde_json::to_vec(&kept) {
-            let _ = files::save(&self.file, &text);
+            let _ = files::save(&self.file, &text, Overwrite::Writable);
         }
         self.written = Some(kept);
     }

@@ -2,8 +2,8 @@
 
 use super::Lang;
 use super::figure_files::figure;
-use super::unreadable::{directory, system, too_large};
-use crate::export::png::PngError;
+use super::unreadable::{directory, network, not_regular, system, too_large};
+use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
 
 /// Why the file called `name` cannot be used.
@@ -26,6 +26,18 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
         }
         FileError::Directory => directory(lang, name),
         FileError::TooLarge => too_large(lang, name),
+        FileError::NotRegular => not_regular(lang, name),
+        FileError::Network => network(lang, name),
+        FileError::ReadOnly => match lang {
+            Lang::En => {
+                format!(
+                    "{name} is read-only and was left as it is; allowed: another name, or a file that may be written"
+                )
+            }
+            Lang::PtBr => format!(
+                "{name} é somente de leitura e ficou como estava; permitido: outro nome, ou um arquivo que possa ser gravado"
+            ),
+        },
         FileError::Png(error) => format!("{name}: {}", png(lang, error)),
         FileError::Figure(error) => format!("{name}, {}", figure(lang, error)),
     }
@@ -39,9 +51,21 @@ pub fn png(lang: Lang, error: &PngError) -> String {
             Lang::En => format!("the picture cannot be written as PNG ({why})"),
             Lang::PtBr => format!("a imagem não pode ser gravada como PNG ({why})"),
         },
-        PngError::Damaged(why) => match lang {
-            Lang::En => format!("the PNG is damaged ({why})"),
-            Lang::PtBr => format!("o PNG está danificado ({why})"),
+        PngError::Damaged(damage) => match lang {
+            Lang::En => format!("the PNG is damaged: {damage}"),
+            Lang::PtBr => {
+                let why = match damage {
+                    Damage::Truncated => "termina antes do fim",
+                    Damage::Checksum => "uma soma de verificação não confere",
+                    Damage::Text => "o texto nele não pode ser descompactado",
+                    Damage::Format => "suas partes contradizem o formato",
+                };
+                format!("o PNG está danificado: {why}")
+            }
+        },
+        PngError::TooLong { limit } => match lang {
+            Lang::En => format!("the figure in this PNG is too long; allowed: at most {limit} bytes"),
+            Lang::PtBr => format!("a figura neste PNG é longa demais; permitido: no máximo {limit} bytes"),
         },
         PngError::NoFigure => match lang {
             Lang::En => {

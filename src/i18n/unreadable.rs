@@ -19,6 +19,8 @@ pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
         }
         ReadProblem::Directory => directory(lang, name),
         ReadProblem::TooLarge => too_large(lang, name),
+        ReadProblem::NotRegular => not_regular(lang, name),
+        ReadProblem::Network => network(lang, name),
     }
 }
 
@@ -34,6 +36,20 @@ pub(super) fn too_large(lang: Lang, name: &str) -> String {
     match lang {
         Lang::En => format!("{name} is larger than any figure or picture; allowed: at most {gib} GiB"),
         Lang::PtBr => format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB"),
+    }
+}
+
+pub(super) fn not_regular(lang: Lang, name: &str) -> String {
+    match lang {
+        Lang::En => format!("{name} is a device, a pipe or a socket; allowed: a regular file"),
+        Lang::PtBr => format!("{name} é um dispositivo, um pipe ou um socket; permitido: um arquivo comum"),
+    }
+}
+
+pub(super) fn network(lang: Lang, name: &str) -> String {
+    match lang {
+        Lang::En => format!("{name} is on another machine; allowed: files of this one"),
+        Lang::PtBr => format!("{name} está em outra máquina; permitido: arquivos desta"),
     }
 }
 

@@ -32,6 +32,12 @@ pub enum ReadProblem {
     /// It is larger than any file that is meant for this program.
     #[error("is too large")]
     TooLarge,
+    /// It is a device, a pipe or a socket, which may have no end.
+    #[error("is not a regular file")]
+    NotRegular,
+    /// Its path leads to another machine.
+    #[error("is on the network")]
+    Network,
 }
 
 /// For scenes without files: a [`ReadFile`] that finds none.

@@ -189,7 +189,7 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
         window.run();
     }
     let bytes = fs::read(&path).expect("there");
-    let text = png::figure_text(&bytes).expect("a PNG").expect("with a figure");
+    let text = png::figure_text(&bytes, 1 << 20).expect("a PNG").expect("with a figure");
     assert!(text.contains("theme = \"print\"") && text.contains("1.5"));
     // The command line gives the same bytes.
     let rendered = folder.file("rendered.png");

@@ -1,0 +1,207 @@
+//! The file system, for both shells: opening a figure, saving so that nothing is lost.
+
+mod save;
+
+use std::fs::{self, File};
+use std::io::{self, Read as _};
+use std::path::Path;
+
+use crate::export::png::{self, PngError};
+use crate::figure::{Figure, FigureError, read};
+use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES};
+use crate::scene::{ReadError, ReadProblem};
+pub use save::{Overwrite, save};
+
+/// Why a file cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum FileError {
+    /// The system does not let it be read.
+    #[error("cannot be read: {0}")]
+    Read(io::Error),
+    /// The system does not let it be written.
+    #[error("cannot be written: {0}")]
+    Write(io::Error),
+    /// It is a directory.
+    #[error("is a directory")]
+    Directory,
+    /// It is a device, a pipe or a socket, which may have no end.
+    #[error("is not a regular file")]
+    NotRegular,
+    /// Its path leads to another machine: opening it could send the user's name and password there.
+    #[error("is on the network")]
+    Network,
+    /// It is there and may not be written.
+    #[error("is read-only")]
+    ReadOnly,
+    /// It is larger than any file that is meant for this program.
+    #[error("has more than {MAX_FILE_BYTES} bytes")]
+    TooLarge,
+    /// A picture that holds no figure.
+    #[error(transparent)]
+    Png(#[from] PngError),
+    /// A figure file with a fault.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+}
+
+/// A figure and the text that it was read from, which [`update`](crate::figure::update) wants.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Opened {
+    /// The figure.
+    pub figure: Figure,
+    /// The text of the figure file.
+    pub text: String,
+    /// True where the text came out of a picture: saving must not replace the picture by it.
+    pub from_picture: bool,
+}
+
+/// Opens a figure file, or a PNG that holds one.
+///
+/// # Errors
+/// [`FileError`]; for a figure file with a fault it names the line.
+pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
+    figure_from(&read_file(path)?)
+}
+
+/// The figure in the bytes of a figure file, or of a PNG that holds one.
+///
+/// # Errors
+/// [`FileError`]; for a figure file with a fault it names the line.
+pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
+    let from_picture = png::is_png(bytes);
+    let bytes = png::figure_bytes(bytes, MAX_FIGURE_BYTES)?;
+    let figure = read::parse_bytes(&bytes)?;
+    Ok(Opened { figure, text: String::from_utf8_lossy(&bytes).into_owned(), from_picture })
+}
+
+/// The bytes of a regular file of this machine.
+///
+/// # Errors
+/// [`FileError`] where the system refuses, for what is not a regular file or too large, and for network paths.
+pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
+    if is_network(path) {
+        return Err(FileError::Network);
+    }
+    // Asked before it is opened: opening a pipe waits until somebody writes to it.
+    let kind = fs::metadata(path).map_err(FileError::Read)?.file_type();
+    if kind.is_dir() {
+        return Err(FileError::Directory);
+    }
+    if !kind.is_file() {
+        return Err(FileError::NotRegular);
+    }
+    let file = File::open(path).map_err(FileError::Read)?;
+    let mut bytes = Vec::new();
+    file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
+    if bytes.len() as u64 > MAX_FILE_BYTES { Err(FileError::TooLarge) } else { Ok(bytes) }
+}
+
+/// True for paths that begin with two slashes or backslashes, as Windows names other machines (`\\\\host\\share`). Its long names
+/// of local disks (`\\\\?\\C:\\`) begin so too, and are local.
+#[must_use]
+pub fn is_network(path: &Path) -> bool {
+    let text = path.as_os_str().as_encoded_bytes();
+    let separators = text.iter().take_while(|byte| matches!(byte, b'/' | b'\\')).count();
+    let long_name_of_a_disk = text.starts_with(br"\\?\") && text.get(5) == Some(&b':');
+    separators >= 2 && !long_name_of_a_disk
+}
+
+/// The bytes of a file that a scene names, such as a mesh.
+///
+/// # Errors
+/// As [`read_file`], as a value that can be kept.
+pub fn read_for_scene(path: &Path) -> Result<Vec<u8>, ReadError> {
+    read_file(path).map_err(|error| {
+        let problem = match error {
+            FileError::Directory => ReadProblem::Directory,
+            FileError::TooLarge => ReadProblem::TooLarge,
+            FileError::NotRegular => ReadProblem::NotRegular,
+            FileError::Network => ReadProblem::Network,
+            FileError::Read(error) | FileError::Write(error) => {
+                ReadProblem::System { kind: error.kind(), detail: error.to_string() }
+            }
+            error @ (FileError::Png(_) | FileError::Figure(_) | FileError::ReadOnly) => {
+                ReadProblem::System { kind: io::ErrorKind::InvalidData, detail: error.to_string() }
+            }
+        };
+        ReadError { file: path.display().to_string(), problem }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+
+    #[test]
+    fn figures_are_opened_from_text_and_from_pictures() {
+        let text = "[camera]\nnear = 0.5 # perto\n";
+        let pixmap = tiny_skia::Pixmap::new(2, 2).unwrap();
+        let picture = png::encode(pixmap, text).unwrap();
+        let from_text = figure_from(text.as_bytes()).unwrap();
+        assert_eq!(from_text.figure.camera.near, 0.5);
+        assert_eq!(figure_from(&picture).unwrap(), Opened { from_picture: true, ..from_text });
+        assert!(matches!(figure_from(&picture[..30]), Err(FileError::Png(_))));
+        assert!(matches!(open_figure(Path::new("/")), Err(FileError::Directory | FileError::Read(_))));
+        assert!(matches!(open_figure(Path::new("no such file")), Err(FileError::Read(_))));
+    }
+
+    #[test]
+    fn paths_to_other_machines_are_refused_unread() {
+        for path in [r"\\host\share\x.obj", "//host/share/x.obj", r"\/host", r"\\?\UNC\host\share", r"\\.\pipe\x"] {
+            assert!(is_network(Path::new(path)), "{path}");
+            assert!(matches!(read_file(Path::new(path)), Err(FileError::Network)));
+        }
+        for path in [r"\\?\C:\lecture\x.obj", r"C:\x.obj", "/tmp/x.obj", r"\x", "x", "", "a//b"] {
+            assert!(!is_network(Path::new(path)), "{path}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn devices_and_pipes_are_refused_before_anything_is_read() {
+        assert!(matches!(read_file(Path::new("/dev/zero")), Err(FileError::NotRegular)));
+        assert!(matches!(read_file(Path::new("/dev/null")), Err(FileError::NotRegular)));
+        let directory = testing::Directory::new("pipe");
+        let pipe = directory.path().join("pipe.toml");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.is_ok_and(|status| status.success()));
+        // Would wait for ever if it were opened.
+        assert!(matches!(open_figure(&pipe), Err(FileError::NotRegular)));
+    }
+}
+
+#[cfg(test)]
+mod testing {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use std::fs;
+    use std::path::{Path, PathBuf};
+
+    /// An empty directory of a test's own, gone at the end.
+    pub(super) struct Directory(PathBuf);
+
+    impl Directory {
+        pub(super) fn new(name: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("camera-lab-files-{name}-{}", std::process::id()));
+            let _ = fs::remove_dir_all(&path);
+            fs::create_dir_all(&path).unwrap();
+            Self(path)
+        }
+
+        pub(super) fn path(&self) -> &Path {
+            &self.0
+        }
+
+        pub(super) fn names(&self) -> Vec<String> {
+            fs::read_dir(&self.0).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect()
+        }
+    }
+
+    impl Drop for Directory {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+}

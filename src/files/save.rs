@@ -1,0 +1,365 @@
+//! Saving: the file is there afterwards as a whole, or, after an error, as it was before; and it stays what it was.
+//!
+//! The new bytes go into a temporary file beside the old one, which is then renamed. That would cut hard links, and give the file
+//! another owner where the user may write it without owning it: such a file, and one in a folder where nothing can be made, is
+//! written in place.
+
+use std::ffi::OsStr;
+use std::fs::{self, File, Metadata, OpenOptions};
+use std::io::{self, Seek as _, Write as _};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use super::{FileError, is_network};
+
+/// What may be replaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overwrite {
+    /// A file that may be written; another one is [`FileError::ReadOnly`].
+    Writable,
+    /// Also a read-only file: the user was asked. It stays read-only.
+    ReadOnlyToo,
+}
+
+/// Saves `bytes` under `path`.
+///
+/// *Guarantees*: after an error the file is as it was. A link stays a link, also one that leads nowhere yet; permissions stay, and
+/// hard links, owner and group as far as the system allows. What an earlier run left behind when it was killed is removed.
+///
+/// # Errors
+/// [`FileError::Write`] where the system refuses; [`FileError::ReadOnly`] as `overwrite` has it; [`FileError::Directory`] and
+/// [`FileError::Network`] for such paths.
+pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileError> {
+    if is_network(path) {
+        return Err(FileError::Network);
+    }
+    let target = end_of_links(path).map_err(FileError::Write)?;
+    let result = match fs::metadata(&target) {
+        Ok(before) if before.is_dir() => return Err(FileError::Directory),
+        // A device or a pipe cannot be replaced.
+        Ok(before) if !before.is_file() => {
+            return open_to_write(&target).and_then(|mut file| file.write_all(bytes)).map_err(FileError::Write);
+        }
+        Ok(before) => {
+            let writable = open_to_write(&target);
+            // To root every file is writable: what its owner has set counts.
+            if (before.permissions().readonly() || denied(&writable)) && overwrite == Overwrite::Writable {
+                return Err(FileError::ReadOnly);
+            }
+            replace(&target, bytes, &before, writable.ok())
+        }
+        Err(_) => Temporary::beside(&target).and_then(|temporary| temporary.fill(bytes)?.rename(&target)),
+    };
+    result.map_err(FileError::Write)?;
+    if let Some(folder) = folder_of(&target) {
+        remove_left_over(folder);
+    }
+    Ok(())
+}
+
+fn open_to_write(path: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).open(path)
+}
+
+fn denied<T>(result: &io::Result<T>) -> bool {
+    result.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::PermissionDenied)
+}
+
+/// Where a chain of links ends, whether a file is there or not.
+fn end_of_links(path: &Path) -> io::Result<PathBuf> {
+    // As many as Linux follows.
+    const MOST: usize = 40;
+    let mut end = path.to_owned();
+    for _ in 0..MOST {
+        let Ok(next) = fs::read_link(&end) else { return Ok(end) };
+        end = end.parent().unwrap_or(Path::new("")).join(next);
+    }
+    Err(io::Error::other("too many links, one after the other"))
+}
+
+/// Replaces a regular file; `writable` is the file itself where the system lets it be written.
+fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: Option<File>) -> io::Result<()> {
+    match (Temporary::beside(target), writable) {
+        (Ok(temporary), writable) => {
+            let temporary = temporary.fill(bytes)?;
+            let same_owner = temporary.take_owner(before);
+            match writable {
+                // The copy beside it holds the new bytes until they are all there.
+                Some(file) if has_other_names(before) || !same_owner => write_in_place(file, target, bytes),
+                _ => {
+                    temporary.file.set_permissions(before.permissions())?;
+                    temporary.rename(target)
+                }
+            }
+        }
+        (Err(_), Some(file)) => write_in_place(file, target, bytes),
+        (Err(error), None) => Err(error),
+    }
+}
+
+/// Writes over the old bytes, and puts them back where the new ones find no room.
+fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let old = fs::read(path);
+    let mut put = |bytes: &[u8]| {
+        file.rewind()?;
+        file.write_all(bytes)?;
+        file.set_len(bytes.len() as u64)?;
+        file.sync_all()
+    };
+    put(bytes).inspect_err(|_| {
+        if let Ok(old) = old {
+            // The error that is told is the first one.
+            let _ = put(&old);
+        }
+    })
+}
+
+/// True for a file that other names lead to as well (hard links).
+#[cfg(unix)]
+fn has_other_names(file: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+    file.nlink() > 1
+}
+
+#[cfg(not(unix))]
+fn has_other_names(_: &Metadata) -> bool {
+    false
+}
+
+/// A new file in the folder of another one, which it can become in one step. Locked while its program lives; removed unless renamed.
+struct Temporary {
+    path: PathBuf,
+    file: File,
+    renamed: bool,
+}
+
+const PREFIX: &str = ".camera-lab-";
+const ENDING: &str = ".tmp";
+
+impl Temporary {
+    fn beside(target: &Path) -> io::Result<Self> {
+        if target.file_name().is_none() {
+            return Err(io::ErrorKind::InvalidFilename.into());
+        }
+        let mut attempt = 0_u32;
+        loop {
+            // Short, however long the name of the file is.
+            let path = target.with_file_name(format!("{PREFIX}{}-{attempt}{ENDING}", std::process::id()));
+            match OpenOptions::new().write(true).create_new(true).open(&path) {
+                Ok(file) => {
+                    // Where there are no locks, what is left over is told by its age alone.
+                    let _ = file.try_lock();
+                    return Ok(Self { path, file, renamed: false });
+                }
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists && attempt < 100 => attempt += 1,
+                Err(error) => return Err(error),
+            }
+        }
+    }
+
+    fn fill(mut self, bytes: &[u8]) -> io::Result<Self> {
+        self.file.write_all(bytes)?;
+        self.file.sync_all()?;
+        Ok(self)
+    }
+
+    /// Takes the owner and group of another file over; false where the system does not allow it.
+    #[cfg(unix)]
+    fn take_owner(&self, of: &Metadata) -> bool {
+        use std::os::unix::fs::{MetadataExt as _, fchown};
+        let Ok(own) = self.file.metadata() else { return false };
+        (own.uid(), own.gid()) == (of.uid(), of.gid()) || fchown(&self.file, Some(of.uid()), Some(of.gid())).is_ok()
+    }
+
+    #[cfg(not(unix))]
+    fn take_owner(&self, _: &Metadata) -> bool {
+        true
+    }
+
+    fn rename(mut self, target: &Path) -> io::Result<()> {
+        fs::rename(&self.path, target)?;
+        self.renamed = true;
+        sync_folder_of(target);
+        Ok(())
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        if !self.renamed {
+            // Nothing more can be done for a temporary file that cannot be removed.
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+/// `None` for a name alone has no folder to open: the current one is meant.
+fn folder_of(target: &Path) -> Option<&Path> {
+    let folder = target.parent()?;
+    Some(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
+}
+
+/// Makes a rename outlast a power cut, where the system can.
+fn sync_folder_of(target: &Path) {
+    if cfg!(unix)
+        && let Some(folder) = folder_of(target).and_then(|folder| File::open(folder).ok())
+    {
+        // The file is whole either way; some file systems refuse to sync a folder.
+        let _ = folder.sync_all();
+    }
+}
+
+/// Removes temporary files that nobody is writing any more.
+fn remove_left_over(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten().filter(|entry| is_temporary(&entry.file_name())) {
+        let path = entry.path();
+        let old = entry.metadata().and_then(|meta| meta.modified()).is_ok_and(|time| {
+            // Between making a file and locking it there is a moment.
+            time.elapsed().is_ok_and(|age| age > Duration::from_secs(60))
+        });
+        if old && open_to_write(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = fs::remove_file(&path);
+        }
+    }
+}
+
+fn is_temporary(name: &OsStr) -> bool {
+    name.to_str().is_some_and(|name| name.starts_with(PREFIX) && name.ends_with(ENDING))
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::files::read_file;
+    use crate::files::testing::Directory;
+
+    fn save_writable(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+        save(path, bytes, Overwrite::Writable)
+    }
+
+    #[test]
+    fn saving_replaces_the_whole_file_and_leaves_nothing_else() {
+        let directory = Directory::new("replace");
+        let path = directory.path().join("figura ção.toml");
+        save_writable(&path, b"a long first text").unwrap();
+        save_writable(&path, b"short").unwrap();
+        assert_eq!(read_file(&path).unwrap(), b"short");
+        assert_eq!(directory.names().len(), 1);
+    }
+
+    #[test]
+    fn what_cannot_be_saved_leaves_nothing_behind() {
+        let directory = Directory::new("refused");
+        assert!(matches!(save_writable(directory.path(), b"x"), Err(FileError::Directory)));
+        let nowhere = directory.path().join("no/such/place.toml");
+        assert!(matches!(save_writable(&nowhere, b"x"), Err(FileError::Write(_))));
+        assert!(matches!(save_writable(Path::new(""), b"x"), Err(FileError::Write(_))));
+        assert!(matches!(save_writable(Path::new("//host/share/x"), b"x"), Err(FileError::Network)));
+        assert!(directory.names().is_empty());
+    }
+
+    #[test]
+    fn a_read_only_file_is_replaced_only_when_that_was_asked_for() {
+        let directory = Directory::new("read-only");
+        let path = directory.path().join("notes.toml");
+        fs::write(&path, "old").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        assert!(matches!(save_writable(&path, b"new"), Err(FileError::ReadOnly)));
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+        save(&path, b"new", Overwrite::ReadOnlyToo).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        assert!(fs::metadata(&path).unwrap().permissions().readonly());
+        assert_eq!(directory.names().len(), 1);
+    }
+
+    #[test]
+    fn what_a_killed_program_left_is_removed_and_what_is_being_written_is_not() {
+        let directory = Directory::new("left-over");
+        let minutes_ago = std::time::SystemTime::now() - Duration::from_secs(600);
+        let file = |name: &str, time| {
+            let file = File::create(directory.path().join(name)).unwrap();
+            file.set_modified(time).unwrap();
+            file
+        };
+        drop(file(".camera-lab-1-0.tmp", minutes_ago));
+        let being_written = file(".camera-lab-2-0.tmp", minutes_ago);
+        being_written.lock().unwrap();
+        drop(file(".camera-lab-3-0.tmp", std::time::SystemTime::now()));
+        drop(file("mine.tmp", minutes_ago));
+        save_writable(&directory.path().join("a.toml"), b"x").unwrap();
+        let mut names = directory.names();
+        names.sort();
+        assert_eq!(names, [".camera-lab-2-0.tmp", ".camera-lab-3-0.tmp", "a.toml", "mine.tmp"]);
+    }
+
+    #[cfg(unix)]
+    mod unix {
+        use super::*;
+        use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _, chown, symlink};
+
+        #[test]
+        fn links_and_permissions_stay() {
+            let directory = Directory::new("link");
+            let (file, link) = (directory.path().join("file.toml"), directory.path().join("link.toml"));
+            fs::write(&file, "old").unwrap();
+            fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
+            symlink("file.toml", &link).unwrap();
+            save_writable(&link, b"new").unwrap();
+            assert_eq!(fs::read(&file).unwrap(), b"new");
+            assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+            assert_eq!(fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o640);
+        }
+
+        #[test]
+        fn a_link_that_leads_nowhere_yet_stays_a_link() {
+            let directory = Directory::new("dangling");
+            let link = directory.path().join("link.toml");
+            symlink("later.toml", &link).unwrap();
+            save_writable(&link, b"new").unwrap();
+            assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+            assert_eq!(fs::read(directory.path().join("later.toml")).unwrap(), b"new");
+            let round = directory.path().join("round.toml");
+            symlink("round.toml", &round).unwrap();
+            assert!(matches!(save_writable(&round, b"x"), Err(FileError::Write(_))));
+        }
+
+        #[test]
+        fn hard_links_are_not_cut() {
+            let directory = Directory::new("hard-link");
+            let (one, other) = (directory.path().join("one.toml"), directory.path().join("other.toml"));
+            fs::write(&one, "an old and long text").unwrap();
+            fs::hard_link(&one, &other).unwrap();
+            save_writable(&one, b"new").unwrap();
+            assert_eq!(fs::read(&other).unwrap(), b"new");
+            assert_eq!(directory.names().len(), 2);
+        }
+
+        #[test]
+        fn the_owner_stays() {
+            let directory = Directory::new("owner");
+            let path = directory.path().join("theirs.toml");
+            fs::write(&path, "old").unwrap();
+            // Only root may give files away; everybody else finds the owner unchanged anyway.
+            let given = chown(&path, Some(1), Some(1)).is_ok();
+            let before = fs::metadata(&path).unwrap();
+            save_writable(&path, b"new").unwrap();
+            let after = fs::metadata(&path).unwrap();
+            assert_eq!((after.uid(), after.gid()), (before.uid(), before.gid()));
+            assert_eq!(after.uid() == 1, given);
+        }
+
+        #[test]
+        fn the_longest_name_that_the_system_allows_can_be_saved() {
+            let directory = Directory::new("long-name");
+            let path = directory.path().join(format!("{}.toml", "n".repeat(250)));
+            save_writable(&path, b"one").unwrap();
+            save_writable(&path, b"two").unwrap();
+            assert_eq!(fs::read(&path).unwrap(), b"two");
+        }
+    }
+}
