@@ -7,9 +7,9 @@ use eframe::egui::{self, ViewportCommand};
 use super::canvas::Canvas;
 use super::command::Command;
 use super::export::Export;
-use super::filing::{self, Dialog, Purpose, Wish};
+use super::file_flow;
 use super::session::Session;
-use super::state::{Side, State};
+use super::state::{AfterSave, Dialog, Purpose, Side, State};
 use super::{dialogs, menu, panels, theme};
 use crate::appearance::Theme;
 use crate::i18n::Lang;
@@ -47,7 +47,7 @@ impl App {
         let Some((session, left)) = Session::begin(folder, restore) else { return };
         self.session = Some(session);
         if let Some(document) = left {
-            filing::take_over(&mut self.state, document);
+            self.state.take_over(document);
             self.state.say(window::texts(self.state.settings.lang).restored);
         }
     }
@@ -55,8 +55,8 @@ impl App {
     /// One frame; `ui` is the whole window.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
-        filing::tend(&ctx, &mut self.state);
-        if self.state.filing.dialog.is_none()
+        file_flow::poll(&ctx, &mut self.state);
+        if self.state.file_flow.dialog.is_none()
             && let Some(command) = self.keyboard(&ctx)
         {
             self.perform(&ctx, command);
@@ -130,12 +130,14 @@ impl App {
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
         let state = &mut self.state;
         match command {
-            Command::New => filing::wish(ctx, state, Wish::New),
-            Command::Open => filing::wish(ctx, state, Wish::Open),
-            Command::Save => filing::save(ctx, state, None),
-            Command::SaveAs => filing::ask(ctx, state, Purpose::Save(None)),
-            Command::Export => state.filing.dialog = Some(Dialog::Export(Export::new(state))),
-            Command::Quit => filing::wish(ctx, state, Wish::Quit),
+            Command::New => file_flow::begin(ctx, state, AfterSave::New),
+            Command::Open => file_flow::begin(ctx, state, AfterSave::Open),
+            Command::Save => file_flow::save(ctx, state, None),
+            Command::SaveAs => file_flow::ask(ctx, state, Purpose::Save(None)),
+            Command::Export => {
+                state.file_flow.dialog = Some(Dialog::Export(Export::new(state.picture_sizes, state.screen_scale)));
+            }
+            Command::Quit => file_flow::begin(ctx, state, AfterSave::Quit),
             Command::Undo => state.document.undo(),
             Command::Redo => state.document.redo(),
             Command::Reset => state.document.reset(),
@@ -175,7 +177,7 @@ impl App {
             }
             Command::Show(picture) => state.layout.toggle(picture),
             Command::Observe(change) => state.observer_change = Some(change),
-            Command::Help => state.filing.dialog = Some(Dialog::Help),
+            Command::Help => state.file_flow.dialog = Some(Dialog::Help),
             Command::Pipeline => state.layout.strip = !state.layout.strip,
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,
         }

@@ -7,10 +7,10 @@ use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
 
 use super::command::Command;
 use super::export::Export;
-use super::filing::{self, Dialog, Purpose};
+use super::file_flow;
 use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row};
-use super::state::State;
+use super::state::{Dialog, Purpose, State};
 use crate::appearance::Theme;
 use crate::i18n::canvas::canvas;
 use crate::i18n::window::{self, Texts};
@@ -20,7 +20,7 @@ use crate::views::{View, Views};
 /// Shows the question that is open, if any, and acts on the answer.
 pub fn show(ctx: &egui::Context, state: &mut State) {
     let shown = Id::unique("dialog shown");
-    let Some(dialog) = state.filing.dialog.take() else {
+    let Some(dialog) = state.file_flow.dialog.take() else {
         ctx.data_mut(|data| data.remove::<Option<Discriminant<Dialog>>>(shown));
         return;
     };
@@ -33,22 +33,22 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
         let width = if dialog == Dialog::Help { 520.0 } else { 380.0_f32 };
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
-            Dialog::Unsaved(wish) => {
+            Dialog::Unsaved(next) => {
                 let name = state.document.name().unwrap_or_else(|| t.untitled.to_owned());
                 text(ui, t.unsaved_title, &format!("{} {name}", t.unsaved_text));
                 match buttons(ui, t.cancel, &[t.dont_save, t.save_first], first.then_some(1)) {
-                    Answer::Yes(1) => filing::save(ctx, state, Some(wish)),
-                    Answer::Yes(_) => filing::fulfil(ctx, state, wish),
-                    Answer::No => {}
-                    Answer::Open => state.filing.dialog = Some(Dialog::Unsaved(wish)),
+                    Pressed::Action(1) => file_flow::save(ctx, state, Some(next)),
+                    Pressed::Action(_) => file_flow::go_on(ctx, state, next),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Unsaved(next)),
                 }
             }
             Dialog::Overwrite(purpose, path) => {
                 text(ui, t.overwrite_title, &format!("{} {}", path.display(), t.overwrite_text));
                 match buttons(ui, t.cancel, &[t.replace], first.then_some(CANCEL)) {
-                    Answer::Yes(_) => filing::confirmed(ctx, state, purpose, &path),
-                    Answer::No => {}
-                    Answer::Open => state.filing.dialog = Some(Dialog::Overwrite(purpose, path)),
+                    Pressed::Action(_) => file_flow::confirmed(ctx, state, purpose, &path),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path)),
                 }
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
@@ -57,7 +57,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
         }
     });
     if modal.should_close() {
-        state.filing.dialog = None;
+        state.file_flow.dialog = None;
     }
 }
 
@@ -68,20 +68,22 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
     ui.add_space(10.0);
 }
 
-enum Answer {
+/// What was done with the buttons of a question.
+enum Pressed {
     /// The button with this number.
-    Yes(usize),
-    No,
+    Action(usize),
+    /// The one that changes nothing.
+    Cancel,
     /// None yet.
-    Open,
+    Nothing,
 }
 
 /// The number of the button that changes nothing.
 const CANCEL: usize = usize::MAX;
 
 /// Buttons at the lower right, the one that is most wanted last. `focus` is the one that Enter presses.
-fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usize>) -> Answer {
-    let mut answer = Answer::Open;
+fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usize>) -> Pressed {
+    let mut pressed = Pressed::Nothing;
     let size = egui::vec2(80.0, 26.0);
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         for (index, action) in actions.iter().enumerate().rev() {
@@ -94,7 +96,7 @@ fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usiz
                 response.request_focus();
             }
             if response.clicked() {
-                answer = Answer::Yes(index);
+                pressed = Pressed::Action(index);
             }
         }
         let response = ui.add(egui::Button::new(cancel).min_size(size));
@@ -102,10 +104,10 @@ fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usiz
             response.request_focus();
         }
         if response.clicked() {
-            answer = Answer::No;
+            pressed = Pressed::Cancel;
         }
     });
-    answer
+    pressed
 }
 
 fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Purpose, mut path: String, first: bool) {
@@ -131,20 +133,20 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         complaint(ui, &error.text);
     }
     ui.add_space(10.0);
-    let answer = buttons(ui, t.cancel, &[action], None);
-    let go = (enter || matches!(answer, Answer::Yes(_))) && !path.trim().is_empty();
-    if matches!(answer, Answer::No) {
+    let pressed = buttons(ui, t.cancel, &[action], None);
+    let go = (enter || matches!(pressed, Pressed::Action(_))) && !path.trim().is_empty();
+    if matches!(pressed, Pressed::Cancel) {
         return;
     }
     if !go {
-        state.filing.dialog = Some(Dialog::Path(purpose, path));
+        state.file_flow.dialog = Some(Dialog::Path(purpose, path));
         return;
     }
     state.message = None;
-    filing::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
+    file_flow::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
     // What went wrong is shown where it was typed.
-    if state.filing.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error) {
-        state.filing.dialog = Some(Dialog::Path(purpose, path));
+    if state.file_flow.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error) {
+        state.file_flow.dialog = Some(Dialog::Path(purpose, path));
     }
 }
 
@@ -162,7 +164,7 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
     row(ui, "", t.export_size, t.export_size_hint, |ui| {
         choice(ui, t.export_size, t.export_size_hint, &mut export.times, &times)
     });
-    export.fit_screen(state);
+    export.fit_screen(state.picture_sizes, state.screen_scale);
     let errors = row(ui, "", t.export_pixels, "", |ui| {
         ui.add_enabled_ui(export.times.is_none(), |ui| pixels(ui, t, &mut export)).inner
     });
@@ -177,9 +179,9 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
     ui.label(RichText::new(t.export_note).small().weak());
     ui.add_space(10.0);
     match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
-        Answer::Yes(_) if errors.is_empty() => filing::ask(ui.ctx(), state, Purpose::Export(export)),
-        Answer::No => {}
-        Answer::Yes(_) | Answer::Open => state.filing.dialog = Some(Dialog::Export(export)),
+        Pressed::Action(_) if errors.is_empty() => file_flow::ask(ui.ctx(), state, Purpose::Export(export)),
+        Pressed::Cancel => {}
+        Pressed::Action(_) | Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
     }
 }
 
@@ -234,7 +236,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
     });
     ui.add_space(8.0);
     match buttons(ui, t.close, &[], first.then_some(CANCEL)) {
-        Answer::Open => state.filing.dialog = Some(Dialog::Help),
-        Answer::Yes(_) | Answer::No => {}
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Help),
+        Pressed::Action(_) | Pressed::Cancel => {}
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use eframe::egui;
 
-use super::state::State;
+use super::document::Document;
 use super::worker::Worker;
 use crate::appearance::Theme;
 use crate::camera::Camera;
@@ -34,26 +34,26 @@ pub struct Export {
 }
 
 impl Export {
-    /// All three pictures as on the screen, for paper.
+    /// All three pictures as on the screen, for paper. `sizes`: width and height of each picture on the screen, in the order
+    /// of [`View::ALL`]; `scale`: pixels there for one unit of stroke width.
     #[must_use]
-    pub fn new(state: &State) -> Self {
+    pub fn new(sizes: [[u32; 2]; 3], scale: f32) -> Self {
         let mut export =
             Self { what: Views::All, width: 0, height: 0, times: Some(2), theme: Theme::Print, scale: 1.0 };
-        export.fit_screen(state);
+        export.fit_screen(sizes, scale);
         export
     }
 
-    /// Sets the size to that on the screen, `times` as large.
-    pub fn fit_screen(&mut self, state: &State) {
+    /// Sets the size to that on the screen, `times` as large; `sizes` and `scale` as in [`new`](Self::new).
+    pub fn fit_screen(&mut self, sizes: [[u32; 2]; 3], scale: f32) {
         let Some(times) = self.times else { return };
-        let sizes = state.picture_sizes;
         let [width, height] = match self.what {
             Views::One(view) => sizes[view.index()],
             Views::All => together(sizes),
         };
         let side = |pixels: u32| (pixels.max(1) * times).min(crate::limits::MAX_SIDE);
         (self.width, self.height) = (side(width), side(height));
-        self.scale = times as f32 * state.screen_scale;
+        self.scale = times as f32 * scale;
     }
 }
 
@@ -82,13 +82,13 @@ pub(super) struct Task {
 }
 
 /// Draws and writes beside the window's thread; what comes of it is the path, or a sentence that says what went wrong.
-pub(super) fn start(ctx: &egui::Context, state: &State, export: Export, path: PathBuf) -> Exporting {
-    let mut figure = state.document.figure().clone();
+pub(super) fn start(ctx: &egui::Context, document: &Document, lang: Lang, export: Export, path: PathBuf) -> Exporting {
+    let mut figure = document.figure().clone();
     figure.style.theme = export.theme;
-    let source = state.document.source().to_owned();
-    let folder = state.document.folder().map(Path::to_owned).unwrap_or_default();
+    let source = document.source().to_owned();
+    let folder = document.folder().map(Path::to_owned).unwrap_or_default();
     let mut exporting: Exporting = Worker::new("export", clock::now, || Box::new(Task::run));
-    exporting.ask(ctx, 0, Task { figure, source, folder, lang: state.settings.lang, export, path });
+    exporting.ask(ctx, 0, Task { figure, source, folder, lang, export, path });
     exporting
 }
 

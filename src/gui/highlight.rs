@@ -5,8 +5,7 @@ use std::collections::BTreeSet;
 use glam::{DMat4, DVec3};
 
 use super::document::Document;
-use super::panels::scene::Selected;
-use super::state::State;
+use super::state::{Selected, State};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
 use crate::numbers::round_to;

@@ -14,7 +14,7 @@ pub mod command;
 pub mod dialogs;
 pub mod document;
 pub mod export;
-pub mod filing;
+pub mod file_flow;
 mod handles;
 mod highlight;
 pub mod menu;

@@ -15,7 +15,7 @@ const TOO_FAST: Duration = Duration::from_millis(600);
 
 /// What to ask for.
 #[derive(Clone, Debug)]
-pub struct Question {
+pub struct FileQuestion {
     /// True: a file that may not exist yet.
     pub save: bool,
     /// The title of the dialog.
@@ -32,7 +32,7 @@ pub struct Question {
 
 /// What came back.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Answer {
+pub enum FileAnswer {
     /// A path.
     Chosen(PathBuf),
     /// The dialog was closed.
@@ -46,13 +46,13 @@ type Chosen = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
 
 /// A dialog that is open. Each has a thread of its own: one that never answers does not keep the next from being opened.
 #[derive(Debug)]
-pub(super) struct Asking {
+pub(super) struct OpenFileDialog {
     worker: Worker<Chosen, Option<PathBuf>>,
 }
 
-impl Asking {
+impl OpenFileDialog {
     /// Opens the dialog; `ctx` is woken when it is closed.
-    pub(super) fn start(ctx: &egui::Context, question: Question) -> Self {
+    pub(super) fn start(ctx: &egui::Context, question: FileQuestion) -> Self {
         let mut dialog = rfd::AsyncFileDialog::new()
             .set_title(question.title)
             .set_file_name(question.name)
@@ -70,12 +70,12 @@ impl Asking {
     }
 
     /// The answer, once there is one.
-    pub(super) fn poll(&mut self) -> Option<Answer> {
+    pub(super) fn poll(&mut self) -> Option<FileAnswer> {
         let [done] = self.worker.take(Duration::ZERO);
         Some(match done? {
-            Done { outcome: Some(Some(path)), .. } => Answer::Chosen(path),
-            Done { outcome: Some(None), time } if time >= TOO_FAST => Answer::Cancelled,
-            Done { .. } => Answer::Unavailable,
+            Done { outcome: Some(Some(path)), .. } => FileAnswer::Chosen(path),
+            Done { outcome: Some(None), time } if time >= TOO_FAST => FileAnswer::Cancelled,
+            Done { .. } => FileAnswer::Unavailable,
         })
     }
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::canvas::Canvas;
-use camera_lab::gui::panels::scene::Selected;
+use camera_lab::gui::state::Selected;
 use camera_lab::gui::{Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;

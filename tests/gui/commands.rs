@@ -125,6 +125,6 @@ fn help_lists_the_keys() {
     window.key(Key::F1);
     assert!(window.says("Mouse e teclado") && window.says("Ctrl+Shift+S"));
     window.click("Fechar");
-    assert_eq!(window.state().filing.dialog, None);
+    assert_eq!(window.state().file_flow.dialog, None);
     assert!(!window.says("Ctrl+Shift+S"));
 }

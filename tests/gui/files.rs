@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use camera_lab::export::png;
-use camera_lab::gui::filing::Dialog;
+use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::{files, gui};
 use eframe::egui::accesskit::Role;
@@ -97,7 +97,7 @@ fn save_as_appends_the_ending_and_asks_before_it_replaces() {
     window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
     window.run();
     window.choose(&folder.file("b.toml"));
-    assert!(matches!(window.state().filing.dialog, Some(Dialog::Overwrite(..))));
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Overwrite(..))));
     assert_eq!(fs::read_to_string(folder.file("b.toml")).expect("there"), "precious");
     window.click("Cancel");
     assert_eq!(fs::read_to_string(folder.file("b.toml")).expect("there"), "precious");
@@ -123,10 +123,10 @@ fn a_faulty_file_is_explained_and_changes_nothing() {
     window.run();
     window.key(Key::Enter);
     // The field is still open, with the reason below it.
-    assert!(matches!(window.state().filing.dialog, Some(Dialog::Path(..))));
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(..))));
     assert!(window.says("permitido: 0 < near < far"));
     window.key(Key::Escape);
-    assert!(window.state().filing.dialog.is_none());
+    assert!(window.state().file_flow.dialog.is_none());
     assert_eq!(window.state().document.figure(), &before);
 }
 
@@ -149,7 +149,7 @@ fn changes_are_asked_about_before_they_are_lost() {
     window.click("Save");
     window.choose(&folder.file("kept.toml"));
     assert_eq!(files::open_figure(&folder.file("kept.toml")).expect("a figure").figure.camera.position.x, 2.0);
-    assert!(window.state().filing.may_close);
+    assert!(window.state().file_flow.may_close);
 }
 
 #[test]

@@ -29,7 +29,7 @@ impl Window {
         figure.scene.preset = Preset::Empty;
         figure.style.antialias = 1;
         let mut state = State::new(Start { figure, file: None, lang }).expect("a possible camera");
-        state.filing.native = false;
+        state.file_flow.native = false;
         state.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
     }
@@ -39,7 +39,7 @@ impl Window {
         let opened = camera_lab::files::open_figure(path).expect("a figure file");
         let file = Some((path.to_owned(), opened.text));
         let mut state = State::new(Start { figure: opened.figure, file, lang: Lang::En }).expect("a possible camera");
-        state.filing.native = false;
+        state.file_flow.native = false;
         state.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])
     }

@@ -3,9 +3,9 @@
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
 use super::{TEXT_LINE, complaint, section};
-use crate::camera::{Amount, Camera, Convention, Descriptor, Freedom, OPERATIONS, Operation};
+use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::state::State;
+use crate::gui::state::{Scrub, State};
 use crate::gui::theme;
 use crate::i18n::window::{self, Texts};
 use crate::numbers;
@@ -50,30 +50,6 @@ fn effect(freedom: Freedom, t: &Texts) -> &'static str {
         Freedom::Dolly => t.dolly_effect,
         Freedom::PanU => t.pan_u_effect,
         Freedom::PanV => t.pan_v_effect,
-    }
-}
-
-/// The panel's own state.
-#[derive(Clone, Debug)]
-pub struct Operations {
-    /// What a button does: degrees, factor or scene units, in the order of [`OPERATIONS`].
-    pub steps: [f64; OPERATIONS.len()],
-    /// Whose signs.
-    pub convention: Convention,
-    scrub: Option<Scrub>,
-}
-
-/// A slider that is being held.
-#[derive(Clone, Debug)]
-struct Scrub {
-    freedom: Freedom,
-    start: Camera,
-    amount: f64,
-}
-
-impl Default for Operations {
-    fn default() -> Self {
-        Self { steps: OPERATIONS.map(|descriptor| descriptor.step), convention: Convention::default(), scrub: None }
     }
 }
 

@@ -5,101 +5,15 @@ mod light;
 mod object;
 mod tree;
 
-use std::collections::BTreeSet;
-
 use eframe::egui::{self, RichText};
-
-pub use add::add_mesh;
 
 use super::{choice, row, section};
 use crate::gui::number_field::FieldOutput;
-use crate::gui::state::State;
+use crate::gui::state::{Draft, Selected, State};
 use crate::i18n::scenes::{self, Texts};
 use crate::i18n::window;
 use crate::scene::edit::{self, Children};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
-
-/// What is selected in the tree.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Selected {
-    /// An object of the figure, by name.
-    Object(String),
-    /// An object of the named scene, by name.
-    OfPreset(String),
-    /// A light of the figure, by its place in the list.
-    Light(usize),
-}
-
-impl Selected {
-    /// What an object of the built scene stands for, by its name.
-    #[must_use]
-    pub fn of_object(scene: &SceneSpec, name: &str) -> Option<Self> {
-        let whole = name.split_once('/').map_or(name, |(whole, _)| whole);
-        let own = [name, whole].into_iter().find(|name| scene.objects.iter().any(|o| o.name == *name));
-        if let Some(own) = own {
-            return Some(Self::Object(own.to_owned()));
-        }
-        let is_of_preset = tree::preset_objects(scene.preset).iter().any(|o| o.name == name);
-        is_of_preset.then(|| Self::OfPreset(name.to_owned()))
-    }
-}
-
-/// What the tree remembers from one frame to the next.
-#[derive(Debug, Default)]
-pub struct SceneTree {
-    selected: Option<Selected>,
-    /// What is selected after this frame: what is being typed now is taken over before.
-    next: Option<Option<Selected>>,
-    folded: BTreeSet<String>,
-    /// The scene as the fields show it while it is impossible.
-    draft: Option<Draft>,
-    /// A name or a colour that is being typed, and whose it is.
-    typing: Option<Typing>,
-    /// An object that is hung elsewhere moves with its new parent.
-    moves_with_parent: bool,
-}
-
-#[derive(Debug)]
-struct Draft {
-    /// The scene of the figure that it was made from; another one makes it void.
-    base: SceneSpec,
-    now: SceneSpec,
-    error: SceneError,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Typing {
-    owner: String,
-    key: &'static str,
-    text: String,
-    /// It was left although it is wrong.
-    left: bool,
-}
-
-impl SceneTree {
-    /// What is selected, if the scene has it.
-    #[must_use]
-    pub fn selected(&self, scene: &SceneSpec) -> Option<&Selected> {
-        self.selected.as_ref().filter(|selected| match selected {
-            Selected::Object(name) => scene.objects.iter().any(|o| o.name == *name),
-            Selected::OfPreset(name) => tree::preset_objects(scene.preset).iter().any(|o| o.name == *name),
-            Selected::Light(index) => *index < scene.lights.len(),
-        })
-    }
-
-    /// Selects something, or nothing, once all panels have been shown in this frame.
-    pub fn select(&mut self, selected: Option<Selected>) {
-        self.next = Some(selected);
-    }
-
-    /// Does what [`select`](Self::select) has asked for; true where it has.
-    pub fn settle(&mut self) -> bool {
-        let next = self.next.take();
-        let asked = next.is_some();
-        self.selected = next.unwrap_or(self.selected.take());
-        asked
-    }
-}
 
 /// A change that the tree or a button asks for.
 enum Edit {

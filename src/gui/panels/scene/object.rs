@@ -3,12 +3,12 @@
 use eframe::egui::{self, Key, RichText};
 use glam::DVec3;
 
-use super::{Edit, Form, Selected, Typing, tree};
+use super::{Edit, Form};
 use crate::appearance::Rgba;
-use crate::gui::filing::{self, MeshFor, Purpose};
+use crate::gui::file_flow;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{Vector, complaint, row};
-use crate::gui::state::State;
+use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
 use crate::i18n::scenes::{self, Texts};
 use crate::numbers::short;
 use crate::scene::edit::{self, Children, descendants, free_name, placements};
@@ -44,7 +44,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: u
 /// What an object of the named scene is like; it cannot be changed.
 pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, name: &str) {
     let t = scenes::texts(state.settings.lang);
-    let preset = tree::preset_objects(state.document.figure().scene.preset);
+    let preset = preset_objects(state.document.figure().scene.preset);
     let Some(object) = preset.iter().find(|o| o.name == name) else { return };
     ui.add(egui::Label::new(RichText::new(t.of_preset_hint).weak()).wrap());
     row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
@@ -107,12 +107,6 @@ fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
     if state.tree.typing.as_ref().is_some_and(is_it) { state.tree.typing.take() } else { None }
 }
 
-impl Typing {
-    fn of(owner: &str, key: &'static str, text: &str) -> Self {
-        Self { owner: owner.to_owned(), key, text: text.to_owned(), left: false }
-    }
-}
-
 /// Another shape with the same transform; what needs data of its own does not change into something else.
 fn kind(ui: &mut egui::Ui, form: &mut Form, index: usize) {
     let t = form.t;
@@ -163,7 +157,7 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Op
     let object = &form.scene.objects[index];
     let below = descendants(&form.scene, &object.name);
     let own = form.scene.objects.iter().map(|o| &o.name);
-    let preset = tree::preset_objects(form.scene.preset);
+    let preset = preset_objects(form.scene.preset);
     let mut names: Vec<&String> = own.filter(|name| **name != object.name && !below.contains(*name)).collect();
     names.extend(preset.iter().map(|o| &o.name).filter(|name| form.scene.objects.iter().all(|o| o.name != **name)));
     let mut chosen = object.parent.clone();
@@ -348,7 +342,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     let mut left = false;
     row(ui, "", t.path, t.path_hint, |ui| {
         if ui.button(t.browse).clicked() {
-            filing::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
+            file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
         }
         let field = egui::TextEdit::singleline(&mut typing.text)
             .id(egui::Id::unique(("object file", owner)))

@@ -8,21 +8,15 @@ use eframe::egui::{
     pos2, vec2,
 };
 
-use super::{Edit, Selected};
-use crate::appearance::{Rgba, Theme};
-use crate::gui::state::State;
+use super::Edit;
+use crate::appearance::Rgba;
+use crate::gui::state::{Selected, State, preset_objects};
 use crate::i18n::scenes::Texts;
 use crate::scene::edit::{Children, descendants};
-use crate::scene::palette::SceneColors;
 use crate::scene::{LightSpec, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
 
 /// Width of a step of the tree, in points.
 const INDENT: f32 = 13.0;
-
-/// The objects of a preset; their colours do not matter here.
-pub(super) fn preset_objects(preset: Preset) -> Vec<ObjectSpec> {
-    crate::scene::preset_objects(preset, &SceneColors::of(Theme::Light))
-}
 
 /// A line of the tree.
 struct Row {

@@ -1,151 +1,28 @@
 //! What the panels and the pictures share.
 
+mod files;
+mod insert;
+mod layout;
+mod operations;
+mod scene_tree;
+
 use std::path::PathBuf;
 
 use crate::camera::{CameraError, Operation};
 use crate::figure::Figure;
 use crate::i18n::{Lang, faults};
-use crate::views::observer::Viewpoint;
-use crate::views::{Ghost, Probe, View};
+use crate::views::{Ghost, Probe};
+pub use files::{AfterSave, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose};
+pub(super) use insert::rounded;
+pub use layout::{Arrangement, Layout, ObserverChange, Panels, Side, Tab};
+pub use operations::Operations;
+pub(super) use operations::Scrub;
+pub(super) use scene_tree::{Draft, Typing, preset_objects};
+pub use scene_tree::{SceneTree, Selected};
 
 use super::Start;
 use super::document::Document;
-use super::filing::Filing;
-use super::panels::operations::Operations;
-use super::panels::scene::SceneTree;
 use super::scene_cache::SceneCache;
-
-/// From where a three-dimensional picture is to be seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ObserverChange {
-    /// From a side, with everything in the picture.
-    From(Viewpoint),
-    /// As now, but with everything in the picture.
-    Fit,
-}
-
-/// How several pictures share the room.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Arrangement {
-    /// Side by side.
-    Row,
-    /// One above the other.
-    Column,
-    /// The first above the two others.
-    Above,
-    /// The first to the left of the two others.
-    Beside,
-}
-
-impl Arrangement {
-    /// All.
-    pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
-}
-
-/// Which pictures are shown, and how.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Layout {
-    /// False: the picture is hidden and not drawn. In the order of [`View::ALL`]; at least one is true.
-    pub shown: [bool; 3],
-    /// The picture that has all the room, whatever `shown` says.
-    pub maximized: Option<View>,
-    /// How the pictures share the room; `None`: as suits the room.
-    pub arrangement: Option<Arrangement>,
-    /// Orbiting one three-dimensional picture turns the other too.
-    pub linked: bool,
-    /// The stages of the pipeline are shown under the pictures.
-    pub strip: bool,
-    /// Whose stages.
-    pub strip_of: View,
-}
-
-impl Default for Layout {
-    fn default() -> Self {
-        Self {
-            shown: [true; 3],
-            maximized: None,
-            arrangement: None,
-            linked: false,
-            strip: false,
-            strip_of: View::Image,
-        }
-    }
-}
-
-impl Layout {
-    /// True where the picture is on the screen.
-    #[must_use]
-    pub fn is_shown(&self, picture: View) -> bool {
-        match self.maximized {
-            Some(only) => only == picture,
-            None => self.shown[picture.index()],
-        }
-    }
-
-    /// Shows or hides a picture; the last one stays.
-    pub fn toggle(&mut self, picture: View) {
-        if let Some(only) = self.maximized.take() {
-            self.shown = [false; 3];
-            self.shown[only.index()] = true;
-        }
-        let shown = &mut self.shown[picture.index()];
-        *shown = !*shown;
-        if self.shown == [false; 3] {
-            self.shown[picture.index()] = true;
-        }
-    }
-}
-
-/// A panel at a side.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Side {
-    /// The parameters.
-    #[default]
-    Left,
-    /// The operations and the numbers.
-    Right,
-}
-
-/// What the panel on the left shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Tab {
-    /// Camera, projection, view window, image.
-    #[default]
-    Camera,
-    /// Objects and lights.
-    Scene,
-    /// How the pictures are drawn.
-    Drawing,
-}
-
-/// Which panels are wanted, and which there is room for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Panels {
-    /// The wishes, left and right.
-    pub wanted: [bool; 2],
-    /// The one that stays where there is no room for both.
-    pub last: Side,
-    /// There is no room for both.
-    pub narrow: bool,
-}
-
-impl Panels {
-    /// True where the panel is on the screen.
-    #[must_use]
-    pub fn is_shown(&self, side: Side) -> bool {
-        let both = self.wanted == [true; 2];
-        self.wanted[side as usize] && !(self.narrow && both && self.last != side)
-    }
-
-    /// Shows or hides a panel.
-    pub fn toggle(&mut self, side: Side) {
-        let shown = self.is_shown(side);
-        self.wanted[side as usize] = !shown;
-        if !shown {
-            self.last = side;
-        }
-    }
-}
 
 /// What belongs to the window and not to the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -214,7 +91,7 @@ pub struct State {
     /// The panel of operations.
     pub operations: Operations,
     /// Files and the questions about them.
-    pub filing: Filing,
+    pub file_flow: FileFlow,
     /// Width and height of each picture on the screen, in pixels, in the order of [`View::ALL`]; written by the pictures.
     pub picture_sizes: [[u32; 2]; 3],
     /// Pixels for one unit of stroke width in the pictures; written by the pictures.
@@ -268,7 +145,7 @@ impl State {
             layout: Layout::default(),
             tree: SceneTree::default(),
             operations: Operations::default(),
-            filing: Filing::new(true),
+            file_flow: FileFlow::new(true),
             picture_sizes: [[640, 480]; 3],
             screen_scale: 1.0,
             message: None,
@@ -277,6 +154,18 @@ impl State {
             ghost: None,
             probe: None,
         })
+    }
+
+    /// Goes on with another document; nothing of the one before stays.
+    pub(in crate::gui) fn take_over(&mut self, document: Document) {
+        let image = document.figure().image;
+        self.settings.aspect_follows_image =
+            document.draft().aspect == f64::from(image.width) / f64::from(image.height);
+        self.document = document;
+        self.scene_cache.expect_another();
+        self.tree = SceneTree::default();
+        self.probe = None;
+        self.message = None;
     }
 
     /// Does an operation to the camera, by the signs that are chosen; where it cannot be done, says why.

@@ -6,16 +6,13 @@
 //! ```
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
-use super::export::{self, Export, Exporting};
-use super::native::{Answer, Asking, Question};
-use super::panels::{self, scene::SceneTree};
-use super::state::{State, Tab};
-use super::worker::Done;
+use super::export;
+use super::native::{FileAnswer, FileQuestion, OpenFileDialog};
+use super::state::{AfterSave, Dialog, MESH_ENDINGS, MeshFor, Purpose, State, Tab};
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, Opened, Overwrite};
@@ -23,120 +20,35 @@ use crate::i18n::window::{self, Texts};
 use crate::i18n::{messages, scenes};
 use crate::scene::Shape;
 
-/// What is to be done once nothing can be lost any more.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Wish {
-    /// The default figure.
-    New,
-    /// Ask for a file and open it.
-    Open,
-    /// Open this file.
-    OpenPath(PathBuf),
-    /// Close the window.
-    Quit,
-}
-
-/// What a file is asked for.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Purpose {
-    /// To open it.
-    Open,
-    /// To save the figure in it, and then to go on.
-    Save(Option<Wish>),
-    /// To write a picture.
-    Export(Export),
-    /// To put a mesh into the scene.
-    Mesh(MeshFor),
-}
-
-/// What a mesh file is for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum MeshFor {
-    /// A new object.
-    New,
-    /// This object, by name.
-    Object(String),
-}
-
-/// The endings of mesh files.
-pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
-
-/// What is asked in the window.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Dialog {
-    /// There are changes: save them?
-    Unsaved(Wish),
-    /// Which file? The text of the field.
-    Path(Purpose, String),
-    /// The file is there already: replace it?
-    Overwrite(Purpose, PathBuf),
-    /// What to export.
-    Export(Export),
-    /// What the pointer and the keys do.
-    Help,
-}
-
-/// What is going on with files.
-#[derive(Debug, Default)]
-pub struct Filing {
-    /// What is asked in the window now.
-    pub dialog: Option<Dialog>,
-    /// False: files are asked for with a field in the window, as where the system has no dialogs.
-    pub native: bool,
-    /// True from the moment when the window may close.
-    pub may_close: bool,
-    asking: Option<(Purpose, Asking)>,
-    exporting: Vec<Exporting>,
-}
-
-impl Filing {
-    /// Nothing is going on.
-    #[must_use]
-    pub fn new(native: bool) -> Self {
-        Self { native, ..Self::default() }
-    }
-
-    /// The exports that have come to an end.
-    fn exported(&mut self) -> Vec<Done<Result<PathBuf, String>>> {
-        let mut done = Vec::new();
-        self.exporting.retain_mut(|exporting| {
-            let before = done.len();
-            done.extend(exporting.take(Duration::ZERO).into_iter().flatten());
-            done.len() == before
-        });
-        done
-    }
-}
-
-/// Does `wish`, after asking about changes that would be lost.
-pub fn wish(ctx: &egui::Context, state: &mut State, wish: Wish) {
+/// Does what comes `next`, after asking about changes that would be lost.
+pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
     state.document.commit();
     if state.document.is_changed() {
-        state.filing.dialog = Some(Dialog::Unsaved(wish));
+        state.file_flow.dialog = Some(Dialog::Unsaved(next));
     } else {
-        fulfil(ctx, state, wish);
+        go_on(ctx, state, next);
     }
 }
 
-/// Does `wish`; what was changed is lost.
-pub fn fulfil(ctx: &egui::Context, state: &mut State, wish: Wish) {
-    match wish {
-        Wish::New => {
+/// Does what comes `next`; what was changed is lost.
+pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
+    match next {
+        AfterSave::New => {
             if let Ok(document) = Document::new(super::fresh(), None) {
-                take_over(state, document);
+                state.take_over(document);
             }
         }
-        Wish::Open => ask(ctx, state, Purpose::Open),
-        Wish::OpenPath(path) => open(state, &path),
-        Wish::Quit => {
-            state.filing.may_close = true;
+        AfterSave::Open => ask(ctx, state, Purpose::Open),
+        AfterSave::OpenPath(path) => open(state, &path),
+        AfterSave::Quit => {
+            state.file_flow.may_close = true;
             ctx.send_viewport_cmd(ViewportCommand::Close);
         }
     }
 }
 
 /// Saves to the figure's own file; asks for one where there is none.
-pub fn save(ctx: &egui::Context, state: &mut State, then: Option<Wish>) {
+pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     match state.document.path().cloned() {
         Some(path) => write(ctx, state, &path, then),
         None => ask(ctx, state, Purpose::Save(then)),
@@ -146,20 +58,20 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<Wish>) {
 /// Asks for a file: with the dialog of the system, or with a field where it has none.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     let t = window::texts(state.settings.lang);
-    if state.filing.native {
+    if state.file_flow.native {
         let question = question(t, state, &purpose);
-        state.filing.asking = Some((purpose, Asking::start(ctx, question)));
+        state.file_flow.asking = Some((purpose, OpenFileDialog::start(ctx, question)));
     } else {
         let text = proposal(t, state, &purpose);
-        state.filing.dialog = Some(Dialog::Path(purpose, text));
+        state.file_flow.dialog = Some(Dialog::Path(purpose, text));
     }
 }
 
-fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> Question {
+fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion {
     let folder = state.document.folder().map(Path::to_owned).filter(|folder| !folder.as_os_str().is_empty());
     let name = Path::new(&proposal(t, state, purpose)).file_name().unwrap_or_default().to_string_lossy().into_owned();
     match purpose {
-        Purpose::Open => Question {
+        Purpose::Open => FileQuestion {
             save: false,
             title: t.open_title,
             filter: t.figure_filter,
@@ -168,15 +80,27 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> Question {
             folder,
         },
         Purpose::Save(_) => {
-            Question { save: true, title: t.save_title, filter: t.figure_filter, endings: &["toml"], name, folder }
+            FileQuestion { save: true, title: t.save_title, filter: t.figure_filter, endings: &["toml"], name, folder }
         }
-        Purpose::Export(_) => {
-            Question { save: true, title: t.export_title, filter: t.picture_filter, endings: &["png"], name, folder }
-        }
+        Purpose::Export(_) => FileQuestion {
+            save: true,
+            title: t.export_title,
+            filter: t.picture_filter,
+            endings: &["png"],
+            name,
+            folder,
+        },
         Purpose::Mesh(_) => {
             let t = scenes::texts(state.settings.lang);
             let name = String::new();
-            Question { save: false, title: t.mesh_title, filter: t.mesh_filter, endings: MESH_ENDINGS, name, folder }
+            FileQuestion {
+                save: false,
+                title: t.mesh_title,
+                filter: t.mesh_filter,
+                endings: MESH_ENDINGS,
+                name,
+                folder,
+            }
         }
     }
 }
@@ -205,7 +129,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: Pa
     let own = state.document.path() == Some(&path);
     let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_));
     if !reads && !own && path.exists() {
-        state.filing.dialog = Some(Dialog::Overwrite(purpose, path));
+        state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
         confirmed(ctx, state, purpose, &path);
     }
@@ -229,8 +153,8 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Save(then) => write(ctx, state, path, then),
         Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::Export(export) => {
-            let exporting = export::start(ctx, state, export, path.to_owned());
-            state.filing.exporting.push(exporting);
+            let exporting = export::start(ctx, &state.document, state.settings.lang, export, path.to_owned());
+            state.file_flow.exporting.push(exporting);
             state.say(window::texts(state.settings.lang).exporting);
         }
     }
@@ -240,7 +164,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
 fn mesh(state: &mut State, which: MeshFor, path: &Path) {
     let named = named_in_figure(state.document.folder(), path);
     match which {
-        MeshFor::New => panels::scene::add_mesh(state, named),
+        MeshFor::New => state.insert_mesh(named),
         MeshFor::Object(name) => state.document.edit(|figure| {
             if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == name) {
                 object.shape = Some(Shape::Mesh { path: named });
@@ -287,7 +211,7 @@ fn open(state: &mut State, path: &Path) {
     match files::open_figure(path) {
         Ok(Opened { figure, text, .. }) => match Document::new(figure, Some((path.to_owned(), text))) {
             Ok(document) => {
-                take_over(state, document);
+                state.take_over(document);
                 state.say(format!("{} {name}", window::texts(lang).opened));
             }
             Err(error) => state.say_error(format!("{name}: {}", messages::camera(lang, &error))),
@@ -296,17 +220,7 @@ fn open(state: &mut State, path: &Path) {
     }
 }
 
-pub(super) fn take_over(state: &mut State, document: Document) {
-    let image = document.figure().image;
-    state.settings.aspect_follows_image = document.draft().aspect == f64::from(image.width) / f64::from(image.height);
-    state.document = document;
-    state.scene_cache.expect_another();
-    state.tree = SceneTree::default();
-    state.probe = None;
-    state.message = None;
-}
-
-fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<Wish>) {
+fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>) {
     let figure = for_folder(&state.document, path);
     let text = update(state.document.source(), &figure);
     let name = path.display().to_string();
@@ -318,7 +232,7 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<Wish>
             state.document.mark_saved(path.to_owned(), text);
             state.say(format!("{} {name}", window::texts(state.settings.lang).saved));
             if let Some(then) = then {
-                fulfil(ctx, state, then);
+                go_on(ctx, state, then);
             }
         }
         Err(error) => state.say_error(messages::file(state.settings.lang, &name, &error)),
@@ -326,19 +240,19 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<Wish>
 }
 
 /// What happens by itself in each frame: answers of dialogs and of exports, dropped files, the window's own close button.
-pub fn tend(ctx: &egui::Context, state: &mut State) {
-    if let Some((purpose, answer)) = state.filing.asking.as_mut().and_then(|(p, a)| Some((p.clone(), a.poll()?))) {
-        state.filing.asking = None;
+pub fn poll(ctx: &egui::Context, state: &mut State) {
+    if let Some((purpose, answer)) = state.file_flow.asking.as_mut().and_then(|(p, a)| Some((p.clone(), a.poll()?))) {
+        state.file_flow.asking = None;
         match answer {
-            Answer::Chosen(path) => chosen(ctx, state, purpose, path),
-            Answer::Cancelled => {}
-            Answer::Unavailable => {
-                state.filing.native = false;
+            FileAnswer::Chosen(path) => chosen(ctx, state, purpose, path),
+            FileAnswer::Cancelled => {}
+            FileAnswer::Unavailable => {
+                state.file_flow.native = false;
                 ask(ctx, state, purpose);
             }
         }
     }
-    for done in state.filing.exported() {
+    for done in state.file_flow.exported() {
         match done.outcome {
             Some(Ok(path)) => state.say(format!("{} {}", window::texts(state.settings.lang).saved, path.display())),
             Some(Err(error)) => state.say_error(error),
@@ -352,16 +266,16 @@ pub fn tend(ctx: &egui::Context, state: &mut State) {
             mesh(state, MeshFor::New, &path);
             state.settings.tab = Tab::Scene;
         } else {
-            wish(ctx, state, Wish::OpenPath(path));
+            begin(ctx, state, AfterSave::OpenPath(path));
         }
     }
-    if ctx.input(|input| input.viewport().close_requested()) && !state.filing.may_close {
+    if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         state.document.commit();
         if state.document.is_changed() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            state.filing.dialog = Some(Dialog::Unsaved(Wish::Quit));
+            state.file_flow.dialog = Some(Dialog::Unsaved(AfterSave::Quit));
         } else {
-            state.filing.may_close = true;
+            state.file_flow.may_close = true;
         }
     }
 }

@@ -1,0 +1,93 @@
+//! What is asked about files, and what is going on with them.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use crate::gui::export::{Export, Exporting};
+use crate::gui::native::OpenFileDialog;
+use crate::gui::worker::Done;
+
+/// What is to be done once nothing can be lost any more.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum AfterSave {
+    /// The default figure.
+    New,
+    /// Ask for a file and open it.
+    Open,
+    /// Open this file.
+    OpenPath(PathBuf),
+    /// Close the window.
+    Quit,
+}
+
+/// What a file is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Purpose {
+    /// To open it.
+    Open,
+    /// To save the figure in it, and then to go on.
+    Save(Option<AfterSave>),
+    /// To write a picture.
+    Export(Export),
+    /// To put a mesh into the scene.
+    Mesh(MeshFor),
+}
+
+/// What a mesh file is for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MeshFor {
+    /// A new object.
+    New,
+    /// This object, by name.
+    Object(String),
+}
+
+/// The endings of mesh files.
+pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
+
+/// What is asked in the window.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dialog {
+    /// There are changes: save them?
+    Unsaved(AfterSave),
+    /// Which file? The text of the field.
+    Path(Purpose, String),
+    /// The file is there already: replace it?
+    Overwrite(Purpose, PathBuf),
+    /// What to export.
+    Export(Export),
+    /// What the pointer and the keys do.
+    Help,
+}
+
+/// What is going on with files.
+#[derive(Debug, Default)]
+pub struct FileFlow {
+    /// What is asked in the window now.
+    pub dialog: Option<Dialog>,
+    /// False: files are asked for with a field in the window, as where the system has no dialogs.
+    pub native: bool,
+    /// True from the moment when the window may close.
+    pub may_close: bool,
+    pub(in crate::gui) asking: Option<(Purpose, OpenFileDialog)>,
+    pub(in crate::gui) exporting: Vec<Exporting>,
+}
+
+impl FileFlow {
+    /// Nothing is going on.
+    #[must_use]
+    pub fn new(native: bool) -> Self {
+        Self { native, ..Self::default() }
+    }
+
+    /// The exports that have come to an end.
+    pub(in crate::gui) fn exported(&mut self) -> Vec<Done<Result<PathBuf, String>>> {
+        let mut done = Vec::new();
+        self.exporting.retain_mut(|exporting| {
+            let before = done.len();
+            done.extend(exporting.take(Duration::ZERO).into_iter().flatten());
+            done.len() == before
+        });
+        done
+    }
+}

@@ -1,0 +1,136 @@
+//! How the room in the window is shared, and what is asked of the pictures.
+
+use crate::views::View;
+use crate::views::observer::Viewpoint;
+
+/// From where a three-dimensional picture is to be seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ObserverChange {
+    /// From a side, with everything in the picture.
+    From(Viewpoint),
+    /// As now, but with everything in the picture.
+    Fit,
+}
+
+/// How several pictures share the room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Arrangement {
+    /// Side by side.
+    Row,
+    /// One above the other.
+    Column,
+    /// The first above the two others.
+    Above,
+    /// The first to the left of the two others.
+    Beside,
+}
+
+impl Arrangement {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
+}
+
+/// Which pictures are shown, and how.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// False: the picture is hidden and not drawn. In the order of [`View::ALL`]; at least one is true.
+    pub shown: [bool; 3],
+    /// The picture that has all the room, whatever `shown` says.
+    pub maximized: Option<View>,
+    /// How the pictures share the room; `None`: as suits the room.
+    pub arrangement: Option<Arrangement>,
+    /// Orbiting one three-dimensional picture turns the other too.
+    pub linked: bool,
+    /// The stages of the pipeline are shown under the pictures.
+    pub strip: bool,
+    /// Whose stages.
+    pub strip_of: View,
+}
+
+impl Default for Layout {
+    fn default() -> Self {
+        Self {
+            shown: [true; 3],
+            maximized: None,
+            arrangement: None,
+            linked: false,
+            strip: false,
+            strip_of: View::Image,
+        }
+    }
+}
+
+impl Layout {
+    /// True where the picture is on the screen.
+    #[must_use]
+    pub fn is_shown(&self, picture: View) -> bool {
+        match self.maximized {
+            Some(only) => only == picture,
+            None => self.shown[picture.index()],
+        }
+    }
+
+    /// Shows or hides a picture; the last one stays.
+    pub fn toggle(&mut self, picture: View) {
+        if let Some(only) = self.maximized.take() {
+            self.shown = [false; 3];
+            self.shown[only.index()] = true;
+        }
+        let shown = &mut self.shown[picture.index()];
+        *shown = !*shown;
+        if self.shown == [false; 3] {
+            self.shown[picture.index()] = true;
+        }
+    }
+}
+
+/// A panel at a side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// The parameters.
+    #[default]
+    Left,
+    /// The operations and the numbers.
+    Right,
+}
+
+/// What the panel on the left shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Tab {
+    /// Camera, projection, view window, image.
+    #[default]
+    Camera,
+    /// Objects and lights.
+    Scene,
+    /// How the pictures are drawn.
+    Drawing,
+}
+
+/// Which panels are wanted, and which there is room for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Panels {
+    /// The wishes, left and right.
+    pub wanted: [bool; 2],
+    /// The one that stays where there is no room for both.
+    pub last: Side,
+    /// There is no room for both.
+    pub narrow: bool,
+}
+
+impl Panels {
+    /// True where the panel is on the screen.
+    #[must_use]
+    pub fn is_shown(&self, side: Side) -> bool {
+        let both = self.wanted == [true; 2];
+        self.wanted[side as usize] && !(self.narrow && both && self.last != side)
+    }
+
+    /// Shows or hides a panel.
+    pub fn toggle(&mut self, side: Side) {
+        let shown = self.is_shown(side);
+        self.wanted[side as usize] = !shown;
+        if !shown {
+            self.last = side;
+        }
+    }
+}
