@@ -6,9 +6,9 @@
 //!
 //! | picture | space of its scene | observer |
 //! | --- | --- | --- |
-//! | [`image`] | world | the figure's camera |
-//! | [`world`] | world | [`Observer`](crate::figure::Observer) |
-//! | [`canonical`] | ndc, shown as (x_n, y_n, −z_n), which is right-handed | [`Observer`](crate::figure::Observer) |
+//! | `image` | world | the figure's camera |
+//! | `world` | world | [`Observer`](crate::figure::Observer) |
+//! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed | [`Observer`](crate::figure::Observer) |
 
 pub mod arrows;
 mod canonical;
