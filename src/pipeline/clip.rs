@@ -270,5 +270,7 @@ mod tests {
         assert_eq!(cut([-9.0, 0.0, -4.0], [0.0, 8.5, -4.0]), None);
         assert_eq!(cut([0.0, 0.0, -1.0], [0.0, 0.0, 1.0]), None, "touches the near plane from outside");
         assert_eq!(cut([0.0, f64::NAN, -2.0], [0.0, 0.0, -3.0]), None);
+        assert_eq!(cut([0.0, 0.0, -2.0], [1e308, 0.0, -2.0]), None, "too large to be cut");
+        assert!(cut([0.0, 0.0, -2.0], [1e307, 0.0, -2.0]).is_some());
     }
 }
