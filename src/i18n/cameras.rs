@@ -8,57 +8,140 @@ use super::expressions::in_expression;
 use crate::camera::{Amount, CameraError, Derived, Descriptor, Operation, OperationError, Range, Warning};
 use crate::inspect::InspectError;
 
+/// What is said of an error or a warning. Both forms are made in one place, so that they say the same.
+pub(super) struct Wording {
+    /// Where files and options are written: with the keys, what was found, and what is allowed.
+    pub(super) full: String,
+    /// In the notes' symbols, which the window's fields have: what was found stands in the field.
+    pub(super) in_symbols: String,
+}
+
+impl Wording {
+    fn new(full: impl Into<String>, in_symbols: impl Into<String>) -> Self {
+        Self { full: full.into(), in_symbols: in_symbols.into() }
+    }
+}
+
 /// Why parameters are not a camera, with the keys concerned and what is allowed.
 #[must_use]
 pub fn camera(lang: Lang, error: &CameraError) -> String {
+    camera_wording(lang, error).full
+}
+
+/// Why parameters are not a camera. The full form in English is the error's own.
+pub(super) fn camera_wording(lang: Lang, error: &CameraError) -> Wording {
+    let english = |in_symbols: &str| Wording::new(error.to_string(), in_symbols);
     match (lang, error) {
-        (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, CameraError::FocalPointAtPosition) => {
-            "focal_point é o mesmo ponto que position; permitido: qualquer outro ponto".to_owned()
-        }
-        (Lang::PtBr, CameraError::ViewUpZero) => {
-            "view_up é o vetor nulo; permitido: qualquer outro vetor não colinear com focal_point − position".to_owned()
-        }
-        (Lang::PtBr, CameraError::ViewUpCollinear) => {
-            "view_up é colinear com focal_point − position; permitido: qualquer vetor que aponte para outro lado"
-                .to_owned()
-        }
-        (Lang::PtBr, CameraError::OutOfRange { key, value, allowed }) => {
-            format!("{key} é {value:?}; permitido: {}", range_in_portuguese(*allowed))
-        }
-        (Lang::PtBr, CameraError::FarNotBeyondNear { near, far }) => {
-            format!("near é {near:?} e far é {far:?}; permitido: 0 < near < far")
-        }
-        (Lang::PtBr, CameraError::WindowWidth { left, right }) => {
-            format!("window: left é {left:?} e right é {right:?}; permitido: left < right")
-        }
-        (Lang::PtBr, CameraError::WindowHeight { bottom, top }) => {
-            format!("window: bottom é {bottom:?} e top é {top:?}; permitido: bottom < top")
-        }
-        (Lang::PtBr, CameraError::Overflow { quantity, keys }) => format!(
-            "{} excederia os limites dos números (cerca de 1e-308 a 1e308); depende de {}",
-            derived_in_portuguese(*quantity),
-            keys.join(", ")
+        (Lang::En, CameraError::FocalPointAtPosition) => english("PF must differ from C"),
+        (Lang::PtBr, CameraError::FocalPointAtPosition) => Wording::new(
+            "focal_point é o mesmo ponto que position; permitido: qualquer outro ponto",
+            "PF tem de ser diferente de C",
         ),
+        (Lang::En, CameraError::ViewUpZero) => english("VUP must not be zero"),
+        (Lang::PtBr, CameraError::ViewUpZero) => Wording::new(
+            "view_up é o vetor nulo; permitido: qualquer outro vetor não colinear com focal_point − position",
+            "VUP não pode ser nulo",
+        ),
+        (Lang::En, CameraError::ViewUpCollinear) => english("VUP must not be collinear with DOP = PF − C"),
+        (Lang::PtBr, CameraError::ViewUpCollinear) => Wording::new(
+            "view_up é colinear com focal_point − position; permitido: qualquer vetor que aponte para outro lado",
+            "VUP não pode ser colinear com DOP = PF − C",
+        ),
+        (_, CameraError::OutOfRange { key, value, allowed }) => {
+            let allowed = range(lang, *allowed);
+            let symbol = symbol(key);
+            match lang {
+                Lang::En => english(&format!("{symbol} must be {}", allowed.in_symbols)),
+                Lang::PtBr => Wording::new(
+                    format!("{key} é {value:?}; permitido: {}", allowed.full),
+                    format!("{symbol} tem de ser {}", allowed.in_symbols),
+                ),
+            }
+        }
+        (Lang::En, CameraError::FarNotBeyondNear { .. }) => english("F must be less than B"),
+        (Lang::PtBr, CameraError::FarNotBeyondNear { near, far }) => Wording::new(
+            format!("near é {near:?} e far é {far:?}; permitido: 0 < near < far"),
+            "F tem de ser menor que B",
+        ),
+        (Lang::En, CameraError::WindowWidth { .. }) => english("l must be less than r"),
+        (Lang::PtBr, CameraError::WindowWidth { left, right }) => Wording::new(
+            format!("window: left é {left:?} e right é {right:?}; permitido: left < right"),
+            "l tem de ser menor que r",
+        ),
+        (Lang::En, CameraError::WindowHeight { .. }) => english("b must be less than t"),
+        (Lang::PtBr, CameraError::WindowHeight { bottom, top }) => Wording::new(
+            format!("window: bottom é {bottom:?} e top é {top:?}; permitido: bottom < top"),
+            "b tem de ser menor que t",
+        ),
+        (_, CameraError::Overflow { quantity, keys }) => {
+            let quantity = derived(lang, *quantity);
+            match lang {
+                Lang::En => english(&format!(
+                    "{} would exceed the range of numbers (about 1e-308 to 1e308)",
+                    quantity.in_symbols
+                )),
+                Lang::PtBr => Wording::new(
+                    format!(
+                        "{} excederia os limites dos números (cerca de 1e-308 a 1e308); depende de {}",
+                        quantity.full,
+                        keys.join(", ")
+                    ),
+                    format!("{} sairia da faixa dos números (cerca de 1e-308 a 1e308)", quantity.in_symbols),
+                ),
+            }
+        }
     }
 }
 
-fn range_in_portuguese(range: Range) -> &'static str {
-    match range {
-        Range::Finite => "um número finito",
-        Range::Positive => "um número finito maior que 0",
-        Range::HalfTurn => "maior que 0 e menor que 180 graus",
+fn range(lang: Lang, range: Range) -> Wording {
+    let english = |in_symbols: &str| Wording::new(range.to_string(), in_symbols);
+    match (lang, range) {
+        (Lang::En, Range::Finite) => english("a finite number"),
+        (Lang::PtBr, Range::Finite) => Wording::new("um número finito", "um número finito"),
+        (Lang::En, Range::Positive) => english("greater than 0"),
+        (Lang::PtBr, Range::Positive) => Wording::new("um número finito maior que 0", "maior que 0"),
+        (Lang::En, Range::HalfTurn) => english("greater than 0° and less than 180°"),
+        (Lang::PtBr, Range::HalfTurn) => {
+            Wording::new("maior que 0 e menor que 180 graus", "maior que 0° e menor que 180°")
+        }
     }
 }
 
-fn derived_in_portuguese(quantity: Derived) -> &'static str {
-    match quantity {
-        Derived::Distance => "a distância de position a focal_point",
-        Derived::Window => "a janela de projeção",
-        Derived::ViewMatrix => "a matriz de visão",
-        Derived::ProjectionMatrix => "a matriz de projeção",
-        Derived::ViewProjectionMatrix => "o produto das matrizes de projeção e de visão",
-        Derived::VolumeCorners => "os vértices do volume de vista",
+fn derived(lang: Lang, quantity: Derived) -> Wording {
+    let english = |in_symbols: &str| Wording::new(quantity.to_string(), in_symbols);
+    match (lang, quantity) {
+        (Lang::En, Derived::Distance) => english("The distance D"),
+        (Lang::PtBr, Derived::Distance) => Wording::new("a distância de position a focal_point", "A distância D"),
+        (Lang::En, Derived::Window) => english("The view window"),
+        (Lang::PtBr, Derived::Window) => Wording::new("a janela de projeção", "A janela de vista"),
+        (Lang::En, Derived::ViewMatrix) => english("The view matrix"),
+        (Lang::PtBr, Derived::ViewMatrix) => Wording::new("a matriz de visão", "A matriz de vista"),
+        (Lang::En, Derived::ProjectionMatrix) => english("The projection matrix"),
+        (Lang::PtBr, Derived::ProjectionMatrix) => Wording::new("a matriz de projeção", "A matriz de projeção"),
+        (Lang::En, Derived::ViewProjectionMatrix) => english("The product of the matrices"),
+        (Lang::PtBr, Derived::ViewProjectionMatrix) => {
+            Wording::new("o produto das matrizes de projeção e de visão", "O produto das matrizes")
+        }
+        (Lang::En, Derived::VolumeCorners) => english("A corner of the view volume"),
+        (Lang::PtBr, Derived::VolumeCorners) => {
+            Wording::new("os vértices do volume de vista", "Um canto do volume de vista")
+        }
+    }
+}
+
+/// The notes' symbol of a key of `[camera]`.
+fn symbol(key: &str) -> &str {
+    match key {
+        "position" => "C",
+        "focal_point" => "PF",
+        "view_up" => "VUP",
+        "view_angle" => "θ",
+        "height" => "H",
+        "aspect" => "A",
+        "near" => "F",
+        "far" => "B",
+        "window" => "l, r, b, t",
+        other => other,
     }
 }
 
@@ -120,40 +203,68 @@ pub fn inspect(lang: Lang, error: &InspectError) -> String {
 /// What is possible, but probably not what was meant.
 #[must_use]
 pub fn warning(lang: Lang, warning: &Warning) -> String {
-    match warning {
-        Warning::ViewUpNearlyCollinear { degrees } => match lang {
-            Lang::En => warning.to_string(),
-            Lang::PtBr => format!(
+    warning_wording(lang, warning).full
+}
+
+/// What is possible, but probably not what was meant. The full form in English is the warning's own.
+pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
+    let english = |in_symbols: String| Wording::new(warning.to_string(), in_symbols);
+    match (lang, warning) {
+        (Lang::En, Warning::ViewUpNearlyCollinear { degrees }) => {
+            english(format!("VUP is only {degrees:.2e}° away from DOP: its last digits decide where up is"))
+        }
+        (Lang::PtBr, Warning::ViewUpNearlyCollinear { degrees }) => Wording::new(
+            format!(
                 "view_up está a apenas {degrees:.3e} graus da direção de projeção: seus últimos dígitos decidem o que fica para cima"
             ),
-        },
-        Warning::DepthPrecision { ratio, step } => match lang {
-            Lang::En => warning.to_string(),
-            Lang::PtBr => format!(
+            format!("VUP está a só {degrees:.2e}° de DOP: seus últimos dígitos decidem onde é em cima"),
+        ),
+        (Lang::En, Warning::DepthPrecision { ratio, step }) => english(format!(
+            "B/F is {ratio:.2e}: at the back a 24-bit depth buffer cannot tell depths apart that differ by less than {step:.2e}; move F away from the camera"
+        )),
+        (Lang::PtBr, Warning::DepthPrecision { ratio, step }) => Wording::new(
+            format!(
                 "far / near é {ratio:.3e}: um z-buffer de 24 bits não distingue profundidades que diferem menos de {step:.3e} no plano far; afaste near da câmera"
             ),
-        },
-        Warning::FocalPointClipped { distance, near, far } => match lang {
-            Lang::En => warning.to_string(),
-            Lang::PtBr => format!(
+            format!(
+                "B/F é {ratio:.2e}: um buffer de 24 bits não distingue, no fundo, profundidades a menos de {step:.2e}; afaste F da câmera"
+            ),
+        ),
+        (Lang::En, Warning::FocalPointClipped { .. }) => {
+            english("PF is not between F and B: what the camera looks at is clipped away".to_owned())
+        }
+        (Lang::PtBr, Warning::FocalPointClipped { distance, near, far }) => Wording::new(
+            format!(
                 "focal_point está à distância {distance}, que não fica entre near = {near} e far = {far}: o que a câmera mira é recortado"
             ),
-        },
-        Warning::WideAngle { degrees } => match lang {
-            Lang::En => warning.to_string(),
-            Lang::PtBr => format!("a janela abrange {degrees:.6} graus: perto das bordas tudo fica esticado"),
-        },
-        Warning::FarFromOrigin { ratio, digits } => match lang {
-            Lang::En => warning.to_string(),
-            Lang::PtBr => format!(
+            "PF não está entre F e B: o que a câmera olha é recortado",
+        ),
+        (Lang::En, Warning::WideAngle { degrees }) => {
+            english(format!("The window spans {degrees:.1}°: towards its borders everything is stretched"))
+        }
+        (Lang::PtBr, Warning::WideAngle { degrees }) => Wording::new(
+            format!("a janela abrange {degrees:.6} graus: perto das bordas tudo fica esticado"),
+            format!("A janela abrange {degrees:.1}°: perto das bordas tudo se estica"),
+        ),
+        (Lang::En, Warning::FarFromOrigin { ratio, digits }) => english(format!(
+            "The camera is {ratio:.2e} times farther from the origin than from PF: only {digits} of 15 digits are left for what it sees"
+        )),
+        (Lang::PtBr, Warning::FarFromOrigin { ratio, digits }) => Wording::new(
+            format!(
                 "a câmera está {ratio:.3e} vezes mais longe da origem que de focal_point: restam só {digits} de 15 dígitos para o que ela vê"
             ),
-        },
-        Warning::AspectMismatch { window, image } => match lang {
-            Lang::En => warning.to_string(),
-            Lang::PtBr => format!(
+            format!(
+                "A câmera está {ratio:.2e} vezes mais longe da origem que de PF: só {digits} de 15 dígitos sobram para o que ela vê"
+            ),
+        ),
+        (Lang::En, Warning::AspectMismatch { window, image }) => {
+            english(format!("The window has aspect {window:.4} and the image {image:.4}: shapes are stretched"))
+        }
+        (Lang::PtBr, Warning::AspectMismatch { window, image }) => Wording::new(
+            format!(
                 "a janela de projeção tem razão de aspecto {window:.6} e a imagem {image:.6}: as formas são esticadas"
             ),
-        },
+            format!("A janela tem aspecto {window:.4} e a imagem {image:.4}: as formas se esticam"),
+        ),
     }
 }

@@ -16,7 +16,7 @@ use crate::scene::{Mesh, Object, Scene};
 /// A scene that has changed a little keeps its tree; what has changed is then looked at by itself.
 #[derive(Debug, Default)]
 pub(super) struct BoundingTree {
-    /// What is known of meshes, by their address: nobody else gets it as long as the weak pointer is kept, and a mesh does not
+    /// What is known of meshes, by their address: no other mesh gets it as long as the weak pointer is kept, and a mesh does not
     /// change as long as it is shared.
     meshes: HashMap<usize, (Weak<Mesh>, Option<Bounds>)>,
     objects: Vec<Known>,
@@ -155,7 +155,7 @@ impl Known {
         let size = bounds.aabb.corners().into_iter().fold(0.0, |most: f64, p| most.max(p.length()));
         let norm = m.to_cols_array().iter().fold(0.0, |sum, c| sum + c * c).sqrt();
         let magnitude = norm * (1.0 + size);
-        // Of corners that are no numbers a box knows nothing.
+        // Without a box where a corner is not a number.
         let aabb = Aabb::around(bounds.aabb.corners().map(|p| m.transform_point3(p)))?;
         magnitude.is_finite().then_some((aabb, magnitude))
     }

@@ -48,7 +48,7 @@ pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObje
 }
 
 /// The planes that all of a box in the world is outside of. `magnitude` is the size of the numbers from which the coordinates
-/// inside it are made; the margin is wide, since they may have come to view space on another way.
+/// inside it are made; the margin is wide, since they may have been taken to view space by other steps.
 pub(super) fn outside(projector: &Projector, aabb: &Aabb, magnitude: f64) -> PlaneSet {
     const MARGIN: f64 = 1e-9;
     let slack = slack(projector, MARGIN, magnitude + projector.magnitude());

@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn a_polygon_falls_into_two_and_new_corners_lie_where_the_distance_is_nought() {
+    fn a_polygon_falls_into_two_and_new_corners_lie_where_the_distance_is_zero() {
         let edge = |first, inside, outside, shares| Origin::Edge(Edge { first, inside, outside, shares });
         let (there, back) = (edge(0, 0, 1, [0.75, 0.25]), edge(2, 0, 2, [0.5, 0.5]));
         let [inside, outside] = parts(&[1.0, -3.0, -1.0]);
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_on_neither_side() {
+    fn what_is_not_a_number_is_on_neither_side() {
         assert_eq!(parts(&[f64::NAN; 3]), [vec![], vec![]]);
     }
 }

@@ -272,7 +272,7 @@ fn largest(m: DMat3) -> f64 {
     m.to_cols_array().iter().fold(0.0, |most, c| c.abs().max(most))
 }
 
-/// A power of two p with 1/4 < p · value < 2 or so, without a division; a harmless one for 0 and for what is no number.
+/// A power of two p with 1/4 < p · value < 2 or so, without a division; a harmless one for 0 and for NaN.
 #[inline(always)]
 fn power_of_two_below_inverse(value: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;

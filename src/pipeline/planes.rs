@@ -29,7 +29,7 @@ pub(super) fn distances(projector: &Projector, p: ClipPoint) -> [f64; PLANES] {
     [p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, p.depth - projector.near, projector.far - p.depth]
 }
 
-/// Bit `i` is set where the point is outside plane `i`; [`NOT_A_NUMBER`] where a coordinate is none or too large to be cut.
+/// Bit `i` is set where the point is outside plane `i`; [`NOT_A_NUMBER`] where a coordinate is not a number, or too large to be cut.
 #[inline(always)]
 pub(super) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
     let size = p.x.abs() + p.y.abs() + p.depth.abs();
@@ -37,6 +37,6 @@ pub(super) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
     for (i, distance) in distances(projector, p).into_iter().enumerate() {
         code |= PlaneSet::from(distance < 0.0) << i;
     }
-    // False for what is no number.
+    // False where it is not a number.
     if size <= f64::MAX / 4.0 { code } else { NOT_A_NUMBER }
 }

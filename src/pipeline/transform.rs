@@ -164,7 +164,7 @@ impl Screen {
     }
 }
 
-/// Into 0 … limit; 0 for what is no number.
+/// Into 0 … limit; 0 where it is not a number.
 #[inline(always)]
 fn clamp(value: f64, limit: f64) -> f64 {
     let v = if value > 0.0 { value } else { 0.0 };

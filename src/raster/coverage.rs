@@ -327,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_outside_or_no_number_leaves_no_trace() {
+    fn what_is_outside_or_not_a_number_leaves_no_trace() {
         let mut coverage = mask(10, 0..10);
         coverage.flat([-50.0, -50.0], [-20.0, 70.0], 2.0);
         coverage.flat([f32::NAN, 1.0], [5.0, 5.0], 2.0);

@@ -46,7 +46,7 @@ pub(super) struct Band<'a> {
 pub(super) struct Counts {
     /// Those inside of triangles.
     pub(super) covered: u64,
-    /// Those of them that nothing nearer hid.
+    /// Those of them that nothing nearer has hidden.
     pub(super) written: u64,
     /// The same, by pixel of a tile; since the last [`sum`](Self::sum).
     lanes: [[i32; LANES]; 2],
@@ -248,7 +248,7 @@ impl Band<'_> {
         if surface.depth_test
             && let Some(old) = self.depths.get_mut(start)
         {
-            // Not `<=`: a depth that is no number hides behind everything, as it does in `Painter`.
+            // Not `<=`: a depth that is not a number is behind everything, as it does in `Painter`.
             if !(depth > *old || self.in_order) {
                 return;
             }

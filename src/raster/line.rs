@@ -18,7 +18,7 @@ use super::depth::DepthBuffer;
 const STEP: f32 = 0.5;
 /// A visible or hidden part shorter than this (pixels) between two of the other kind is taken for rounding.
 const SHORTEST: f32 = 1.25;
-/// Polylines longer than this (pixels) are no part of a picture.
+/// Polylines longer than this (pixels) are not part of a picture.
 const LONGEST: f32 = 1e6;
 /// The most points that are tried on one segment: enough for the longest diagonal.
 const MOST_STEPS: f32 = 60_000.0;

@@ -179,7 +179,7 @@ impl<K: Simd> Borders<K> {
     #[inline(always)]
     pub(super) fn rows(&self, j: f64x4<K>) -> ([i32; ROWS], [i32; ROWS]) {
         let x = |k: usize| self.lines[k].0 + self.lines[k].1 * j;
-        // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x is no whole number.
+        // ⌊x⌋ + 1 is x + ½ rounded to nearest, as x is not a whole number.
         let after = |x: f64x4<K>| round_bits_f64(x + 0.5);
         let zero = f64x4::splat(self.width.witness(), -0.75);
         let from = x(0).max(x(1)).max(zero).min(self.width);

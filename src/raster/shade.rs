@@ -271,7 +271,7 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
         if !surface.inverse_w.is_empty() {
             let w = gather(simd, &surface.inverse_w, corners);
             let (far, near) = (w[0].min(w[1]).min(w[2]), w[0].max(w[1]).max(w[2]));
-            // Not so where one is missing and thus no number.
+            // Not so where one is missing, and so not a number.
             simple &= !perspective_matters(spread, far, near) & near.simd_eq(near);
         }
         Self { simd, planes, simple, outside }

@@ -18,7 +18,7 @@ use crate::appearance::Theme;
 pub enum Children {
     /// They go with it, and theirs with them.
     Removed,
-    /// They hang on its parent then. In the world they stay where they are, where translation, rotation and scale can say that.
+    /// Its parent is theirs then. In the world they stay where they are, where translation, rotation and scale can say that.
     HungHigher,
 }
 
@@ -49,7 +49,7 @@ fn names(spec: &SceneSpec) -> BTreeSet<String> {
     preset.into_iter().map(|o| o.name).chain(spec.objects.iter().map(|o| o.name.clone())).collect()
 }
 
-/// The names of the figure's objects that hang on the one called `name`, at any depth; itself not.
+/// The names of the figure's objects below the one called `name`, at any depth; not itself.
 #[must_use]
 pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
@@ -93,7 +93,7 @@ pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneErr
 /// rotation and scale cannot say. The numbers stay then.
 ///
 /// # Errors
-/// [`SceneError`] where the parent does not exist or hangs on the object; nothing has changed then.
+/// [`SceneError`] where the parent does not exist or is below the object; nothing has changed then.
 pub fn hang(spec: &mut SceneSpec, name: &str, parent: Option<&str>, stay: bool) -> Result<bool, SceneError> {
     let before = placements(spec)?;
     let mut changed = spec.clone();
@@ -138,7 +138,7 @@ pub fn remove(spec: &mut SceneSpec, name: &str, children: Children) -> Result<bo
     Ok(stayed)
 }
 
-/// Chooses another preset; a figure's objects that hung on one of the old preset's hang on none then.
+/// Chooses another preset; a figure's objects whose parent was one of the old preset's have none then.
 pub fn choose_preset(spec: &mut SceneSpec, preset: Preset) {
     spec.preset = preset;
     let known = names(spec);

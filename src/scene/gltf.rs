@@ -138,7 +138,7 @@ fn buffers(
 }
 
 /// The nodes of the scene (the default one, else the first, else every node), with their matrices multiplied out. Nodes that
-/// are scaled to nothing are hidden, and so is what hangs on them.
+/// are scaled to nothing are hidden, and so is what is below them.
 fn nodes(document: &Document) -> Result<Vec<(::gltf::Node<'_>, DMat4)>, MeshError> {
     let roots: Vec<_> = match document.default_scene().or_else(|| document.scenes().next()) {
         Some(scene) => scene.nodes().collect(),

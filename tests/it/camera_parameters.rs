@@ -129,7 +129,7 @@ fn view_up_along_the_direction_is_an_error_whatever_its_size() {
 }
 
 #[test]
-fn a_small_angle_between_view_up_and_direction_is_no_error() {
+fn a_small_angle_between_view_up_and_direction_is_not_an_error() {
     // VUP = w + ε s with s ⟂ w: u must be s × w / ‖s × w‖, to the last digit.
     for w in [DVec3::new(0.0, 0.0, 1.0), DVec3::new(1.0, 2.0, 2.0), DVec3::new(3.0, -4.0, 12.0)] {
         let side = w.any_orthogonal_vector();

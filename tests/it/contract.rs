@@ -186,7 +186,7 @@ fn faults_of_the_arguments_are_named_too() {
 }
 
 #[test]
-fn files_that_are_no_figures_are_named() {
+fn files_that_are_not_figures_are_named() {
     let bench = Bench::new("no-figures");
     bench.write("latin1.toml", b"[camera]\n# c\xe2mera\n");
     bench.write("nul.toml", b"\0\0\0");

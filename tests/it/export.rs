@@ -42,7 +42,7 @@ fn what_the_arguments_change_goes_into_the_picture() {
 }
 
 #[test]
-fn another_programs_picture_is_no_figure() {
+fn another_programs_picture_is_not_a_figure() {
     let bench = Bench::new("foreign");
     let mut bytes = Vec::new();
     let writer = png::Encoder::new(&mut bytes, 1, 1).write_header();

@@ -119,7 +119,7 @@ fn a_ball_is_inside_where_the_corners_of_its_box_are_not() {
 }
 
 #[test]
-fn a_vertex_that_is_no_number_takes_its_faces_with_it() {
+fn a_vertex_that_is_not_a_number_takes_its_faces_with_it() {
     let mut mesh = primitives::cube();
     mesh.positions[0].x = f64::NAN;
     let scene = Scene { objects: vec![object(mesh, DMat4::IDENTITY)], ..Scene::default() };

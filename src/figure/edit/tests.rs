@@ -235,7 +235,7 @@ fn line_ends_of_windows_stay() {
 }
 
 #[test]
-fn what_is_no_figure_is_replaced() {
+fn what_is_not_a_figure_is_replaced() {
     assert_eq!(update("[camera]\nnear = what", &Figure::default()), to_toml(&Figure::default()));
 }
 

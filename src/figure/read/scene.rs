@@ -96,7 +96,7 @@ fn read_object(index: usize, mut section: Section<'_>, places: &mut Places, faul
     object
 }
 
-/// What an object is called that has no name.
+/// What an object without a name is called.
 fn default_name(index: usize) -> String {
     format!("object {}", index + 1)
 }

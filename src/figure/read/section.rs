@@ -72,7 +72,7 @@ impl<'a> Section<'a> {
         self.faults.push(Fault { at, key: self.name_of(key), problem });
     }
 
-    /// Says that the value of `key` is none of what is allowed.
+    /// Says that the value of `key` is not among what is allowed.
     pub(super) fn refuse(&mut self, key: &str, allowed: Allowed) {
         let found = self.item(key).and_then(Item::span).map_or_else(String::new, |span| snippet(self.text, span));
         self.fault(key, Problem::Value { found, allowed });
@@ -289,7 +289,7 @@ impl<'a> Section<'a> {
 
 /// Why a value with numbers in it is refused.
 enum Refused {
-    /// It is none of what is allowed.
+    /// It is not among what is allowed.
     Value,
     /// A text in it cannot be read as a number.
     Expression { text: String, error: ExpressionError },

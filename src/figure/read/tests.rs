@@ -338,7 +338,7 @@ fn deep_nesting_is_an_error_not_a_crash() {
 }
 
 #[test]
-fn bytes_that_are_no_text_are_refused_with_their_line() {
+fn bytes_that_are_not_text_are_refused_with_their_line() {
     let error = parse_bytes(b"[camera]\nnear = 1 # \xe1\n").unwrap_err();
     assert_eq!((error.line, error.problem), (2, Problem::NotUtf8 { byte: 0xe1 }));
     assert!(parse_bytes(&vec![b'\n'; MAX_FIGURE_BYTES + 1]).is_err());
