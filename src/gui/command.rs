@@ -197,7 +197,28 @@ impl Command {
             Self::Redo => Some(KeyboardShortcut::new(Modifiers::COMMAND, Key::Y)),
             // On most keyboards + is on the key of =.
             Self::ZoomIn => Some(KeyboardShortcut::new(Modifiers::COMMAND, Key::Equals)),
-            _ => None,
+            Self::New
+            | Self::Open
+            | Self::Save
+            | Self::SaveAs
+            | Self::Export
+            | Self::Quit
+            | Self::Undo
+            | Self::Reset
+            | Self::CopyNumbers
+            | Self::Language
+            | Self::Theme
+            | Self::Presentation
+            | Self::ZoomOut
+            | Self::ZoomReset
+            | Self::ParametersPanel
+            | Self::NumbersPanel
+            | Self::Tab(_)
+            | Self::Show(_)
+            | Self::Observe(_)
+            | Self::LinkOrbits
+            | Self::Pipeline
+            | Self::Help => None,
         }
     }
 
@@ -208,7 +229,27 @@ impl Command {
             Self::Undo => state.document.can_undo(),
             Self::Redo => state.document.can_redo(),
             Self::Reset => state.document.can_reset(),
-            _ => true,
+            Self::New
+            | Self::Open
+            | Self::Save
+            | Self::SaveAs
+            | Self::Export
+            | Self::Quit
+            | Self::CopyNumbers
+            | Self::Language
+            | Self::Theme
+            | Self::Presentation
+            | Self::ZoomIn
+            | Self::ZoomOut
+            | Self::ZoomReset
+            | Self::ParametersPanel
+            | Self::NumbersPanel
+            | Self::Tab(_)
+            | Self::Show(_)
+            | Self::Observe(_)
+            | Self::LinkOrbits
+            | Self::Pipeline
+            | Self::Help => true,
         }
     }
 
@@ -224,7 +265,22 @@ impl Command {
             Self::Show(picture) => Some(state.layout.is_shown(picture)),
             Self::LinkOrbits => Some(state.layout.linked),
             Self::Pipeline => Some(state.layout.strip),
-            _ => None,
+            Self::New
+            | Self::Open
+            | Self::Save
+            | Self::SaveAs
+            | Self::Export
+            | Self::Quit
+            | Self::Undo
+            | Self::Redo
+            | Self::Reset
+            | Self::CopyNumbers
+            | Self::Language
+            | Self::ZoomIn
+            | Self::ZoomOut
+            | Self::ZoomReset
+            | Self::Observe(_)
+            | Self::Help => None,
         }
     }
 

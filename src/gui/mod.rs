@@ -15,7 +15,7 @@ pub mod dialogs;
 pub mod document;
 pub mod export;
 pub mod file_flow;
-mod handles;
+mod handle_drag;
 mod highlight;
 pub mod menu;
 pub mod native;

@@ -61,7 +61,7 @@ pub fn repairs(error: &CameraError, draft: &Parameters, good: &Camera) -> Vec<(R
             }
             list.push((Repair::SwapSides, mended));
         }
-        _ => {}
+        CameraError::OutOfRange { .. } | CameraError::Overflow { .. } => {}
     }
     list.push((Repair::Back, back(error.keys(), draft, good.parameters())));
     list.retain(|(_, mended)| Camera::new(mended).is_ok());

@@ -10,7 +10,7 @@ use super::{Account, Picture};
 use crate::appearance::Texture;
 use crate::pipeline::Frame;
 use crate::raster::Rasterizer;
-use crate::views::{self, Engine, Palette, Request, View};
+use crate::views::{self, Palette, Request, TimedPipeline, View};
 
 /// Makes pictures; keeps its buffers, and the image on the view window, from one to the next.
 ///
@@ -18,9 +18,9 @@ use crate::views::{self, Engine, Palette, Request, View};
 #[derive(Debug, Default)]
 pub struct Renderer {
     /// One for each picture: each finds its own buffers again.
-    engines: [Engine; 3],
+    pipelines: [TimedPipeline; 3],
     /// For the image that the view window of the world shows.
-    window_engine: Engine,
+    window_pipeline: TimedPipeline,
     rasterizer: Rasterizer,
     on_window: Option<(Request, Arc<Texture>)>,
     clock: Option<fn() -> Duration>,
@@ -37,7 +37,8 @@ impl Renderer {
         self.on_window = None;
     }
 
-    /// The plan, the report and the display list of a picture. `None` where there is no memory for the image on the window.
+    /// The plan, the report and the display list of a picture: what an output of vectors needs, which has no pixels. `None`
+    /// where there is no memory for the image on the window.
     pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
         self.timed_drawing(request).map(|(frame, _)| frame)
     }
@@ -65,7 +66,7 @@ impl Renderer {
             Some(_) => Account::of(&frame, self.rasterizer.work(), on_window, total),
             None => Account::default(),
         };
-        self.engines[request.view.index()].pipeline.recycle(frame.drawing);
+        self.pipelines[request.view.index()].stages.recycle(frame.drawing);
         Some(account)
     }
 
@@ -91,9 +92,9 @@ impl Renderer {
             }
             View::Canonical | View::Image => (None, None),
         };
-        let engine = &mut self.engines[request.view.index()];
-        engine.clock = self.clock;
-        Some((views::frame(request, on_window.as_ref(), engine), time))
+        let pipeline = &mut self.pipelines[request.view.index()];
+        pipeline.clock = self.clock;
+        Some((views::frame(request, on_window.as_ref(), pipeline), time))
     }
 
     /// The image that the window of the world shows; drawn again only when what it shows has changed.
@@ -107,9 +108,9 @@ impl Renderer {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
         self.rasterizer.measure(None);
-        let frame = views::frame(&image, None, &mut self.window_engine);
+        let frame = views::frame(&image, None, &mut self.window_pipeline);
         let picture = Picture::from(self.rasterizer.paint(&frame.drawing)?);
-        self.window_engine.pipeline.recycle(frame.drawing);
+        self.window_pipeline.stages.recycle(frame.drawing);
         let texture = Arc::new(picture.into_texture());
         self.on_window = Some((image, Arc::clone(&texture)));
         Some((texture, Some(now().saturating_sub(start))))

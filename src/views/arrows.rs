@@ -5,29 +5,16 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape};
 use crate::scene::Line;
 
-use super::gizmos::{SMALL_TYPE, Sheet};
+use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::handles::Grip;
 use super::screen::Screen;
-use super::{Palette, Request, world};
+use super::{Arrows, Palette, Request, world_framing};
 
-/// Where the arrows stand.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arrows {
-    /// Where they begin (world).
-    pub origin: DVec3,
-    /// Where they point (world), unit vectors; they need not be at right angles.
-    pub axes: [DVec3; 3],
-    /// The one under the pointer, drawn stronger.
-    pub hot: Option<usize>,
-}
-
-impl Arrows {
-    /// Their tips (world). The length is fixed on the screen.
-    fn tips(&self, screen: &Screen) -> [DVec3; 3] {
-        let (side, scale) = (screen.extent().min_element(), screen.scale());
-        let length = screen.units_per_pixel(self.origin) * (0.15 * side).clamp(40.0 * scale, 120.0 * scale);
-        self.axes.map(|axis| self.origin + axis * length)
-    }
+/// The tips of the arrows (world). Their length is fixed on the screen.
+fn tips(arrows: &Arrows, screen: &Screen) -> [DVec3; 3] {
+    let (side, scale) = (screen.extent().min_element(), screen.scale());
+    let length = screen.units_per_pixel(arrows.origin) * (0.15 * side).clamp(40.0 * scale, 120.0 * scale);
+    arrows.axes.map(|axis| arrows.origin + axis * length)
 }
 
 /// The arrow at `pointer` (pixels), within `reach` pixels: near its tip, or on its outer half. None of those that are seen
@@ -35,7 +22,7 @@ impl Arrows {
 #[must_use]
 pub fn arrow_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> {
     let arrows = request.overlays.arrows?;
-    let screen = world::screen(request)?;
+    let screen = world_framing::screen(request)?;
     let from = screen.place(arrows.origin)?;
     let distance = |tip: DVec3| {
         let to = screen.place(tip)?;
@@ -46,7 +33,7 @@ pub fn arrow_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> 
         let t = ((pointer - from).dot(way) / way.length_squared()).clamp(0.4, 1.0);
         Some(pointer.distance(from + way * t))
     };
-    let distances = arrows.tips(&screen).map(distance);
+    let distances = tips(&arrows, &screen).map(distance);
     (0..3)
         .filter_map(|i| Some((i, distances[i].filter(|d| *d <= reach)?)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
@@ -57,24 +44,24 @@ pub fn arrow_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> 
 /// the length of a pixel there. `None` where the axis is seen end-on.
 #[must_use]
 pub fn pull(request: &Request, (origin, axis): (DVec3, DVec3), from: DVec2, to: DVec2) -> Option<(f64, f64)> {
-    let screen = world::screen(request)?;
-    let observer = request.seen_from()?;
+    let screen = world_framing::screen(request)?;
+    let observer = world_framing::seen_from(request);
     let grip = Grip { observer: &observer, from: screen.ray(from), to: screen.ray(to) };
     Some((grip.along(origin, axis)?, screen.units_per_pixel(origin)))
 }
 
 /// Adds the arrows, if there are any; nothing hides them.
-pub(super) fn in_world(sheet: &mut Sheet, request: &Request, palette: Palette) {
+pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
     let Some(arrows) = request.overlays.arrows else { return };
-    let tips = arrows.tips(sheet.screen);
+    let tips = tips(&arrows, builder.screen);
     for (i, ((tip, color), name)) in tips.into_iter().zip(palette.axes).zip(["x", "y", "z"]).enumerate() {
         let width = if arrows.hot == Some(i) { 4.5 } else { 2.5 };
         let style = LineStyle { color, width, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: true };
-        sheet.scene.lines.push(Line { points: vec![arrows.origin, tip], style });
-        let toward = sheet.screen.heading(arrows.origin, arrows.axes[i]);
-        sheet.text(tip, name, toward, SMALL_TYPE, color);
+        builder.scene.lines.push(Line { points: vec![arrows.origin, tip], style });
+        let toward = builder.screen.heading(arrows.origin, arrows.axes[i]);
+        builder.text(tip, name, toward, SMALL_TYPE, color);
     }
-    sheet.mark_above(arrows.origin, MarkShape::Disc, 3.0, palette.ink);
+    builder.mark_above(arrows.origin, MarkShape::Disc, 3.0, palette.ink);
 }
 
 #[cfg(test)]
@@ -102,8 +89,8 @@ mod tests {
             overlays: Overlays { arrows: Some(arrows), ..Overlays::default() },
             ..Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size)
         };
-        let screen = world::screen(&request).unwrap();
-        let tips = arrows.tips(&screen);
+        let screen = world_framing::screen(&request).unwrap();
+        let tips = tips(&arrows, &screen);
         for (i, tip) in tips.into_iter().enumerate() {
             let place = screen.place(tip).unwrap();
             assert_eq!(arrow_at(&request, place + 1.0, 8.0), Some(i));

@@ -11,12 +11,13 @@ use crate::geometry::Aabb;
 use crate::pipeline::Frame;
 use crate::scene::Scene;
 
-use super::gizmos::{self, SMALL_TYPE, Sheet};
-use super::image::PixelRect;
+use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
 use super::observer::{Direction, Viewpoint};
+use super::pixels::PixelRect;
 use super::reveal::{self, Revealed};
 use super::screen::Screen;
-use super::{Engine, Palette, Request, placing, probe};
+use super::timed_pipeline::TimedPipeline;
+use super::{Palette, Request, placing, probe};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -64,57 +65,57 @@ fn revealed(request: &Request) -> Revealed {
 }
 
 /// Draws the canonical volume; an observer that is no camera sees nothing.
-pub(super) fn frame_of(request: &Request, engine: &mut Engine) -> Frame {
+pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.look.style;
     let palette = Palette::of(style.theme);
     let target = request.size.target(palette.paper);
     let Some(screen) = screen(request) else {
-        return engine.frame(request, &Scene::default(), &request.camera, target, style);
+        return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
     let mut revealed = revealed(request);
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
-    let mut sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
-    axes(&mut sheet, palette);
-    revealed.mark(&mut sheet, palette);
-    probe::in_canonical(&mut sheet, request, palette);
-    cube(&mut sheet, request, palette);
-    let mut drawn = engine.frame(request, &sheet.scene, screen.camera(), target, &style);
+    let mut builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
+    axes(&mut builder, palette);
+    revealed.mark(&mut builder, palette);
+    probe::in_canonical(&mut builder, request, palette);
+    cube(&mut builder, request, palette);
+    let mut drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
     let legend = reveal::legend(request, revealed.rows, &target, palette);
     placing::settle(&mut drawn.drawing, &[], reveal::room(legend.as_ref()));
     reveal::explain(&mut drawn.drawing, legend.as_ref());
     drawn
 }
 
-fn axes(sheet: &mut Sheet, palette: Palette) {
+fn axes(builder: &mut SceneBuilder, palette: Palette) {
     let all = [(DVec3::X, "x_n"), (DVec3::Y, "y_n"), (DVec3::NEG_Z, "z_n")];
     for ((axis, name), color) in all.into_iter().zip(palette.axes) {
-        sheet.vector(DVec3::ZERO, axis * AXIS, color, 1.8, name);
+        builder.vector(DVec3::ZERO, axis * AXIS, color, 1.8, name);
     }
 }
 
 /// The cube: its near face (z_n = −1) stands out as the window does in the world, its far face has dashed edges as there.
-fn cube(sheet: &mut Sheet, request: &Request, palette: Palette) {
+fn cube(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
     let square = |z: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, z));
     let (near, far) = (square(1.0), square(-1.0));
     let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
-    sheet.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
-    sheet.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
+    builder.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
+    builder.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
     for i in 0..4 {
-        sheet.line(vec![near[i], far[i]], palette.volume_edge, 1.3, Dash::Solid);
+        builder.line(vec![near[i], far[i]], palette.volume_edge, 1.3, Dash::Solid);
     }
-    sheet.closed(&far, palette.volume_edge, 1.5, Dash::Dashed);
-    sheet.closed(&near, palette.ink, 2.0, Dash::Solid);
-    hatch(sheet, palette);
+    builder.closed(&far, palette.volume_edge, 1.5, Dash::Dashed);
+    builder.closed(&near, palette.ink, 2.0, Dash::Solid);
+    hatch(builder, palette);
 
     let names = [
         (near[3], format!("{} (z_n = −1)", request.labels.near)),
         (far[2], format!("{} (z_n = 1)", request.labels.far)),
     ];
     for (p, text) in names {
-        sheet.text(p, &text, outwards(sheet.screen, p), SMALL_TYPE, palette.ink);
+        builder.text(p, &text, outwards(builder.screen, p), SMALL_TYPE, palette.ink);
     }
-    for (p, text) in corner_names(sheet.screen) {
-        sheet.text(p, &text, outwards(sheet.screen, p), SMALL_TYPE - 1.0, palette.soft);
+    for (p, text) in corner_names(builder.screen) {
+        builder.text(p, &text, outwards(builder.screen, p), SMALL_TYPE - 1.0, palette.soft);
     }
 }
 
@@ -155,10 +156,10 @@ fn corner_names(screen: &Screen) -> Vec<(DVec3, String)> {
 }
 
 /// Short strokes along the inner side of the near face's border, as draughtsmen mark a plane.
-fn hatch(sheet: &mut Sheet, palette: Palette) {
+fn hatch(builder: &mut SceneBuilder, palette: Palette) {
     const STROKES: i32 = 12;
     const LENGTH: f64 = 0.07;
-    let hidden = std::mem::replace(&mut sheet.hidden, HiddenLines::Hidden);
+    let hidden = std::mem::replace(&mut builder.hidden, HiddenLines::Hidden);
     for i in 0..STROKES {
         let a = -1.0 + 2.0 * (f64::from(i) + 0.5) / f64::from(STROKES);
         let ends = [
@@ -169,8 +170,8 @@ fn hatch(sheet: &mut Sheet, palette: Palette) {
         ];
         for stroke in ends {
             let points = stroke.map(|(x, y)| DVec3::new(x, y, 1.0)).to_vec();
-            sheet.line(points, palette.soft, 0.8, Dash::Solid);
+            builder.line(points, palette.soft, 0.8, Dash::Solid);
         }
     }
-    sheet.hidden = hidden;
+    builder.hidden = hidden;
 }

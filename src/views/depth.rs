@@ -11,7 +11,7 @@ use crate::pipeline::{Frame, Reason, Stage};
 use crate::scene::Scene;
 
 use super::legend::Row;
-use super::{Palette, Request, pick};
+use super::{Palette, Request, hits};
 use crate::numbers::typeset;
 
 /// The numbers of one pixel of the image.
@@ -35,7 +35,7 @@ pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
     // What is divided first is no depth where it is wrong: it is drawn as glass.
     let folded = request.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
-    let hit = pick::first_opaque(folded.as_ref().unwrap_or(&request.scene), from, to)?;
+    let hit = hits::first_opaque(folded.as_ref().unwrap_or(&request.scene), from, to)?;
     let stations = camera.stations(hit, request.look.image, &request.look.viewport);
     let Projected { ndc, viewport, .. } = stations.projected?;
     Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })
@@ -112,7 +112,24 @@ impl Greys {
                 Stage::Normals | Stage::Light if !report.ran => report.reason = Reason::DepthsShown,
                 Stage::Lines if !marked => (report.ran, report.reason) = (false, Reason::DepthsShown),
                 Stage::Interpolate if painted => (report.ran, report.reason) = (true, Reason::DepthsShown),
-                _ => {}
+                Stage::Traverse
+                | Stage::CullObjects
+                | Stage::Normals
+                | Stage::Light
+                | Stage::Transform
+                | Stage::CullFaces
+                | Stage::Clip
+                | Stage::Oblique
+                | Stage::Divide
+                | Stage::Viewport
+                | Stage::Fill
+                | Stage::Interpolate
+                | Stage::HiddenSurfaces
+                | Stage::Texture
+                | Stage::Blend
+                | Stage::Antialias
+                | Stage::Lines
+                | Stage::Write => {}
             }
         }
     }
@@ -134,7 +151,7 @@ impl Greys {
         // The distance that has the level in the middle of the scale.
         let middle = match (self.range, camera.projection()) {
             (Some(_), Projection::Perspective) => 2.0 / (1.0 / f + 1.0 / b),
-            _ => f + (b - f) / 2.0,
+            (None, _) | (Some(_), Projection::Parallel) => f + (b - f) / 2.0,
         };
         let distances = [f, middle, b].map(|d| typeset(d, 4));
         let [near, halfway, far] = distances;

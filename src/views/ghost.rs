@@ -9,32 +9,32 @@ use crate::camera::{Camera, Operation};
 use crate::geometry::Ray;
 use crate::scene::{Object, ObjectPaint};
 
-use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
-use super::world::Gear;
+use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
+use super::world_framing::Gear;
 use super::{Ghost, Palette, Request};
 
 /// Adds the operation that is being tried, if there is one.
-pub(super) fn in_world(sheet: &mut Sheet, request: &Request, palette: Palette, gear: Gear) {
+pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear) {
     let Some(ghost) = &request.overlays.ghost else { return };
-    camera_before(sheet, request, palette, gear, &ghost.before);
+    camera_before(builder, request, palette, gear, &ghost.before);
     let after = &request.camera;
     match ghost.operation.axis(&ghost.before) {
-        Some(axis) => turn(sheet, palette, gear, ghost, axis),
+        Some(axis) => turn(builder, palette, gear, ghost, axis),
         None => {
             let moved = |a: DVec3, b: DVec3| (a != b).then(|| vec![a, b]);
             let before = &ghost.before;
             for way in [moved(before.position(), after.position()), moved(before.focal_point(), after.focal_point())] {
-                sheet.arrows(way, palette.probe);
+                builder.arrows(way, palette.probe);
             }
         }
     }
 }
 
 /// The camera before, faintly: body, line to PF, and where the window was.
-fn camera_before(sheet: &mut Sheet, request: &Request, palette: Palette, gear: Gear, before: &Camera) {
+fn camera_before(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear, before: &Camera) {
     let color = palette.ghost;
     let c = before.position();
-    sheet.scene.objects.push(Object {
+    builder.scene.objects.push(Object {
         name: "camera before".to_owned(),
         mesh: Arc::new(gizmos::camera_body()),
         world_from_object: before.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
@@ -44,18 +44,18 @@ fn camera_before(sheet: &mut Sheet, request: &Request, palette: Palette, gear: G
         faces: true,
         edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
     });
-    sheet.line(vec![c, before.focal_point()], color, 0.9, Dash::Dotted);
+    builder.line(vec![c, before.focal_point()], color, 0.9, Dash::Dotted);
     let corners = before.volume_corners();
-    sheet.closed(&corners[..4], color, 1.2, Dash::Dotted);
+    builder.closed(&corners[..4], color, 1.2, Dash::Dotted);
     let moved = c.distance(request.camera.position()) > 0.5 * gear.axis;
     if moved {
-        sheet.mark(c, MarkShape::Ring, 3.0, color);
-        sheet.text(c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
+        builder.mark(c, MarkShape::Ring, 3.0, color);
+        builder.text(c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
     }
 }
 
 /// The axis through the pivot, and the arc in the sense of the rotation.
-fn turn(sheet: &mut Sheet, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) {
+fn turn(builder: &mut SceneBuilder, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) {
     let (before, pivot) = (&ghost.before, axis.origin);
     let [u, v, n] = palette.axes;
     let (moved, color, name) = match ghost.operation {
@@ -67,18 +67,18 @@ fn turn(sheet: &mut Sheet, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ra
         Operation::Zoom(_) | Operation::Dolly(_) | Operation::Pan { .. } => return,
     };
     let Some(angle) = ghost.operation.right_hand_angle(ghost.convention) else { return };
-    let reach = sheet.screen.units_per_pixel(pivot) * 0.2 * sheet.screen.extent().min_element();
+    let reach = builder.screen.units_per_pixel(pivot) * 0.2 * builder.screen.extent().min_element();
     let tip = pivot + axis.direction * reach;
-    sheet.arrow(vec![pivot - axis.direction * reach, tip], color, 1.6, Dash::DashDot);
-    sheet.text(tip, name, sheet.screen.heading(pivot, axis.direction), TYPE, color);
-    sheet.mark(pivot, MarkShape::Ring, 5.0, color);
+    builder.arrow(vec![pivot - axis.direction * reach, tip], color, 1.6, Dash::DashDot);
+    builder.text(tip, name, builder.screen.heading(pivot, axis.direction), TYPE, color);
+    builder.mark(pivot, MarkShape::Ring, 5.0, color);
 
     let arc = arc(axis, moved, angle.radians());
     let ends = [arc.first().copied(), arc.last().copied()];
     for end in ends.into_iter().flatten() {
-        sheet.line(vec![pivot, end], palette.probe, 0.9, Dash::Dotted);
+        builder.line(vec![pivot, end], palette.probe, 0.9, Dash::Dotted);
     }
-    sheet.arrows(Some(arc), palette.probe);
+    builder.arrows(Some(arc), palette.probe);
 }
 
 /// The way of a point that turns about an axis; more than two full turns are not told apart.

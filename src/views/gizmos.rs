@@ -23,13 +23,13 @@ pub(super) fn stroke(color: Rgba, width: f32, dash: Dash, hidden: HiddenLines) -
 
 /// A scene that grows.
 #[derive(Debug)]
-pub(super) struct Sheet<'a> {
+pub(super) struct SceneBuilder<'a> {
     pub(super) scene: Scene,
     pub(super) screen: &'a Screen,
     pub(super) hidden: HiddenLines,
 }
 
-impl Sheet<'_> {
+impl SceneBuilder<'_> {
     pub(super) fn line(&mut self, points: Vec<DVec3>, color: Rgba, width: f32, dash: Dash) {
         let style = stroke(color, width, dash, self.hidden);
         self.scene.lines.push(Line { points, style });
@@ -114,7 +114,9 @@ pub(super) fn wired(mut scene: Scene, style: &Style) -> (Scene, Style) {
     for object in &mut scene.objects {
         let own = match object.paint {
             ObjectPaint::Solid(color) => color.with_alpha(255),
-            _ => object.edges.map_or(Rgba::rgb(128, 128, 128), |edges| edges.color),
+            ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => {
+                object.edges.map_or(Rgba::rgb(128, 128, 128), |edges| edges.color)
+            }
         };
         object.edges = Some(stroke(own, 1.25, Dash::Solid, style.hidden_lines));
         object.faces = false;

@@ -6,29 +6,14 @@ use crate::camera::Parameters;
 use crate::figure::Observer;
 use crate::geometry::{Ray, try_unit};
 
-use super::Request;
 use super::screen::Screen;
-use super::world::{self, Gear};
-
-/// Something that can be dragged in the world.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Handle {
-    /// C
-    Position,
-    /// PF
-    FocalPoint,
-    /// The tip of VUP.
-    ViewUp,
-    /// The front face.
-    Near,
-    /// The back face.
-    Far,
-}
+use super::world_framing::{self, Gear};
+use super::{Handle, Request};
 
 /// The handles that lie in the picture, with their places in pixels.
 #[must_use]
 pub fn handles(request: &Request) -> Vec<(Handle, DVec2)> {
-    let Some(screen) = world::screen(request) else { return Vec::new() };
+    let Some(screen) = world_framing::screen(request) else { return Vec::new() };
     on_screen(request, &screen).into_iter().filter_map(|(h, p)| Some((h, screen.place_inside(p)?))).collect()
 }
 
@@ -84,8 +69,8 @@ pub(super) fn on_axis(request: &Request, screen: &Screen, clear: f64) -> Vec<(Ha
 #[must_use]
 pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical: bool) -> Parameters {
     let mut parameters = *request.camera.parameters();
-    let Some(screen) = world::screen(request) else { return parameters };
-    let Some(observer) = request.seen_from() else { return parameters };
+    let Some(screen) = world_framing::screen(request) else { return parameters };
+    let observer = world_framing::seen_from(request);
     let grip = Grip { observer: &observer, from: screen.ray(from), to: screen.ray(to) };
     let camera = &request.camera;
     let along_axis = || grip.along(camera.position(), camera.direction_of_projection()).unwrap_or(0.0);
@@ -191,7 +176,7 @@ mod tests {
         let (scene, size) = (SharedScene::default(), Size { width: 600, height: 400, scale: 1.0 });
         let request = Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size);
         let request = Request { observer: Some(observer), ..request };
-        test(&request, &world::screen(&request).unwrap());
+        test(&request, &world_framing::screen(&request).unwrap());
     }
 
     #[test]

@@ -1,62 +1,25 @@
 //! The image: the scene as the figure's camera sees it, with the aspect of the view window.
 
 use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
-use crate::camera::ViewWindow;
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
 use crate::figure::Reveal;
 use crate::pipeline::{Frame, Reason, Stage, Target};
 use crate::scene::Scene;
 
 use super::depth::{self, Greys};
-use super::gizmos::{Sheet, stroke};
+use super::gizmos::{SceneBuilder, stroke};
+use super::pixels::{PixelRect, Size, image_frame};
 use super::screen::Screen;
-use super::{Engine, Palette, Request, Size, placing, probe, reveal};
-
-/// A rectangle of a picture, in pixels; (0, 0) is the top left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PixelRect {
-    /// Left.
-    pub x: u32,
-    /// Top.
-    pub y: u32,
-    /// Width, at least 1 in a picture that is not empty.
-    pub width: u32,
-    /// Height, at least 1 in a picture that is not empty.
-    pub height: u32,
-}
-
-impl PixelRect {
-    /// All of a picture.
-    pub(super) fn whole(size: Size) -> Self {
-        Self { x: 0, y: 0, width: size.width, height: size.height }
-    }
-}
-
-/// Where the image lies in a picture of this size: the largest rectangle with the window's aspect (to the nearest pixel), in
-/// the middle.
-#[must_use]
-pub fn frame(size: Size, window: ViewWindow) -> PixelRect {
-    let aspect = window.aspect();
-    let width = rounded(f64::from(size.height) * aspect, size.width);
-    let height = rounded(f64::from(size.width) / aspect, size.height);
-    PixelRect { x: (size.width - width) / 2, y: (size.height - height) / 2, width, height }
-}
-
-/// The nearest whole number of pixels, 1 … `most`.
-fn rounded(pixels: f64, most: u32) -> u32 {
-    let bounded = pixels.round().clamp(1.0_f64.min(f64::from(most)), f64::from(most));
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number in 0 … most")]
-    let whole = bounded as u32;
-    whole
-}
+use super::timed_pipeline::TimedPipeline;
+use super::{Palette, Request, placing, probe, reveal};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
-    Screen::new(request.camera.clone(), frame(request.size, request.camera.window()), request.size.scale)
+    Screen::new(request.camera.clone(), image_frame(request.size, request.camera.window()), request.size.scale)
 }
 
 /// Draws the image.
-pub(super) fn frame_of(request: &Request, engine: &mut Engine) -> Frame {
+pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.look.style;
     let palette = Palette::of(style.theme);
     let greys = Greys::of(request);
@@ -68,27 +31,27 @@ pub(super) fn frame_of(request: &Request, engine: &mut Engine) -> Frame {
         (None, false) => *style,
     };
     let (whole, screen) = (request.size.target(paper), screen(request));
-    let rect = frame(request.size, request.camera.window());
+    let rect = image_frame(request.size, request.camera.window());
     let target = Target { width: rect.width, height: rect.height, ..whole };
     // A scene of many objects is not copied where nothing is added to it.
     let plain = request.look.reveal == Reveal::default() && request.overlays.probe.is_none();
     let (revealed, wrong) = if plain { Default::default() } else { reveal::in_image(request, palette) };
     let mut drawn = if plain {
-        engine.frame(request, &request.scene, &request.camera, target, &style)
+        pipeline.frame(request, &request.scene, &request.camera, target, &style)
     } else {
-        let mut sheet = Sheet { scene: revealed.scene.clone(), screen: &screen, hidden: style.hidden_lines };
+        let mut builder = SceneBuilder { scene: revealed.scene.clone(), screen: &screen, hidden: style.hidden_lines };
         if greys.is_some() {
-            depth::only(&mut sheet.scene);
+            depth::only(&mut builder.scene);
         }
-        revealed.mark(&mut sheet, palette);
-        probe::in_image(&mut sheet, request, palette);
-        engine.frame(request, &sheet.scene, &request.camera, target, &style)
+        revealed.mark(&mut builder, palette);
+        probe::in_image(&mut builder, request, palette);
+        pipeline.frame(request, &builder.scene, &request.camera, target, &style)
     };
     // Where nothing is behind the eye, dividing first makes no difference, and clipping did its work as ever.
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(reveal::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);
-        add(&mut drawn.drawing, Engine::default().frame(request, &wrong, &front, target, &style).drawing);
+        add(&mut drawn.drawing, TimedPipeline::default().frame(request, &wrong, &front, target, &style).drawing);
     }
     let mut rows = revealed.rows;
     if let Some(greys) = greys {
@@ -144,36 +107,5 @@ fn sheet_of_paper([x, y, w, h]: [f32; 4], color: Rgba) -> Surface {
         paint: Paint::Solid(color),
         translucent: false,
         depth_test: false,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn size(width: u32, height: u32) -> Size {
-        Size { width, height, scale: 1.0 }
-    }
-
-    fn window(aspect: f64) -> ViewWindow {
-        ViewWindow { left: -aspect, right: aspect, bottom: -1.0, top: 1.0 }
-    }
-
-    #[test]
-    fn the_frame_has_the_windows_aspect_and_lies_in_the_middle() {
-        let rect = |x, y, width, height| PixelRect { x, y, width, height };
-        assert_eq!(frame(size(400, 300), window(4.0 / 3.0)), rect(0, 0, 400, 300));
-        assert_eq!(frame(size(400, 300), window(1.0)), rect(50, 0, 300, 300));
-        assert_eq!(frame(size(400, 300), window(2.0)), rect(0, 50, 400, 200));
-        assert_eq!(frame(size(401, 300), window(0.5)), rect(125, 0, 150, 300));
-    }
-
-    #[test]
-    fn an_extreme_window_still_has_a_frame() {
-        for aspect in [1e-12, 1e12] {
-            let f = frame(size(400, 300), window(aspect));
-            assert!(f.width >= 1 && f.height >= 1 && f.x + f.width <= 400 && f.y + f.height <= 300, "{f:?}");
-        }
-        assert_eq!(frame(size(0, 0), window(1.0)), PixelRect { x: 0, y: 0, width: 0, height: 0 });
     }
 }

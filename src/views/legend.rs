@@ -40,7 +40,7 @@ impl Row {
     fn lines(&self) -> f64 {
         match self {
             Self::Scale(_, texts) => 1.0 + f64::from(u32::try_from(texts.len()).unwrap_or(u32::MAX)),
-            _ => 1.0,
+            Self::Title(..) | Self::Swatch(..) | Self::Warning(..) | Self::Mark(..) => 1.0,
         }
     }
 

@@ -5,15 +5,16 @@ use glam::{DVec2, DVec3};
 use crate::camera::Projection;
 use crate::geometry::Ray;
 use crate::pipeline::project::displayed_ndc;
-use crate::scene::{Object, Scene};
+use crate::scene::Scene;
 
+use super::hits::{crossing, first_crossing};
 use super::screen::Screen;
-use super::{Request, View, canonical, image, world};
+use super::{Request, View, canonical, image, world_framing};
 
 /// The ray in the world through a place (pixels) of the world picture; `None` for an observer that is no camera.
 #[must_use]
 pub fn ray_in_world(request: &Request, pointer: DVec2) -> Option<Ray> {
-    Some(world::screen(request)?.ray(pointer))
+    Some(world_framing::screen(request)?.ray(pointer))
 }
 
 /// The vertex of the scene (world) nearest to a place (pixels) of a picture, within `reach` pixels. A hidden vertex is taken
@@ -39,7 +40,7 @@ pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
 }
 
 fn vertex_in_world(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let screen = world::screen(request)?;
+    let screen = world_framing::screen(request)?;
     nearest(vertices(&request.scene).map(|p| (p, p)), &request.scene, &screen, pointer, reach)
 }
 
@@ -61,20 +62,6 @@ fn vertex_in_image(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec
 pub fn window_point_in_image(request: &Request, pointer: DVec2) -> Option<DVec2> {
     let screen = image::screen(request);
     screen.holds(pointer).then(|| screen.window_point(pointer))
-}
-
-/// The first point of the scene's faces on a segment (world), beginning at `from`.
-#[must_use]
-pub fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
-    let t = first_crossing(scene, from, to)?;
-    Some(from + (to - from) * t)
-}
-
-/// As [`first_hit`], of the faces that leave a depth in the image: opaque ones, and of open one-sided objects only the fronts.
-pub(super) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
-    let opaque = scene.objects.iter().filter(|o| o.faces && !o.paint.is_translucent());
-    let t = opaque.filter_map(|o| crossing(o, from, to, !o.two_sided && !o.mesh.closed)).min_by(f64::total_cmp)?;
-    Some(from + (to - from) * t)
 }
 
 fn object_in_world(request: &Request, pointer: DVec2) -> Option<String> {
@@ -139,47 +126,6 @@ fn can_be_seen(p: DVec3, faces: &Scene, screen: &Screen) -> bool {
     first_crossing(faces, eye, p).is_none_or(|t| t > 1.0 - 1e-6)
 }
 
-/// Where a segment first meets a face: 0 at `from`, 1 at `to`.
-fn first_crossing(scene: &Scene, from: DVec3, to: DVec3) -> Option<f64> {
-    let faced = scene.objects.iter().filter(|o| o.faces);
-    faced.filter_map(|o| crossing(o, from, to, false)).min_by(f64::total_cmp)
-}
-
-fn crossing(object: &Object, from: DVec3, to: DVec3, fronts_only: bool) -> Option<f64> {
-    let object_from_world = object.world_from_object.inverse();
-    if !object_from_world.is_finite() {
-        return None; // scaled to nothing
-    }
-    let (a, b) = (object_from_world.transform_point3(from), object_from_world.transform_point3(to));
-    let positions = &object.mesh.positions;
-    let corner = |i: u32| positions.get(i as usize).copied();
-    object
-        .mesh
-        .triangles
-        .iter()
-        .filter_map(|t| triangle_crossing(a, b - a, [corner(t[0])?, corner(t[1])?, corner(t[2])?]))
-        .filter(|(_, facing)| !fronts_only || *facing > 0.0)
-        .map(|(t, _)| t)
-        .min_by(f64::total_cmp)
-}
-
-/// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997), and a number that is positive where the
-/// segment comes from the side from which the corners run counter-clockwise.
-fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, f64)> {
-    let (ab, ac) = (b - a, c - a);
-    let p = d.cross(ac);
-    let det = ab.dot(p);
-    if det == 0.0 {
-        return None;
-    }
-    let s = origin - a;
-    let u = s.dot(p) / det;
-    let q = s.cross(ab);
-    let v = d.dot(q) / det;
-    let t = ac.dot(q) / det;
-    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&t)).then_some((t, det))
-}
-
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
@@ -187,6 +133,7 @@ mod tests {
     use crate::camera::{Camera, Parameters};
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
+    use crate::views::hits::first_hit;
     use crate::views::observer::Viewpoint;
     use crate::views::{SharedScene, Size};
 
@@ -223,7 +170,7 @@ mod tests {
                 [(Viewpoint::Front, DVec3::Z), (Viewpoint::Side, DVec3::X), (Viewpoint::Top, DVec3::Y)]
             {
                 let request = seen(request, View::World, viewpoint);
-                let screen = world::screen(&request).unwrap();
+                let screen = world_framing::screen(&request).unwrap();
                 for other in [DVec3::ONE, DVec3::NEG_ONE, DVec3::new(1.0, -1.0, 1.0)] {
                     let p = other * (DVec3::ONE - front) + front;
                     let place = screen.place(p - 2.0 * front).unwrap();
@@ -250,7 +197,7 @@ mod tests {
     fn the_object_that_is_seen_is_the_one_that_is_found() {
         with_cube(Parameters::default(), |request| {
             let world = seen(request, View::World, Viewpoint::Front);
-            let screen = world::screen(&world).unwrap();
+            let screen = world_framing::screen(&world).unwrap();
             let middle = screen.place(DVec3::Z).unwrap();
             assert_eq!(object(&world, middle).as_deref(), Some("cube"));
             assert_eq!(object(&world, DVec2::ONE), None);

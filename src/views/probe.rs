@@ -6,8 +6,8 @@ use crate::appearance::{Dash, MarkShape};
 use crate::camera::Projection;
 use crate::pipeline::project::displayed_ndc;
 
-use super::gizmos::{SMALL_TYPE, Sheet, TYPE};
-use super::{Palette, Probe, Request, pick};
+use super::gizmos::{SMALL_TYPE, SceneBuilder, TYPE};
+use super::{Palette, Probe, Request, hits};
 
 /// The ray of the probe from its origin O_R through its window point to the end of the volume, `[0]` Eqs. (5.17) to (5.21).
 struct Pixel {
@@ -25,12 +25,12 @@ impl Pixel {
         // Depths along −n are what F and B measure.
         let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
         let (window, end) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
-        Self { origin: ray.origin, window, end, hit: pick::first_hit(&request.scene, window, end) }
+        Self { origin: ray.origin, window, end, hit: hits::first_hit(&request.scene, window, end) }
     }
 }
 
 /// The ray from O_R through the window, or the point with its projector.
-pub(super) fn in_world(sheet: &mut Sheet, request: &Request, palette: Palette) {
+pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
     let color = palette.probe;
     match request.overlays.probe {
         None => {}
@@ -40,31 +40,31 @@ pub(super) fn in_world(sheet: &mut Sheet, request: &Request, palette: Palette) {
             if c.z < 0.0 {
                 let w = window_of(request, c);
                 let pixel = Pixel::new(request, w);
-                sheet.line(vec![pixel.origin, p], color, 1.4, Dash::Solid);
-                sheet.mark(pixel.window, MarkShape::Square, 3.0, color);
+                builder.line(vec![pixel.origin, p], color, 1.4, Dash::Solid);
+                builder.mark(pixel.window, MarkShape::Square, 3.0, color);
             }
-            sheet.mark(p, MarkShape::Ring, 6.0, color);
-            sheet.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
+            builder.mark(p, MarkShape::Ring, 6.0, color);
+            builder.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
         }
         Some(Probe::Window(point)) => {
             let pixel = Pixel::new(request, point);
-            sheet.line(vec![pixel.origin, pixel.hit.unwrap_or(pixel.end)], color, 1.6, Dash::Solid);
+            builder.line(vec![pixel.origin, pixel.hit.unwrap_or(pixel.end)], color, 1.6, Dash::Solid);
             if let Some(hit) = pixel.hit {
-                sheet.line(vec![hit, pixel.end], color, 1.2, Dash::Dotted);
-                sheet.mark(hit, MarkShape::Ring, 6.0, color);
-                sheet.text(hit, "P", DVec2::new(0.8, -0.8), TYPE, color);
+                builder.line(vec![hit, pixel.end], color, 1.2, Dash::Dotted);
+                builder.mark(hit, MarkShape::Ring, 6.0, color);
+                builder.text(hit, "P", DVec2::new(0.8, -0.8), TYPE, color);
             }
-            sheet.mark(pixel.window, MarkShape::Square, 3.0, color);
+            builder.mark(pixel.window, MarkShape::Square, 3.0, color);
             if request.camera.projection() == Projection::Parallel {
-                sheet.mark(pixel.origin, MarkShape::Disc, 3.0, color);
-                sheet.text(pixel.origin, "O_R", DVec2::new(-0.7, 0.7), SMALL_TYPE, color);
+                builder.mark(pixel.origin, MarkShape::Disc, 3.0, color);
+                builder.text(pixel.origin, "O_R", DVec2::new(-0.7, 0.7), SMALL_TYPE, color);
             }
         }
     }
 }
 
 /// Projectors are parallel to z_n in the canonical volume, whatever the projection.
-pub(super) fn in_canonical(sheet: &mut Sheet, request: &Request, palette: Palette) {
+pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
     let Some(probe) = request.overlays.probe else { return };
     let color = palette.probe;
     let shown = |p: DVec3| displayed_ndc(&request.camera, p);
@@ -79,24 +79,24 @@ pub(super) fn in_canonical(sheet: &mut Sheet, request: &Request, palette: Palett
     let (front, back) = (through.with_z(1.0), through.with_z(-1.0));
     if through.x.abs() <= 1.0 && through.y.abs() <= 1.0 {
         let stop = marked.map_or(back, |p| p.with_z(p.z.clamp(-1.0, 1.0)));
-        sheet.line(vec![front, stop], color, 1.6, Dash::Solid);
-        sheet.line(vec![stop, back], color, 1.2, Dash::Dotted);
-        sheet.mark(front, MarkShape::Square, 3.0, color);
+        builder.line(vec![front, stop], color, 1.6, Dash::Solid);
+        builder.line(vec![stop, back], color, 1.2, Dash::Dotted);
+        builder.mark(front, MarkShape::Square, 3.0, color);
     }
     if let Some(p) = marked {
-        sheet.mark(p, MarkShape::Ring, 6.0, color);
-        sheet.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
+        builder.mark(p, MarkShape::Ring, 6.0, color);
+        builder.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
     }
 }
 
 /// A cross at the pixel, or a ring around the point.
-pub(super) fn in_image(sheet: &mut Sheet, request: &Request, palette: Palette) {
+pub(super) fn in_image(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
     let (point, shape) = match request.overlays.probe {
         None => return,
         Some(Probe::Point(p)) => (p, MarkShape::Ring),
         Some(Probe::Window(point)) => (Pixel::new(request, point).window, MarkShape::Cross),
     };
-    sheet.mark(point, shape, 6.0, palette.probe);
+    builder.mark(point, shape, 6.0, palette.probe);
 }
 
 /// (x_p, y_p) of a point in front of C (VRC), `[0]` Eqs. (5.9) and (5.10).

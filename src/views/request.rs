@@ -3,8 +3,8 @@
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
-use super::observer::Viewpoint;
-use super::{Arrows, Ghost, Handle, Labels, Probe, Size, View, canonical, image, world};
+use super::pixels::image_frame;
+use super::{Labels, Overlays, Size, View};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Viewport};
 use crate::figure::{Figure, Observer, Observers, Reveal};
@@ -64,43 +64,13 @@ impl Request {
     #[must_use]
     pub fn image_on_window(&self) -> Self {
         let side = (self.size.width.max(self.size.height) / 2).clamp(256, 1024);
-        let frame = image::frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window());
+        let frame = image_frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window());
         Self {
             view: View::Image,
             observer: None,
             overlays: Overlays { bare: true, ..Overlays::default() },
             size: Size { width: frame.width, height: frame.height, scale: 1.0 },
             ..self.clone()
-        }
-    }
-
-    /// From where the picture is seen; `None` for the image.
-    #[must_use]
-    pub fn seen_from(&self) -> Option<Observer> {
-        match self.view {
-            View::World | View::Canonical => self.observer.or_else(|| self.observer_from(Viewpoint::Iso)),
-            View::Image => None,
-        }
-    }
-
-    /// The observer that looks from a side and has everything of interest in the picture; `None` for the image.
-    #[must_use]
-    pub fn observer_from(&self, viewpoint: Viewpoint) -> Option<Observer> {
-        match self.view {
-            View::World => Some(world::observer(self, viewpoint)),
-            View::Canonical => Some(canonical::observer(self, viewpoint)),
-            View::Image => None,
-        }
-    }
-
-    /// The observer that looks in the same direction as `observer` and has everything of interest in the picture; `None` for
-    /// the image.
-    #[must_use]
-    pub fn fitted(&self, observer: &Observer) -> Option<Observer> {
-        match self.view {
-            View::World => Some(world::fit(self, observer)),
-            View::Canonical => Some(canonical::fit(self, observer)),
-            View::Image => None,
         }
     }
 }
@@ -134,32 +104,6 @@ impl Look {
     pub fn of(figure: &Figure) -> Self {
         let Figure { image, viewport, style, reveal, .. } = *figure;
         Self { image, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal }
-    }
-}
-
-/// What comes and goes with the pointer.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Overlays {
-    /// What is pointed at, marked in all three pictures.
-    pub probe: Option<Probe>,
-    /// The operation that is being tried, shown in the world.
-    pub ghost: Option<Ghost>,
-    /// The handle under the pointer, drawn stronger, in the world.
-    pub hot: Option<Handle>,
-    /// What is selected can be moved by these, in the world.
-    pub arrows: Option<Arrows>,
-    /// Without legends: the picture is painted on something.
-    pub bare: bool,
-}
-
-impl Overlays {
-    /// Those that a picture shows.
-    #[must_use]
-    pub fn seen_in(&self, view: View) -> Self {
-        match view {
-            View::World => self.clone(),
-            View::Canonical | View::Image => Self { ghost: None, hot: None, arrows: None, ..self.clone() },
-        }
     }
 }
 
@@ -215,6 +159,7 @@ mod tests {
     use super::*;
     use crate::i18n::{Lang, pictures};
     use crate::scene::PointMark;
+    use crate::views::{Arrows, Handle, Probe};
     use glam::{DVec2, DVec3};
 
     fn request() -> Request {

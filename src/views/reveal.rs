@@ -15,7 +15,7 @@ use crate::pipeline::project::{clipped_scene, displayed_ndc};
 use crate::pipeline::{NEAR, PlaneSet, Target, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
-use super::gizmos::{SMALL_TYPE, Sheet};
+use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::legend::{Legend, Row};
 use super::placing::Box2;
 use super::{Labels, Palette, Request};
@@ -46,17 +46,17 @@ pub(super) struct Revealed {
 
 impl Revealed {
     /// Draws what is more than the scene.
-    pub(super) fn mark(&self, sheet: &mut Sheet, palette: Palette) {
+    pub(super) fn mark(&self, builder: &mut SceneBuilder, palette: Palette) {
         for side in &self.sides {
-            sheet.line(side.to_vec(), palette.cut, 1.6, Dash::Solid);
+            builder.line(side.to_vec(), palette.cut, 1.6, Dash::Solid);
         }
         if self.cuts.len() <= MOST_MARKS {
             for &p in &self.cuts {
-                sheet.mark(p, MarkShape::Diamond, 3.4, palette.cut);
+                builder.mark(p, MarkShape::Diamond, 3.4, palette.cut);
             }
         }
         for (p, name) in &self.names {
-            sheet.text(*p, name, glam::DVec2::NEG_Y, SMALL_TYPE, palette.ink);
+            builder.text(*p, name, glam::DVec2::NEG_Y, SMALL_TYPE, palette.ink);
         }
     }
 

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::camera::{Camera, Projection};
 use crate::geometry::Ray;
 
-use super::image::PixelRect;
+use super::pixels::PixelRect;
 
 /// A camera and the rectangle of the picture that its view window fills.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,65 +5,29 @@ use std::sync::Arc;
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
-use crate::camera::{Camera, Projection};
-use crate::figure::Observer;
+use crate::camera::Projection;
 use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
-use super::content::{Content, iso_direction};
-use super::gizmos::{self, SMALL_TYPE, Sheet, TYPE};
-use super::image::PixelRect;
-use super::observer::{Direction, Viewpoint};
-use super::screen::Screen;
-use super::{Engine, Handle, Palette, Request, arrows, ghost, handles, placing, probe, reveal};
-
-/// The observer that a button gives: it looks from the viewpoint's side and has everything of interest in the picture.
-pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
-    framing(request, viewpoint.direction(iso_direction(&request.camera)))
-}
-
-/// The observer that looks in the same direction and has everything of interest in the picture.
-pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
-    framing(request, Direction::from(*observer))
-}
-
-/// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a first framing only.
-fn framing(request: &Request, direction: Direction) -> Observer {
-    let aspect = request.size.aspect();
-    let content = Content::of(request);
-    let first = Observer::framing(&content.of_interest, direction, aspect);
-    let mut points = content.of_interest.clone();
-    if let Some(screen) = screen_of(request, &first, &content) {
-        points.extend(Gear::new(&screen, &request.camera).room(&request.camera));
-    }
-    Observer::framing(&points, direction, aspect)
-}
-
-/// The observer's camera and its pixels; `None` for an observer that is no camera.
-pub(super) fn screen(request: &Request) -> Option<Screen> {
-    let observer = request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso));
-    screen_of(request, &observer, &Content::of(request))
-}
-
-fn screen_of(request: &Request, observer: &Observer, content: &Content) -> Option<Screen> {
-    let camera = observer.camera(Some(content.bounds(&request.camera)), request.size.aspect()).ok()?;
-    Some(Screen::new(camera, PixelRect::whole(request.size), request.size.scale))
-}
+use super::content::Content;
+use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
+use super::timed_pipeline::TimedPipeline;
+use super::world_framing::{Gear, screen_of, seen_from};
+use super::{Handle, Palette, Request, arrows, ghost, handles, placing, probe, reveal};
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is no camera sees nothing.
-pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, engine: &mut Engine) -> Frame {
+pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.look.style;
     let palette = Palette::of(style.theme);
     let target = request.size.target(palette.paper);
     let content = Content::of(request);
-    let observer = request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso));
-    let Some(screen) = screen_of(request, &observer, &content) else {
-        return engine.frame(request, &Scene::default(), &request.camera, target, style);
+    let Some(screen) = screen_of(request, &seen_from(request), &content) else {
+        return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
     let mut revealed = reveal::in_world(request, palette);
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
-    let sheet = Sheet { scene, screen: &screen, hidden: style.hidden_lines };
-    let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, sheet };
+    let builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
+    let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
     world.ground();
     world.volume();
     world.window();
@@ -72,48 +36,15 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, engi
     world.axes();
     world.drop_lines();
     world.hot_handle();
-    ghost::in_world(&mut world.sheet, request, palette, world.gear);
-    revealed.mark(&mut world.sheet, palette);
-    probe::in_world(&mut world.sheet, request, palette);
-    arrows::in_world(&mut world.sheet, request, palette);
-    let mut drawn = engine.frame(request, &world.sheet.scene, screen.camera(), target, &style);
+    ghost::in_world(&mut world.builder, request, palette, world.gear);
+    revealed.mark(&mut world.builder, palette);
+    probe::in_world(&mut world.builder, request, palette);
+    arrows::in_world(&mut world.builder, request, palette);
+    let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
     let legend = reveal::legend(request, revealed.rows, &target, palette);
     placing::settle(&mut drawn.drawing, &[palette.grid], reveal::room(legend.as_ref()));
     reveal::explain(&mut drawn.drawing, legend.as_ref());
     drawn
-}
-
-/// The sizes of the camera's gear in scene units: fixed on the screen, so that the camera is found in any scene.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Gear {
-    /// One unit of [`gizmos::camera_body`].
-    pub(super) body: f64,
-    /// Length of **u**, **v**, **n**.
-    pub(super) axis: f64,
-}
-
-impl Gear {
-    pub(super) fn new(screen: &Screen, camera: &Camera) -> Self {
-        let pixel = screen.units_per_pixel(camera.position());
-        let (side, scale) = (screen.extent().min_element(), screen.scale());
-        Self {
-            body: pixel * (0.036 * side).clamp(9.0 * scale, 60.0 * scale),
-            axis: pixel * (0.12 * side).clamp(30.0 * scale, 180.0 * scale),
-        }
-    }
-
-    /// Where VUP's arrow ends.
-    pub(super) fn view_up_tip(&self, camera: &Camera) -> DVec3 {
-        let up = crate::geometry::try_unit(camera.view_up()).unwrap_or(DVec3::Y);
-        camera.position() + up * (1.35 * self.axis)
-    }
-
-    /// Points around the camera that a picture of it must hold.
-    fn room(&self, camera: &Camera) -> [DVec3; 5] {
-        let (c, basis) = (camera.position(), camera.basis());
-        let out = 1.35 * self.axis;
-        [self.view_up_tip(camera), c + basis.u * out, c + basis.v * out, c + basis.n * out, c - basis.v * (0.3 * out)]
-    }
 }
 
 /// The picture while it is being made.
@@ -123,7 +54,7 @@ struct World<'a> {
     palette: Palette,
     content: Content,
     gear: Gear,
-    sheet: Sheet<'a>,
+    builder: SceneBuilder<'a>,
 }
 
 impl World<'_> {
@@ -137,7 +68,7 @@ impl World<'_> {
             hidden: HiddenLines::Hidden,
             arrow: false,
         };
-        self.sheet.scene.lines.extend(ground.lines().iter().map(|ends| Line { points: ends.to_vec(), style }));
+        self.builder.scene.lines.extend(ground.lines().iter().map(|ends| Line { points: ends.to_vec(), style }));
     }
 
     /// The view volume, from the corners that the matrices in use give.
@@ -146,12 +77,12 @@ impl World<'_> {
         let side = |i: usize| [c[i], c[(i + 1) % 4], c[4 + (i + 1) % 4], c[4 + i]];
         let far = [c[4], c[5], c[6], c[7]];
         let faces = [side(0), side(1), side(2), side(3), far];
-        self.sheet.sheer("volume", &faces, self.palette.volume);
+        self.builder.sheer("volume", &faces, self.palette.volume);
         let color = self.palette.volume_edge;
         for i in 0..4 {
-            self.sheet.line(vec![c[i], c[4 + i]], color, 1.3, Dash::Solid);
+            self.builder.line(vec![c[i], c[4 + i]], color, 1.3, Dash::Solid);
         }
-        self.sheet.closed(&far, color, 1.5, Dash::Dashed);
+        self.builder.closed(&far, color, 1.5, Dash::Dashed);
         let text = format!("{} (B)", self.request.labels.far);
         self.name_face(&far, &text);
     }
@@ -163,29 +94,29 @@ impl World<'_> {
         let near = [corners[0], corners[1], corners[2], corners[3]];
         if camera.projection() == Projection::Perspective {
             for corner in near {
-                self.sheet.line(vec![camera.position(), corner], self.palette.volume_edge, 1.0, Dash::Solid);
+                self.builder.line(vec![camera.position(), corner], self.palette.volume_edge, 1.0, Dash::Solid);
             }
         }
         match self.on_window {
-            Some(image) => self.sheet.scene.objects.push(painted(near, image, camera.projection())),
-            None => self.sheet.sheer("window", &[near], self.palette.volume),
+            Some(image) => self.builder.scene.objects.push(painted(near, image, camera.projection())),
+            None => self.builder.sheer("window", &[near], self.palette.volume),
         }
-        self.sheet.closed(&near, self.palette.ink, 2.0, Dash::Solid);
+        self.builder.closed(&near, self.palette.ink, 2.0, Dash::Solid);
         let text = format!("{} (F)", self.request.labels.window);
         self.name_face(&near, &text);
     }
 
     /// Writes a face's name at its uppermost corner in the picture, unless the face is too small to be told from a point.
     fn name_face(&mut self, face: &[DVec3; 4], text: &str) {
-        let places = face.map(|p| self.sheet.screen.place_inside(p));
+        let places = face.map(|p| self.builder.screen.place_inside(p));
         let seen = || face.iter().zip(places).filter_map(|(p, place)| Some((*p, place?)));
-        let Some(middle) = self.sheet.screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
+        let Some(middle) = self.builder.screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
         let reach = seen().map(|(_, px)| px.distance(middle)).fold(0.0, f64::max);
-        if reach < 10.0 * self.sheet.screen.scale() {
+        if reach < 10.0 * self.builder.screen.scale() {
             return;
         }
         if let Some((corner, px)) = seen().min_by(|a, b| a.1.y.total_cmp(&b.1.y)) {
-            self.sheet.text(corner, text, px - middle, SMALL_TYPE, self.palette.ink);
+            self.builder.text(corner, text, px - middle, SMALL_TYPE, self.palette.ink);
         }
     }
 
@@ -194,7 +125,7 @@ impl World<'_> {
         let camera = &self.request.camera;
         let (c, basis, gear) = (camera.position(), camera.basis(), self.gear);
         let edge = gizmos::stroke(self.palette.body_edge, 0.8, Dash::Solid, HiddenLines::Hidden);
-        self.sheet.scene.objects.push(Object {
+        self.builder.scene.objects.push(Object {
             name: "camera".to_owned(),
             mesh: Arc::new(gizmos::camera_body()),
             world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
@@ -204,43 +135,43 @@ impl World<'_> {
             faces: true,
             edges: Some(edge),
         });
-        self.sheet.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
-        let screen = self.sheet.screen;
+        self.builder.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
+        let screen = self.builder.screen;
         let crowd = screen.heading(c, basis.u) + screen.heading(c, basis.v) + screen.heading(c, basis.n);
-        self.sheet.text(c, "C", -crowd, TYPE, self.palette.ink);
+        self.builder.text(c, "C", -crowd, TYPE, self.palette.ink);
         let [x, y, z] = self.palette.axes;
-        self.sheet.vector(c, basis.u * gear.axis, x, 2.0, "u");
-        self.sheet.vector(c, basis.v * gear.axis, y, 2.0, "v");
-        self.sheet.vector(c, basis.n * gear.axis, z, 2.0, "n");
+        self.builder.vector(c, basis.u * gear.axis, x, 2.0, "u");
+        self.builder.vector(c, basis.v * gear.axis, y, 2.0, "v");
+        self.builder.vector(c, basis.n * gear.axis, z, 2.0, "n");
         let tip = gear.view_up_tip(camera);
-        self.sheet.arrow(vec![c, tip], self.palette.view_up, 1.8, Dash::Dashed);
-        self.sheet.text(tip, "VUP", screen.heading(c, tip - c), TYPE, self.palette.view_up);
+        self.builder.arrow(vec![c, tip], self.palette.view_up, 1.8, Dash::Dashed);
+        self.builder.text(tip, "VUP", screen.heading(c, tip - c), TYPE, self.palette.view_up);
     }
 
     /// PF, and DOP from C towards it.
     fn aim(&mut self) {
         let camera = &self.request.camera;
         let (c, pf, dop) = (camera.position(), camera.focal_point(), camera.direction_of_projection());
-        self.sheet.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
+        self.builder.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
         let end = c + dop * camera.far();
         if camera.far() > camera.distance() {
-            self.sheet.line(vec![pf, end], self.palette.soft, 0.8, Dash::DashDot);
+            self.builder.line(vec![pf, end], self.palette.soft, 0.8, Dash::DashDot);
         }
-        self.sheet.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
-        self.sheet.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
+        self.builder.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
+        self.builder.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
         let length = (1.2 * self.gear.axis).min(0.8 * camera.distance());
-        self.sheet.arrow(vec![c, c + dop * length], self.palette.aim, 1.8, Dash::Solid);
-        let beside = self.sheet.screen.heading(c, dop).perp();
-        self.sheet.text(
+        self.builder.arrow(vec![c, c + dop * length], self.palette.aim, 1.8, Dash::Solid);
+        let beside = self.builder.screen.heading(c, dop).perp();
+        self.builder.text(
             c + dop * (0.7 * length),
             "DOP",
             if beside.y < 0.0 { beside } else { -beside },
             SMALL_TYPE,
             self.palette.aim,
         );
-        for (handle, place) in handles::on_axis(self.request, self.sheet.screen, 0.0) {
+        for (handle, place) in handles::on_axis(self.request, self.builder.screen, 0.0) {
             if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.axis {
-                self.sheet.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
+                self.builder.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
             }
         }
     }
@@ -253,7 +184,7 @@ impl World<'_> {
             (DVec3::Y, self.palette.axes[1], "y"),
             (DVec3::Z, self.palette.axes[2], "z"),
         ] {
-            self.sheet.vector(DVec3::ZERO, axis * length, color, 1.5, name);
+            self.builder.vector(DVec3::ZERO, axis * length, color, 1.5, name);
         }
     }
 
@@ -265,16 +196,17 @@ impl World<'_> {
                 continue;
             }
             let foot = DVec3::new(p.x, 0.0, p.z);
-            self.sheet.line(vec![p, foot], self.palette.soft, 1.2, Dash::Dotted);
-            self.sheet.mark(foot, MarkShape::Ring, 3.0, self.palette.soft);
+            self.builder.line(vec![p, foot], self.palette.soft, 1.2, Dash::Dotted);
+            self.builder.mark(foot, MarkShape::Ring, 3.0, self.palette.soft);
         }
     }
 
     /// A ring around the handle under the pointer.
     fn hot_handle(&mut self) {
         let Some(hot) = self.request.overlays.hot else { return };
-        if let Some((_, p)) = handles::on_screen(self.request, self.sheet.screen).into_iter().find(|(h, _)| *h == hot) {
-            self.sheet.mark_above(p, MarkShape::Ring, 9.0, self.palette.probe);
+        if let Some((_, p)) = handles::on_screen(self.request, self.builder.screen).into_iter().find(|(h, _)| *h == hot)
+        {
+            self.builder.mark_above(p, MarkShape::Ring, 9.0, self.palette.probe);
         }
     }
 }

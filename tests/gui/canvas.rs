@@ -12,9 +12,11 @@ use camera_lab::gui::{Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;
 use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
-use camera_lab::views::arrows::{Arrows, arrow_at};
-use camera_lab::views::handles::{Handle, handles};
-use camera_lab::views::image::frame;
+use camera_lab::views::Arrows;
+use camera_lab::views::Handle;
+use camera_lab::views::arrows::arrow_at;
+use camera_lab::views::handles::handles;
+use camera_lab::views::image_frame;
 use camera_lab::views::{Overlays, Probe, Request, Size, View, pick};
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, vec2,
@@ -279,7 +281,7 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     let mut h = stage(|_| ());
     let rect = place(&h, IMAGE);
     let window = h.state().state.document.camera().window();
-    let frame = frame(world(&h, rect).size, window);
+    let frame = image_frame(world(&h, rect).size, window);
     let share = DVec2::new(0.03, 0.96);
     let inside = DVec2::new(f64::from(frame.width), f64::from(frame.height)) * share;
     let at = rect.min + vec2((f64::from(frame.x) + inside.x) as f32, (f64::from(frame.y) + inside.y) as f32);

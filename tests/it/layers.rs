@@ -253,28 +253,6 @@ fn every_file_keeps_to_the_table_of_imports() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// Groups of files of one module that name each other in a circle. What is here still has to go; nothing may be added.
-const CIRCLES: &[(&str, &[&str])] = &[(
-    "views",
-    &[
-        "arrows",
-        "canonical",
-        "content",
-        "depth",
-        "ghost",
-        "gizmos",
-        "handles",
-        "image",
-        "legend",
-        "pick",
-        "probe",
-        "request",
-        "reveal",
-        "screen",
-        "world",
-    ],
-)];
-
 #[test]
 fn files_of_a_module_do_not_name_each_other_in_circles() {
     let sources = sources();
@@ -320,17 +298,7 @@ fn files_of_a_module_do_not_name_each_other_in_circles() {
     for (folder, arrows) in &arrows {
         found.extend(circles(arrows).into_iter().map(|circle| (folder.join("::"), circle)));
     }
-    let known: Vec<(String, Vec<String>)> = CIRCLES
-        .iter()
-        .map(|(folder, files)| ((*folder).to_owned(), files.iter().map(ToString::to_string).collect()))
-        .collect();
-    let inside = |(folder, files): &(String, Vec<String>)| {
-        known.iter().any(|(other, all)| other == folder && files.iter().all(|file| all.contains(file)))
-    };
-    let new: Vec<_> = found.iter().filter(|circle| !inside(circle)).collect();
-    assert!(new.is_empty(), "files that name each other in a circle: {new:?}");
-    let gone: Vec<_> = known.iter().filter(|(folder, _)| !found.iter().any(|(other, _)| other == folder)).collect();
-    assert!(gone.is_empty(), "these circles are gone, take them off the list: {gone:?}");
+    assert!(found.is_empty(), "files that name each other in a circle: {found:?}");
 }
 
 /// The names to which arrows lead.

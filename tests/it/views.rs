@@ -10,7 +10,7 @@ use camera_lab::scene::Preset as ScenePreset;
 use camera_lab::text::{measure, x_height};
 use camera_lab::views::handles::handles;
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{self, Engine, Ghost, Palette, Probe, Request, SharedScene, Size, View};
+use camera_lab::views::{self, Ghost, Palette, Probe, Request, SharedScene, Size, TimedPipeline, View};
 use glam::{DVec2, DVec3, DVec4};
 
 /// Pictures of a figure, without the image on the view window.
@@ -110,7 +110,7 @@ impl Pictured {
 
 /// The drawing of a view, with a plain view window.
 pub(crate) fn draw(request: &Request) -> Drawing {
-    views::frame(request, None, &mut Engine::default()).drawing
+    views::frame(request, None, &mut TimedPipeline::default()).drawing
 }
 
 pub(crate) fn figure(change: impl FnOnce(&mut Parameters)) -> Figure {
@@ -247,7 +247,7 @@ fn the_canonical_front_view_is_the_image() {
         let aspect = figure.camera.aspect;
         let pictured = Pictured::of(figure).sized(400, 300);
         let observer = pictured.observer(View::Canonical, Viewpoint::Front);
-        let image = views::image::frame(pictured.request.size, pictured.request.camera.window());
+        let image = views::image_frame(pictured.request.size, pictured.request.camera.window());
         let corner = |x, y| pictured.place(&observer, DVec3::new(x, y, 1.0));
         let (low, high) = (corner(-1.0, 1.0), corner(1.0, -1.0));
         for p in [DVec3::new(0.1, 0.2, 0.3), DVec3::new(-0.5, 0.4, 0.2), DVec3::new(0.6, 0.1, -0.7)] {

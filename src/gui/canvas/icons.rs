@@ -42,7 +42,15 @@ pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, on: bool) -> Resp
     }
     response.widget_info(|| match icon {
         Icon::Link => WidgetInfo::selected(Role::CheckBox, true, on, name),
-        _ => WidgetInfo::labeled(Role::Button, true, name),
+        Icon::Fit
+        | Icon::Front
+        | Icon::Top
+        | Icon::Side
+        | Icon::Iso
+        | Icon::Maximize
+        | Icon::Restore
+        | Icon::Hide
+        | Icon::Arrange => WidgetInfo::labeled(Role::Button, true, name),
     });
     response.on_hover_text(name)
 }

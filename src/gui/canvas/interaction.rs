@@ -12,15 +12,16 @@ use super::{Canvas, Pane, orbit, readout, toggle_maximized};
 use crate::camera::{Convention, Operation};
 use crate::figure::Observer;
 use crate::geometry::Angle;
-use crate::gui::handles::{self, HandleDrag};
+use crate::gui::handle_drag::{self, HandleDrag};
 use crate::gui::highlight::Movable;
 use crate::gui::state::{ObserverChange, Selected, Side, State, Tab};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::faults::camera_error;
 use crate::i18n::scenes;
 use crate::numbers::significant;
+use crate::views::Handle;
 use crate::views::arrows::{arrow_at, pull};
-use crate::views::handles::{Handle, handle_at};
+use crate::views::handles::handle_at;
 use crate::views::{Overlays, Probe, Request, View, pick};
 
 /// Logarithm of the zoom for one point of the wheel.
@@ -38,9 +39,9 @@ const ARROW_REACH: f32 = 7.0;
 /// What is held with the pointer.
 pub(super) enum Drag {
     /// The eye of a three-dimensional picture turns.
-    Orbit { picture: View, pressed: [Option<Observer>; 3] },
+    Orbit { view: View, pressed: [Option<Observer>; 3] },
     /// The eye of a three-dimensional picture moves.
-    Pan { picture: View, pressed: Observer },
+    Pan { view: View, pressed: Observer },
     /// Something in the world is moved.
     Handle(Box<HandleDrag>),
     /// What is selected is moved along an axis.
@@ -57,9 +58,9 @@ pub(super) struct ArrowDrag {
 }
 
 impl Drag {
-    fn picture(&self) -> View {
+    fn view(&self) -> View {
         match self {
-            Self::Orbit { picture, .. } | Self::Pan { picture, .. } => *picture,
+            Self::Orbit { view, .. } | Self::Pan { view, .. } => *view,
             Self::Handle(_) | Self::Arrow(_) => View::World,
         }
     }
@@ -75,7 +76,7 @@ impl Canvas {
         texts: &'static CanvasTexts,
     ) -> Status {
         let mut status = Status::default();
-        if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|drag| drag.picture() == pane.view)) {
+        if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|drag| drag.view() == pane.view)) {
             self.drag = None;
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
@@ -144,7 +145,7 @@ impl Canvas {
         {
             self.drag = self.taken(ui, state, pane, origin);
         }
-        if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.view) {
+        if self.drag.as_ref().is_none_or(|drag| drag.view() != pane.view) {
             return;
         }
         if ui.input(|i| i.key_pressed(Key::Escape)) {
@@ -161,15 +162,15 @@ impl Canvas {
 
     /// What a press at `origin` takes.
     fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
-        let picture = pane.view;
+        let view = pane.view;
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
-        if picture == View::Image {
+        if view == View::Image {
             return None;
         }
         let from = pane.rect.pixel(origin);
-        if picture == View::World && primary {
+        if view == View::World && primary {
             let request = self.request(state, pane.view, pane.rect.size);
-            if let Some(handle) = handle_at(&request, from, pane.rect.pixels(handles::REACH)) {
+            if let Some(handle) = handle_at(&request, from, pane.rect.pixels(handle_drag::REACH)) {
                 return Some(Drag::Handle(Box::new(HandleDrag::new(handle, request, from, modifiers))));
             }
             if let Some(movable) = Movable::selected(state)
@@ -180,9 +181,9 @@ impl Canvas {
             }
         }
         Some(if primary && !modifiers.shift {
-            Drag::Orbit { picture, pressed: self.seen }
+            Drag::Orbit { view, pressed: self.seen }
         } else {
-            Drag::Pan { picture, pressed: self.seen[picture.index()]? }
+            Drag::Pan { view, pressed: self.seen[view.index()]? }
         })
     }
 
@@ -191,19 +192,19 @@ impl Canvas {
         let request = self.request(state, pane.view, pane.rect.size);
         match &mut self.drag {
             None => {}
-            Some(Drag::Orbit { picture, pressed }) => {
-                let (picture, pressed) = (*picture, *pressed);
-                for other in turning_with(picture, state) {
+            Some(Drag::Orbit { view, pressed }) => {
+                let (view, pressed) = (*view, *pressed);
+                for other in turning_with(view, state) {
                     if let Some(pressed) = pressed[other.index()] {
                         self.turn(state, other, orbit::orbited(pressed, motion));
                     }
                 }
             }
-            Some(Drag::Pan { picture, pressed }) => {
-                let (picture, pressed) = (*picture, *pressed);
+            Some(Drag::Pan { view, pressed }) => {
+                let (view, pressed) = (*view, *pressed);
                 let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
                 let height = f64::from(pane.rect.size.height);
-                self.turn(state, picture, pressed.pan(motion.x, motion.y, height));
+                self.turn(state, view, pressed.pan(motion.x, motion.y, height));
             }
             Some(Drag::Handle(held)) => {
                 let modifiers = ui.input(|i| i.modifiers);
@@ -233,14 +234,14 @@ impl Canvas {
     fn give_up(&mut self, state: &mut State) {
         match self.drag.take() {
             None => {}
-            Some(Drag::Orbit { pressed, picture }) => {
-                for other in turning_with(picture, state) {
+            Some(Drag::Orbit { pressed, view }) => {
+                for other in turning_with(view, state) {
                     if let Some(pressed) = pressed[other.index()] {
                         self.turn(state, other, pressed);
                     }
                 }
             }
-            Some(Drag::Pan { picture, pressed }) => self.turn(state, picture, pressed),
+            Some(Drag::Pan { view, pressed }) => self.turn(state, view, pressed),
             Some(Drag::Handle(held)) => state.document.set_camera(held.before()),
             Some(Drag::Arrow(held)) => held.movable.put(&mut state.document, held.movable.place),
         }
@@ -250,8 +251,8 @@ impl Canvas {
         let digits = state.settings.digits.min(6);
         match &self.drag {
             None => {}
-            Some(Drag::Orbit { picture, .. }) => {
-                let Some(Observer { azimuth, elevation, .. }) = self.seen[picture.index()] else { return };
+            Some(Drag::Orbit { view, .. }) => {
+                let Some(Observer { azimuth, elevation, .. }) = self.seen[view.index()] else { return };
                 let angles = [azimuth, elevation].map(|a| significant(a, 4));
                 status.message = format!("{}: {}°, {}°", texts.turning, angles[0], angles[1]);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
@@ -263,7 +264,7 @@ impl Canvas {
             Some(Drag::Handle(held)) => {
                 self.overlays.hot = Some(held.handle());
                 let camera = state.document.camera();
-                let mut lines = vec![handles::readout(held.handle(), camera, digits, texts)];
+                let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
                 status.message = match held.stopped() {
                     Some(error) => {
                         let reason = format!("{} {}", texts.stopped, camera_error(state.settings.lang, error));
@@ -271,10 +272,10 @@ impl Canvas {
                         status.warning = true;
                         reason
                     }
-                    None => format!("{} · {}", lines[0], handles::hint(held.handle(), camera, digits, texts)),
+                    None => format!("{} · {}", lines[0], handle_drag::hint(held.handle(), camera, digits, texts)),
                 };
                 tooltip(ui, &lines);
-                ui.set_cursor_icon(handles::cursor(true));
+                ui.set_cursor_icon(handle_drag::cursor(true));
             }
             Some(Drag::Arrow(held)) => {
                 if let Some(arrows) = &mut self.overlays.arrows {
@@ -283,7 +284,7 @@ impl Canvas {
                 let lines = arrow_lines(state, digits);
                 status.message = lines.join(" · ");
                 tooltip(ui, &lines);
-                ui.set_cursor_icon(handles::cursor(true));
+                ui.set_cursor_icon(handle_drag::cursor(true));
             }
         }
     }
@@ -320,12 +321,13 @@ impl Canvas {
         let (camera, digits) = (state.document.camera(), state.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
         if pane.view == View::World
-            && let Some(handle) = handle_at(&request, pointer, pane.rect.pixels(handles::REACH))
+            && let Some(handle) = handle_at(&request, pointer, pane.rect.pixels(handle_drag::REACH))
         {
-            let lines = [handles::readout(handle, camera, digits, texts), handles::hint(handle, camera, digits, texts)];
+            let lines =
+                [handle_drag::readout(handle, camera, digits, texts), handle_drag::hint(handle, camera, digits, texts)];
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
-            ui.set_cursor_icon(handles::cursor(false));
+            ui.set_cursor_icon(handle_drag::cursor(false));
             self.overlays.hot = Some(handle);
             return probed(handle, state);
         }
@@ -335,7 +337,7 @@ impl Canvas {
             let lines = arrow_lines(state, digits);
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
-            ui.set_cursor_icon(handles::cursor(false));
+            ui.set_cursor_icon(handle_drag::cursor(false));
             if let Some(arrows) = &mut self.overlays.arrows {
                 arrows.hot = Some(axis);
             }
@@ -385,7 +387,7 @@ impl Canvas {
         }
     }
 
-    fn key(&mut self, state: &mut State, picture: View, key: Key, modifiers: Modifiers) {
+    fn key(&mut self, state: &mut State, view: View, key: Key, modifiers: Modifiers) {
         let arrow = match key {
             Key::ArrowRight => DVec2::X,
             Key::ArrowLeft => DVec2::NEG_X,
@@ -393,31 +395,31 @@ impl Canvas {
             Key::ArrowDown => DVec2::NEG_Y,
             _ => DVec2::ZERO,
         };
-        match (key, picture) {
+        match (key, view) {
             (Key::Plus | Key::Equals | Key::Minus, _) => {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
-                if picture == View::Image {
+                if view == View::Image {
                     state.operate(Operation::Zoom(factor));
-                } else if let Some(seen) = self.seen[picture.index()] {
-                    self.turn(state, picture, seen.zoom(factor));
+                } else if let Some(seen) = self.seen[view.index()] {
+                    self.turn(state, view, seen.zoom(factor));
                 }
             }
-            (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, ObserverChange::Fit)),
+            (Key::Home, View::World | View::Canonical) => self.asked = Some((view, ObserverChange::Fit)),
             (Key::PageUp, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR)),
             (Key::PageDown, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR.recip())),
-            _ if arrow != DVec2::ZERO => self.arrow(state, picture, arrow, modifiers),
+            _ if arrow != DVec2::ZERO => self.arrow(state, view, arrow, modifiers),
             _ => {}
         }
     }
 
     /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule a
     /// positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the world, the observer turns instead.
-    fn arrow(&mut self, state: &mut State, picture: View, arrow: DVec2, modifiers: Modifiers) {
-        if picture == View::Canonical || (picture == View::World && modifiers.shift) {
+    fn arrow(&mut self, state: &mut State, view: View, arrow: DVec2, modifiers: Modifiers) {
+        if view == View::Canonical || (view == View::World && modifiers.shift) {
             let step = STEP / orbit::DEGREES_PER_POINT;
             #[expect(clippy::cast_possible_truncation, reason = "a few steps")]
             let motion = Vec2::new(-(arrow.x * step) as f32, (arrow.y * step) as f32);
-            for other in turning_with(picture, state) {
+            for other in turning_with(view, state) {
                 if let Some(seen) = self.seen[other.index()] {
                     self.turn(state, other, orbit::orbited(seen, motion));
                 }
@@ -452,8 +454,8 @@ fn probed(handle: Handle, state: &State) -> Option<Probe> {
     }
 }
 
-fn keys_hint(picture: View, texts: &CanvasTexts) -> &'static str {
-    match picture {
+fn keys_hint(view: View, texts: &CanvasTexts) -> &'static str {
+    match view {
         View::World => texts.keys_in_world,
         View::Canonical => texts.keys_in_canonical,
         View::Image => texts.keys_in_image,
@@ -478,5 +480,5 @@ fn arrow_lines(state: &State, digits: usize) -> Vec<String> {
     let Some(movable) = Movable::selected(state) else { return Vec::new() };
     let hint = if movable.is_light() { t.drag_lamp } else { t.drag_object };
     let symbol = if movable.is_light() { "P" } else { "T" };
-    vec![format!("{symbol} = {}", handles::point(movable.place, digits)), hint.to_owned()]
+    vec![format!("{symbol} = {}", handle_drag::point(movable.place, digits)), hint.to_owned()]
 }

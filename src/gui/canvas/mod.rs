@@ -33,13 +33,13 @@ use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
 use crate::appearance::Rgba;
 use crate::figure::{Depth, Observer};
-use crate::gui::handles::point;
+use crate::gui::handle_drag::point;
 use crate::gui::highlight::{Highlight, Movable};
 use crate::gui::state::{ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::picture::Account;
-use crate::views::image::frame;
+use crate::views::image_frame;
 use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, observer_in};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
@@ -171,7 +171,7 @@ impl Canvas {
         status.arrangement = (panes.len() > 1).then_some(state.layout.arrangement);
         match status.show(ui, lines, texts) {
             None => {}
-            Some(StatusAction::ShowAgain(picture)) => state.layout.shown[picture.index()] = true,
+            Some(StatusAction::ShowAgain(view)) => state.layout.shown[view.index()] = true,
             Some(StatusAction::Arrange(arrangement)) => state.layout.arrangement = arrangement,
             Some(StatusAction::Strip) => state.layout.strip = !state.layout.strip,
         }
@@ -179,13 +179,13 @@ impl Canvas {
 
     /// The stages of the pipeline, as they were for the picture that is on the screen.
     fn strip(&self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) {
-        let picture = state.layout.strip_of;
-        let hidden = !state.layout.is_shown(picture);
-        let account = self.accounts[picture.index()].as_ref().filter(|_| !hidden);
-        let strip = Strip { lang: state.settings.lang, texts, picture, account, hidden };
+        let view = state.layout.strip_of;
+        let hidden = !state.layout.is_shown(view);
+        let account = self.accounts[view.index()].as_ref().filter(|_| !hidden);
+        let strip = Strip { lang: state.settings.lang, texts, view, account, hidden };
         match strip.show(ui, room) {
             None => return,
-            Some(StripAction::Of(picture)) => state.layout.strip_of = picture,
+            Some(StripAction::Of(view)) => state.layout.strip_of = view,
             Some(StripAction::Close) => state.layout.strip = false,
         }
         ui.request_repaint();
@@ -194,7 +194,7 @@ impl Canvas {
     /// Lays the pictures out, with their titles and the bars between them.
     fn panes(&mut self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) -> Vec<Pane> {
         let visible: Vec<View> = match state.layout.maximized {
-            Some(picture) => vec![picture],
+            Some(view) => vec![view],
             None => View::ALL.into_iter().filter(|p| state.layout.shown[p.index()]).collect(),
         };
         let (rects, bars) = arrange(room, &visible, state.layout.arrangement, &self.shares);
@@ -211,34 +211,34 @@ impl Canvas {
             }
         }
         let mut panes = Vec::new();
-        for (picture, rect) in rects {
+        for (view, rect) in rects {
             let height = ui.spacing().interact_size.y + 4.0;
             let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
             let action = Title {
-                picture,
+                view,
                 texts,
                 linked: state.layout.linked,
-                maximized: state.layout.maximized == Some(picture),
+                maximized: state.layout.maximized == Some(view),
                 can_hide: state.layout.maximized.is_none() && visible.len() > 1,
             }
             .show(ui, title);
-            self.take_action(ui, state, picture, action);
+            self.take_action(ui, state, view, action);
             let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
-            let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
-            let description = describe(state, picture);
+            let response = ui.interact(pane_rect.rect, Id::unique(("picture", view)), Sense::click_and_drag());
+            let description = describe(state, view);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
-            panes.push(Pane { view: picture, rect: pane_rect, response });
+            panes.push(Pane { view, rect: pane_rect, response });
         }
         panes
     }
 
-    fn take_action(&mut self, ui: &Ui, state: &mut State, picture: View, action: Option<TitleAction>) {
+    fn take_action(&mut self, ui: &Ui, state: &mut State, view: View, action: Option<TitleAction>) {
         match action {
             None => return,
-            Some(TitleAction::Observe(change)) => self.asked = Some((picture, change)),
+            Some(TitleAction::Observe(change)) => self.asked = Some((view, change)),
             Some(TitleAction::ToggleLink) => state.layout.linked = !state.layout.linked,
-            Some(TitleAction::ToggleMaximized) => toggle_maximized(state, picture),
-            Some(TitleAction::Hide) => state.layout.shown[picture.index()] = false,
+            Some(TitleAction::ToggleMaximized) => toggle_maximized(state, view),
+            Some(TitleAction::Hide) => state.layout.shown[view.index()] = false,
         }
         ui.request_repaint();
     }
@@ -368,14 +368,14 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
 }
 
 /// Gives a picture all the room, or gives it back.
-fn toggle_maximized(state: &mut State, picture: View) {
-    state.layout.maximized = if state.layout.maximized == Some(picture) { None } else { Some(picture) };
+fn toggle_maximized(state: &mut State, view: View) {
+    state.layout.maximized = if state.layout.maximized == Some(view) { None } else { Some(view) };
 }
 
 /// A picture in words.
-fn describe(state: &State, picture: View) -> String {
+fn describe(state: &State, view: View) -> String {
     let lang = state.settings.lang;
-    match picture {
+    match view {
         View::World => {
             let camera = state.document.camera();
             words::describe_world(lang, &point(camera.position(), 4), &point(camera.focal_point(), 4))
@@ -392,7 +392,7 @@ fn describe(state: &State, picture: View) -> String {
 #[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
 fn cross(ui: &Ui, state: &State, pane: &Pane) {
     let Some(pointer) = pane.response.hover_pos() else { return };
-    let f = frame(pane.rect.size, state.document.camera().window());
+    let f = image_frame(pane.rect.size, state.document.camera().window());
     let frame = pane.rect.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32);
     if !frame.contains(pointer) {
         return;

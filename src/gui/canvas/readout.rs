@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::picking::{Depths, pixel_of};
 use crate::camera::Projected;
-use crate::gui::handles::point;
+use crate::gui::handle_drag::point;
 use crate::i18n::canvas::CanvasTexts;
 use crate::numbers::significant;
 use crate::pipeline::clip_parts;

@@ -33,7 +33,7 @@ pub(super) enum StripAction {
 pub(super) struct Strip<'a> {
     pub(super) lang: Lang,
     pub(super) texts: &'a CanvasTexts,
-    pub(super) picture: View,
+    pub(super) view: View,
     /// `None`: the picture is hidden, or has not been drawn yet.
     pub(super) account: Option<&'a Account>,
     /// The picture is hidden.
@@ -85,20 +85,20 @@ impl Strip<'_> {
         let mut action = None;
         let builder = UiBuilder::new().id_salt("strip").max_rect(rect).layout(Layout::left_to_right(Align::Center));
         ui.scope_builder(builder, |ui| {
-            let mut chosen = self.picture;
+            let mut chosen = self.view;
             ui.add(Label::new(RichText::new(self.texts.strip).strong()).selectable(false));
             egui::ComboBox::from_id_salt("strip of")
                 .selected_text(self.texts.view(chosen))
                 .width(96.0)
                 .show_ui(ui, |ui| {
-                    for picture in View::ALL {
-                        ui.selectable_value(&mut chosen, picture, self.texts.view(picture));
+                    for view in View::ALL {
+                        ui.selectable_value(&mut chosen, view, self.texts.view(view));
                     }
                 })
                 .response
                 .on_hover_text(self.texts.strip_of)
                 .accessible_name(self.texts.strip_of);
-            if chosen != self.picture {
+            if chosen != self.view {
                 action = Some(StripAction::Of(chosen));
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

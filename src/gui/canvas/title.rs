@@ -23,7 +23,7 @@ pub(super) enum TitleAction {
 
 /// What a title shows.
 pub(super) struct Title<'a> {
-    pub(super) picture: View,
+    pub(super) view: View,
     pub(super) texts: &'a CanvasTexts,
     pub(super) linked: bool,
     pub(super) maximized: bool,
@@ -43,11 +43,11 @@ impl Title<'_> {
     /// Draws the title in `rect`. Where there is no room for all buttons, those that say from where to look become a menu.
     pub(super) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
         let mut action = None;
-        let name = self.texts.view(self.picture);
+        let name = self.texts.view(self.view);
         let font = TextStyle::Button.resolve(ui.style());
         let galley = WidgetText::from(name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
         let side = ui.spacing().interact_size.y;
-        let solid = matches!(self.picture, View::World | View::Canonical);
+        let solid = matches!(self.view, View::World | View::Canonical);
         let room_for_all = rect.width() >= galley.size().x + 8.0 * (side + 1.0) + 18.0;
         let observer_buttons: u8 = if !solid {
             0
@@ -59,13 +59,13 @@ impl Title<'_> {
         let buttons = observer_buttons + 1 + u8::from(self.can_hide);
         let width = f32::from(buttons) * (side + 1.0) + if solid { 5.0 } else { 1.0 };
 
-        let bar = ui.interact(rect, Id::unique(("picture title", self.picture)), Sense::CLICK);
+        let bar = ui.interact(rect, Id::unique(("picture title", self.view)), Sense::CLICK);
         if bar.double_clicked() {
             action = Some(TitleAction::ToggleMaximized);
         }
         let room = Rect::from_min_max(egui::pos2(rect.right() - width, rect.top()), rect.max);
         let builder = UiBuilder::new()
-            .id_salt(("title buttons", self.picture))
+            .id_salt(("title buttons", self.view))
             .max_rect(room)
             .layout(egui::Layout::left_to_right(egui::Align::Center));
         ui.scope_builder(builder, |ui| {

@@ -63,23 +63,23 @@ impl Default for Layout {
 impl Layout {
     /// True where the picture is on the screen.
     #[must_use]
-    pub fn is_shown(&self, picture: View) -> bool {
+    pub fn is_shown(&self, view: View) -> bool {
         match self.maximized {
-            Some(only) => only == picture,
-            None => self.shown[picture.index()],
+            Some(only) => only == view,
+            None => self.shown[view.index()],
         }
     }
 
     /// Shows or hides a picture; the last one stays.
-    pub fn toggle(&mut self, picture: View) {
+    pub fn toggle(&mut self, view: View) {
         if let Some(only) = self.maximized.take() {
             self.shown = [false; 3];
             self.shown[only.index()] = true;
         }
-        let shown = &mut self.shown[picture.index()];
+        let shown = &mut self.shown[view.index()];
         *shown = !*shown;
         if self.shown == [false; 3] {
-            self.shown[picture.index()] = true;
+            self.shown[view.index()] = true;
         }
     }
 }

@@ -92,7 +92,7 @@ pub struct State {
     pub operations: Operations,
     /// Files and the questions about them.
     pub file_flow: FileFlow,
-    /// Width and height of each picture on the screen, in pixels, in the order of [`View::ALL`]; written by the pictures.
+    /// Width and height of each picture on the screen, in pixels, in the order of [`View::ALL`](crate::views::View::ALL); written by the pictures.
     pub picture_sizes: [[u32; 2]; 3],
     /// Pixels for one unit of stroke width in the pictures; written by the pictures.
     pub screen_scale: f32,

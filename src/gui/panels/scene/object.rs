@@ -204,7 +204,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
     let of_parts = format!("{owner}/");
     let shown = state.scene_cache.scene().objects.iter().find_map(|o| match o.paint {
         ObjectPaint::Solid(color) if o.name == owner || o.name.starts_with(&of_parts) => Some(color),
-        _ => None,
+        ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => None,
     });
     let automatic = form.scene.objects[index].color.is_none();
     let now = form.scene.objects[index].color.or(shown).unwrap_or(crate::scene::palette::BLUE);
@@ -288,7 +288,18 @@ fn data(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
             }
         }
         Some(Shape::Mesh { path }) => mesh_file(ui, state, t, &owner, path),
-        _ => {}
+        None
+        | Some(
+            Shape::Box
+            | Shape::Prism
+            | Shape::Pyramid
+            | Shape::Sphere
+            | Shape::Ellipsoid
+            | Shape::Cylinder
+            | Shape::Cone
+            | Shape::Torus
+            | Shape::Grid,
+        ) => {}
     }
     form.complain(ui, Some(&owner), "points", &[]);
     form.complain(ui, Some(&owner), "segments", &[]);

@@ -239,7 +239,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
         .iter()
         .filter_map(|o| match o.paint {
             ObjectPaint::Solid(color) => Some((o.name.as_str(), color)),
-            _ => None,
+            ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => None,
         })
         .collect();
     // Of a figure's object and one of the preset with the same name, children hang on the figure's.

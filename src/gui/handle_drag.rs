@@ -7,7 +7,7 @@ use crate::camera::{Camera, CameraError, Parameters};
 use crate::i18n::canvas::CanvasTexts;
 use crate::numbers::significant;
 use crate::views::Request;
-use crate::views::handles::{self, Handle};
+use crate::views::{Handle, handles};
 
 /// How near the pointer must come to a handle, in points.
 pub(super) const REACH: f32 = 10.0;

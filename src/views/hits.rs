@@ -1,0 +1,60 @@
+//! Where a segment meets the faces of a scene.
+
+use glam::DVec3;
+
+use crate::scene::{Object, Scene};
+
+/// The first point of the scene's faces on a segment (world), beginning at `from`.
+pub(super) fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
+    let t = first_crossing(scene, from, to)?;
+    Some(from + (to - from) * t)
+}
+
+/// As [`first_hit`], of the faces that leave a depth in the image: opaque ones, and of open one-sided objects only the fronts.
+pub(super) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
+    let opaque = scene.objects.iter().filter(|o| o.faces && !o.paint.is_translucent());
+    let t = opaque.filter_map(|o| crossing(o, from, to, !o.two_sided && !o.mesh.closed)).min_by(f64::total_cmp)?;
+    Some(from + (to - from) * t)
+}
+
+/// Where a segment first meets a face: 0 at `from`, 1 at `to`.
+pub(super) fn first_crossing(scene: &Scene, from: DVec3, to: DVec3) -> Option<f64> {
+    let faced = scene.objects.iter().filter(|o| o.faces);
+    faced.filter_map(|o| crossing(o, from, to, false)).min_by(f64::total_cmp)
+}
+
+/// As [`first_crossing`], of one object.
+pub(super) fn crossing(object: &Object, from: DVec3, to: DVec3, fronts_only: bool) -> Option<f64> {
+    let object_from_world = object.world_from_object.inverse();
+    if !object_from_world.is_finite() {
+        return None; // scaled to nothing
+    }
+    let (a, b) = (object_from_world.transform_point3(from), object_from_world.transform_point3(to));
+    let positions = &object.mesh.positions;
+    let corner = |i: u32| positions.get(i as usize).copied();
+    object
+        .mesh
+        .triangles
+        .iter()
+        .filter_map(|t| triangle_crossing(a, b - a, [corner(t[0])?, corner(t[1])?, corner(t[2])?]))
+        .filter(|(_, facing)| !fronts_only || *facing > 0.0)
+        .map(|(t, _)| t)
+        .min_by(f64::total_cmp)
+}
+
+/// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997), and a number that is positive where the
+/// segment comes from the side from which the corners run counter-clockwise.
+fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, f64)> {
+    let (ab, ac) = (b - a, c - a);
+    let p = d.cross(ac);
+    let det = ab.dot(p);
+    if det == 0.0 {
+        return None;
+    }
+    let s = origin - a;
+    let u = s.dot(p) / det;
+    let q = s.cross(ab);
+    let v = d.dot(q) / det;
+    let t = ac.dot(q) / det;
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&t)).then_some((t, det))
+}

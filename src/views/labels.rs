@@ -1,0 +1,38 @@
+//! The words in the pictures.
+
+/// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Labels {
+    /// The view window.
+    pub window: &'static str,
+    /// The front face of the volume.
+    pub near: &'static str,
+    /// The back face of the volume.
+    pub far: &'static str,
+    /// The camera before an operation.
+    pub before: &'static str,
+    /// Heading of a picture of Z.
+    pub depth_stored: &'static str,
+    /// Heading of a picture of distances.
+    pub depth_linear: &'static str,
+    /// Where a picture of depths has none.
+    pub nothing: &'static str,
+    /// Parts outside the view volume.
+    pub outside: &'static str,
+    /// Vertices that clipping makes.
+    pub cuts: &'static str,
+    /// Faces that are culled because they turn their back.
+    pub back_faces: &'static str,
+    /// Objects that are culled because they are outside.
+    pub dropped: &'static str,
+    /// Before the planes outside of which an object is.
+    pub outside_of: &'static str,
+    /// The planes: left, right, bottom, top, near, far.
+    pub planes: [&'static str; 6],
+    /// The divide comes before clipping.
+    pub divided_first: &'static str,
+    /// What comes of it, where anything is behind the eye.
+    pub wrong: &'static str,
+    /// What comes of it otherwise.
+    pub no_difference: &'static str,
+}

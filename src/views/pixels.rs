@@ -1,0 +1,103 @@
+//! Sizes and rectangles in pixels, and where the image lies in a picture.
+
+use crate::appearance::Rgba;
+use crate::camera::ViewWindow;
+use crate::pipeline::Target;
+
+/// The size of a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Pixels for one unit of stroke width or type size: 1 on a plain screen, 2 where pixels are small or in a large export.
+    pub scale: f32,
+}
+
+impl Size {
+    /// Width / height; 1 for an empty picture.
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        if self.width == 0 || self.height == 0 { 1.0 } else { f64::from(self.width) / f64::from(self.height) }
+    }
+
+    /// Letters and strokes grow a little with the picture, so that a large one is not full of threads and a small one not
+    /// full of letters.
+    pub(super) fn target(self, background: Rgba) -> Target {
+        #[expect(clippy::cast_precision_loss, reason = "pixels")]
+        let (width, height) = (self.width as f32, self.height as f32);
+        let side = height.min(0.8 * width) / self.scale.max(0.1);
+        let growth = (side / 480.0).powf(0.4).clamp(0.8, 1.6);
+        Target { width: self.width, height: self.height, scale: self.scale * growth, background }
+    }
+}
+
+/// A rectangle of a picture, in pixels; (0, 0) is the top left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PixelRect {
+    /// Left.
+    pub x: u32,
+    /// Top.
+    pub y: u32,
+    /// Width, at least 1 in a picture that is not empty.
+    pub width: u32,
+    /// Height, at least 1 in a picture that is not empty.
+    pub height: u32,
+}
+
+impl PixelRect {
+    /// All of a picture.
+    pub(super) fn whole(size: Size) -> Self {
+        Self { x: 0, y: 0, width: size.width, height: size.height }
+    }
+}
+
+/// Where the image lies in a picture of this size: the largest rectangle with the window's aspect (to the nearest pixel), in
+/// the middle.
+#[must_use]
+pub fn image_frame(size: Size, window: ViewWindow) -> PixelRect {
+    let aspect = window.aspect();
+    let width = rounded(f64::from(size.height) * aspect, size.width);
+    let height = rounded(f64::from(size.width) / aspect, size.height);
+    PixelRect { x: (size.width - width) / 2, y: (size.height - height) / 2, width, height }
+}
+
+/// The nearest whole number of pixels, 1 … `most`.
+fn rounded(pixels: f64, most: u32) -> u32 {
+    let bounded = pixels.round().clamp(1.0_f64.min(f64::from(most)), f64::from(most));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number in 0 … most")]
+    let whole = bounded as u32;
+    whole
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn size(width: u32, height: u32) -> Size {
+        Size { width, height, scale: 1.0 }
+    }
+
+    fn window(aspect: f64) -> ViewWindow {
+        ViewWindow { left: -aspect, right: aspect, bottom: -1.0, top: 1.0 }
+    }
+
+    #[test]
+    fn the_frame_has_the_windows_aspect_and_lies_in_the_middle() {
+        let rect = |x, y, width, height| PixelRect { x, y, width, height };
+        assert_eq!(image_frame(size(400, 300), window(4.0 / 3.0)), rect(0, 0, 400, 300));
+        assert_eq!(image_frame(size(400, 300), window(1.0)), rect(50, 0, 300, 300));
+        assert_eq!(image_frame(size(400, 300), window(2.0)), rect(0, 50, 400, 200));
+        assert_eq!(image_frame(size(401, 300), window(0.5)), rect(125, 0, 150, 300));
+    }
+
+    #[test]
+    fn an_extreme_window_still_has_a_frame() {
+        for aspect in [1e-12, 1e12] {
+            let f = image_frame(size(400, 300), window(aspect));
+            assert!(f.width >= 1 && f.height >= 1 && f.x + f.width <= 400 && f.y + f.height <= 300, "{f:?}");
+        }
+        assert_eq!(image_frame(size(0, 0), window(1.0)), PixelRect { x: 0, y: 0, width: 0, height: 0 });
+    }
+}

@@ -1,0 +1,34 @@
+//! The pipeline as the pictures use it.
+
+use std::time::Duration;
+
+use super::Request;
+use crate::appearance::Style;
+use crate::camera::Camera;
+use crate::pipeline::{Frame, Options, Pipeline, Target};
+use crate::scene::Scene;
+
+/// The pipeline, with buffers that serve one picture after the other, and a clock for who wants to know how long each stage
+/// takes.
+#[derive(Clone, Debug, Default)]
+pub struct TimedPipeline {
+    /// The stages.
+    pub stages: Pipeline,
+    /// The time since any moment that stays the same. Without it nothing is timed.
+    pub clock: Option<fn() -> Duration>,
+}
+
+impl TimedPipeline {
+    /// Sends what a picture shows through the pipeline.
+    pub(super) fn frame(
+        &mut self,
+        request: &Request,
+        scene: &Scene,
+        camera: &Camera,
+        target: Target,
+        style: &Style,
+    ) -> Frame {
+        let options = Options { force_all_stages: request.force_all_stages, clock: self.clock };
+        self.stages.frame(scene, camera, target, style, options)
+    }
+}
