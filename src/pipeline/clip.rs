@@ -140,7 +140,7 @@ mod tests {
 
     use super::super::planes::ALL_PLANES;
     use super::*;
-    use crate::camera::{Camera, Parameters, ViewWindow};
+    use crate::camera::{Camera, Parameters, Projection, ViewWindow};
     use glam::DVec3;
     use proptest::prelude::*;
 
@@ -255,6 +255,32 @@ mod tests {
     }
 
     #[test]
+    fn a_cut_lies_exactly_in_its_plane() {
+        // Numbers of which no mean is exact.
+        for projection in [Projection::Perspective, Projection::Parallel] {
+            let parameters = Parameters { near: 0.3, far: 7.7, projection, ..Parameters::default() };
+            let eye = Projector::new(&Camera::new(&parameters).unwrap());
+            let mut cut_at = 0;
+            for k in 0..200 {
+                let point = |k: f64| DVec3::new(9.1 * k.sin(), 8.3 * (1.7 * k).cos(), -3.7 + 7.3 * (2.3 * k).sin());
+                let corners = [0.0, 0.9, 2.1].map(|step| eye.clip(point(f64::from(k) + step)));
+                for corner in
+                    Clipper::default().triangle(&eye, corners, ALL_PLANES).iter().filter(|c| c.original().is_none())
+                {
+                    let zero: Vec<usize> = (0..PLANES).filter(|&i| corner.distances[i] == 0.0).collect();
+                    assert!(!zero.is_empty(), "{corner:?}");
+                    let distances = distances(&eye, corner.point);
+                    assert!(zero.iter().any(|&i| distances[i] == 0.0), "{corner:?}");
+                    cut_at |= zero.iter().fold(0, |set, i| set | 1 << i);
+                    let w = if eye.perspective { corner.point.depth } else { 1.0 };
+                    assert!((corner.point.w - w).abs() < 1e-15 * w, "{corner:?}");
+                }
+            }
+            assert_eq!(cut_at, ALL_PLANES);
+        }
+    }
+
+    #[test]
     fn segments_are_cut_at_both_ends_and_say_so() {
         let eye = eye();
         let cut = |a: [f64; 3], b: [f64; 3]| {
@@ -270,7 +296,12 @@ mod tests {
         assert_eq!(cut([-9.0, 0.0, -4.0], [0.0, 8.5, -4.0]), None);
         assert_eq!(cut([0.0, 0.0, -1.0], [0.0, 0.0, 1.0]), None, "touches the near plane from outside");
         assert_eq!(cut([0.0, f64::NAN, -2.0], [0.0, 0.0, -3.0]), None);
-        assert_eq!(cut([0.0, 0.0, -2.0], [1e308, 0.0, -2.0]), None, "too large to be cut");
+        for large in [[1e308, 0.0, -2.0], [0.0, 1e308, -2.0], [0.0, 0.0, -1e308]] {
+            assert_eq!(cut([0.0, 0.0, -2.0], large), None, "too large to be cut");
+        }
         assert!(cut([0.0, 0.0, -2.0], [1e307, 0.0, -2.0]).is_some());
+        let in_the_left_plane = ([-2.0, 0.0, -2.0], [-4.0, 0.0, -4.0]);
+        let whole = [(in_the_left_plane.0, false), (in_the_left_plane.1, false)];
+        assert_eq!(cut(in_the_left_plane.0, in_the_left_plane.1), Some(whole));
     }
 }
