@@ -327,6 +327,27 @@ mod tests {
     }
 
     #[test]
+    fn a_triangle_is_smooth_over_one_pixel_of_its_border_whichever_way_it_runs() {
+        // Legs at x = 2.25 and y = 2.75; the third side is x + y = 23, on which pixels with i + j = 22 have their centre.
+        let corners = [[2.25, 2.75], [20.25, 2.75], [2.25, 20.75]];
+        let expected =
+            [(2, 6, 191), (1, 6, 0), (6, 2, 64), (6, 3, 255), (6, 1, 0), (11, 11, 128), (10, 11, 255), (12, 11, 0)];
+        for order in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
+            let mut coverage = mask(24, 0..24);
+            coverage.triangle(order.map(|k| corners[k]), [0.5, 0.5]);
+            let mut turned = mask(24, 0..24);
+            turned.triangle(order.map(|k| corners[k].map(|x| 24.0 - x)), [0.5, 0.5]);
+            for (i, j, share) in expected {
+                assert_eq!(coverage.shares()[j * 24 + i], share, "{i}, {j} in order {order:?}");
+                assert!(
+                    turned.shares()[(23 - j) * 24 + 23 - i].abs_diff(share) <= 1,
+                    "{i}, {j} turned, in order {order:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
     fn what_is_outside_or_not_a_number_leaves_no_trace() {
         let mut coverage = mask(10, 0..10);
         coverage.flat([-50.0, -50.0], [-20.0, 70.0], 2.0);
@@ -427,6 +448,24 @@ mod tests {
         let pixels = painted(&[(RED, level(0.5), 3.0, true), (BLUE, towards, 1.5, true)]);
         for row in 9..=11 {
             assert_eq!(pixels[row * 20 + 10][0], 255, "{row}");
+        }
+    }
+
+    #[test]
+    fn of_pieces_of_a_stroke_that_cover_the_same_the_nearer_one_tells_the_depth() {
+        for depths in [[0.2, 0.8], [0.8, 0.2]] {
+            let mut pixels = [[255; 4]; 400];
+            let mut coverage = Coverage::default();
+            coverage.fit(20, 0..20);
+            coverage.begin(RED, LayerDepth::Tested { visible: true, width: 3.0 });
+            for [a, b] in depths.map(level) {
+                coverage.capsule(a, b, 1.5);
+            }
+            coverage.begin(BLUE, LayerDepth::Tested { visible: true, width: 3.0 });
+            let [a, b] = upright(0.5);
+            coverage.capsule(a, b, 1.5);
+            coverage.lay(&mut pixels);
+            assert_eq!(pixels[MIDDLE], [255, 0, 0, 255], "{depths:?}");
         }
     }
 
