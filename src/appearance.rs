@@ -245,6 +245,14 @@ impl LineStyle {
             }
         }
     }
+
+    /// The length of the arrow head on a stroke of this length, both in pixels: short strokes get small heads, and none below a
+    /// few pixels. A head is 0.76 as wide as it is long; the stroke goes on for a fifth of it inside.
+    #[must_use]
+    pub fn head_length(self, stroke_length: f32) -> f32 {
+        let length = (4.0 * self.width + 4.0).min(0.6 * stroke_length);
+        if !self.arrow || length < 2.0 { 0.0 } else { length }
+    }
 }
 
 /// The shape of a point mark; shapes differ so that colour never carries the meaning alone.

@@ -127,7 +127,7 @@ pub const fn unit(lang: Lang, report: &StageReport) -> &'static str {
         (Stage::Transform | Stage::Viewport | Stage::Divide | Stage::Oblique | Stage::Normals, _)
         | (Stage::Light, Reason::LitVertices { .. }) => ("vertices", "vértices"),
         (Stage::Fill, _) => ("triangles → samples", "triângulos → amostras"),
-        (Stage::HiddenSurfaces, Reason::PaintedByCentroid | Reason::PaintedBySplitting) => {
+        (Stage::HiddenSurfaces, Reason::PaintedByCentroid | Reason::PaintedBySplitting | Reason::NoDepthBuffer) => {
             ("triangles → pieces", "triângulos → pedaços")
         }
         (Stage::CullFaces | Stage::Clip | Stage::Light | Stage::Interpolate | Stage::Texture | Stage::Blend, _) => {
@@ -304,6 +304,11 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::PaintedBySplitting => text(
             "BSP: from back to front, split where faces cross each other's planes",
             "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras",
+        ),
+        Reason::NoDepthBuffer => text(
+            "BSP: the output has no depth buffer; from back to front, split where faces cross each other's planes",
+            "BSP: a saída não tem buffer de profundidade; de trás para a frente, com as faces divididas pelos planos umas \
+             das outras",
         ),
         Reason::NoTexture => text("no object has a picture on it", "nenhum objeto tem imagem sobre ele"),
         Reason::Textured { objects: n } => match lang {

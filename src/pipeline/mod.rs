@@ -16,7 +16,8 @@
 //! [`clip_parts`], [`cull_result`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
 //! and what would come of dividing first.
 //!
-//! A drawing for an output without a depth buffer is completed by [`stroke_runs`]: which parts of its strokes faces hide.
+//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which parts of its strokes faces hide,
+//! and [`stroke_order`], which of them is over which.
 //!
 //! Whatever is cut is cut by `cut`, and whatever vertices carry is carried over by `resample`.
 
@@ -40,6 +41,7 @@ pub mod report;
 mod resample;
 mod shade;
 mod stages;
+pub mod stroke_order;
 pub mod stroke_runs;
 mod survey;
 mod transform;
@@ -54,7 +56,7 @@ pub use cull::Containment;
 use faces::{FaceTask, Faces};
 use light::Lights;
 use lines::Strokes;
-pub use plan::{Options, Plan, Reason, Stage};
+pub use plan::{Options, Output, Plan, Reason, Stage};
 pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
 use projector::Projector;
@@ -110,7 +112,7 @@ impl Pipeline {
         let projector = Projector::new(camera);
         let screen = Screen::new(target);
         let places = self.tree.places(scene, &projector);
-        let plan = Plan::new(scene, &projector, style, places, options.force_all_stages);
+        let plan = Plan::new(scene, &projector, style, places, options);
         let lights = Lights::new(&scene.lights, &projector, style.shading);
         let mut strokes = Strokes::new(&projector, &screen, target);
         let (faces, pool) = (&mut self.faces, &mut self.pool);
@@ -198,7 +200,8 @@ impl Pipeline {
             height: target.height,
             background: target.background,
             antialias: style.antialias,
-            painted_in_order: plan.order() != Visibility::DepthBuffer,
+            // Without faces any order is right.
+            painted_in_order: plan.order() != Visibility::DepthBuffer || options.output == Output::Vectors,
             surfaces,
             strokes: strokes.sets,
             areas: Vec::new(),

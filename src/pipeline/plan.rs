@@ -8,7 +8,7 @@ use std::time::Duration;
 use super::cull::Containment;
 use super::planes::ALL_PLANES;
 use super::projector::Projector;
-pub use super::stages::{LitAt, ObjectPlan, Reason, Stage, StagePlan};
+pub use super::stages::{LitAt, ObjectPlan, Output, Reason, Stage, StagePlan};
 use super::survey::Survey;
 use crate::appearance::{Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint, Scene};
@@ -31,6 +31,8 @@ pub struct Plan {
 pub struct Options {
     /// Run all stages, needed or not. The picture is the same.
     pub force_all_stages: bool,
+    /// What the drawing is for.
+    pub output: Output,
     /// Gives the time since any moment, for the report; without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
 }
@@ -42,8 +44,9 @@ impl Plan {
         projector: &Projector,
         style: &Style,
         (places, boxes_tested): (Vec<Containment>, usize),
-        force: bool,
+        options: Options,
     ) -> Self {
+        let force = options.force_all_stages;
         let dark = scene.lights.is_empty();
         let objects = scene.objects.iter().zip(places);
         let objects = objects.map(|(object, place)| plan_object(object, place, style, dark, force));
@@ -51,7 +54,7 @@ impl Plan {
         let survey = Survey::new(scene, &objects, style);
         let stages = Stage::ALL
             .map(|stage| {
-                let (runs, reason) = survey.stage(stage, projector, style);
+                let (runs, reason) = survey.stage(stage, projector, style, options.output);
                 let reason = if force && !runs { Reason::Forced } else { reason };
                 StagePlan { stage, runs: runs || force, reason }
             })
@@ -71,12 +74,12 @@ impl Plan {
         self.stages[stage as usize]
     }
 
-    /// What decides which face is seen: the style's choice, where faces may hide each other at all.
+    /// What decides which face is seen: the style's choice, or what the output can do, where faces may hide each other at all.
     #[must_use]
     pub fn order(&self) -> Visibility {
         match self.stage(Stage::HiddenSurfaces).reason {
             Reason::PaintedByCentroid => Visibility::Painter,
-            Reason::PaintedBySplitting => Visibility::Bsp,
+            Reason::PaintedBySplitting | Reason::NoDepthBuffer => Visibility::Bsp,
             _ => Visibility::DepthBuffer,
         }
     }

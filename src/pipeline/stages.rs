@@ -109,6 +109,17 @@ impl Stage {
     }
 }
 
+/// What paints a drawing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Output {
+    /// Pixels, with a depth for each: what decides which face is seen is the style's choice.
+    #[default]
+    Pixels,
+    /// Shapes that are painted one over the other, without a depth buffer: faces are listed from back to front, split where
+    /// they cross each other's planes, or by their centroids where the style asks for the painter.
+    Vectors,
+}
+
 /// Why a stage runs or is left out. Counts are of objects unless they say otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
@@ -245,6 +256,8 @@ pub enum Reason {
     PaintedByCentroid,
     /// Runs: faces are painted from back to front, split where they cross each other's planes.
     PaintedBySplitting,
+    /// Runs: the same, because the output has no depth buffer.
+    NoDepthBuffer,
 
     /// Left out: no object has a picture on it.
     NoTexture,

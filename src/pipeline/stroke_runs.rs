@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use crate::appearance::HiddenLines;
+use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::{Drawing, StrokeSet};
 
 /// A part of a polyline that can be seen, or that faces hide, throughout.
@@ -26,7 +26,17 @@ pub struct Run {
     pub has_end: bool,
 }
 
-/// Splits the strokes of a drawing into runs, in its order.
+impl Run {
+    /// How it is painted; `None`: it is not.
+    #[must_use]
+    pub fn style(&self, drawing: &Drawing) -> Option<LineStyle> {
+        let style = drawing.strokes.get(self.set)?.style;
+        if self.visible { Some(style) } else { style.behind_a_face() }
+    }
+}
+
+/// Splits the strokes of a drawing into runs, in its order. [`painted_runs`](super::stroke_order::painted_runs) has them in the
+/// order in which they are painted.
 ///
 /// *Guarantees*: the runs of a polyline follow one another and make it up; a stroke on a face is visible. What is
 /// [`Shown`](HiddenLines::Shown) although hidden is one visible run.
@@ -44,6 +54,12 @@ pub fn stroke_runs(drawing: &Drawing) -> Vec<Run> {
         }
     }
     runs
+}
+
+/// Of places in a drawing, those that a face hides: of marks and labels, which are painted faintly there where they say so.
+pub fn hidden_places(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Vec<bool> {
+    let faces = Faces::new(drawing);
+    places.into_iter().map(|place| faces.hide(place.map(f64::from))).collect()
 }
 
 fn points(strokes: &StrokeSet, polyline: usize) -> Option<&[[f32; 3]]> {
@@ -139,7 +155,7 @@ struct Faces {
 }
 
 /// The side of a square in pixels.
-const SQUARE: f64 = 32.0;
+pub(super) const SQUARE: f64 = 32.0;
 
 /// How many squares a side of the picture has, also one for what lies on its border.
 fn square_count(side: u32) -> usize {
@@ -193,6 +209,16 @@ impl Faces {
 
     fn rows(&self, from: f64, to: f64) -> Range<usize> {
         squares(from, to, self.rows)
+    }
+
+    /// True where any face is before a place.
+    fn hide(&self, place: [f64; 3]) -> bool {
+        let [x, y, _] = place;
+        self.rows(y, y).any(|row| {
+            self.columns(x, x).any(|column| {
+                self.squares[row * self.columns + column].iter().any(|&k| self.faces[k as usize].is_before(place))
+            })
+        })
     }
 
     /// The parts of a segment that faces hide, as shares of the way: in order, apart from one another.
@@ -260,22 +286,35 @@ impl Face {
                 to = f64::NEG_INFINITY;
             }
         };
-        let ([x, y, z], [dx, dy, dz]) = (segment.from, segment.along);
+        let ([x, y, _], [dx, dy, dz]) = (segment.from, segment.along);
         for [a, b, c] in self.edges {
             keep(a * x + b * y + c, a * dx + b * dy);
         }
+        let [px, py, _] = self.depth;
+        keep(self.nearer_by(segment.from), px * dx + py * dy - dz);
+        (from < to).then_some(from..to)
+    }
+
+    /// By how much more than rounding its plane is nearer than a place.
+    fn nearer_by(&self, [x, y, z]: [f64; 3]) -> f64 {
         let [px, py, c] = self.depth;
         // As the rasterizer has it: corners of faces lie on a grid of the pixel, ends of strokes do not.
         let same = 1e-4 * z.abs() + 1e-6 + 0.02 * (px.abs() + py.abs());
-        keep(px * x + py * y + c - z - same, px * dx + py * dy - dz);
-        (from < to).then_some(from..to)
+        px * x + py * y + c - z - same
+    }
+
+    /// True where it is before a place; also on its border, which two faces may share.
+    fn is_before(&self, place: [f64; 3]) -> bool {
+        let [x, y, _] = place;
+        let inside = |[a, b, c]: [f64; 3]| a * x + b * y + c >= -1e-6 * a.hypot(b);
+        self.edges.into_iter().all(inside) && self.nearer_by(place) > 0.0
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::appearance::{Dash, LineStyle, Rgba};
+    use crate::appearance::{Dash, Rgba};
     use crate::drawing::{Paint, Surface};
 
     const WALL: [[f32; 3]; 4] = [[20.0, 10.0, 0.5], [60.0, 10.0, 0.5], [60.0, 50.0, 0.5], [20.0, 50.0, 0.5]];
@@ -348,6 +387,21 @@ mod tests {
         let joined = runs.windows(2).all(|pair| pair[0].points.last() == pair[1].points.first());
         assert!(joined && runs.iter().map(|run| run.visible).eq([true, false, true]));
         assert_eq!(runs[1].points.last(), Some(&[40.0, 50.0, 0.2]));
+    }
+
+    #[test]
+    fn a_place_is_hidden_behind_a_face_and_behind_the_border_of_two() {
+        let drawing = drawing(&[], HiddenLines::Hidden);
+        // Inside a triangle, on the diagonal, on the wall, before it, beside it, outside the picture.
+        let places = [
+            [50.0, 20.0, 0.2],
+            [40.0, 30.0, 0.2],
+            [40.0, 30.0, 0.5],
+            [40.0, 30.0, 0.9],
+            [70.0, 30.0, 0.2],
+            [-400.0, 30.0, 0.2],
+        ];
+        assert_eq!(hidden_places(&drawing, places), [true, true, false, false, false, false]);
     }
 
     #[test]

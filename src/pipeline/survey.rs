@@ -4,7 +4,7 @@ use super::cull::Containment;
 use super::planes::{NEAR, PlaneSet};
 use super::projector::Projector;
 use super::shade::Shaded;
-use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Reason, Stage, StagePlan};
+use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Output, Reason, Stage, StagePlan};
 use crate::appearance::{HiddenLines, Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint, Scene};
 
@@ -119,7 +119,7 @@ impl Survey {
     }
 
     /// Whether a stage is needed, and why.
-    pub(super) fn stage(&self, stage: Stage, projector: &Projector, style: &Style) -> (bool, Reason) {
+    pub(super) fn stage(&self, stage: Stage, projector: &Projector, style: &Style, output: Output) -> (bool, Reason) {
         let no_faces = match style.shading {
             Shading::Wireframe => Some((false, Reason::Wireframe)),
             _ if self.in_view == 0 => Some((false, Reason::NothingInView)),
@@ -134,6 +134,8 @@ impl Survey {
             Stage::Viewport | Stage::Transform => (true, Reason::SomethingInView),
             Stage::CullObjects if self.outside == 0 => (false, Reason::NoneOutside { of: self.objects }),
             Stage::CullObjects => (true, Reason::Outside { outside: self.outside, of: self.objects }),
+            // Whoever paints in order needs one, also of faces that hide nothing.
+            Stage::HiddenSurfaces if output == Output::Vectors => no_faces.unwrap_or_else(|| (true, in_order(style))),
             Stage::Normals
             | Stage::Light
             | Stage::CullFaces
@@ -219,5 +221,14 @@ impl Survey {
             );
         }
         if self.lines_ask { (true, Reason::LinesAskForDepth) } else { (false, Reason::ConvexAlone) }
+    }
+}
+
+/// Why faces are painted from back to front for an output that has no depth buffer.
+fn in_order(style: &Style) -> Reason {
+    match style.visibility {
+        Visibility::Painter => Reason::PaintedByCentroid,
+        Visibility::Bsp => Reason::PaintedBySplitting,
+        Visibility::DepthBuffer => Reason::NoDepthBuffer,
     }
 }

@@ -156,7 +156,7 @@ impl Strip {
     fn cover(&mut self, set: &StrokeSet, part: &Part, style: LineStyle) {
         let Some(points) = points(set, part.polyline, &mut self.line) else { return };
         let length = self.line.length();
-        let head = if set.style.arrow { head_length(style.width, length) } else { 0.0 };
+        let head = style.head_length(length);
         // The shaft ends a little inside the head, whose point would be blunt otherwise.
         let shaft = length - 0.8 * head;
         dashes(part.range.start..part.range.end.min(shaft), style, |from, to| {
@@ -237,12 +237,6 @@ impl Polyline {
         }
         coverage.capsule(from, self.at(points, range.end), radius);
     }
-}
-
-/// Length of an arrow head on a stroke of this width; short strokes get small heads, and none below a few pixels.
-fn head_length(width: f32, stroke_length: f32) -> f32 {
-    let length = (4.0 * width + 4.0).min(0.6 * stroke_length);
-    if length < 2.0 { 0.0 } else { length }
 }
 
 /// Adds a part of the polyline whose parts begin at `first`; one that goes on as the last did makes that longer.

@@ -9,6 +9,7 @@ use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Viewport};
 use crate::figure::{Figure, Observer, Observers, Reveal};
 use crate::geometry::Aabb;
+use crate::pipeline::Output;
 use crate::scene::Scene;
 
 /// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
@@ -33,6 +34,8 @@ pub struct Request {
     pub size: Size,
     /// Run every stage of the pipeline, needed or not. The picture is the same.
     pub force_all_stages: bool,
+    /// What the drawing is for; pixels are made of drawings for pixels.
+    pub output: Output,
 }
 
 impl Request {
@@ -57,6 +60,7 @@ impl Request {
             labels,
             size,
             force_all_stages: false,
+            output: Output::Pixels,
         }
     }
 
@@ -70,6 +74,8 @@ impl Request {
             observer: None,
             overlays: Overlays { bare: true, ..Overlays::default() },
             size: Size { width: frame.width, height: frame.height, scale: 1.0 },
+            // Also in a vector picture it is a texture.
+            output: Output::Pixels,
             ..self.clone()
         }
     }

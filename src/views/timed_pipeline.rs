@@ -28,7 +28,7 @@ impl TimedPipeline {
         target: Target,
         style: &Style,
     ) -> Frame {
-        let options = Options { force_all_stages: request.force_all_stages, clock: self.clock };
+        let options = Options { force_all_stages: request.force_all_stages, output: request.output, clock: self.clock };
         self.stages.frame(scene, camera, target, style, options)
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style, Texture, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
-use camera_lab::pipeline::plan::{Options, Reason, Stage};
+use camera_lab::pipeline::plan::{Options, Output, Reason, Stage};
 use camera_lab::pipeline::{Containment, FacesDone, Frame, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene, primitives};
@@ -16,7 +16,7 @@ use proptest::test_runner::RngSeed;
 
 use super::pipeline::{CLAY, TARGET, cube, eye, object, only};
 
-const FORCED: Options = Options { force_all_stages: true, clock: None };
+const FORCED: Options = Options { force_all_stages: true, output: Output::Pixels, clock: None };
 
 fn frame(scene: &Scene, camera: &Camera, style: &Style) -> Frame {
     Pipeline::default().frame(scene, camera, TARGET, style, Options::default())

@@ -39,6 +39,7 @@ use crate::gui::state::{ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::picture::Account;
+use crate::pipeline::Output;
 use crate::views::image_frame;
 use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, observer_in};
 
@@ -119,6 +120,7 @@ impl Canvas {
             labels: labels(state.settings.lang),
             size,
             force_all_stages: false,
+            output: Output::Pixels,
         }
     }
 

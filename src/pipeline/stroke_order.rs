@@ -1,0 +1,514 @@
+//! The order of strokes for outputs that have no depth buffer: what is painted later covers what is painted before.
+//!
+//! Where two runs touch on the picture, the rule of [`drawing`](crate::drawing) says which is over the other. The runs are
+//! sorted so that each comes after all that it is over. Where runs lie over one another in a cycle, they are split between the
+//! places where they touch. As in the depth sort of Newell, Newell and Sancha (1972), but with strokes.
+//!
+//! A grid of squares finds what touches: the work grows with the length of all strokes, and with the square of how many
+//! segments share one square of 32 pixels.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::ops::Range;
+
+use super::stroke_runs::{Run, SQUARE, stroke_runs};
+use crate::appearance::{HiddenLines, LineStyle};
+use crate::drawing::Drawing;
+
+/// What is painted of the strokes of a drawing, from back to front.
+///
+/// *Guarantees*: of two runs of different strokes that touch, the one that is over the other where they touch comes later.
+/// Exceptions: three or more that touch at one place and do not agree on an order there, and where a run passes another twice
+/// within the sum of their widths. Of what is split, the parts follow one another along the polyline without a gap; a part's
+/// [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
+#[must_use]
+pub fn painted_runs(drawing: &Drawing) -> Vec<Run> {
+    let painted =
+        stroke_runs(drawing).into_iter().filter_map(|run| run.style(drawing).map(|style| Painted { run, style }));
+    let (on_top, mut tested): (Vec<Painted>, Vec<Painted>) =
+        painted.partition(|painted| painted.style.hidden == HiddenLines::Shown);
+    // Of what is equal, the hidden runs of a set come before its visible ones.
+    tested.sort_by_key(Painted::layer);
+    let contacts = find_contacts(&tested, drawing);
+    let cycles = in_cycles(tested.len(), &contacts);
+    let order = if cycles.contains(&true) {
+        tested = split(tested, &cycles, &contacts);
+        let contacts = find_contacts(&tested, drawing);
+        back_to_front(tested.len(), &contacts)
+    } else {
+        back_to_front(tested.len(), &contacts)
+    };
+    let mut tested: Vec<Option<Run>> = tested.into_iter().map(|painted| Some(painted.run)).collect();
+    let sorted = order.into_iter().filter_map(|k| tested[k].take());
+    sorted.chain(on_top.into_iter().map(|painted| painted.run)).collect()
+}
+
+/// A run with the style in which it is painted.
+#[derive(Clone)]
+struct Painted {
+    run: Run,
+    style: LineStyle,
+}
+
+impl Painted {
+    /// Runs of one layer have one colour: their order changes nothing.
+    fn layer(&self) -> (usize, bool) {
+        (self.run.set, self.run.visible)
+    }
+}
+
+/// A place where two runs touch.
+#[derive(Clone, Copy, Debug)]
+struct Contact {
+    /// The runs, the earlier one first.
+    runs: [usize; 2],
+    /// Where along each of them, in pixels from its first point.
+    arcs: [f64; 2],
+    /// How far their middle lines are apart there.
+    gap: f64,
+    /// The second one is over the first.
+    second_is_over: bool,
+}
+
+impl Contact {
+    /// The run below, and the one over it.
+    fn below_and_over(&self) -> [usize; 2] {
+        let [first, second] = self.runs;
+        if self.second_is_over { [first, second] } else { [second, first] }
+    }
+}
+
+/// A segment of a run, or its arrow head.
+struct Segment {
+    run: usize,
+    layer: (usize, bool),
+    from: [f64; 3],
+    along: [f64; 3],
+    /// Where it begins along the run.
+    arc: f64,
+    length: f64,
+    radius: f64,
+    /// The width by which the rule compares strokes.
+    width: f32,
+}
+
+impl Segment {
+    fn at(&self, t: f64) -> [f64; 3] {
+        std::array::from_fn(|k| self.from[k] + t * self.along[k])
+    }
+
+    /// By how much depths may differ where another stroke touches it; as the rasterizer has it.
+    fn reach(&self) -> f64 {
+        let rise = self.along[2].abs();
+        (3.0 * (self.radius + 0.5) * rise / self.length.max(1e-6)).min(rise)
+    }
+
+    /// The share of the way at which it is nearest to a point.
+    fn nearest_to(&self, p: [f64; 3]) -> f64 {
+        let square = self.length * self.length;
+        let along = (p[0] - self.from[0]) * self.along[0] + (p[1] - self.from[1]) * self.along[1];
+        if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 0.0 }
+    }
+
+    /// Where on the picture two segments are nearest to each other, as shares of their ways; of parallel ones the middle of
+    /// where they are.
+    fn nearest(&self, other: &Self) -> [f64; 2] {
+        let (d, e) = (self.along, other.along);
+        let w = [other.from[0] - self.from[0], other.from[1] - self.from[1]];
+        let cross = d[0] * e[1] - d[1] * e[0];
+        if cross.abs() > 1e-9 * self.length * other.length {
+            let s = (w[0] * e[1] - w[1] * e[0]) / cross;
+            let t = (w[0] * d[1] - w[1] * d[0]) / cross;
+            if (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t) {
+                return [s, t];
+            }
+        }
+        let ends = [
+            [0.0, other.nearest_to(self.at(0.0))],
+            [1.0, other.nearest_to(self.at(1.0))],
+            [self.nearest_to(other.at(0.0)), 0.0],
+            [self.nearest_to(other.at(1.0)), 1.0],
+        ];
+        let gaps = ends.map(|[s, t]| distance(self.at(s), other.at(t)));
+        let least = gaps.into_iter().fold(f64::INFINITY, f64::min) + 1e-6;
+        let nearest = ends.iter().zip(gaps).filter(|(_, gap)| *gap <= least);
+        let (sum, count) =
+            nearest.fold(([0.0; 2], 0.0), |(sum, n), (end, _)| ([sum[0] + end[0], sum[1] + end[1]], n + 1.0));
+        sum.map(|sum| sum / count)
+    }
+
+    /// How this touches a segment of a later run; `None`: it does not.
+    fn contact(&self, later: &Self) -> Option<(Contact, [f64; 2])> {
+        let [s, t] = self.nearest(later);
+        let (p, q) = (self.at(s), later.at(t));
+        let gap = distance(p, q);
+        if gap > self.radius + later.radius {
+            return None;
+        }
+        let same = self.reach() + later.reach() + 1e-4 * q[2].abs() + 1e-6;
+        let nearer = q[2] - p[2];
+        let second_is_over =
+            if nearer.abs() > same { nearer > 0.0 } else { (later.layer.1, later.width) >= (self.layer.1, self.width) };
+        let arcs = [self.arc + s * self.length, later.arc + t * later.length];
+        let contact = Contact { runs: [self.run, later.run], arcs, gap, second_is_over };
+        Some((contact, [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])]))
+    }
+}
+
+fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
+    (p[0] - q[0]).hypot(p[1] - q[1])
+}
+
+/// The segments of runs, and their arrow heads.
+fn segments(all: &[Painted], drawing: &Drawing) -> Vec<Segment> {
+    let mut segments = Vec::new();
+    for (k, painted) in all.iter().enumerate() {
+        let radius = 0.5 * f64::from(painted.style.width);
+        let width = drawing.strokes[painted.run.set].style.width;
+        let layer = painted.layer();
+        let mut arc = 0.0;
+        for pair in painted.run.points.windows(2) {
+            let (from, to) = (pair[0].map(f64::from), pair[1].map(f64::from));
+            let along: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
+            let length = along[0].hypot(along[1]);
+            segments.push(Segment { run: k, layer, from, along, arc, length, radius, width });
+            arc += length;
+        }
+        let Some(last) = segments.last().filter(|_| painted.style.arrow && painted.run.has_end) else { continue };
+        let head = f64::from(painted.style.head_length(painted.run.start + single(arc)));
+        let share = if last.length > 0.0 { (head / last.length).min(1.0) } else { 0.0 };
+        if share > 0.0 {
+            let (from, to) = (last.at(1.0 - share), last.at(1.0));
+            let along: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
+            let length = share * last.length;
+            segments.push(Segment {
+                run: k,
+                layer,
+                from,
+                along,
+                arc: arc - length,
+                length,
+                radius: 0.38 * head,
+                width,
+            });
+        }
+    }
+    segments
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the display list is single precision")]
+fn single(v: f64) -> f32 {
+    v as f32
+}
+
+/// The place of a square among those of the picture; what is beside the picture belongs to those at its border.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "`as` saturates")]
+fn square(v: f64, count: usize) -> usize {
+    ((v / SQUARE).max(0.0) as usize).min(count - 1)
+}
+
+/// Where runs of different layers touch, each place once.
+fn find_contacts(all: &[Painted], drawing: &Drawing) -> Vec<Contact> {
+    let segments = segments(all, drawing);
+    let count = |side: u32| square(f64::from(side), usize::MAX) + 1;
+    let (columns, rows) = (count(drawing.width), count(drawing.height));
+    let mut squares: Vec<Vec<usize>> = vec![Vec::new(); columns * rows];
+    for (k, segment) in segments.iter().enumerate() {
+        for_squares(segment, columns, rows, |square| squares[square].push(k));
+    }
+    let mut found = Vec::new();
+    for (index, members) in squares.iter().enumerate() {
+        for (k, &first) in members.iter().enumerate() {
+            for &second in &members[k + 1..] {
+                let (first, second) = (&segments[first], &segments[second]);
+                if first.layer == second.layer {
+                    continue;
+                }
+                // Several squares may list both; the one in which they touch speaks.
+                let touches = first
+                    .contact(second)
+                    .filter(|(_, [x, y])| square(*y, rows) * columns + square(*x, columns) == index);
+                found.extend(touches.map(|(contact, _)| contact));
+            }
+        }
+    }
+    let radius: Vec<f64> = all.iter().map(|painted| 0.5 * f64::from(painted.style.width)).collect();
+    one_each(found, |contact| 2.0 * (radius[contact.runs[0]] + radius[contact.runs[1]]))
+}
+
+/// Calls `visit` for the squares that a segment touches with its width.
+fn for_squares(segment: &Segment, columns: usize, rows: usize, mut visit: impl FnMut(usize)) {
+    let reach = segment.radius + 1e-3;
+    let ([x, y, _], [dx, dy, _]) = (segment.from, segment.along);
+    let range = |a: f64, b: f64, count: usize| square(a.min(b) - reach, count)..=square(a.max(b) + reach, count);
+    for column in range(x, x + dx, columns) {
+        // The rows that it passes in this column; what is beside the picture is in the columns at its border.
+        let share = |border: f64| if dx == 0.0 { 0.0 } else { (border - x) / dx };
+        let left = if column == 0 { x.min(x + dx) } else { column as f64 * SQUARE - reach };
+        let right = if column + 1 == columns { x.max(x + dx) } else { (column + 1) as f64 * SQUARE + reach };
+        let (t0, t1) = if dx == 0.0 { (0.0, 1.0) } else { (share(left), share(right)) };
+        let (t0, t1) = (t0.min(t1).clamp(0.0, 1.0), t0.max(t1).clamp(0.0, 1.0));
+        for row in range(y + t0 * dy, y + t1 * dy, rows) {
+            visit(row * columns + column);
+        }
+    }
+}
+
+/// Of the contacts of two runs at one place (joints of segments) the one where they are nearest to each other. `extent`: how
+/// far along the runs a place goes.
+fn one_each(mut found: Vec<Contact>, extent: impl Fn(&Contact) -> f64) -> Vec<Contact> {
+    found.sort_by(|a, b| a.runs.cmp(&b.runs).then(a.arcs[0].total_cmp(&b.arcs[0])));
+    let mut places: Vec<Contact> = Vec::new();
+    let mut begins = [0.0; 2];
+    for contact in found {
+        let extent = extent(&contact);
+        match places
+            .last_mut()
+            .filter(|last| last.runs == contact.runs && (0..2).all(|k| (contact.arcs[k] - begins[k]).abs() <= extent))
+        {
+            Some(last) if contact.gap < last.gap => *last = contact,
+            Some(_) => {}
+            None => {
+                begins = contact.arcs;
+                places.push(contact);
+            }
+        }
+    }
+    places
+}
+
+/// Who is over each run, and how many it is over.
+fn neighbours(count: usize, pairs: impl Iterator<Item = [usize; 2]>) -> (Vec<Vec<usize>>, Vec<usize>) {
+    let (mut next, mut before) = (vec![Vec::new(); count], vec![0; count]);
+    for [from, to] in pairs {
+        next[from].push(to);
+        before[to] += 1;
+    }
+    (next, before)
+}
+
+/// Which runs lie over one another in a cycle, or between two cycles.
+fn in_cycles(count: usize, contacts: &[Contact]) -> Vec<bool> {
+    let mut left = vec![true; count];
+    let up = contacts.iter().map(Contact::below_and_over);
+    let down = up.clone().map(|[below, over]| [over, below]);
+    for (next, mut before) in [neighbours(count, up), neighbours(count, down)] {
+        let mut free: Vec<usize> = (0..count).filter(|&k| before[k] == 0).collect();
+        while let Some(k) = free.pop() {
+            left[k] = false;
+            for &n in &next[k] {
+                before[n] -= 1;
+                if before[n] == 0 {
+                    free.push(n);
+                }
+            }
+        }
+    }
+    left
+}
+
+/// Each run after all that it is over; where that leaves a choice, or no run to begin with, in the order of the drawing.
+fn back_to_front(count: usize, contacts: &[Contact]) -> Vec<usize> {
+    let (next, mut before) = neighbours(count, contacts.iter().map(Contact::below_and_over));
+    let mut free: BinaryHeap<Reverse<usize>> = (0..count).filter(|&k| before[k] == 0).map(Reverse).collect();
+    let mut order = Vec::with_capacity(count);
+    let mut done = vec![false; count];
+    let mut rest = 0..count;
+    while let Some(k) = free.pop().map(|Reverse(k)| k).or_else(|| rest.find(|&k| !done[k])) {
+        if std::mem::replace(&mut done[k], true) {
+            continue;
+        }
+        order.push(k);
+        for &n in &next[k] {
+            before[n] -= 1;
+            if before[n] == 0 {
+                free.push(Reverse(n));
+            }
+        }
+    }
+    order
+}
+
+/// Splits the runs of cycles half way between the places where they touch one another.
+fn split(all: Vec<Painted>, cycles: &[bool], contacts: &[Contact]) -> Vec<Painted> {
+    let mut arcs: Vec<Vec<f64>> = vec![Vec::new(); all.len()];
+    for contact in contacts.iter().filter(|contact| contact.runs.iter().all(|&run| cycles[run])) {
+        for (run, arc) in contact.runs.into_iter().zip(contact.arcs) {
+            arcs[run].push(arc);
+        }
+    }
+    let mut parts = Vec::new();
+    for (painted, mut arcs) in all.into_iter().zip(arcs) {
+        arcs.sort_by(f64::total_cmp);
+        let apart = f64::from(painted.style.width);
+        let between = arcs.windows(2).filter(|pair| pair[1] - pair[0] > apart).map(|pair| 0.5 * (pair[0] + pair[1]));
+        let cuts: Vec<f64> = between.collect();
+        parts.extend(pieces(&painted.run, &cuts).into_iter().map(|run| Painted { run, ..painted.clone() }));
+    }
+    parts
+}
+
+/// A run, cut at distances from its first point, which grow.
+fn pieces(run: &Run, cuts: &[f64]) -> Vec<Run> {
+    let mut done = Vec::new();
+    let mut piece = Run { points: run.points.iter().take(1).copied().collect(), ..run.clone() };
+    let mut cuts = cuts.iter().copied().peekable();
+    let mut arc = 0.0;
+    for pair in run.points.windows(2) {
+        let (from, to) = (pair[0].map(f64::from), pair[1].map(f64::from));
+        let length = distance(from, to);
+        let inside = |cut: f64, Range { start, end }: Range<f64>| start < cut && cut < end;
+        while let Some(cut) = cuts.next_if(|&cut| inside(cut, arc..arc + length)) {
+            let t = (cut - arc) / length;
+            let point: [f32; 3] = std::array::from_fn(|k| single(from[k] + t * (to[k] - from[k])));
+            piece.points.push(point);
+            let next = Run { points: vec![point], start: run.start + single(cut), ..run.clone() };
+            done.push(Run { has_end: false, ..std::mem::replace(&mut piece, next) });
+        }
+        // One that lies on a corner is left out: it would be in no segment.
+        while cuts.next_if(|&cut| cut <= arc + length).is_some() {}
+        piece.points.push(pair[1]);
+        arc += length;
+    }
+    done.push(piece);
+    done
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::appearance::{Dash, Rgba};
+    use crate::drawing::StrokeSet;
+
+    fn style(width: f32, hidden: HiddenLines) -> LineStyle {
+        LineStyle { color: Rgba::rgb(0, 0, 0), width, dash: Dash::Solid, hidden, arrow: false }
+    }
+
+    fn tested(width: f32) -> LineStyle {
+        style(width, HiddenLines::Hidden)
+    }
+
+    /// A drawing of 100 × 100 pixels with one set for each stroke.
+    fn drawing(strokes: &[(&[[f32; 3]], LineStyle)]) -> Drawing {
+        let sets = strokes.iter().map(|&(points, style)| StrokeSet {
+            points: points.to_vec(),
+            polylines: std::iter::once(0..u32::try_from(points.len()).unwrap_or(0)).collect(),
+            style,
+        });
+        Drawing {
+            width: 100,
+            height: 100,
+            background: Rgba::rgb(255, 255, 255),
+            antialias: 1,
+            painted_in_order: true,
+            surfaces: Vec::new(),
+            strokes: sets.collect(),
+            areas: Vec::new(),
+            marks: Vec::new(),
+            labels: Vec::new(),
+        }
+    }
+
+    /// The sets of the runs in the order in which they are painted.
+    fn order(strokes: &[(&[[f32; 3]], LineStyle)]) -> Vec<usize> {
+        painted_runs(&drawing(strokes)).iter().map(|run| run.set).collect()
+    }
+
+    fn level(y: f32, depth: f32) -> [[f32; 3]; 2] {
+        [[5.0, y, depth], [95.0, y, depth]]
+    }
+
+    fn upright(x: f32, depth: f32) -> [[f32; 3]; 2] {
+        [[x, 5.0, depth], [x, 95.0, depth]]
+    }
+
+    #[test]
+    fn the_nearer_of_two_that_cross_comes_later_in_any_order_of_the_list() {
+        let (near, far) = (level(50.0, 0.8), upright(50.0, 0.3));
+        assert_eq!(order(&[(&near, tested(2.0)), (&far, tested(2.0))]), [1, 0]);
+        assert_eq!(order(&[(&far, tested(2.0)), (&near, tested(2.0))]), [0, 1]);
+        // Apart from one another they stay as they are listed.
+        let beside = upright(50.0, 0.3).map(|[x, y, z]| [x, y * 0.4, z]);
+        assert_eq!(order(&[(&near, tested(2.0)), (&beside, tested(2.0))]), [0, 1]);
+    }
+
+    #[test]
+    fn where_they_touch_the_wider_then_the_later_comes_later() {
+        let (one, other) = (level(50.0, 0.5), upright(50.0, 0.5));
+        assert_eq!(order(&[(&one, tested(2.0)), (&other, tested(2.0))]), [0, 1]);
+        assert_eq!(order(&[(&one, tested(3.0)), (&other, tested(2.0))]), [1, 0]);
+        // Side by side, and over one another, too.
+        let beside = level(51.5, 0.2);
+        assert_eq!(order(&[(&one, tested(2.0)), (&beside, tested(2.0))]), [1, 0]);
+        assert_eq!(order(&[(&one, tested(2.0)), (&level(50.0, 0.2), tested(2.0))]), [1, 0]);
+        assert_eq!(order(&[(&one, tested(2.0)), (&level(52.5, 0.2), tested(2.0))]), [0, 1]);
+    }
+
+    #[test]
+    fn what_nothing_hides_comes_last() {
+        let shown = style(1.0, HiddenLines::Shown);
+        assert_eq!(order(&[(&level(50.0, 0.1), shown), (&upright(50.0, 0.9), tested(2.0))]), [1, 0]);
+    }
+
+    #[test]
+    fn a_run_that_is_before_and_behind_another_is_split_between() {
+        // It goes twice over an upright line that leans: behind it above, before it below.
+        let leaning = [[50.0, 5.0, 0.9], [50.0, 95.0, 0.1]];
+        let around = [[20.0, 20.0, 0.5], [80.0, 20.0, 0.5], [80.0, 80.0, 0.5], [20.0, 80.0, 0.5]];
+        let drawing = drawing(&[(&around, tested(2.0)), (&leaning, tested(2.0))]);
+        let runs = painted_runs(&drawing);
+        let at = |set: usize, y: f32| {
+            let here =
+                |run: &Run| run.points.windows(2).any(|p| p[0][1].min(p[1][1]) <= y && y <= p[0][1].max(p[1][1]));
+            runs.iter().position(|run| run.set == set && here(run))
+        };
+        assert!(at(0, 20.0) < at(1, 20.0) && at(1, 80.0) < at(0, 80.0), "{runs:?}");
+        // The parts make up the whole, and each knows where along it it begins.
+        let mut parts: Vec<&Run> = runs.iter().filter(|run| run.set == 0).collect();
+        parts.sort_by(|a, b| a.start.total_cmp(&b.start));
+        assert_eq!(parts.iter().map(|run| (run.start, run.has_end)).collect::<Vec<_>>(), [(0.0, false), (90.0, true)]);
+        assert_eq!(parts[0].points, [around[0], around[1], [80.0, 50.0, 0.5]]);
+        assert_eq!(parts[1].points, [[80.0, 50.0, 0.5], around[2], around[3]]);
+    }
+
+    #[test]
+    fn three_in_a_cycle_are_each_over_the_next() {
+        // The sides of a triangle, drawn out, each from near to far.
+        let ends: [[f32; 2]; 3] = [[20.0, 80.0], [80.0, 80.0], [50.0, 20.0]];
+        let side = |k: usize| {
+            let (a, b) = (ends[k], ends[(k + 1) % 3]);
+            let point = |t: f32, depth: f32| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), depth];
+            [point(-0.2, 0.9), point(1.2, 0.1)]
+        };
+        let sides = [side(0), side(1), side(2)];
+        let runs =
+            painted_runs(&drawing(&[(&sides[0], tested(3.0)), (&sides[1], tested(3.0)), (&sides[2], tested(3.0))]));
+        assert!(runs.len() > 3);
+        // At the corner where side k begins it is over the side before.
+        for (k, end) in ends.iter().enumerate() {
+            let covers = |set: usize| {
+                runs.iter().rposition(|run| {
+                    let [p, q] = [run.points[0], run.points[run.points.len() - 1]].map(|p| p.map(f64::from));
+                    let along: [f64; 3] = std::array::from_fn(|k| q[k] - p[k]);
+                    let length = along[0].hypot(along[1]);
+                    let part =
+                        Segment { run: 0, layer: (0, true), from: p, along, arc: 0.0, length, radius: 0.0, width: 0.0 };
+                    let corner = [f64::from(end[0]), f64::from(end[1]), 0.0];
+                    run.set == set && distance(part.at(part.nearest_to(corner)), corner) < 0.1
+                })
+            };
+            let (over, below) = (covers(k), covers((k + 2) % 3));
+            assert!(over.is_some() && below.is_some() && over > below, "{k}: {runs:?}");
+        }
+    }
+
+    #[test]
+    fn an_arrow_head_touches_with_its_width() {
+        let arrow = LineStyle { arrow: true, ..tested(2.0) };
+        let near = [[5.0, 50.0, 0.9], [60.0, 50.0, 0.9]];
+        // Its head is 12 long and 9 wide; the other stroke passes 3 pixels beside its middle line.
+        let beside = [[52.0, 53.5, 0.2], [52.0, 90.0, 0.2]];
+        assert_eq!(order(&[(&near, arrow), (&beside, tested(1.0))]), [1, 0]);
+        assert_eq!(order(&[(&near, tested(2.0)), (&beside, tested(1.0))]), [0, 1]);
+    }
+}
