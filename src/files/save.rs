@@ -97,9 +97,9 @@ fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: Option<File
     }
 }
 
-/// Writes over the old bytes, and puts them back where the new ones find no room.
+/// Writes over the old bytes, and puts them back where the new ones find no room; what cannot be read is not written over.
 fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let old = fs::read(path);
+    let old = fs::read(path)?;
     let mut put = |bytes: &[u8]| {
         file.rewind()?;
         file.write_all(bytes)?;
@@ -107,10 +107,8 @@ fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
         file.sync_all()
     };
     put(bytes).inspect_err(|_| {
-        if let Ok(old) = old {
-            // The error that is told is the first one.
-            let _ = put(&old);
-        }
+        // The error that is told is the first one.
+        let _ = put(&old);
     })
 }
 
@@ -193,7 +191,7 @@ impl Drop for Temporary {
     }
 }
 
-/// `None` for a name alone has no folder to open: the current one is meant.
+/// The folder that a file is in; for a name alone the current one.
 fn folder_of(target: &Path) -> Option<&Path> {
     let folder = target.parent()?;
     Some(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })

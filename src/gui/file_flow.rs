@@ -197,7 +197,8 @@ fn for_folder(document: &Document, to: &Path) -> Figure {
     for object in &mut figure.scene.objects {
         if let Some(Shape::Mesh { path }) = &mut object.shape {
             let file = from.unwrap_or(Path::new("")).join(&path);
-            if file.exists() {
+            // A foreign figure must not make the system look for another machine.
+            if !files::is_network(&file) && file.exists() {
                 *path = named_in_figure(to, &file);
             }
         }

@@ -103,6 +103,10 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         }
         self.shared.mailbox().wanted[slot] = Some(job);
         self.shared.wake.notify_one();
+        if matches!(self.place, Place::Here(_)) {
+            // It is done in the next frame: nothing else may call for one.
+            ctx.request_repaint();
+        }
     }
 
     /// True where the job that was asked for last has not been done.

@@ -151,7 +151,9 @@ impl Segment {
             if nearer.abs() > same { nearer > 0.0 } else { (later.layer.1, later.width) >= (self.layer.1, self.width) };
         let arcs = [self.arc + s * self.length, later.arc + t * later.length];
         let contact = Contact { runs: [self.run, later.run], arcs, gap, second_is_over };
-        Some((contact, [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])]))
+        // In the band of either, so that the squares of both know the place.
+        let share = self.radius / (self.radius + later.radius).max(f64::MIN_POSITIVE);
+        Some((contact, [p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])]))
     }
 }
 
@@ -430,6 +432,16 @@ mod tests {
         // Apart from one another they stay as they are listed.
         let beside = upright(50.0, 0.3).map(|[x, y, z]| [x, y * 0.4, z]);
         assert_eq!(order(&[(&near, tested(2.0)), (&beside, tested(2.0))]), [0, 1]);
+    }
+
+    #[test]
+    fn a_thin_one_and_a_thick_one_touch_beside_the_border_of_a_square_too() {
+        // Squares end at x = 32: half way between the two lies in one that the thin stroke does not reach.
+        for (thin, thick) in [(31.4, 34.5), (32.6, 29.5), (31.0, 33.0)] {
+            let (thin, thick) = (upright(thin, 0.8), upright(thick, 0.3));
+            assert_eq!(order(&[(&thin, tested(1.0)), (&thick, tested(8.0))]), [1, 0]);
+            assert_eq!(order(&[(&thick, tested(8.0)), (&thin, tested(1.0))]), [0, 1]);
+        }
     }
 
     #[test]

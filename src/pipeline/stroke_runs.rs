@@ -271,27 +271,31 @@ fn squares(from: f64, to: f64, count: usize) -> Range<usize> {
     first.min(count)..end.min(count)
 }
 
+/// How far outside of a face its border reaches, in pixels (negative: outside).
+const BORDER: f64 = -1e-6;
+
 impl Face {
     /// The part of a segment that lies behind the face; `None` where no part does.
     fn hides(&self, segment: &Segment) -> Option<Range<f64>> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         // Where the value at the start and its change along the segment keep a linear function positive.
-        let mut keep = |start: f64, change: f64| {
+        let mut keep = |start: f64, change: f64, least: f64| {
             let zero = -start / change;
             if change > 0.0 {
                 from = from.max(zero);
             } else if change < 0.0 {
                 to = to.min(zero);
-            } else if start <= 0.0 {
+            } else if start <= least {
                 to = f64::NEG_INFINITY;
             }
         };
         let ([x, y, _], [dx, dy, dz]) = (segment.from, segment.along);
         for [a, b, c] in self.edges {
-            keep(a * x + b * y + c, a * dx + b * dy);
+            // Along the border, which two faces may share, both hide: else neither would.
+            keep(a * x + b * y + c, a * dx + b * dy, BORDER * a.hypot(b));
         }
         let [px, py, _] = self.depth;
-        keep(self.nearer_by(segment.from), px * dx + py * dy - dz);
+        keep(self.nearer_by(segment.from), px * dx + py * dy - dz, 0.0);
         (from < to).then_some(from..to)
     }
 
@@ -306,7 +310,7 @@ impl Face {
     /// True where it is before a place; also on its border, which two faces may share.
     fn is_before(&self, place: [f64; 3]) -> bool {
         let [x, y, _] = place;
-        let inside = |[a, b, c]: [f64; 3]| a * x + b * y + c >= -1e-6 * a.hypot(b);
+        let inside = |[a, b, c]: [f64; 3]| a * x + b * y + c >= BORDER * a.hypot(b);
         self.edges.into_iter().all(inside) && self.nearer_by(place) > 0.0
     }
 }
@@ -375,7 +379,8 @@ mod tests {
         for depth in [0.5, 0.7] {
             assert_eq!(found(&[[0.0, 30.0, depth], [90.0, 30.0, depth]]), [(0.0, 90.0, true)]);
         }
-        // Along the border, where two faces may meet.
+        // Along the diagonal, where the two triangles of the wall meet, in it and behind it.
+        assert_eq!(found(&[[20.0, 10.0, 0.2], [60.0, 50.0, 0.2]]), [(20.0, 60.0, false)]);
         assert_eq!(found(&[[20.0, 10.0, 0.5], [60.0, 50.0, 0.5]]), [(20.0, 60.0, true)]);
     }
 
