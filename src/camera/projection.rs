@@ -171,7 +171,7 @@ impl Camera {
 /// The entries of M_p.
 ///
 /// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only where they
-/// are no `f64` themselves.
+/// are not `f64`s themselves.
 pub(super) fn lens(projection: Projection, window: &super::window::WideWindow, near: f64, far: f64) -> Lens {
     let (width, height) = (window.width(), window.height());
     let (sum_x, sum_y) = (window.right + window.left, window.top + window.bottom);

@@ -43,7 +43,7 @@ impl Document {
         let camera = Camera::new(&figure.camera)?;
         let (path, source) = file.map_or((None, String::new()), |(path, source)| (Some(path), source));
         let folder = path.as_deref().and_then(Path::parent).map(Path::to_owned);
-        // A picture holds a figure, but it is no figure file: saving must not replace it.
+        // A picture holds a figure, but it is not a figure file: saving must not replace it.
         let path = path.filter(|path| !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")));
         Ok(Self {
             camera: camera.clone(),
@@ -83,7 +83,7 @@ impl Document {
         &self.draft
     }
 
-    /// Why the draft is no camera.
+    /// Why the draft is not a camera.
     #[must_use]
     pub fn problem(&self) -> Option<&CameraError> {
         self.problem.as_ref()
@@ -113,7 +113,7 @@ impl Document {
         self.figure.camera = camera;
     }
 
-    /// The observers: where one looks from is kept in the file, but it is no change of the figure and no undo step.
+    /// The observers: where one looks from is kept in the file, but it is neither a change of the figure nor an undo step.
     pub fn observers_mut(&mut self) -> &mut Observers {
         &mut self.figure.observers
     }

@@ -49,7 +49,7 @@ impl HandleDrag {
         self.before.clone()
     }
 
-    /// The parameters with the pointer at `to` (pixels); `None` where they are no camera, so that the last one stays and
+    /// The parameters with the pointer at `to` (pixels); `None` where they are not a camera, so that the last one stays and
     /// [`HandleDrag::stopped`] says why.
     pub(super) fn moved(&mut self, now: &Request, to: DVec2, modifiers: Modifiers) -> Option<Parameters> {
         if self.vertical != vertical(modifiers) {

@@ -47,7 +47,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
     Observer::framing(&points, direction, request.size.aspect())
 }
 
-/// The observer's camera and its pixels; `None` for an observer that is no camera.
+/// The observer's camera and its pixels; `None` for an observer that is not a camera.
 pub(super) fn screen(request: &Request) -> Option<Screen> {
     let observer = request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso));
     let bounds = Aabb { min: CUBE.min * 2.0, max: CUBE.max * 2.0 };
@@ -64,7 +64,7 @@ fn revealed(request: &Request) -> Revealed {
     reveal::in_canonical(request, Palette::of(request.look.style.theme))
 }
 
-/// Draws the canonical volume; an observer that is no camera sees nothing.
+/// Draws the canonical volume; an observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.look.style;
     let palette = Palette::of(style.theme);

@@ -65,7 +65,7 @@ pub(super) fn on_axis(request: &Request, screen: &Screen, clear: f64) -> Vec<(Ha
 /// plane of the picture; VUP keeps its length.
 ///
 /// # Guarantees
-/// A drag that cannot be read (an axis seen end-on, an observer that is no camera) changes nothing.
+/// A drag that cannot be read (an axis seen end-on, an observer that is not a camera) changes nothing.
 #[must_use]
 pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical: bool) -> Parameters {
     let mut parameters = *request.camera.parameters();

@@ -135,7 +135,7 @@ impl Observer {
     /// The camera of this observer. Its clipping planes enclose `bounds` as far as a depth buffer in `f32` bears it.
     ///
     /// # Errors
-    /// [`CameraError`] for an observer that is no camera, such as one at distance 0.
+    /// [`CameraError`] for an observer that is not a camera, such as one at distance 0.
     pub fn camera(&self, bounds: Option<Aabb>, aspect: f64) -> Result<Camera, CameraError> {
         let [_, up, back] = self.axes();
         let reach = bounds.map_or(0.0, |b| {

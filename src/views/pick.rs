@@ -11,7 +11,7 @@ use super::hits::{crossing, first_crossing};
 use super::screen::Screen;
 use super::{Request, View, canonical, image, world_framing};
 
-/// The ray in the world through a place (pixels) of the world picture; `None` for an observer that is no camera.
+/// The ray in the world through a place (pixels) of the world picture; `None` for an observer that is not a camera.
 #[must_use]
 pub fn ray_in_world(request: &Request, pointer: DVec2) -> Option<Ray> {
     Some(world_framing::screen(request)?.ray(pointer))

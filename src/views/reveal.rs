@@ -314,7 +314,7 @@ struct Wider {
 
 impl Wider {
     /// Sees [`REACH`] times as much in each direction of NDC, as far as there is anything in front of the eye. `None` where that
-    /// is no camera.
+    /// is not a camera.
     fn new(camera: &Camera) -> Option<Self> {
         let (f, b) = (camera.near(), camera.far());
         let (near, far) = match camera.projection() {

@@ -15,7 +15,7 @@ use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{Gear, screen_of, seen_from};
 use super::{Handle, Palette, Request, arrows, ghost, handles, placing, probe, reveal};
 
-/// Draws the world with `on_window` as the image on the view window; an observer that is no camera sees nothing.
+/// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
     let style = &request.look.style;
     let palette = Palette::of(style.theme);

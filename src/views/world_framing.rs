@@ -37,7 +37,7 @@ pub(super) fn seen_from(request: &Request) -> Observer {
     request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
-/// The observer's camera and its pixels; `None` for an observer that is no camera.
+/// The observer's camera and its pixels; `None` for an observer that is not a camera.
 pub(super) fn screen(request: &Request) -> Option<Screen> {
     screen_of(request, &seen_from(request), &Content::of(request))
 }

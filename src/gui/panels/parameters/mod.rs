@@ -116,7 +116,7 @@ impl Form {
         }
     }
 
-    /// Why the parameters are no camera, and the buttons that mend them.
+    /// Why the parameters are not a camera, and the buttons that mend them.
     fn problem(&mut self, ui: &mut egui::Ui) {
         let Some(error) = &self.error else { return };
         self.said = true;
