@@ -58,7 +58,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
     let objects = (args.view == View::Image).then(|| objects(scene, &account, lang));
     let text = match args.format {
         TableFormat::Text => {
-            let mut text = table(&account, canvas::canvas(lang).view(args.view), size, lang);
+            let mut text = table(&account, canvas::texts(lang).view(args.view), size, lang);
             if let Some(objects) = objects.filter(|objects| !objects.is_empty()) {
                 text += "\n";
                 objects.iter().for_each(|object| text += &format!("{:<18} {}\n", object.name, object.reason));

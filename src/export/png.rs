@@ -16,19 +16,19 @@ const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PngError {
     /// The encoder gave up.
-    #[error("the picture cannot be encoded: {0}")]
+    #[error("the picture cannot be written as PNG ({0})")]
     Encode(String),
     /// The bytes are a damaged PNG.
-    #[error("damaged PNG: {0}")]
+    #[error("the PNG is damaged: {0}")]
     Damaged(Damage),
     /// The figure in it is longer than any.
-    #[error("the figure in the PNG has more than {limit} bytes")]
+    #[error("the figure in this PNG is too long; allowed: at most {limit} bytes")]
     TooLong {
         /// Bytes.
         limit: usize,
     },
     /// The picture holds no figure.
-    #[error("the PNG holds no figure")]
+    #[error("this PNG holds no figure; allowed: a figure file, or a picture that camera-lab wrote")]
     NoFigure,
 }
 

@@ -9,32 +9,32 @@ use std::path::Path;
 use crate::export::png::{self, PngError};
 use crate::figure::{Figure, FigureError, read};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES};
-use crate::scene::{ReadError, ReadProblem};
+use crate::scene::{ReadError, ReadProblem, system_words};
 pub use save::{Overwrite, save};
 
-/// Why a file cannot be used.
+/// Why a file cannot be used. Displayed, it stands after the name of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// The system does not let it be read.
-    #[error("cannot be read: {0}")]
+    #[error("cannot be read: {}", system_words(.0.kind(), &.0.to_string()))]
     Read(io::Error),
     /// The system does not let it be written.
-    #[error("cannot be written: {0}")]
+    #[error("cannot be written: {}", system_words(.0.kind(), &.0.to_string()))]
     Write(io::Error),
     /// It is a directory.
-    #[error("is a directory")]
+    #[error("{}", ReadProblem::Directory)]
     Directory,
     /// It is a device, a pipe or a socket, which may have no end.
-    #[error("is not a regular file")]
+    #[error("{}", ReadProblem::NotRegular)]
     NotRegular,
     /// Its path leads to another machine: opening it could send the user's name and password there.
-    #[error("is on the network")]
+    #[error("{}", ReadProblem::Network)]
     Network,
     /// It is there and may not be written.
-    #[error("is read-only")]
+    #[error("is read-only and was left as it is; allowed: another name, or a file that may be written")]
     ReadOnly,
     /// It is larger than any file that is meant for this program.
-    #[error("has more than {MAX_FILE_BYTES} bytes")]
+    #[error("{}", ReadProblem::TooLarge)]
     TooLarge,
     /// A picture that holds no figure.
     #[error(transparent)]

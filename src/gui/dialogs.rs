@@ -12,7 +12,7 @@ use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row};
 use super::state::{Dialog, Purpose, State};
 use crate::appearance::Theme;
-use crate::i18n::canvas::canvas;
+use crate::i18n::canvas;
 use crate::i18n::window::{self, Texts};
 use crate::limits::MAX_SIDE;
 use crate::views::{View, Views};
@@ -201,7 +201,7 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Fiel
 }
 
 fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
-    let pictures = canvas(state.settings.lang);
+    let pictures = canvas::texts(state.settings.lang);
     let keys = [
         (t.show_world, pictures.keys_in_world),
         (t.show_canonical, pictures.keys_in_canonical),

@@ -6,15 +6,6 @@ use crate::views::View;
 /// The texts of the canvas in one language, under a name that tells them from the window's, which are often at hand too.
 pub type CanvasTexts = Texts;
 
-/// The words of a language.
-#[must_use]
-pub const fn canvas(lang: Lang) -> &'static CanvasTexts {
-    match lang {
-        Lang::En => &EN,
-        Lang::PtBr => &PT_BR,
-    }
-}
-
 texts! {
     // Title of the world.
     world: "World", "Mundo";

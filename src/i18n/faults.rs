@@ -2,7 +2,9 @@
 
 use super::Lang;
 use super::cameras::{camera_wording, warning_wording};
+use super::scene_errors::scene_wording;
 use crate::camera::{CameraError, Warning};
+use crate::scene::SceneError;
 
 /// Why camera parameters are not a camera.
 #[must_use]
@@ -14,4 +16,10 @@ pub fn camera_error(lang: Lang, error: &CameraError) -> String {
 #[must_use]
 pub fn warning(lang: Lang, warning: &Warning) -> String {
     warning_wording(lang, warning).in_symbols
+}
+
+/// Why an object or a light cannot be so.
+#[must_use]
+pub fn scene_error(lang: Lang, error: &SceneError) -> String {
+    scene_wording(lang, error).in_symbols
 }

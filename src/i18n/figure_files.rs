@@ -3,11 +3,9 @@
 use super::Lang;
 use super::cameras::camera;
 use super::expressions::in_expression;
-use super::meshes::mesh;
+use super::scene_errors::scene_wording;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
-use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
-use crate::scene::SceneError;
 
 /// Why a text is not a figure: line, key, what was found, what is allowed.
 #[must_use]
@@ -80,67 +78,8 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
                 Lang::PtBr => format!("está faltando; necessário: {allowed}"),
             }
         }
-        Problem::Scene { error, near } => in_scene(lang, error, near.as_deref()),
+        Problem::Scene { error, near } => scene_wording(lang, error).full + &meant(lang, near.as_deref()),
         Problem::Camera(error) => camera(lang, error),
-    }
-}
-
-/// What is wrong with a key of the scene, after the key.
-fn in_scene(lang: Lang, error: &SceneError, near: Option<&str>) -> String {
-    match (lang, error) {
-        (Lang::En, SceneError::DuplicateName { name }) => {
-            format!("is {name:?}, as an object before it; allowed: a name of its own")
-        }
-        (Lang::PtBr, SceneError::DuplicateName { name }) => {
-            format!("é {name:?}, como um objeto anterior; permitido: um nome próprio")
-        }
-        (Lang::En, SceneError::UnknownParent { parent, .. }) => {
-            let near = meant(lang, near);
-            format!("is {parent:?}, and no object is called so{near}; allowed: the name of an object")
-        }
-        (Lang::PtBr, SceneError::UnknownParent { parent, .. }) => {
-            let near = meant(lang, near);
-            format!("é {parent:?}, e nenhum objeto se chama assim{near}; permitido: o nome de um objeto")
-        }
-        (Lang::En, SceneError::Cycle { chain }) => {
-            format!("goes round in a circle ({}); allowed: parents that form a tree", chain.join(" → "))
-        }
-        (Lang::PtBr, SceneError::Cycle { chain }) => {
-            format!("forma um ciclo ({}); permitido: pais que formem uma árvore", chain.join(" → "))
-        }
-        (Lang::En, SceneError::NotFinite { .. }) => {
-            "leads to numbers that are not finite; allowed: transforms whose product stays below about 1e308".to_owned()
-        }
-        (Lang::PtBr, SceneError::NotFinite { .. }) => {
-            "leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308"
-                .to_owned()
-        }
-        (Lang::En, SceneError::ZeroScale { .. }) => "is 0 along an axis; allowed: any other numbers".to_owned(),
-        (Lang::PtBr, SceneError::ZeroScale { .. }) => {
-            "é 0 em algum eixo; permitido: quaisquer outros números".to_owned()
-        }
-        (_, SceneError::Segments { found, .. }) => {
-            let allowed = Allowed::IntegerIn(i64::from(MIN_SEGMENTS), i64::from(MAX_SEGMENTS));
-            problem(lang, &Problem::Value { found: found.to_string(), allowed })
-        }
-        (_, SceneError::Mesh { path, error, .. }) => format!("{path:?}: {}", mesh(lang, error)),
-        (Lang::En, SceneError::Light { .. }) => "must be three finite numbers, not all 0 for a direction".to_owned(),
-        (Lang::PtBr, SceneError::Light { .. }) => "deve ter três números finitos, nem todos 0 numa direção".to_owned(),
-    }
-}
-
-/// Why the objects and lights of a figure make no scene; names the object and the key.
-#[must_use]
-pub fn scene(lang: Lang, error: &SceneError) -> String {
-    let (key, why) = (error.key(), in_scene(lang, error, None));
-    match error {
-        SceneError::DuplicateName { .. } | SceneError::Cycle { .. } => format!("[[scene.objects]] {key} {why}"),
-        SceneError::UnknownParent { name, .. }
-        | SceneError::Mesh { name, .. }
-        | SceneError::NotFinite { name, .. }
-        | SceneError::ZeroScale { name }
-        | SceneError::Segments { name, .. } => format!("[[scene.objects]] {name:?}: {key} {why}"),
-        SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
     }
 }
 

@@ -4,32 +4,25 @@ use super::Lang;
 use super::unreadable::unreadable;
 use crate::scene::{GltfFault, MeshError, ObjFault};
 
-/// Why a mesh file cannot be used.
+/// Why a mesh file cannot be used. In English it is the error's own words.
 pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
-    let text = |en: &str, pt: &str| match lang {
-        Lang::En => en.to_owned(),
-        Lang::PtBr => pt.to_owned(),
-    };
-    match error {
-        MeshError::Unreadable(error) => unreadable(lang, error),
-        MeshError::Format => text(
-            "the format is not known; allowed: a name that ends with .obj, .gltf or .glb",
-            "o formato não é conhecido; permitido: um nome que termine com .obj, .gltf ou .glb",
-        ),
-        MeshError::Empty => text("there is no face in it", "não há nenhuma face nele"),
-        MeshError::TooLarge => text("it has too many vertices", "ele tem vértices demais"),
-        MeshError::Obj { line, fault } => format!("{} {line}: {}", text("line", "linha"), obj(lang, fault)),
-        MeshError::Json { line, column, detail } => {
-            format!("{} {line}, {} {column}: {detail}", text("line", "linha"), text("column", "coluna"))
+    match (lang, error) {
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, MeshError::Unreadable(error)) => unreadable(lang, error),
+        (Lang::PtBr, MeshError::Format) => {
+            "o formato não é conhecido; permitido: um nome que termine com .obj, .gltf ou .glb".to_owned()
         }
-        MeshError::Gltf { place, fault } if place.is_empty() => gltf(lang, fault),
-        MeshError::Gltf { place, fault } => format!("{place}: {}", gltf(lang, fault)),
+        (Lang::PtBr, MeshError::Empty) => "não há nenhuma face nele".to_owned(),
+        (Lang::PtBr, MeshError::TooLarge) => "ele tem vértices demais".to_owned(),
+        (Lang::PtBr, MeshError::Obj { line, fault }) => format!("linha {line}: {}", obj_in_portuguese(fault)),
+        (Lang::PtBr, MeshError::Json { line, column, detail }) => format!("linha {line}, coluna {column}: {detail}"),
+        (Lang::PtBr, MeshError::Gltf { place, fault }) if place.is_empty() => gltf_in_portuguese(fault),
+        (Lang::PtBr, MeshError::Gltf { place, fault }) => format!("{place}: {}", gltf_in_portuguese(fault)),
     }
 }
 
-fn obj(lang: Lang, fault: &ObjFault) -> String {
+fn obj_in_portuguese(fault: &ObjFault) -> String {
     match fault {
-        _ if lang == Lang::En => fault.to_string(),
         ObjFault::Number { found } => format!("\"{found}\" não é um número finito"),
         ObjFault::Coordinates { found } => format!("há {found} coordenadas; são necessárias 3"),
         ObjFault::Corners { found } => format!("uma face com {found} vértices; são necessários pelo menos 3"),
@@ -42,10 +35,9 @@ fn obj(lang: Lang, fault: &ObjFault) -> String {
     }
 }
 
-fn gltf(lang: Lang, fault: &GltfFault) -> String {
+fn gltf_in_portuguese(fault: &GltfFault) -> String {
     match fault {
-        GltfFault::File { uri, error } => format!("\"{uri}\": {}", unreadable(lang, error)),
-        _ if lang == Lang::En => fault.to_string(),
+        GltfFault::File { uri, error } => format!("\"{uri}\": {}", unreadable(Lang::PtBr, error)),
         GltfFault::Container { detail } => format!("o arquivo GLB não é válido ({detail})"),
         GltfFault::Value => "um valor que o glTF não permite".to_owned(),
         GltfFault::Missing => "está faltando".to_owned(),

@@ -14,6 +14,15 @@ macro_rules! texts {
         static EN: Texts = Texts { lang: crate::i18n::Lang::En, $($name: $en,)* };
         static PT_BR: Texts = Texts { lang: crate::i18n::Lang::PtBr, $($name: $pt,)* };
 
+        /// The words of a language.
+        #[must_use]
+        pub const fn texts(lang: crate::i18n::Lang) -> &'static Texts {
+            match lang {
+                crate::i18n::Lang::En => &EN,
+                crate::i18n::Lang::PtBr => &PT_BR,
+            }
+        }
+
         impl Texts {
             /// Name and text of each entry, for tests.
             #[must_use]
@@ -35,9 +44,12 @@ mod meshes;
 pub mod messages;
 pub mod pictures;
 pub mod pipeline;
+pub mod reasons;
+mod scene_errors;
 pub mod scenes;
 mod unreadable;
 pub mod window;
+mod wording;
 
 /// A language of the interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -47,4 +59,28 @@ pub enum Lang {
     En,
     /// Brazilian Portuguese.
     PtBr,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Lang, canvas, pictures, reasons, scenes};
+
+    /// The words of the window itself have a test of their own, in the window.
+    #[test]
+    fn both_languages_are_complete_and_differ() {
+        let mut same = Vec::new();
+        let mut check = |en: Vec<(&'static str, &'static str)>, pt: Vec<(&'static str, &'static str)>| {
+            for ((name, en), (_, pt)) in en.into_iter().zip(pt) {
+                assert!(!en.trim().is_empty() && !pt.trim().is_empty(), "{name}");
+                if en == pt {
+                    same.push(name);
+                }
+            }
+        };
+        check(canvas::texts(Lang::En).entries(), canvas::texts(Lang::PtBr).entries());
+        check(pictures::texts(Lang::En).entries(), pictures::texts(Lang::PtBr).entries());
+        check(reasons::texts(Lang::En).entries(), reasons::texts(Lang::PtBr).entries());
+        check(scenes::texts(Lang::En).entries(), scenes::texts(Lang::PtBr).entries());
+        assert_eq!(same, ["strip", "space_ndc", "space_pixel", "space_viewport", "outcode", "shape_cone"]);
+    }
 }

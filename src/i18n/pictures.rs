@@ -1,52 +1,62 @@
 //! The words in the three pictures.
 
+use super::Lang;
 use crate::views::Labels;
 
-use super::Lang;
+texts! {
+    window: "window", "janela";
+    near: "near", "frente";
+    far: "far", "fundo";
+    before: "before", "antes";
+    depth_stored: "depth buffer: Z (5.25)", "z-buffer: Z (5.25)";
+    depth_linear: "distance from the eye", "distância ao olho";
+    nothing: "nothing here", "nada aqui";
+    outside: "outside the volume", "fora do volume";
+    cuts: "made by clipping", "criado pelo recorte";
+    back_faces: "back faces: culled", "faces de trás: descartadas";
+    dropped: "outside: dropped whole", "fora: descartado inteiro";
+    outside_of: "outside", "fora";
+    divided_first: "divided before clipping", "dividido antes do recorte";
+    wrong: "wrong", "errado";
+    no_difference: "nothing wrong falls into the volume", "nada de errado cai no volume";
+    // The planes, outside of which an object is.
+    plane_left: "left", "esquerda";
+    plane_right: "right", "direita";
+    plane_bottom: "bottom", "baixo";
+    plane_top: "top", "topo";
+    plane_near: "near", "frente";
+    plane_far: "far", "fundo";
+}
 
-const EN: Labels = Labels {
-    window: "window",
-    near: "near",
-    far: "far",
-    before: "before",
-    depth_stored: "depth buffer: Z (5.25)",
-    depth_linear: "distance from the eye",
-    nothing: "nothing here",
-    outside: "outside the volume",
-    cuts: "made by clipping",
-    back_faces: "back faces: culled",
-    dropped: "outside: dropped whole",
-    outside_of: "outside",
-    planes: ["left", "right", "bottom", "top", "near", "far"],
-    divided_first: "divided before clipping",
-    wrong: "wrong",
-    no_difference: "nothing wrong falls into the volume",
-};
-
-const PT_BR: Labels = Labels {
-    window: "janela",
-    near: "frente",
-    far: "fundo",
-    before: "antes",
-    depth_stored: "z-buffer: Z (5.25)",
-    depth_linear: "distância ao olho",
-    nothing: "nada aqui",
-    outside: "fora do volume",
-    cuts: "criado pelo recorte",
-    back_faces: "faces de trás: descartadas",
-    dropped: "fora: descartado inteiro",
-    outside_of: "fora",
-    planes: ["esquerda", "direita", "baixo", "topo", "frente", "fundo"],
-    divided_first: "dividido antes do recorte",
-    wrong: "errado",
-    no_difference: "nada de errado cai no volume",
-};
+static LABELS_EN: Labels = of(&EN);
+static LABELS_PT_BR: Labels = of(&PT_BR);
 
 /// The words of a language.
 #[must_use]
 pub const fn labels(lang: Lang) -> &'static Labels {
     match lang {
-        Lang::En => &EN,
-        Lang::PtBr => &PT_BR,
+        Lang::En => &LABELS_EN,
+        Lang::PtBr => &LABELS_PT_BR,
+    }
+}
+
+const fn of(t: &Texts) -> Labels {
+    Labels {
+        window: t.window,
+        near: t.near,
+        far: t.far,
+        before: t.before,
+        depth_stored: t.depth_stored,
+        depth_linear: t.depth_linear,
+        nothing: t.nothing,
+        outside: t.outside,
+        cuts: t.cuts,
+        back_faces: t.back_faces,
+        dropped: t.dropped,
+        outside_of: t.outside_of,
+        divided_first: t.divided_first,
+        wrong: t.wrong,
+        no_difference: t.no_difference,
+        planes: [t.plane_left, t.plane_right, t.plane_bottom, t.plane_top, t.plane_near, t.plane_far],
     }
 }

@@ -1,17 +1,7 @@
-//! The words of the scene: its tree, its objects and lights, and what is wrong with them.
+//! The words of the scene: its tree, its objects and lights.
 
-use super::{Lang, meshes};
-use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
-use crate::scene::{Beyond, LightSpec, SceneError, Shape};
-
-/// The words of a language.
-#[must_use]
-pub fn texts(lang: Lang) -> &'static Texts {
-    match lang {
-        Lang::En => &EN,
-        Lang::PtBr => &PT_BR,
-    }
-}
+use super::Lang;
+use crate::scene::{Beyond, LightSpec, Shape};
 
 texts! {
     drawing: "Drawing", "Desenho";
@@ -170,53 +160,4 @@ pub fn beyond(lang: Lang, lost: &[Beyond]) -> String {
         (Lang::PtBr, Beyond::Rays) => "as setas da construção",
     };
     lost.iter().map(word).collect::<Vec<_>>().join("; ")
-}
-
-/// Why an object or a light cannot be so, beside its field.
-#[must_use]
-pub fn scene_error(lang: Lang, error: &SceneError) -> String {
-    let t = texts(lang);
-    let say = |en: &str, pt_br: &str| (if lang == Lang::PtBr { pt_br } else { en }).to_owned();
-    match error {
-        SceneError::DuplicateName { .. } => t.name_taken.to_owned(),
-        SceneError::UnknownParent { parent, .. } => {
-            say(&format!("there is no object “{parent}”"), &format!("não há objeto “{parent}”"))
-        }
-        SceneError::Cycle { chain } => {
-            let chain = chain.join(" → ");
-            say(&format!("parents go round in a circle: {chain}"), &format!("os pais formam um ciclo: {chain}"))
-        }
-        SceneError::NotFinite { .. } => say(
-            "in the world these numbers exceed their range (about 1e308)",
-            "no mundo estes números saem da faixa (cerca de 1e308)",
-        ),
-        SceneError::ZeroScale { .. } => {
-            say("the scale must not be 0 along any axis", "a escala não pode ser 0 em nenhum eixo")
-        }
-        SceneError::Segments { .. } => say(
-            &format!("allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}"),
-            &format!("permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
-        ),
-        SceneError::Mesh { path, error, .. } => format!("{path}: {}", meshes::mesh(lang, error)),
-        SceneError::Light { key: "direction", .. } => say("the direction must not be 0", "a direção não pode ser nula"),
-        SceneError::Light { .. } => say("a finite position is needed", "a posição tem de ser finita"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn both_languages_are_complete_and_differ() {
-        let same: Vec<_> = texts(Lang::En)
-            .entries()
-            .into_iter()
-            .zip(texts(Lang::PtBr).entries())
-            .inspect(|((name, en), (_, pt))| assert!(!en.trim().is_empty() && !pt.trim().is_empty(), "{name}"))
-            .filter(|((_, en), (_, pt))| en == pt)
-            .map(|((name, _), _)| name)
-            .collect();
-        assert_eq!(same, ["shape_cone"]);
-    }
 }

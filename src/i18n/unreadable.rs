@@ -1,85 +1,44 @@
-//! What keeps a file from being read, in both languages.
+//! What keeps a file from being read, in both languages. In English it is the error's own words.
 
 use std::io;
 
 use super::Lang;
 use crate::limits::MAX_FILE_BYTES;
-use crate::scene::{ReadError, ReadProblem};
+use crate::scene::{ReadError, ReadProblem, system_words};
 
 /// Why a file that a scene names cannot be read.
 pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
-    let name = &error.file;
-    match &error.problem {
-        ReadProblem::System { kind, detail } => {
-            let why = system(lang, *kind, detail);
-            match lang {
-                Lang::En => format!("{name} cannot be read: {why}"),
-                Lang::PtBr => format!("{name} não pode ser lido: {why}"),
-            }
+    format!("{} {}", error.file, read_problem(lang, &error.problem))
+}
+
+/// What keeps a file from being read, after its name.
+pub(super) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
+    match (lang, problem) {
+        (Lang::En, problem) => problem.to_string(),
+        (Lang::PtBr, ReadProblem::System { kind, detail }) => {
+            format!("não pode ser lido: {}", system_in_portuguese(*kind, detail))
         }
-        ReadProblem::Directory => directory(lang, name),
-        ReadProblem::TooLarge => too_large(lang, name),
-        ReadProblem::NotRegular => not_regular(lang, name),
-        ReadProblem::Network => network(lang, name),
-    }
-}
-
-pub(super) fn directory(lang: Lang, name: &str) -> String {
-    match lang {
-        Lang::En => format!("{name} is a directory; allowed: a file"),
-        Lang::PtBr => format!("{name} é um diretório; permitido: um arquivo"),
-    }
-}
-
-pub(super) fn too_large(lang: Lang, name: &str) -> String {
-    let gib = MAX_FILE_BYTES >> 30;
-    match lang {
-        Lang::En => format!("{name} is larger than any figure or picture; allowed: at most {gib} GiB"),
-        Lang::PtBr => format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB"),
-    }
-}
-
-pub(super) fn not_regular(lang: Lang, name: &str) -> String {
-    match lang {
-        Lang::En => format!("{name} is a device, a pipe or a socket; allowed: a regular file"),
-        Lang::PtBr => format!("{name} é um dispositivo, um pipe ou um socket; permitido: um arquivo comum"),
-    }
-}
-
-pub(super) fn network(lang: Lang, name: &str) -> String {
-    match lang {
-        Lang::En => format!("{name} is on another machine; allowed: files of this one"),
-        Lang::PtBr => format!("{name} está em outra máquina; permitido: arquivos desta"),
+        (Lang::PtBr, ReadProblem::Directory) => "é um diretório; permitido: um arquivo".to_owned(),
+        (Lang::PtBr, ReadProblem::TooLarge) => {
+            let gib = MAX_FILE_BYTES >> 30;
+            format!("é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB")
+        }
+        (Lang::PtBr, ReadProblem::NotRegular) => {
+            "é um dispositivo, um pipe ou um socket; permitido: um arquivo comum".to_owned()
+        }
+        (Lang::PtBr, ReadProblem::Network) => "está em outra máquina; permitido: arquivos desta".to_owned(),
     }
 }
 
 /// What the system said, in our words where the case is common.
-pub(super) fn system(lang: Lang, kind: io::ErrorKind, detail: &str) -> String {
+pub(super) fn system_in_portuguese(kind: io::ErrorKind, detail: &str) -> &str {
     match kind {
-        io::ErrorKind::NotFound => match lang {
-            Lang::En => "there is no such file or directory".to_owned(),
-            Lang::PtBr => "o arquivo ou diretório não existe".to_owned(),
-        },
-        io::ErrorKind::PermissionDenied => match lang {
-            Lang::En => "permission denied".to_owned(),
-            Lang::PtBr => "permissão negada".to_owned(),
-        },
-        io::ErrorKind::IsADirectory => match lang {
-            Lang::En => "it is a directory".to_owned(),
-            Lang::PtBr => "é um diretório".to_owned(),
-        },
-        io::ErrorKind::NotADirectory => match lang {
-            Lang::En => "a part of the path is not a directory".to_owned(),
-            Lang::PtBr => "uma parte do caminho não é um diretório".to_owned(),
-        },
-        io::ErrorKind::StorageFull => match lang {
-            Lang::En => "the disk is full".to_owned(),
-            Lang::PtBr => "o disco está cheio".to_owned(),
-        },
-        io::ErrorKind::ReadOnlyFilesystem => match lang {
-            Lang::En => "the disk is read-only".to_owned(),
-            Lang::PtBr => "o disco é somente de leitura".to_owned(),
-        },
-        _ => detail.to_owned(),
+        io::ErrorKind::NotFound => "o arquivo ou diretório não existe",
+        io::ErrorKind::PermissionDenied => "permissão negada",
+        io::ErrorKind::IsADirectory => "é um diretório",
+        io::ErrorKind::NotADirectory => "uma parte do caminho não é um diretório",
+        io::ErrorKind::StorageFull => "o disco está cheio",
+        io::ErrorKind::ReadOnlyFilesystem => "o disco é somente de leitura",
+        _ => system_words(kind, detail),
     }
 }

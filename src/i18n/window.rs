@@ -1,16 +1,5 @@
 //! The words of the window.
 
-use crate::i18n::Lang;
-
-/// The words of a language.
-#[must_use]
-pub fn texts(lang: Lang) -> &'static Texts {
-    match lang {
-        Lang::En => &EN,
-        Lang::PtBr => &PT_BR,
-    }
-}
-
 texts! {
     // Menus and commands: label, then what the tooltip adds.
     menu_file: "File", "Arquivo";

@@ -3,17 +3,18 @@
 use super::MeshError;
 use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 
-/// Why a specification is not a scene.
+/// Why a specification is not a scene. Displayed, it says what is wrong with [`key`](Self::key) of [`object`](Self::object), which
+/// come before it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// Two objects have one name.
-    #[error("two objects are named \"{name}\"; each name must be used once")]
+    #[error("is {name:?}, as an object before it; allowed: a name of its own")]
     DuplicateName {
         /// The name.
         name: String,
     },
     /// An object's parent does not exist.
-    #[error("object \"{name}\": there is no object \"{parent}\" that could be its parent")]
+    #[error("is {parent:?}, and no object is called so; allowed: the name of an object")]
     UnknownParent {
         /// The object.
         name: String,
@@ -21,13 +22,13 @@ pub enum SceneError {
         parent: String,
     },
     /// An object is its own ancestor.
-    #[error("object \"{}\" is its own ancestor: {}", chain.first().map_or("", String::as_str), chain.join(" → "))]
+    #[error("goes round in a circle ({}); allowed: parents that form a tree", chain.join(" → "))]
     Cycle {
         /// From the object over its ancestors back to itself.
         chain: Vec<String>,
     },
     /// A number is infinite or not a number.
-    #[error("object \"{name}\": {key} has a value that is not finite")]
+    #[error("leads to numbers that are not finite; allowed: transforms whose product stays below about 1e308")]
     NotFinite {
         /// The object.
         name: String,
@@ -36,13 +37,13 @@ pub enum SceneError {
         key: &'static str,
     },
     /// A scale of zero makes a solid flat.
-    #[error("object \"{name}\": scale must not be 0 along any axis")]
+    #[error("is 0 along an axis; allowed: any other numbers")]
     ZeroScale {
         /// The object.
         name: String,
     },
     /// `segments` is out of its range.
-    #[error("object \"{name}\": segments is {found}; allowed: {MIN_SEGMENTS} to {MAX_SEGMENTS}")]
+    #[error("is {found}; allowed: an integer from {MIN_SEGMENTS} to {MAX_SEGMENTS}")]
     Segments {
         /// The object.
         name: String,
@@ -50,7 +51,7 @@ pub enum SceneError {
         found: u32,
     },
     /// A mesh file cannot be used.
-    #[error("object \"{name}\": mesh file \"{path}\": {error}")]
+    #[error("{path:?}: {error}")]
     Mesh {
         /// The object.
         name: String,
@@ -60,7 +61,7 @@ pub enum SceneError {
         error: MeshError,
     },
     /// A light has no direction, or a number that is not finite.
-    #[error("light {}: {key} must be finite{}", index + 1, if *key == "direction" { " and not zero" } else { "" })]
+    #[error("must be three finite numbers, not all 0 for a direction")]
     Light {
         /// Its place in the list, from 0.
         index: usize,

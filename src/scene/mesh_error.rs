@@ -10,7 +10,7 @@ pub enum MeshError {
     #[error(transparent)]
     Unreadable(Box<ReadError>),
     /// The ending of its name says nothing.
-    #[error("the format is not known; the name must end with .obj, .gltf or .glb")]
+    #[error("the format is not known; allowed: a name that ends with .obj, .gltf or .glb")]
     Format,
     /// It has no faces.
     #[error("there is no face in it")]
@@ -37,7 +37,7 @@ pub enum MeshError {
         detail: String,
     },
     /// A glTF file is not as it should be.
-    #[error("{place}: {fault}")]
+    #[error("{place}{}{fault}", if place.is_empty() { "" } else { ": " })]
     Gltf {
         /// Such as `accessors[3]`; empty when it is the file as a whole.
         place: String,

@@ -31,7 +31,7 @@ pub use import::MeshFiles;
 pub use mesh::Mesh;
 pub use mesh_error::{GltfFault, MeshError, ObjFault};
 pub use presets::{Beyond, objects as preset_objects};
-pub use read_error::{ReadError, ReadFile, ReadProblem, no_files};
+pub use read_error::{ReadError, ReadFile, ReadProblem, no_files, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
 pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 

@@ -129,7 +129,7 @@ impl Canvas {
         let room = ui.available_rect_before_wrap();
         ui.take_available_space();
         ui.painter().rect_filled(room, 0.0, ui.visuals().panel_fill);
-        let texts = words::canvas(state.settings.lang);
+        let texts = words::texts(state.settings.lang);
         let lines = status::height(ui, room.width());
         let (room, lines) = room.split_top_bottom_at_y((room.bottom() - lines).max(room.top()));
         let stages = if state.layout.strip { strip::height(ui, room.width()) } else { 0.0 };
@@ -286,7 +286,7 @@ impl Canvas {
             if let Some(rendered) = done {
                 let (tiles, account) = rendered.map_or((None, None), |r| (Some(r.tiles), r.account));
                 self.accounts[view.index()] = account;
-                self.textures[view.index()].set(ctx, words::canvas(state.settings.lang).view(view), tiles);
+                self.textures[view.index()].set(ctx, words::texts(state.settings.lang).view(view), tiles);
             }
         }
         let palette = Palette::of(figure.style.theme);

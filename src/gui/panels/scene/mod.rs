@@ -168,7 +168,7 @@ impl Form {
             super::complaint(ui, &error.text(self.window.lang));
         }
         if let Some(error) = self.error.as_ref().filter(|_| self.is_marked(object, key)) {
-            super::complaint(ui, &scenes::scene_error(self.lang, error));
+            super::complaint(ui, &crate::i18n::faults::scene_error(self.lang, error));
         }
     }
 

@@ -370,7 +370,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
         state.tree.typing = Some(typing);
     }
     if let Some(error) = state.scene_cache.problem_of(owner) {
-        complaint(ui, &scenes::scene_error(state.settings.lang, &error));
+        complaint(ui, &crate::i18n::faults::scene_error(state.settings.lang, &error));
         if ui.button(t.read_again).on_hover_text(t.read_again_hint).clicked() {
             state.scene_cache.read_again();
             state.message = None;

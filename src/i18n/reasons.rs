@@ -1,0 +1,194 @@
+//! Why stages run, and why they are left out.
+
+use super::Lang;
+use crate::pipeline::{PlaneSet, Reason};
+
+texts! {
+    always: "every picture needs it", "toda imagem precisa dela";
+    nothing_in_view: "nothing is in view", "não há nada no campo de visão";
+    something_in_view: "something is in view", "há algo no campo de visão";
+    forced: "not needed; it runs because all stages were asked for", "desnecessária; é executada porque todas foram pedidas";
+    no_objects: "there are no objects", "não há objetos";
+    wireframe: "wireframe: only edges are drawn", "aramado: só as arestas são desenhadas";
+    no_faces: "no object in view has faces", "nenhum objeto visível tem faces";
+    no_light: "there is no light: faces show their own colour", "não há luz: as faces mostram a própria cor";
+    unlit: "no object in view takes light", "nenhum objeto visível recebe luz";
+    flat_shading: "flat shading: one light for each face needs no normals of vertices", "sombreamento constante: uma luz por face dispensa as normais dos vértices";
+    both_sides_seen: "both sides of all faces may be seen: they are two-sided or translucent", "os dois lados das faces podem ser vistos: são de dois lados ou translúcidas";
+    no_face_left: "no face is left: all were dropped or clipped away before", "não sobra nenhuma face: todas foram descartadas ou recortadas antes";
+    symmetric_window: "symmetric window: l = −r and b = −t, so these terms are 0", "janela simétrica: l = −r e b = −t, logo esses termos são 0";
+    oblique_window: "the axis of projection does not go through the middle of the window", "o eixo de projeção não passa pelo meio da janela";
+    parallel_projection: "parallel projection: w is 1 everywhere", "projeção paralela: w vale 1 em toda parte";
+    perspective_projection: "perspective: w is the distance from the eye", "perspectiva: w é a distância ao olho";
+    one_color_a_face: "every face has one colour", "cada face tem uma só cor";
+    convex_alone: "a single convex closed object hides nothing of itself once its back faces are gone", "um só objeto convexo e fechado não esconde nada de si sem as faces de trás";
+    hides_itself: "depth buffer: an object that is not convex, or open, may hide itself", "buffer de profundidade: um objeto não convexo, ou aberto, pode se esconder";
+    lines_ask_for_depth: "depth buffer: hidden parts of lines, marks or texts are drawn otherwise", "buffer de profundidade: as partes ocultas de linhas, marcas ou textos são desenhadas de outro modo";
+    painted_by_centroid: "painter: from back to front by centroid", "pintor: de trás para a frente, pelo centroide";
+    painted_by_splitting: "BSP: from back to front, split where faces cross each other's planes", "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras";
+    no_depth_buffer: "BSP: the output has no depth buffer; from back to front, split where faces cross each other's planes", "BSP: a saída não tem buffer de profundidade; de trás para a frente, com as faces divididas pelos planos umas das outras";
+    no_texture: "no object has a picture on it", "nenhum objeto tem imagem sobre ele";
+    all_opaque: "everything in view is opaque", "tudo que se vê é opaco";
+    one_sample: "one sample for each pixel", "uma amostra por pixel";
+    lines_in_view: "edges, lines, marks or texts are to be drawn", "há arestas, linhas, marcas ou textos a desenhar";
+    depths_shown: "the picture shows depths instead of colours", "a imagem mostra profundidades em vez de cores";
+    divided_first: "after the divide, as asked for: too late, what is behind the eye has folded over", "depois da divisão, como foi pedido: tarde demais, o que está atrás do olho já dobrou para a frente";
+    no_lines: "nothing but faces is in view", "só há faces no campo de visão";
+}
+
+/// Why a stage runs, or why it is left out.
+#[must_use]
+pub fn reason(lang: Lang, reason: Reason) -> String {
+    let t = texts(lang);
+    let objects = |n: usize| match (lang, n) {
+        (Lang::En, 1) => "1 object".to_owned(),
+        (Lang::En, n) => format!("{n} objects"),
+        (Lang::PtBr, 1) => "1 objeto".to_owned(),
+        (Lang::PtBr, n) => format!("{n} objetos"),
+    };
+    let n_of = |n: usize, of: usize| match lang {
+        Lang::En => format!("{n} of {}", objects(of)),
+        Lang::PtBr => format!("{n} de {}", objects(of)),
+    };
+    match reason {
+        Reason::Always => t.always.to_owned(),
+        Reason::NothingInView => t.nothing_in_view.to_owned(),
+        Reason::SomethingInView => t.something_in_view.to_owned(),
+        Reason::FacesInView { objects: n } => match lang {
+            Lang::En => format!("faces of {} are in view", objects(n)),
+            Lang::PtBr => format!("há faces de {} no campo de visão", objects(n)),
+        },
+        Reason::Forced => t.forced.to_owned(),
+        Reason::Outside { outside, of } => match lang {
+            Lang::En => format!("{}: all of the bounding box is outside one plane of the volume", n_of(outside, of)),
+            Lang::PtBr => format!("{}: toda a caixa envolvente está fora de um plano do volume", n_of(outside, of)),
+        },
+        Reason::NoneOutside { of: 0 } => t.no_objects.to_owned(),
+        Reason::NoneOutside { of } => match lang {
+            Lang::En => match of {
+                1 => "the object is not wholly outside the volume".to_owned(),
+                of => format!("none of {} is wholly outside the volume", objects(of)),
+            },
+            Lang::PtBr => match of {
+                1 => "o objeto não está totalmente fora do volume".to_owned(),
+                of => format!("nenhum de {} está totalmente fora do volume", objects(of)),
+            },
+        },
+        Reason::Wireframe => t.wireframe.to_owned(),
+        Reason::NoFaces => t.no_faces.to_owned(),
+        Reason::NoLight => t.no_light.to_owned(),
+        Reason::Unlit { .. } => t.unlit.to_owned(),
+        Reason::FlatShading => t.flat_shading.to_owned(),
+        Reason::LitFaces { objects: n } => match lang {
+            Lang::En => format!("one colour for each face of {}", objects(n)),
+            Lang::PtBr => format!("uma cor para cada face de {}", objects(n)),
+        },
+        Reason::LitVertices { objects: n } => match lang {
+            Lang::En => format!("one colour for each vertex of {}", objects(n)),
+            Lang::PtBr => format!("uma cor para cada vértice de {}", objects(n)),
+        },
+        Reason::LitPixels { objects: n } => match lang {
+            Lang::En => format!("Phong: light is computed at each pixel of {}", objects(n)),
+            Lang::PtBr => format!("Phong: a luz é calculada em cada pixel de {}", objects(n)),
+        },
+        Reason::LitVerticesAndPixels { vertices, pixels } => match lang {
+            Lang::En => format!(
+                "{} with colours at the vertices: light there; at each pixel of {}",
+                objects(vertices),
+                objects(pixels)
+            ),
+            Lang::PtBr => {
+                format!("{} com cores nos vértices: luz ali; em cada pixel de {}", objects(vertices), objects(pixels))
+            }
+        },
+        Reason::BackFaces { objects: n, of } => match lang {
+            Lang::En => format!("{}: closed or one-sided, so back faces cannot be seen", n_of(n, of)),
+            Lang::PtBr => {
+                format!("{}: em objetos fechados ou de um só lado, as faces de trás não se veem", n_of(n, of))
+            }
+        },
+        Reason::BothSidesSeen { .. } => t.both_sides_seen.to_owned(),
+        Reason::CutOpen { objects: n, of } => match lang {
+            Lang::En => {
+                format!("the near plane cuts {} open: the inside may be seen, so nothing is dropped", n_of(n, of))
+            }
+            Lang::PtBr => format!("o plano da frente abre {}: vê-se o interior, e nada é descartado", n_of(n, of)),
+        },
+        Reason::NoFaceLeft => t.no_face_left.to_owned(),
+        Reason::AllInside { objects: n } => match lang {
+            Lang::En => format!("{}: wholly inside the volume, so there is nothing to cut", objects(n)),
+            Lang::PtBr => format!("{}: por inteiro dentro do volume, logo não há o que cortar", objects(n)),
+        },
+        Reason::Crossing { objects: n, of, planes: crossed } => match lang {
+            Lang::En => match n {
+                1 => format!("{} may cross {}; only it is cut, and only there", n_of(n, of), planes(lang, crossed)),
+                _ => format!("{} may cross {}; only they are cut, and only there", n_of(n, of), planes(lang, crossed)),
+            },
+            Lang::PtBr => match n {
+                1 => format!("{} pode cruzar {}; só ele é cortado, e só ali", n_of(n, of), planes(lang, crossed)),
+                _ => format!("{} podem cruzar {}; só eles são cortados, e só ali", n_of(n, of), planes(lang, crossed)),
+            },
+        },
+        Reason::SymmetricWindow => t.symmetric_window.to_owned(),
+        Reason::ObliqueWindow => t.oblique_window.to_owned(),
+        Reason::ParallelProjection => t.parallel_projection.to_owned(),
+        Reason::PerspectiveProjection => t.perspective_projection.to_owned(),
+        Reason::OneColorAFace => t.one_color_a_face.to_owned(),
+        Reason::VariesOverFaces { objects: n } => match lang {
+            Lang::En => format!("colours vary over the faces of {}", objects(n)),
+            Lang::PtBr => format!("as cores variam sobre as faces de {}", objects(n)),
+        },
+        Reason::ConvexAlone => t.convex_alone.to_owned(),
+        Reason::SeveralObjects { objects: n } => match lang {
+            Lang::En => format!("depth buffer: faces of {} may hide each other", objects(n)),
+            Lang::PtBr => format!("buffer de profundidade: faces de {} podem se esconder", objects(n)),
+        },
+        Reason::HidesItself => t.hides_itself.to_owned(),
+        Reason::LinesAskForDepth => t.lines_ask_for_depth.to_owned(),
+        Reason::PaintedByCentroid => t.painted_by_centroid.to_owned(),
+        Reason::PaintedBySplitting => t.painted_by_splitting.to_owned(),
+        Reason::NoDepthBuffer => t.no_depth_buffer.to_owned(),
+        Reason::NoTexture => t.no_texture.to_owned(),
+        Reason::Textured { objects: n } => match lang {
+            Lang::En => format!("a picture on {}", objects(n)),
+            Lang::PtBr => format!("uma imagem sobre {}", objects(n)),
+        },
+        Reason::AllOpaque => t.all_opaque.to_owned(),
+        Reason::Translucent { objects: n } => match lang {
+            Lang::En => format!("something shows through {}", objects(n)),
+            Lang::PtBr => format!("algo se vê através de {}", objects(n)),
+        },
+        Reason::OneSample => t.one_sample.to_owned(),
+        Reason::Samples { samples } => match lang {
+            Lang::En => format!("{samples} samples for each pixel"),
+            Lang::PtBr => format!("{samples} amostras por pixel"),
+        },
+        Reason::LinesInView => t.lines_in_view.to_owned(),
+        Reason::DepthsShown => t.depths_shown.to_owned(),
+        Reason::DividedFirst => t.divided_first.to_owned(),
+        Reason::NoLines => t.no_lines.to_owned(),
+    }
+}
+
+/// The names of planes: "left and near".
+#[must_use]
+pub fn planes(lang: Lang, planes: PlaneSet) -> String {
+    let names = match lang {
+        Lang::En => ["left", "right", "bottom", "top", "near", "far"],
+        Lang::PtBr => ["esquerda", "direita", "baixo", "cima", "frente", "fundo"],
+    };
+    let names: Vec<&str> =
+        names.into_iter().enumerate().filter(|(i, _)| planes & (1 << i) != 0).map(|(_, name)| name).collect();
+    match names.as_slice() {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!(
+            "{}{}{last}",
+            first.join(", "),
+            match lang {
+                Lang::En => " and ",
+                Lang::PtBr => " e ",
+            }
+        ),
+    }
+}

@@ -1,0 +1,122 @@
+//! Why objects and lights make no scene, in both languages.
+
+use super::Lang;
+use super::meshes::mesh;
+use super::wording::Wording;
+use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::scene::SceneError;
+
+/// Why the objects and lights of a figure make no scene; names the object and the key.
+#[must_use]
+pub fn scene(lang: Lang, error: &SceneError) -> String {
+    let (key, why) = (error.key(), scene_wording(lang, error).full);
+    match error {
+        SceneError::DuplicateName { .. } | SceneError::Cycle { .. } => format!("[[scene.objects]] {key} {why}"),
+        SceneError::UnknownParent { name, .. }
+        | SceneError::Mesh { name, .. }
+        | SceneError::NotFinite { name, .. }
+        | SceneError::ZeroScale { name }
+        | SceneError::Segments { name, .. } => format!("[[scene.objects]] {name:?}: {key} {why}"),
+        SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
+    }
+}
+
+/// Why an object or a light cannot be so: in full as it stands after the key, else as it stands beside the field. The full form in
+/// English is the error's own.
+pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
+    let english = |beside_field: &str| Wording::new(error.to_string(), beside_field);
+    match (lang, error) {
+        (Lang::En, SceneError::DuplicateName { .. }) => english("another object has this name"),
+        (Lang::PtBr, SceneError::DuplicateName { name }) => Wording::new(
+            format!("é {name:?}, como um objeto anterior; permitido: um nome próprio"),
+            "outro objeto tem este nome",
+        ),
+        (Lang::En, SceneError::UnknownParent { parent, .. }) => english(&format!("there is no object “{parent}”")),
+        (Lang::PtBr, SceneError::UnknownParent { parent, .. }) => Wording::new(
+            format!("é {parent:?}, e nenhum objeto se chama assim; permitido: o nome de um objeto"),
+            format!("não há objeto “{parent}”"),
+        ),
+        (Lang::En, SceneError::Cycle { chain }) => {
+            english(&format!("parents go round in a circle: {}", chain.join(" → ")))
+        }
+        (Lang::PtBr, SceneError::Cycle { chain }) => {
+            let chain = chain.join(" → ");
+            Wording::new(
+                format!("forma um ciclo ({chain}); permitido: pais que formem uma árvore"),
+                format!("os pais formam um ciclo: {chain}"),
+            )
+        }
+        (Lang::En, SceneError::NotFinite { .. }) => {
+            english("in the world these numbers exceed their range (about 1e308)")
+        }
+        (Lang::PtBr, SceneError::NotFinite { .. }) => Wording::new(
+            "leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308",
+            "no mundo estes números saem da faixa (cerca de 1e308)",
+        ),
+        (Lang::En, SceneError::ZeroScale { .. }) => english("the scale must not be 0 along any axis"),
+        (Lang::PtBr, SceneError::ZeroScale { .. }) => Wording::new(
+            "é 0 em algum eixo; permitido: quaisquer outros números",
+            "a escala não pode ser 0 em nenhum eixo",
+        ),
+        (Lang::En, SceneError::Segments { .. }) => {
+            english(&format!("allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}"))
+        }
+        (Lang::PtBr, SceneError::Segments { found, .. }) => Wording::new(
+            format!("é {found}; permitido: um inteiro de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
+            format!("permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
+        ),
+        (_, SceneError::Mesh { path, error, .. }) => {
+            let why = mesh(lang, error);
+            Wording::new(format!("{path:?}: {why}"), format!("{path}: {why}"))
+        }
+        (Lang::En, SceneError::Light { key: "direction", .. }) => english("the direction must not be 0"),
+        (Lang::En, SceneError::Light { .. }) => english("a finite position is needed"),
+        (Lang::PtBr, SceneError::Light { key, .. }) => Wording::new(
+            "deve ter três números finitos, nem todos 0 numa direção",
+            if *key == "direction" { "a direção não pode ser nula" } else { "a posição tem de ser finita" },
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::read;
+    use crate::i18n::messages::figure;
+    use crate::scene::{MeshError, ReadError, ReadProblem};
+
+    #[test]
+    fn every_error_is_worded_twice_in_both_languages() {
+        let (name, path) = (|| "a".to_owned(), "a.obj".to_owned());
+        let lost = ReadError { file: path.clone(), problem: ReadProblem::Directory };
+        for error in [
+            SceneError::DuplicateName { name: name() },
+            SceneError::UnknownParent { name: name(), parent: "b".to_owned() },
+            SceneError::Cycle { chain: vec![name(), name()] },
+            SceneError::NotFinite { name: name(), key: "translate" },
+            SceneError::ZeroScale { name: name() },
+            SceneError::Segments { name: name(), found: 2 },
+            SceneError::Mesh { name: name(), path, error: MeshError::Unreadable(Box::new(lost)) },
+            SceneError::Light { index: 0, key: "direction" },
+            SceneError::Light { index: 0, key: "position" },
+        ] {
+            let (en, pt) = (scene_wording(Lang::En, &error), scene_wording(Lang::PtBr, &error));
+            assert_eq!(en.full, error.to_string());
+            assert_ne!(en.full, pt.full);
+            assert_ne!(en.in_symbols, pt.in_symbols);
+            assert!(scene(Lang::PtBr, &error).ends_with(&pt.full));
+        }
+    }
+
+    #[test]
+    fn the_object_that_was_probably_meant_is_named_last() {
+        let text = "[scene]\npreset = \"empty\"\n[[scene.objects]]\nname = \"arm\"\n[[scene.objects]]\nname = \"hand\"\nparent = \"amr\"\n";
+        let error = read::parse(text).expect_err("a fault");
+        assert_eq!(
+            figure(Lang::En, &error),
+            "line 7: [[scene.objects]] parent is \"amr\", and no object is called so; allowed: the name of an object \
+             (did you mean arm?)"
+        );
+        assert!(figure(Lang::PtBr, &error).ends_with("o nome de um objeto (você quis dizer arm?)"));
+    }
+}
