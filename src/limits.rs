@@ -27,3 +27,6 @@ pub const MAX_FILE_BYTES: u64 = 1 << 30;
 /// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper ones
 /// would need more of the stack.
 pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
+
+/// The most undo steps that are kept: more than anybody goes back; a snapshot is a few kilobytes.
+pub const MAX_UNDO_STEPS: usize = 500;

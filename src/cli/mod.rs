@@ -12,7 +12,7 @@ mod render;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -20,7 +20,7 @@ use clap::Parser;
 use crate::camera::{Camera, Convention, ImageSize, Operation};
 use crate::figure::Figure;
 use crate::figure::read::line_of_object;
-use crate::files::{self, FileError, Opened};
+use crate::files::{self, FileError, Opened, SourceFile};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::inspect::{InspectError, camera_after};
 use crate::scene::Scene;
@@ -52,8 +52,8 @@ pub enum Asked {
 pub struct Opening {
     /// The figure; its camera is possible.
     pub figure: Figure,
-    /// Its file and the text in it; `None`: a new figure.
-    pub file: Option<(PathBuf, String)>,
+    /// Its file; `None`: a new figure.
+    pub file: Option<SourceFile>,
     /// The language of the window and of messages.
     pub lang: Lang,
 }

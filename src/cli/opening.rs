@@ -9,7 +9,8 @@ use crate::scene::Preset;
 pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure> {
     if let Some(path) = &args.figure {
         let (opened, _) = super::open(path, &args.common, lang)?;
-        return Ok(Opening { figure: opened.figure, file: Some((path.clone(), opened.text)), lang });
+        let (figure, file) = opened.at(path.clone());
+        return Ok(Opening { figure, file: Some(file), lang });
     }
     let mut figure = Figure::of_preset(Preset::default());
     super::operate(&mut figure, &args.common.operations(lang)?, args.common.convention())

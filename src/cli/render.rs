@@ -3,17 +3,16 @@
 use super::args::{LangArg, RenderArgs};
 use super::{Failure, open, scene};
 use crate::camera::ImageSize;
+use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
-use crate::picture::{Renderer, gap, requests};
+use crate::picture::{self, PictureError, gap, requests};
 use crate::views::{Request, SharedScene, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let name = args.output.display().to_string();
-    if !args.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
-        return Err(Failure::BadInput(texts::ending(lang, &name)));
-    }
+    let format = PictureFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::ending(lang, &name)))?;
     let (given, scale) = (args.size(lang)?, args.scale(lang)?);
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
     opened.figure.style.theme = args.theme().unwrap_or(opened.figure.style.theme);
@@ -29,10 +28,11 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let request = Request::of(figure, View::Image, &camera, &scene, labels, size);
     let request = Request { force_all_stages: args.force_all_stages, ..request };
     let requests = requests(args.view, &request, &figure.observers).ok_or_else(too_large)?;
-    let picture = Renderer::default().sheet(&requests).ok_or_else(too_large)?;
-    let bytes = picture
-        .into_png(&update(&opened.text, &opened.figure))
-        .map_err(|error| Failure::Failed(format!("{name}: {}", messages::png(lang, &error))))?;
+    let bytes =
+        picture::file(format, &requests, &update(&opened.text, &opened.figure)).map_err(|error| match error {
+            PictureError::TooLarge => too_large(),
+            PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
+        })?;
     files::save(&args.output, &bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }

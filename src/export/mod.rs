@@ -1,4 +1,5 @@
 //! Drawing or report → file formats.
 
+pub mod format;
 pub mod png;
 pub mod sheet;

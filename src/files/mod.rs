@@ -4,7 +4,7 @@ mod save;
 
 use std::fs::{self, File};
 use std::io::{self, Read as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::export::png::{self, PngError};
 use crate::figure::{Figure, FigureError, read};
@@ -53,6 +53,25 @@ pub struct Opened {
     pub text: String,
     /// True where the text came out of a picture: saving must not replace the picture by it.
     pub from_picture: bool,
+}
+
+/// The file that a figure came from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// The text of the figure file, so that saving keeps the comments.
+    pub text: String,
+    /// True where it is a picture that holds this text: saving must not replace the picture by it.
+    pub is_picture: bool,
+}
+
+impl Opened {
+    /// The figure, and the file with this path that it came from.
+    #[must_use]
+    pub fn at(self, path: PathBuf) -> (Figure, SourceFile) {
+        (self.figure, SourceFile { path, text: self.text, is_picture: self.from_picture })
+    }
 }
 
 /// Opens a figure file, or a PNG that holds one.

@@ -53,6 +53,14 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
             Dialog::Export(export) => ask_export(ui, t, state, export, first),
+            Dialog::Closing => {
+                text(ui, t.closing_title, t.closing_text);
+                match buttons(ui, t.cancel, &[t.close_now], first.then_some(CANCEL)) {
+                    Pressed::Action(_) => file_flow::close(ctx, state),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Closing),
+                }
+            }
             Dialog::Help => help(ui, t, state, first),
         }
     });

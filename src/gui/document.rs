@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
 use crate::figure::{Figure, Observers};
+use crate::files::SourceFile;
+use crate::limits::MAX_UNDO_STEPS;
 
 /// What one undo step brings back.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,20 +33,20 @@ pub struct Document {
     future: Vec<Snapshot>,
 }
 
-/// More steps than anybody goes back; a snapshot is a few kilobytes.
-const MAX_STEPS: usize = 500;
-
 impl Document {
     /// A document that has not been changed yet.
     ///
     /// # Errors
     /// [`CameraError`] where the figure's camera is impossible.
-    pub fn new(figure: Figure, file: Option<(PathBuf, String)>) -> Result<Self, CameraError> {
+    pub fn new(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
         let camera = Camera::new(&figure.camera)?;
-        let (path, source) = file.map_or((None, String::new()), |(path, source)| (Some(path), source));
-        let folder = path.as_deref().and_then(Path::parent).map(Path::to_owned);
-        // A picture holds a figure, but it is not a figure file: saving must not replace it.
-        let path = path.filter(|path| !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")));
+        let folder = file.as_ref().and_then(|file| file.path.parent()).map(Path::to_owned);
+        let (path, source) = match file {
+            // A picture holds a figure, but it is not a figure file: saving must not replace it.
+            Some(SourceFile { text, is_picture: true, .. }) => (None, text),
+            Some(SourceFile { path, text, is_picture: false }) => (Some(path), text),
+            None => (None, String::new()),
+        };
         Ok(Self {
             camera: camera.clone(),
             draft: figure.camera,
@@ -141,7 +143,7 @@ impl Document {
             return;
         }
         self.past.push(std::mem::replace(&mut self.committed, now));
-        if self.past.len() > MAX_STEPS {
+        if self.past.len() > MAX_UNDO_STEPS {
             self.past.remove(0);
         }
         self.future.clear();

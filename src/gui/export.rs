@@ -1,19 +1,22 @@
 //! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use eframe::egui;
 
 use super::document::Document;
-use super::worker::Worker;
+use super::worker::{Work, Worker};
 use crate::appearance::Theme;
-use crate::camera::Camera;
+use crate::camera::{Camera, CameraError};
 use crate::clock;
+use crate::export::format::PictureFormat;
 use crate::figure::Figure;
 use crate::figure::update;
-use crate::files::{self, Overwrite};
-use crate::i18n::{Lang, messages, pictures};
-use crate::picture::{Renderer, requests};
+use crate::files::{self, FileError, Overwrite};
+use crate::i18n::{Lang, messages, pictures, window};
+use crate::picture::{self, PictureError, requests};
+use crate::scene::SceneError;
 use crate::views::{Request, SharedScene, Size, View, Views, scene_of};
 
 /// Which picture, how large, in which theme.
@@ -68,8 +71,43 @@ fn together(sizes: [[u32; 2]; 3]) -> [u32; 2] {
     [3 * side((area * 4.0 / 3.0).sqrt()), side((area * 0.75).sqrt())]
 }
 
+/// Why a picture was not written.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum ExportError {
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// What draws and writes has panicked.
+    #[error("a fault of this program")]
+    Panic,
+}
+
+impl ExportError {
+    /// Why the picture `name` was not written.
+    pub(super) fn text(&self, lang: Lang, name: &str) -> String {
+        let t = window::texts(lang);
+        match self {
+            Self::Camera(error) => messages::camera(lang, error),
+            Self::Scene(error) => messages::scene(lang, error),
+            Self::Picture(PictureError::TooLarge) => t.picture_too_large.to_owned(),
+            Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
+            Self::File(error) => messages::file(lang, name, error),
+            Self::Panic => format!("{} {name}", t.picture_failed),
+        }
+    }
+}
+
 /// A picture that is being written.
-pub(super) type Exporting = Worker<Task, Result<PathBuf, String>>;
+#[derive(Debug)]
+pub(super) struct Exporting {
+    path: PathBuf,
+    worker: Worker<Task, Result<(), ExportError>>,
+}
 
 /// Everything that a picture in a file depends on.
 pub(super) struct Task {
@@ -78,44 +116,58 @@ pub(super) struct Task {
     folder: PathBuf,
     lang: Lang,
     export: Export,
+    format: PictureFormat,
     path: PathBuf,
 }
 
-/// Draws and writes beside the window's thread; what comes of it is the path, or a sentence that says what went wrong.
-pub(super) fn start(ctx: &egui::Context, document: &Document, lang: Lang, export: Export, path: PathBuf) -> Exporting {
-    let mut figure = document.figure().clone();
-    figure.style.theme = export.theme;
-    let source = document.source().to_owned();
-    let folder = document.folder().map(Path::to_owned).unwrap_or_default();
-    let mut exporting: Exporting = Worker::new("export", clock::now, || Box::new(Task::run));
-    exporting.ask(ctx, 0, Task { figure, source, folder, lang, export, path });
-    exporting
+impl Exporting {
+    /// Draws and writes beside the window's thread.
+    pub(super) fn start(ctx: &egui::Context, document: &Document, lang: Lang, export: Export, path: PathBuf) -> Self {
+        Self::with(ctx, document, lang, export, path, || Box::new(Task::run))
+    }
+
+    /// As [`start`](Self::start), by other means of drawing and writing.
+    pub(super) fn with(
+        ctx: &egui::Context,
+        document: &Document,
+        lang: Lang,
+        export: Export,
+        path: PathBuf,
+        make: fn() -> Work<Task, Result<(), ExportError>>,
+    ) -> Self {
+        let mut figure = document.figure().clone();
+        figure.style.theme = export.theme;
+        let source = document.source().to_owned();
+        let folder = document.folder().map(Path::to_owned).unwrap_or_default();
+        let format = PictureFormat::of(&path).unwrap_or(PictureFormat::ALL[0]);
+        let mut worker = Worker::new("export", clock::now, make);
+        worker.ask(ctx, 0, Task { figure, source, folder, lang, export, format, path: path.clone() });
+        Self { path, worker }
+    }
+
+    /// What came of it and where, once it has come to an end.
+    pub(super) fn take(&mut self) -> Option<(PathBuf, Result<(), ExportError>)> {
+        let [done] = self.worker.take(Duration::ZERO);
+        Some((self.path.clone(), done?.outcome.unwrap_or(Err(ExportError::Panic))))
+    }
 }
 
 impl Task {
-    fn run(self) -> Result<PathBuf, String> {
-        let bytes = self.png()?;
-        let Self { path, lang, .. } = self;
-        let name = path.display().to_string();
-        files::save(&path, &bytes, Overwrite::Writable)
-            .map(|()| path)
-            .map_err(|error| messages::file(lang, &name, &error))
+    fn run(self) -> Result<(), ExportError> {
+        Ok(files::save(&self.path, &self.bytes()?, Overwrite::Writable)?)
     }
 
-    /// The bytes of the PNG, with the figure file in it.
-    fn png(&self) -> Result<Vec<u8>, String> {
-        let Self { figure, source, folder, lang, export, .. } = self;
-        let lang = *lang;
-        let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
+    /// The bytes of the file, with the figure file in it.
+    fn bytes(&self) -> Result<Vec<u8>, ExportError> {
+        let Self { figure, source, folder, lang, export, format, .. } = self;
+        let camera = Camera::new(&figure.camera)?;
         let mut beside = |path: &str| files::read_for_scene(&folder.join(path));
-        let scene = scene_of(figure, &mut beside).map_err(|error| messages::scene(lang, &error))?;
+        let scene = scene_of(figure, &mut beside)?;
         let size = Size { width: export.width, height: export.height, scale: export.scale };
-        let labels = pictures::labels(lang);
+        let labels = pictures::labels(*lang);
         let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
-        let picture = requests(export.what, &request, &figure.observers)
-            .and_then(|requests| Renderer::default().sheet(&requests))
-            .ok_or_else(|| crate::i18n::window::texts(lang).picture_too_large.to_owned())?;
-        picture.into_png(&update(source, figure)).map_err(|error| messages::png(lang, &error))
+        let requests = requests(export.what, &request, &figure.observers).ok_or(PictureError::TooLarge)?;
+        Ok(picture::file(*format, &requests, &update(source, figure))?)
     }
 }
 

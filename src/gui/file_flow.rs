@@ -10,12 +10,13 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
-use super::export;
+use super::export::Exporting;
 use super::native::{FileAnswer, FileQuestion, OpenFileDialog};
 use super::state::{AfterSave, Dialog, MESH_ENDINGS, MeshFor, Purpose, State, Tab};
+use crate::export::format::PictureFormat;
 use crate::figure::Figure;
 use crate::figure::update;
-use crate::files::{self, Opened, Overwrite};
+use crate::files::{self, Overwrite};
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{messages, scenes};
 use crate::scene::Shape;
@@ -40,11 +41,15 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         }
         AfterSave::Open => ask(ctx, state, Purpose::Open),
         AfterSave::OpenPath(path) => open(state, &path),
-        AfterSave::Quit => {
-            state.file_flow.may_close = true;
-            ctx.send_viewport_cmd(ViewportCommand::Close);
-        }
+        AfterSave::Quit if !state.file_flow.exporting.is_empty() => state.file_flow.dialog = Some(Dialog::Closing),
+        AfterSave::Quit => close(ctx, state),
     }
+}
+
+/// Closes the window, whatever is going on.
+pub fn close(ctx: &egui::Context, state: &mut State) {
+    state.file_flow.may_close = true;
+    ctx.send_viewport_cmd(ViewportCommand::Close);
 }
 
 /// Saves to the figure's own file; asks for one where there is none.
@@ -74,30 +79,26 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion
         Purpose::Open => FileQuestion {
             save: false,
             title: t.open_title,
-            filter: t.figure_filter,
-            endings: &["toml", "png"],
+            filters: vec![(t.figure_filter.to_owned(), &["toml", "png"][..])],
             name: String::new(),
             folder,
         },
         Purpose::Save(_) => {
-            FileQuestion { save: true, title: t.save_title, filter: t.figure_filter, endings: &["toml"], name, folder }
+            let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];
+            FileQuestion { save: true, title: t.save_title, filters, name, folder }
         }
-        Purpose::Export(_) => FileQuestion {
-            save: true,
-            title: t.export_title,
-            filter: t.picture_filter,
-            endings: &["png"],
-            name,
-            folder,
-        },
+        Purpose::Export(_) => {
+            let filters =
+                PictureFormat::ALL.map(|format| (format!("{} {}", t.picture_filter, format.name()), format.endings()));
+            FileQuestion { save: true, title: t.export_title, filters: filters.to_vec(), name, folder }
+        }
         Purpose::Mesh(_) => {
             let t = scenes::texts(state.settings.lang);
             let name = String::new();
             FileQuestion {
                 save: false,
                 title: t.mesh_title,
-                filter: t.mesh_filter,
-                endings: MESH_ENDINGS,
+                filters: vec![(t.mesh_filter.to_owned(), MESH_ENDINGS)],
                 name,
                 folder,
             }
@@ -114,7 +115,8 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
         Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
         Purpose::Export(export) => {
             let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            folder.join(format!("{stem}-{}.png", export.what.name())).display().to_string()
+            let ending = PictureFormat::ALL[0].ending();
+            folder.join(format!("{stem}-{}.{ending}", export.what.name())).display().to_string()
         }
     }
 }
@@ -124,7 +126,8 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: Pa
     let path = match &purpose {
         Purpose::Open | Purpose::Mesh(_) => path,
         Purpose::Save(_) => with_ending(path, "toml"),
-        Purpose::Export(_) => with_ending(path, "png"),
+        Purpose::Export(_) if PictureFormat::of(&path).is_some() => path,
+        Purpose::Export(_) => with_ending(path, PictureFormat::ALL[0].ending()),
     };
     let own = state.document.path() == Some(&path);
     let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_));
@@ -153,7 +156,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Save(then) => write(ctx, state, path, then),
         Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::Export(export) => {
-            let exporting = export::start(ctx, &state.document, state.settings.lang, export, path.to_owned());
+            let exporting = Exporting::start(ctx, &state.document, state.settings.lang, export, path.to_owned());
             state.file_flow.exporting.push(exporting);
             state.say(window::texts(state.settings.lang).exporting);
         }
@@ -210,13 +213,16 @@ fn open(state: &mut State, path: &Path) {
     let name = path.display().to_string();
     let lang = state.settings.lang;
     match files::open_figure(path) {
-        Ok(Opened { figure, text, .. }) => match Document::new(figure, Some((path.to_owned(), text))) {
-            Ok(document) => {
-                state.take_over(document);
-                state.say(format!("{} {name}", window::texts(lang).opened));
+        Ok(opened) => {
+            let (figure, file) = opened.at(path.to_owned());
+            match Document::new(figure, Some(file)) {
+                Ok(document) => {
+                    state.take_over(document);
+                    state.say(format!("{} {name}", window::texts(lang).opened));
+                }
+                Err(error) => state.say_error(format!("{name}: {}", messages::camera(lang, &error))),
             }
-            Err(error) => state.say_error(format!("{name}: {}", messages::camera(lang, &error))),
-        },
+        }
         Err(error) => state.say_error(messages::file(lang, &name, &error)),
     }
 }
@@ -253,13 +259,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
             }
         }
     }
-    for done in state.file_flow.exported() {
-        match done.outcome {
-            Some(Ok(path)) => state.say(format!("{} {}", window::texts(state.settings.lang).saved, path.display())),
-            Some(Err(error)) => state.say_error(error),
-            None => state.say_error(window::texts(state.settings.lang).picture_too_large),
-        }
-    }
+    take_exports(ctx, state);
     let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
     if let Some(path) = dropped {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
@@ -272,18 +272,47 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     }
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         state.document.commit();
-        if state.document.is_changed() {
+        if state.document.is_changed() || !state.file_flow.exporting.is_empty() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            state.file_flow.dialog = Some(Dialog::Unsaved(AfterSave::Quit));
+            begin(ctx, state, AfterSave::Quit);
         } else {
             state.file_flow.may_close = true;
         }
     }
 }
 
+/// Tells what came of the pictures that were being written. A window that waits for them closes with the last one, unless one has
+/// failed: that would be told to nobody.
+fn take_exports(ctx: &egui::Context, state: &mut State) {
+    let mut failed = false;
+    for (path, result) in state.file_flow.exported() {
+        let (lang, name) = (state.settings.lang, path.display().to_string());
+        match result {
+            Ok(()) => state.say(format!("{} {name}", window::texts(lang).saved)),
+            Err(error) => {
+                failed = true;
+                state.say_error(error.text(lang, &name));
+            }
+        }
+    }
+    if state.file_flow.dialog == Some(Dialog::Closing) && (failed || state.file_flow.exporting.is_empty()) {
+        state.file_flow.dialog = None;
+        if !failed {
+            close(ctx, state);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
+    use std::sync::Mutex;
+
     use super::*;
+    use crate::gui::export::{Export, ExportError, Task};
+    use crate::gui::worker::Work;
+    use crate::i18n::Lang;
 
     #[test]
     fn meshes_are_named_relative_to_their_figure() {
@@ -291,6 +320,72 @@ mod tests {
         assert_eq!(named(Some("/lecture"), "/lecture/meshes/cow.obj"), "meshes/cow.obj");
         assert_eq!(named(Some("/lecture"), "/other/cow.obj"), "/other/cow.obj");
         assert_eq!(named(None, "/other/cow.obj"), "/other/cow.obj");
+    }
+
+    /// The window as it is while a picture is being written by `make`, and frames of it.
+    fn exporting(make: fn() -> Work<Task, Result<(), ExportError>>) -> (egui::Context, State) {
+        let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
+        let export = Export::new([[4, 3]; 3], 1.0);
+        let exporting = Exporting::with(&ctx, &state.document, Lang::En, export, PathBuf::from("a.png"), make);
+        state.file_flow.exporting.push(exporting);
+        (ctx, state)
+    }
+
+    /// One frame, in which the window's close button is pressed or not; what it asks the system for.
+    fn frame(ctx: &egui::Context, state: &mut State, close: bool) -> Vec<ViewportCommand> {
+        let mut input = egui::RawInput::default();
+        if close {
+            let window = input.viewports.entry(egui::ViewportId::ROOT).or_default();
+            window.events.push(egui::ViewportEvent::Close);
+        }
+        let mut output = ctx.run_ui(input, |ui| poll(ui.ctx(), state));
+        output.textures_delta.clear();
+        output.viewport_output[&egui::ViewportId::ROOT].commands.clone()
+    }
+
+    fn until_done(ctx: &egui::Context, state: &mut State) -> Vec<ViewportCommand> {
+        let since = std::time::Instant::now();
+        let mut commands = Vec::new();
+        while !state.file_flow.exporting.is_empty() {
+            assert!(since.elapsed().as_secs() < 60);
+            std::thread::sleep(std::time::Duration::from_millis(5));
+            commands.extend(frame(ctx, state, false));
+        }
+        commands
+    }
+
+    #[test]
+    fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
+        let (ctx, mut state) = exporting(|| Box::new(|_| panic!("as a fault would")));
+        until_done(&ctx, &mut state);
+        let message = state.message.expect("said");
+        assert!(message.is_error && message.text.contains("fault of this program") && message.text.contains("a.png"));
+    }
+
+    #[test]
+    fn a_window_that_is_closed_waits_for_its_pictures() {
+        static HELD: Mutex<()> = Mutex::new(());
+        fn make() -> Work<Task, Result<(), ExportError>> {
+            Box::new(|_| {
+                let _wait = HELD.lock();
+                Ok(())
+            })
+        }
+        let held = HELD.lock();
+        let (ctx, mut state) = exporting(make);
+        assert!(frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
+        assert_eq!(state.file_flow.dialog, Some(Dialog::Closing));
+        assert!(!frame(&ctx, &mut state, false).contains(&ViewportCommand::Close));
+        drop(held);
+        assert!(until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
+        assert_eq!(state.file_flow.dialog, None);
+        assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
+
+        // One that could not be written is told, by a window that stays.
+        let (ctx, mut state) = exporting(|| Box::new(|_| Err(ExportError::Panic)));
+        go_on(&ctx, &mut state, AfterSave::Quit);
+        assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
+        assert!(state.message.is_some_and(|message| message.is_error) && state.file_flow.dialog.is_none());
     }
 
     #[test]

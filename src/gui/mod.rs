@@ -28,9 +28,8 @@ pub mod state;
 pub mod theme;
 mod worker;
 
-use std::path::PathBuf;
-
 use crate::figure::Figure;
+use crate::files::SourceFile;
 use crate::i18n::Lang;
 use crate::scene::Preset;
 pub use app::App;
@@ -41,8 +40,8 @@ pub use state::State;
 pub struct Start {
     /// The figure; its camera must be possible.
     pub figure: Figure,
-    /// Its file and the text in it, so that saving keeps the comments; `None`: a new figure.
-    pub file: Option<(PathBuf, String)>,
+    /// Its file; `None`: a new figure.
+    pub file: Option<SourceFile>,
     /// The language of the interface.
     pub lang: Lang,
 }

@@ -20,10 +20,8 @@ pub struct FileQuestion {
     pub save: bool,
     /// The title of the dialog.
     pub title: &'static str,
-    /// What the files are called.
-    pub filter: &'static str,
-    /// Their endings.
-    pub endings: &'static [&'static str],
+    /// What the files are called, and what their names end in.
+    pub filters: Vec<(String, &'static [&'static str])>,
     /// The name that is proposed.
     pub name: String,
     /// Where the dialog starts.
@@ -53,10 +51,10 @@ pub(super) struct OpenFileDialog {
 impl OpenFileDialog {
     /// Opens the dialog; `ctx` is woken when it is closed.
     pub(super) fn start(ctx: &egui::Context, question: FileQuestion) -> Self {
-        let mut dialog = rfd::AsyncFileDialog::new()
-            .set_title(question.title)
-            .set_file_name(question.name)
-            .add_filter(question.filter, question.endings);
+        let mut dialog = rfd::AsyncFileDialog::new().set_title(question.title).set_file_name(question.name);
+        for (name, endings) in question.filters {
+            dialog = dialog.add_filter(name, endings);
+        }
         if let Some(folder) = question.folder {
             dialog = dialog.set_directory(folder);
         }

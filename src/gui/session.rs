@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::document::Document;
 use crate::figure::update;
-use crate::files::{self, Overwrite};
+use crate::files::{self, Overwrite, SourceFile};
 
 /// More windows than anybody opens at once.
 const SLOTS: usize = 16;
@@ -91,7 +91,9 @@ fn read(file: &Path) -> Option<Document> {
         Some(_) => files::figure_from(kept.source.as_bytes()).ok()?.figure,
         None => super::fresh(),
     };
-    let mut document = Document::new(saved, kept.path.map(|path| (path, kept.source))).ok()?;
+    // A figure out of a picture has no path here: it has not been saved anywhere.
+    let file = kept.path.map(|path| SourceFile { path, text: kept.source, is_picture: false });
+    let mut document = Document::new(saved, file).ok()?;
     document.replace(changed).ok()?;
     Some(document)
 }

@@ -4,6 +4,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Lang;
 use super::expressions::in_expression;
+use crate::export::format::PictureFormat;
 use crate::expression::ExpressionError;
 use crate::limits::MAX_SIDE;
 
@@ -230,9 +231,10 @@ pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
 /// An ending that is not a picture's.
 #[must_use]
 pub fn ending(lang: Lang, name: &str) -> String {
+    let endings = PictureFormat::ALL.map(|format| format!(".{}", format.ending())).join(", ");
     match lang {
-        Lang::En => format!("--output is {name:?}; allowed: a file name that ends in .png"),
-        Lang::PtBr => format!("--output é {name:?}; permitido: um nome de arquivo que termina em .png"),
+        Lang::En => format!("--output is {name:?}; allowed: a file name that ends in {endings}"),
+        Lang::PtBr => format!("--output é {name:?}; permitido: um nome de arquivo que termina em {endings}"),
     }
 }
 

@@ -194,7 +194,7 @@ texts! {
     save_action: "Save", "Salvar";
     export_title: "Write the picture", "Gravar a imagem";
     figure_filter: "Figure, or picture with a figure in it", "Figura, ou imagem com uma figura dentro";
-    picture_filter: "PNG picture", "Imagem PNG";
+    picture_filter: "Picture", "Imagem";
     untitled_file: "figure.toml", "figura.toml";
     path_text: "There is no file dialog on this system. Which file?", "Não há diálogo de arquivos neste sistema. Qual arquivo?";
     path_name: "file", "arquivo";
@@ -212,6 +212,10 @@ texts! {
     exporting: "Drawing the picture…", "Desenhando a imagem…";
     restored: "The last session is back: it had not been saved.", "A última sessão voltou: ela não tinha sido salva.";
     copied: "Copied.", "Copiado.";
+    closing_title: "A picture is still being written", "Uma imagem ainda está sendo gravada";
+    closing_text: "The window closes when it is there.", "A janela fecha quando ela estiver pronta.";
+    close_now: "Close without it", "Fechar sem ela";
+    picture_failed: "A fault of this program kept the picture from being written:", "Uma falha deste programa impediu que a imagem fosse gravada:";
     picture_too_large: "There is no memory for a picture of this size.", "Não há memória para uma imagem deste tamanho.";
     export_heading: "Export pictures", "Exportar imagens";
     export_what: "pictures", "imagens";

@@ -2,6 +2,7 @@
 //! and what the window exports is the same, byte for byte.
 
 mod account;
+mod file;
 mod renderer;
 mod sheet;
 
@@ -11,6 +12,7 @@ use crate::appearance::{Rgba, Texture};
 use crate::export::png::{self, PngError};
 use crate::export::sheet::side_by_side;
 pub use account::Account;
+pub use file::{PictureError, file};
 pub use renderer::Renderer;
 pub use sheet::{gap, requests, widths};
 

@@ -207,6 +207,31 @@ fn an_exported_picture_holds_its_figure_and_brings_it_back() {
 }
 
 #[test]
+fn a_picture_is_never_replaced_by_text_whatever_its_name_says() {
+    let folder = Folder::new("picture-by-another-name");
+    let path = folder.file("view.toml");
+    let pixmap = tiny_skia::Pixmap::new(2, 2).expect("two by two");
+    let picture = png::encode(pixmap, "[camera]\nnear = 0.5\n\n[scene]\npreset = \"empty\"\n").expect("encoded");
+    fs::write(&path, &picture).expect("written");
+    for mut window in [Window::opened(&path), Window::new(Lang::En)] {
+        window.command_key(Key::O);
+        window.choose(&path);
+        assert_eq!(window.state().document.figure().camera.near, 0.5);
+        window.enter("F", "0.75");
+        window.command_key(Key::S);
+        assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(..))), "it asks for another file");
+        assert_eq!(fs::read(&path).expect("there"), picture);
+    }
+    // A figure file is one, whatever its name says.
+    let path = folder.file("figure.png");
+    fs::write(&path, "[scene]\npreset = \"empty\"\n").expect("written");
+    let mut window = Window::opened(&path);
+    window.enter("F", "0.75");
+    window.command_key(Key::S);
+    assert_eq!(files::open_figure(&path).expect("a figure").figure.camera.near, 0.75);
+}
+
+#[test]
 fn a_crashed_session_is_back_at_the_next_start() {
     let folder = Folder::new("session");
     let mut window = Window::new(Lang::En);
@@ -225,7 +250,8 @@ fn a_crashed_session_is_back_at_the_next_start() {
 fn operations_of_the_command_line_are_a_change_of_the_file() {
     let text = "[camera]\nnear = 0.5\n";
     let mut figure = camera_lab::figure::read::parse(text).expect("a figure");
-    let start = |figure| gui::Start { figure, file: Some(("f.toml".into(), text.to_owned())), lang: Lang::En };
+    let file = files::SourceFile { path: "f.toml".into(), text: text.to_owned(), is_picture: false };
+    let start = |figure| gui::Start { figure, file: Some(file.clone()), lang: Lang::En };
     assert!(!gui::State::new(start(figure.clone())).expect("a camera").document.is_changed());
     figure.camera.position.y = 7.0;
     let state = gui::State::new(start(figure)).expect("a camera");

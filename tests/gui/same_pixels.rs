@@ -31,8 +31,8 @@ fn assert_same_everywhere(view: View, scale: f32, figure: &str) {
     let path = folder.file("figure.toml");
     fs::write(&path, figure).expect("written");
     let opened = open_figure(&path).expect("a figure");
-    let file = Some((path.clone(), opened.text));
-    let mut state = State::new(Start { figure: opened.figure, file, lang: Lang::En }).expect("a possible camera");
+    let (figure, file) = opened.at(path.clone());
+    let mut state = State::new(Start { figure, file: Some(file), lang: Lang::En }).expect("a possible camera");
     state.file_flow.native = false;
     state.layout.maximized = Some(view);
     state.settings.panels = Panels::default();

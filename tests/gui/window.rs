@@ -37,8 +37,8 @@ impl Window {
     /// A window with a figure file, and only the image in it.
     pub(crate) fn opened(path: &std::path::Path) -> Self {
         let opened = camera_lab::files::open_figure(path).expect("a figure file");
-        let file = Some((path.to_owned(), opened.text));
-        let mut state = State::new(Start { figure: opened.figure, file, lang: Lang::En }).expect("a possible camera");
+        let (figure, file) = opened.at(path.to_owned());
+        let mut state = State::new(Start { figure, file: Some(file), lang: Lang::En }).expect("a possible camera");
         state.file_flow.native = false;
         state.layout.maximized = Some(View::Image);
         Self::with_state(state, [1280.0, 800.0])

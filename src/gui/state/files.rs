@@ -1,11 +1,9 @@
 //! What is asked about files, and what is going on with them.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
-use crate::gui::export::{Export, Exporting};
+use crate::gui::export::{Export, ExportError, Exporting};
 use crate::gui::native::OpenFileDialog;
-use crate::gui::worker::Done;
 
 /// What is to be done once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,6 +54,8 @@ pub enum Dialog {
     Overwrite(Purpose, PathBuf),
     /// What to export.
     Export(Export),
+    /// Pictures are still being written: the window closes when they are there.
+    Closing,
     /// What the pointer and the keys do.
     Help,
 }
@@ -81,11 +81,11 @@ impl FileFlow {
     }
 
     /// The exports that have come to an end.
-    pub(in crate::gui) fn exported(&mut self) -> Vec<Done<Result<PathBuf, String>>> {
+    pub(in crate::gui) fn exported(&mut self) -> Vec<(PathBuf, Result<(), ExportError>)> {
         let mut done = Vec::new();
         self.exporting.retain_mut(|exporting| {
             let before = done.len();
-            done.extend(exporting.take(Duration::ZERO).into_iter().flatten());
+            done.extend(exporting.take());
             done.len() == before
         });
         done

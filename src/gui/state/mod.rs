@@ -6,10 +6,9 @@ mod layout;
 mod operations;
 mod scene_tree;
 
-use std::path::PathBuf;
-
 use crate::camera::{CameraError, Operation};
 use crate::figure::Figure;
+use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Probe};
 pub use files::{AfterSave, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose};
@@ -110,8 +109,8 @@ pub struct State {
 
 /// The document at the start. What the command line has done to the camera is a change of the figure in the file: it can be
 /// undone, and is asked about when the window is closed.
-fn begin(figure: Figure, file: Option<(PathBuf, String)>) -> Result<Document, CameraError> {
-    let in_file = file.as_ref().and_then(|(_, text)| crate::files::figure_from(text.as_bytes()).ok());
+fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Document, CameraError> {
+    let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());
     let Some(in_file) = in_file.map(|opened| opened.figure).filter(|saved| *saved != figure) else {
         return Document::new(figure, file);
     };

@@ -1,0 +1,60 @@
+//! The formats of picture files.
+
+use std::path::Path;
+
+/// A format of picture files. Command line and window know no other place where formats are listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PictureFormat {
+    /// Pixels, without loss.
+    Png,
+}
+
+impl PictureFormat {
+    /// All of them; the first is that of a file whose name says none.
+    pub const ALL: [Self; 1] = [Self::Png];
+
+    /// What people call it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Png => "PNG",
+        }
+    }
+
+    /// What the names of its files end in, after the dot; the first is the usual one.
+    #[must_use]
+    pub const fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Png => &["png"],
+        }
+    }
+
+    /// The usual one of [`endings`](Self::endings).
+    #[must_use]
+    pub const fn ending(self) -> &'static str {
+        self.endings()[0]
+    }
+
+    /// The format that a file's name says.
+    #[must_use]
+    pub fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?;
+        Self::ALL.into_iter().find(|format| format.endings().iter().any(|own| ending.eq_ignore_ascii_case(own)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_say_the_format() {
+        for format in PictureFormat::ALL {
+            assert_eq!(PictureFormat::of(Path::new("a").with_extension(format.ending()).as_path()), Some(format));
+        }
+        assert_eq!(PictureFormat::of(Path::new("a.b/c.PNG")), Some(PictureFormat::Png));
+        for name in ["png", "a.png.toml", "a", ".png", ""] {
+            assert_eq!(PictureFormat::of(Path::new(name)), None, "{name}");
+        }
+    }
+}
