@@ -30,3 +30,6 @@ pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
 
 /// The most undo steps that are kept: more than anybody goes back; a snapshot is a few kilobytes.
 pub const MAX_UNDO_STEPS: usize = 500;
+
+/// The longest list of points that the panel shows as fields; longer ones are edited in the file.
+pub const MAX_POINTS_IN_PANEL: usize = 48;

@@ -205,7 +205,9 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Fiel
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
     let side = |v: f64| v as u32;
     (export.width, export.height) = (side(width), side(height));
-    [of_width.error, of_height.error].into_iter().flatten().collect()
+    let fits = |side: u32| sides.contains(&f64::from(side));
+    let too_large = (!fits(export.width) || !fits(export.height)).then(|| FieldError::Outside(sides.clone()));
+    [of_width.error, of_height.error, too_large].into_iter().flatten().collect()
 }
 
 fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {

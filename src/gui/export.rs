@@ -47,14 +47,14 @@ impl Export {
         export
     }
 
-    /// Sets the size to that on the screen, `times` as large; `sizes` and `scale` as in [`new`](Self::new).
+    /// Sets the size to that on the screen, `times` as large, which may be more than a picture can have; `sizes` and `scale` as in [`new`](Self::new).
     pub fn fit_screen(&mut self, sizes: [[u32; 2]; 3], scale: f32) {
         let Some(times) = self.times else { return };
         let [width, height] = match self.what {
             Views::One(view) => sizes[view.index()],
             Views::All => together(sizes),
         };
-        let side = |pixels: u32| (pixels.max(1) * times).min(crate::limits::MAX_SIDE);
+        let side = |pixels: u32| pixels.max(1).saturating_mul(times);
         (self.width, self.height) = (side(width), side(height));
         self.scale = times as f32 * scale;
     }

@@ -271,9 +271,5 @@ impl SceneCache {
 
 /// The mesh files of a scene.
 fn paths(spec: &SceneSpec) -> BTreeSet<String> {
-    let path = |shape: &Option<Shape>| match shape {
-        Some(Shape::Mesh { path }) => Some(path.clone()),
-        _ => None,
-    };
-    spec.objects.iter().filter_map(|o| path(&o.shape)).collect()
+    spec.objects.iter().filter_map(|object| object.shape.as_ref()?.mesh_file().map(str::to_owned)).collect()
 }

@@ -3,6 +3,7 @@
 use super::Lang;
 use super::cameras::{camera_wording, warning_wording};
 use super::scene_errors::scene_wording;
+pub use super::scene_errors::segments_allowed;
 use crate::camera::{CameraError, Warning};
 use crate::scene::SceneError;
 

@@ -58,12 +58,10 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             "é 0 em algum eixo; permitido: quaisquer outros números",
             "a escala não pode ser 0 em nenhum eixo",
         ),
-        (Lang::En, SceneError::Segments { .. }) => {
-            english(&format!("allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}"))
-        }
+        (Lang::En, SceneError::Segments { .. }) => english(&segments_allowed(lang)),
         (Lang::PtBr, SceneError::Segments { found, .. }) => Wording::new(
             format!("é {found}; permitido: um inteiro de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
-            format!("permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
+            segments_allowed(lang),
         ),
         (_, SceneError::Mesh { path, error, .. }) => {
             let why = mesh(lang, error);
@@ -75,6 +73,15 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             "deve ter três números finitos, nem todos 0 numa direção",
             if *key == "direction" { "a direção não pode ser nula" } else { "a posição tem de ser finita" },
         ),
+    }
+}
+
+/// How many segments there may be, beside the field.
+#[must_use]
+pub fn segments_allowed(lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("allowed: whole numbers from {MIN_SEGMENTS} to {MAX_SEGMENTS}"),
+        Lang::PtBr => format!("permitido: números inteiros de {MIN_SEGMENTS} a {MAX_SEGMENTS}"),
     }
 }
 

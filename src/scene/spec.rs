@@ -162,6 +162,25 @@ impl Shape {
         }
     }
 
+    /// The file that it comes from, relative to the figure file.
+    #[must_use]
+    pub fn mesh_file(&self) -> Option<&str> {
+        match self {
+            Self::Mesh { path } => Some(path),
+            Self::Box
+            | Self::Prism
+            | Self::Pyramid
+            | Self::Sphere
+            | Self::Ellipsoid
+            | Self::Cylinder
+            | Self::Cone
+            | Self::Torus
+            | Self::Grid
+            | Self::Points(_)
+            | Self::Segments(_) => None,
+        }
+    }
+
     /// False where `segments` has no meaning.
     #[must_use]
     pub const fn has_segments(&self) -> bool {

@@ -374,3 +374,19 @@ fn a_size_of_an_export_that_cannot_be_is_said_and_nothing_is_written() {
     window.enter("picture width", "64");
     assert!(!window.says("must be between 1 and 16384"));
 }
+
+#[test]
+fn a_multiple_of_the_screen_that_is_too_large_is_said_and_not_made_smaller() {
+    use camera_lab::gui::export::Export;
+    use camera_lab::gui::state::Dialog;
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::E);
+    let mut export = Export::new([[9000, 100]; 3], 1.0);
+    assert_eq!([export.width, export.height], [54_000, 200], "in proportion");
+    export.times = None;
+    window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
+    window.run();
+    assert!(window.says("must be between 1 and 16384"));
+    window.click("Export…");
+    assert!(window.says("Export pictures"), "the question stands");
+}

@@ -141,8 +141,16 @@ fn what_is_impossible_is_said_beside_the_field_and_the_last_good_scene_stays() {
     window.enter("scale x", "3");
     assert!(!window.says("the scale must not be 0"));
     assert_eq!(window.objects()[0].scale.x, 3.0);
+    let before_segments = window.objects()[0].clone();
     window.enter("segments", "2");
     assert!(window.says("allowed: whole numbers from 3 to 512"));
+    for typed in ["-5", "513", "1e12"] {
+        window.key(Key::Escape);
+        window.enter("segments", typed);
+        assert!(window.says("allowed: whole numbers from 3 to 512"), "{typed}");
+        assert_eq!(window.objects()[0], before_segments, "{typed}");
+    }
+    window.key(Key::Escape);
     window.enter("segments", "3");
     assert_eq!(window.objects()[0].segments, 3);
 

@@ -13,6 +13,7 @@ mod contract;
 mod explain;
 mod export;
 mod figure;
+mod guides;
 mod inspect_report;
 mod layers;
 mod meshes;

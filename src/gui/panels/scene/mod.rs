@@ -10,8 +10,10 @@ use eframe::egui::{self, RichText};
 use super::{choice, row, section};
 use crate::gui::number_field::FieldOutput;
 use crate::gui::state::{Draft, Selected, State};
+use crate::i18n::faults;
 use crate::i18n::scenes::{self, Texts};
 use crate::i18n::window;
+use crate::limits::MAX_SIDE;
 use crate::scene::edit::{self, Children};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
 
@@ -72,10 +74,13 @@ fn show_from_its_best_side(state: &mut State, preset: Preset) {
     let mut camera = crate::figure::recommended_camera(preset);
     if state.settings.aspect_follows_image {
         let n = state.document.figure().image.height;
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to what fits")]
-        let m = (f64::from(n) * camera.aspect).round().clamp(1.0, f64::from(crate::limits::MAX_SIDE)) as u32;
-        state.document.edit(|figure| figure.image.width = m);
-        camera.aspect = f64::from(m) / f64::from(n);
+        let m = (f64::from(n) * camera.aspect).round();
+        // An image that would be too wide stays as it is, and A follows it.
+        if (1.0..=f64::from(MAX_SIDE)).contains(&m) {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
+            state.document.edit(|figure| figure.image.width = m as u32);
+        }
+        camera.aspect = f64::from(state.document.figure().image.width) / f64::from(n);
     }
     state.document.set_parameters(camera);
     *state.document.observers_mut() = Default::default();
@@ -168,7 +173,7 @@ impl Form {
             super::complaint(ui, &error.text(self.window.lang));
         }
         if let Some(error) = self.error.as_ref().filter(|_| self.is_marked(object, key)) {
-            super::complaint(ui, &crate::i18n::faults::scene_error(self.lang, error));
+            super::complaint(ui, &faults::scene_error(self.lang, error));
         }
     }
 

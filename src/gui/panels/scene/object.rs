@@ -6,16 +6,15 @@ use glam::DVec3;
 use super::{Edit, Form};
 use crate::appearance::Rgba;
 use crate::gui::file_flow;
-use crate::gui::number_field::{NumberField, Step};
+use crate::gui::number_field::{FieldError, NumberField, Step};
 use crate::gui::panels::{Vector, complaint, row};
 use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
+use crate::i18n::faults;
 use crate::i18n::scenes::{self, Texts};
+use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::numbers::short;
 use crate::scene::edit::{self, Children, descendants, free_name, placements};
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, SceneSpec, Shape};
-
-/// Lists of points that are longer are edited in the file.
-const MOST_POINTS: usize = 48;
 
 /// The fields of the object at this place of the list; what its buttons ask for.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) -> Option<Edit> {
@@ -257,13 +256,18 @@ fn segments(ui: &mut egui::Ui, form: &mut Form, index: usize) {
     let marked = form.is_marked(Some(&owner), "segments");
     let mut value = f64::from(object.segments);
     let output = row(ui, "", t.segments, t.segments_hint, |ui| {
-        let field = NumberField::new(t.segments, Step::Add(1.0)).of(&owner).whole().width(92.0);
+        let allowed = f64::from(MIN_SEGMENTS)..=f64::from(MAX_SEGMENTS);
+        let field = NumberField::new(t.segments, Step::Add(1.0)).of(&owner).whole().within(allowed).width(92.0);
         field.hint(t.segments_hint).marked(marked).show(ui, form.window, &mut value)
     });
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped; what is too much is said")]
-    let whole = value.round().clamp(0.0, 1e9) as u32;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number that fits")]
+    let whole = value as u32;
     form.scene.objects[index].segments = whole;
-    form.complain(ui, Some(&owner), "segments", &[output]);
+    if matches!(output.error, Some(FieldError::Outside(_))) {
+        complaint(ui, &faults::segments_allowed(form.lang));
+    } else {
+        form.complain(ui, Some(&owner), "segments", &[output]);
+    }
 }
 
 /// The points of points and segments, the file of a mesh.
@@ -274,7 +278,7 @@ fn data(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
     match &mut form.scene.objects[index].shape {
         Some(Shape::Points(points)) => {
             point_list(ui, t, window, (&owner, step), t.points, points, 1);
-            if points.len() < MOST_POINTS && ui.button(t.add_point).clicked() {
+            if points.len() < MAX_POINTS_IN_PANEL && ui.button(t.add_point).clicked() {
                 points.push(points.last().copied().unwrap_or_default());
             }
         }
@@ -282,7 +286,7 @@ fn data(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
             let mut points: Vec<DVec3> = segments.as_flattened().to_vec();
             point_list(ui, t, window, (&owner, step), t.ends, &mut points, 2);
             *segments = points.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect();
-            if segments.len() < MOST_POINTS / 2 && ui.button(t.add_segment).clicked() {
+            if segments.len() < MAX_POINTS_IN_PANEL / 2 && ui.button(t.add_segment).clicked() {
                 let from = segments.last().map_or(DVec3::ZERO, |ends| ends[1]);
                 segments.push([from, from + DVec3::X * step]);
             }
@@ -316,7 +320,7 @@ fn point_list(
     together: usize,
 ) {
     ui.label(title);
-    if points.len() > MOST_POINTS {
+    if points.len() > MAX_POINTS_IN_PANEL {
         ui.add(egui::Label::new(RichText::new(t.too_many).weak()).wrap());
         return;
     }
@@ -370,7 +374,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
         state.tree.typing = Some(typing);
     }
     if let Some(error) = state.scene_cache.problem_of(owner) {
-        complaint(ui, &crate::i18n::faults::scene_error(state.settings.lang, &error));
+        complaint(ui, &faults::scene_error(state.settings.lang, &error));
         if ui.button(t.read_again).on_hover_text(t.read_again_hint).clicked() {
             state.scene_cache.read_again();
             state.message = None;
