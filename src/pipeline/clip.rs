@@ -5,7 +5,7 @@
 use super::cut::{Edge, Origin, cut};
 use super::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
 use super::projector::{ClipPoint, Projector};
-use super::resample::VertexOrigin;
+use super::resample::{OWN_WEIGHTS, VertexOrigin};
 
 /// A corner of a polygon that is being clipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,10 +33,7 @@ impl Corner {
 
     /// What the corner is made of, if it lies on the triangle with these vertices of a mesh.
     pub(super) fn origin(&self, of: [u32; 3]) -> VertexOrigin {
-        match self.original() {
-            Some(own) => VertexOrigin::Vertex(of[own]),
-            None => VertexOrigin::Between { of, weights: self.weights },
-        }
+        VertexOrigin::on(of, self.weights)
     }
 
     /// A corner of a part of `polygon`, which was cut at `plane`.
@@ -78,9 +75,6 @@ impl Corner {
         }
     }
 }
-
-/// The weights of the three corners of a triangle that has not been cut.
-const OWN_WEIGHTS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Clips triangles and segments; keeps its buffers.
 #[derive(Clone, Debug, Default)]

@@ -10,9 +10,9 @@ use glam::{DMat4, DVec3};
 use super::cut::{Origin, cut};
 use super::project::displayed;
 use super::projector::{ClipPoint, Projector};
-use super::resample::{face_color, with_triangles};
+use super::resample::{OWN_WEIGHTS, Remake, VertexOrigin, object_paint, with_triangles};
 use crate::camera::Camera;
-use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene};
+use crate::scene::{Line, Mesh, Object, PointMark, Scene};
 
 /// Farther than this a point divided by a w near 0 is nowhere.
 const NOWHERE: f64 = 1e100;
@@ -22,8 +22,8 @@ const NOWHERE: f64 = 1e100;
 pub struct DividedFirst {
     /// What the mistake does no harm to, in the world.
     pub right: Scene,
-    /// What only exists by the mistake, as the canonical volume shows it: (x_n, y_n, −z_n), clipped there. Faces have one
-    /// colour each and take no light.
+    /// What only exists by the mistake, as the canonical volume shows it: (x_n, y_n, −z_n), clipped there. It takes
+    /// no light.
     pub wrong: Scene,
 }
 
@@ -53,6 +53,14 @@ pub fn divided_first(scene: &Scene, camera: &Camera, reach: f64) -> DividedFirst
     result
 }
 
+/// A corner of a polygon after the divide.
+#[derive(Clone, Copy)]
+struct Corner {
+    shown: DVec3,
+    /// Its share of each corner of the triangle, or of the ends of the segment, that it came from.
+    weights: [f64; 3],
+}
+
 struct Divide {
     projector: Projector,
     reach: f64,
@@ -69,9 +77,11 @@ impl Divide {
         (p.w != 0.0 && shown.is_finite() && shown.abs().max_element() < NOWHERE).then_some(shown)
     }
 
-    /// The part of a convex polygon, or of a segment, in the cube.
-    fn inside(&self, polygon: &[ClipPoint]) -> Vec<DVec3> {
-        let shown: Option<Vec<DVec3>> = polygon.iter().map(|p| self.display(*p)).collect();
+    /// The part of a triangle, or of a segment, in the cube.
+    fn inside(&self, polygon: &[ClipPoint]) -> Vec<Corner> {
+        let whole = polygon.iter().zip(OWN_WEIGHTS);
+        let shown: Option<Vec<Corner>> =
+            whole.map(|(p, weights)| Some(Corner { shown: self.display(*p)?, weights })).collect();
         let mut rest = shown.unwrap_or_default();
         for axis in 0..3 {
             for sign in [1.0, -1.0] {
@@ -91,36 +101,27 @@ impl Divide {
         if !clip.iter().any(|p| p.w < 0.0) {
             return (object.clone(), None);
         }
-        let corners = |of: &[u32]| of.iter().filter_map(|&i| clip.get(i as usize).copied()).collect::<Vec<_>>();
+        let inside = |of: &[u32]| {
+            let corners: Option<Vec<ClipPoint>> = of.iter().map(|&i| clip.get(i as usize).copied()).collect();
+            self.inside(&corners.unwrap_or_default())
+        };
         let right: Vec<u32> =
             (0..).zip(&mesh.triangles).filter(|(_, triangle)| !behind(&triangle[..])).map(|(face, _)| face).collect();
         let edges = mesh.edges.iter().copied().filter(|edge| !behind(&edge[..])).collect();
-        let (mut wrong, mut colors) = (Mesh::default(), Vec::new());
+        let mut wrong = Wrong { remake: Remake::new(mesh), positions: Vec::new() };
         for (face, triangle) in (0_u32..).zip(&mesh.triangles).filter(|(_, triangle)| behind(&triangle[..])) {
-            let fan = add(&mut wrong, &self.inside(&corners(triangle)));
-            for k in 1..fan.len().saturating_sub(1) {
-                wrong.triangles.push([fan[0], fan[k], fan[k + 1]]);
-                colors.push(face_color(&object.paint, face, *triangle));
-            }
+            let polygon = wrong.vertices(*triangle, &inside(triangle));
+            wrong.remake.polygon(&polygon, face);
         }
-        for edge in mesh.edges.iter().filter(|edge| behind(&edge[..])) {
-            if let [a, b] = add(&mut wrong, &self.inside(&corners(edge)))[..] {
-                wrong.edges.push([a, b]);
+        for &[a, b] in mesh.edges.iter().filter(|edge| behind(&edge[..])) {
+            if let [a, b] = wrong.vertices([a, b, b], &inside(&[a, b]))[..] {
+                wrong.remake.edges.push([a, b]);
             }
         }
         // Open now, so that its inside shows, as where clipping has cut it open.
         let two_sided = object.two_sided || mesh.closed;
         let right = Object { two_sided, ..with_triangles(object, &right, edges) };
-        let empty = wrong.triangles.is_empty() && wrong.edges.is_empty();
-        let wrong = (!empty).then(|| Object {
-            mesh: Arc::new(wrong),
-            world_from_object: DMat4::IDENTITY,
-            paint: ObjectPaint::Faces(Arc::new(colors)),
-            lit: false,
-            two_sided: true,
-            ..object.clone()
-        });
-        (right, wrong)
+        (right, wrong.finish(object))
     }
 
     fn line(&self, line: &Line, result: &mut DividedFirst) {
@@ -131,7 +132,7 @@ impl Divide {
         }
         for (ends, points) in clip.windows(2).zip(line.points.windows(2)) {
             let (lines, points) = if ends.iter().any(|p| p.w < 0.0) {
-                (&mut result.wrong.lines, self.inside(ends))
+                (&mut result.wrong.lines, self.inside(ends).iter().map(|corner| corner.shown).collect())
             } else {
                 (&mut result.right.lines, points.to_vec())
             };
@@ -142,22 +143,59 @@ impl Divide {
     }
 }
 
+/// What is wrong of an object.
+struct Wrong {
+    remake: Remake,
+    /// Where each new vertex is shown.
+    positions: Vec<DVec3>,
+}
+
+impl Wrong {
+    /// The indices of vertices that lie on the triangle, or the edge, with these vertices of the object.
+    fn vertices(&mut self, of: [u32; 3], corners: &[Corner]) -> Vec<u32> {
+        let index = |corner: &Corner| {
+            let index = self.remake.vertex(VertexOrigin::on(of, corner.weights));
+            if self.remake.origins.len() > self.positions.len() {
+                self.positions.push(corner.shown);
+            }
+            index
+        };
+        corners.iter().map(index).collect()
+    }
+
+    fn finish(self, object: &Object) -> Option<Object> {
+        let Self { remake, positions } = self;
+        if remake.is_empty() {
+            return None;
+        }
+        let paint = object_paint(&object.paint, remake.origins.iter().copied(), &remake.sources);
+        let mesh = Mesh { positions, triangles: remake.triangles, edges: remake.edges, ..Mesh::default() };
+        Some(Object {
+            mesh: Arc::new(mesh),
+            world_from_object: DMat4::IDENTITY,
+            paint,
+            lit: false,
+            two_sided: true,
+            ..object.clone()
+        })
+    }
+}
+
 /// The part of a convex polygon, or of a segment, where `distance` is not negative.
-fn half(polygon: &[DVec3], distance: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
+fn half(polygon: &[Corner], distance: impl Fn(DVec3) -> f64) -> Vec<Corner> {
     let mut kept = Vec::new();
     let keep = |origin| {
         kept.push(match origin {
             Origin::Corner(i) => polygon[i],
-            Origin::Edge(edge) => polygon[edge.inside] * edge.shares[0] + polygon[edge.outside] * edge.shares[1],
+            Origin::Edge(edge) => {
+                let (inside, outside) = (&polygon[edge.inside], &polygon[edge.outside]);
+                Corner {
+                    shown: inside.shown * edge.shares[0] + outside.shown * edge.shares[1],
+                    weights: std::array::from_fn(|i| edge.mean(inside.weights[i], outside.weights[i])),
+                }
+            }
         });
     };
-    cut(polygon.len(), |i| distance(polygon[i]), keep, |_| {});
+    cut(polygon.len(), |i| distance(polygon[i].shown), keep, |_| {});
     kept
-}
-
-/// Adds points to a mesh; the result is their indices.
-fn add(mesh: &mut Mesh, points: &[DVec3]) -> Vec<u32> {
-    let first = u32::try_from(mesh.positions.len()).unwrap_or(u32::MAX);
-    mesh.positions.extend_from_slice(points);
-    (first..).take(points.len()).collect()
 }

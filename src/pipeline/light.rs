@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use glam::{DMat3, DVec3};
 
 use super::projector::Projector;
-use super::transform::{Vertices, each_chunk};
+use super::transform::{Vertices, each_chunk, single};
 use crate::appearance::{Rgba, Shading};
 use crate::drawing::{Lighting, ViewLight};
 use crate::geometry::try_unit;
@@ -278,10 +278,4 @@ fn power_of_two_below_inverse(value: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     const LARGEST: u64 = 0x7fd << 52;
     f64::from_bits(LARGEST.saturating_sub(value.to_bits() & EXPONENT))
-}
-
-#[inline(always)]
-#[expect(clippy::cast_possible_truncation, reason = "light needs no more than single precision")]
-fn single(value: f64) -> f32 {
-    value as f32
 }

@@ -8,7 +8,7 @@ use super::Target;
 use super::clip::Clipper;
 use super::planes::outcode;
 use super::projector::{ClipPoint, Projector};
-use super::transform::{Screen, Vertices, single};
+use super::transform::{Screen, Vertices, off_grid};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Anchor, Label, Mark, StrokeSet};
 use crate::scene::{Object, ObjectPaint, Scene};
@@ -130,7 +130,7 @@ impl<'a> Strokes<'a> {
     }
 
     fn point(&self, p: ClipPoint) -> [f32; 3] {
-        single(self.screen.project(self.projector, p))
+        off_grid(self.screen.project(self.projector, p))
     }
 
     /// Ends a run; `whole_end` says that its last point is the last of the line.
@@ -169,7 +169,7 @@ fn edge_style(object: &Object, wireframe: bool, background: Rgba) -> Option<Line
     });
     let color = match &object.paint {
         ObjectPaint::Solid(color) => color.with_alpha(255),
-        _ => style.color,
+        ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => style.color,
     };
     Some(LineStyle { color: color.legible_on(background), ..style })
 }

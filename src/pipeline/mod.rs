@@ -160,9 +160,9 @@ impl Pipeline {
                     lights: &lights,
                     lit: todo.lit,
                     both_sides: object.two_sided || cut_open || (mesh.closed && todo.translucent),
-                    depth_test: plan.depth || (faces.turned_over > 0 && plan.order() == Visibility::DepthBuffer),
+                    depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
                 };
-                if plan.order() == Visibility::DepthBuffer {
+                if plan.order == Visibility::DepthBuffer {
                     surfaces.extend(shaded.surfaces(faces, pool));
                 } else {
                     let never_hides_itself = mesh.convex && mesh.closed && cull_back && faces.turned_over == 0;
@@ -176,11 +176,11 @@ impl Pipeline {
             }
             meter.lap(Stage::Lines);
         }
-        match plan.order() {
+        match plan.order {
             // Forced to be made, but only edges were asked for.
             _ if style.shading == Shading::Wireframe => surfaces.clear(),
             Visibility::DepthBuffer => {}
-            order => {
+            order @ (Visibility::Painter | Visibility::Bsp) => {
                 let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
                 let sort = if order == Visibility::Bsp { visibility::by_splitting } else { visibility::by_centroid };
                 let (sorted, pieces) = sort(&layers, &projector, &screen);
@@ -201,7 +201,7 @@ impl Pipeline {
             background: target.background,
             antialias: style.antialias,
             // Without faces any order is right.
-            painted_in_order: plan.order() != Visibility::DepthBuffer || options.output == Output::Vectors,
+            painted_in_order: plan.order != Visibility::DepthBuffer || options.output == Output::Vectors,
             surfaces,
             strokes: strokes.sets,
             areas: Vec::new(),

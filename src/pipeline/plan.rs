@@ -20,6 +20,8 @@ pub struct Plan {
     pub objects: Vec<ObjectPlan>,
     /// One entry for each stage, in order.
     pub stages: Vec<StagePlan>,
+    /// What decides which face is seen: the style's choice, or what the output can do, where faces may hide each other at all.
+    pub order: Visibility,
     /// The depth of faces is recorded.
     pub depth: bool,
     /// How many boxes, around objects or many of them, were held against the volume.
@@ -59,8 +61,9 @@ impl Plan {
                 StagePlan { stage, runs: runs || force, reason }
             })
             .to_vec();
-        let mut plan = Self { objects, stages, depth: true, boxes_tested };
-        plan.depth = match plan.order() {
+        let order = survey.order(style, options.output);
+        let mut plan = Self { objects, stages, order, depth: true, boxes_tested };
+        plan.depth = match order {
             Visibility::DepthBuffer => plan.runs(Stage::HiddenSurfaces),
             Visibility::Painter | Visibility::Bsp => survey.lines_ask || force,
         };
@@ -72,16 +75,6 @@ impl Plan {
     pub fn stage(&self, stage: Stage) -> StagePlan {
         // `stages` holds all of them in the order of the enumeration.
         self.stages[stage as usize]
-    }
-
-    /// What decides which face is seen: the style's choice, or what the output can do, where faces may hide each other at all.
-    #[must_use]
-    pub fn order(&self) -> Visibility {
-        match self.stage(Stage::HiddenSurfaces).reason {
-            Reason::PaintedByCentroid => Visibility::Painter,
-            Reason::PaintedBySplitting | Reason::NoDepthBuffer => Visibility::Bsp,
-            _ => Visibility::DepthBuffer,
-        }
     }
 
     /// True where `stage` runs.
@@ -110,7 +103,7 @@ fn plan_object(object: &Object, place: Containment, style: &Style, dark: bool, f
     }
     let clip_planes = match place {
         Containment::Crosses(planes) if !force => planes,
-        _ => ALL_PLANES,
+        Containment::Crosses(_) | Containment::Outside(_) | Containment::Empty => ALL_PLANES,
     };
     let translucent = object.paint.is_translucent();
     let vertex_colors = matches!(object.paint, ObjectPaint::Vertices(_));

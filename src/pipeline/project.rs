@@ -220,7 +220,9 @@ impl Projected<'_> {
         match &object.paint {
             ObjectPaint::Solid(color) if smooth => vertices(&|_| *color),
             ObjectPaint::Vertices(colors) if smooth => vertices(&|i| color_at(colors, i)),
-            _ => ObjectPaint::Faces(Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face))),
+            ObjectPaint::Solid(_) | ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => {
+                ObjectPaint::Faces(Arc::new(light.faces(Vec::new(), self.remake.sources.len(), face)))
+            }
         }
     }
 }

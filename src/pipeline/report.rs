@@ -153,7 +153,7 @@ impl Meter {
                     Stage::CullFaces => (Some((self.triangles, self.front)), true),
                     Stage::Clip => (Some((self.front, self.drawn)), true),
                     Stage::Light => (same(self.lit), true),
-                    Stage::HiddenSurfaces => (self.pieces, plan.order() != Visibility::DepthBuffer),
+                    Stage::HiddenSurfaces => (self.pieces, plan.order != Visibility::DepthBuffer),
                     Stage::Lines => (Some(self.lines), true),
                     Stage::Fill
                     | Stage::Interpolate

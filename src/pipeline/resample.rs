@@ -26,7 +26,19 @@ pub(super) enum VertexOrigin {
     },
 }
 
+/// The weights of the three corners of a triangle that has not been cut.
+pub(super) const OWN_WEIGHTS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
 impl VertexOrigin {
+    /// A point on the triangle with these vertices, with its share of each: one of them, where it has all of one.
+    #[inline]
+    pub(super) fn on(of: [u32; 3], weights: [f64; 3]) -> Self {
+        match OWN_WEIGHTS.iter().position(|own| *own == weights) {
+            Some(own) => Self::Vertex(of[own]),
+            None => Self::Between { of, weights },
+        }
+    }
+
     /// An attribute of the vertex, from that of each vertex of the old mesh.
     #[inline]
     pub(super) fn of<T: Attribute>(&self, attribute: impl Fn(u32) -> T) -> T {
@@ -235,21 +247,85 @@ pub(super) fn empty_like(old: &Paint) -> Paint {
 }
 
 /// Adds to `paint` what vertices of these origins have of `old`, and `faces` triangles that are parts of the old triangle
-/// `source`.
-pub(super) fn append(paint: &mut Paint, old: &Paint, origins: &[VertexOrigin], source: usize, faces: usize) {
-    fn add<T: Attribute>(values: &mut Vec<T>, old: &[T], origins: &[VertexOrigin]) {
-        values.extend(origins.iter().map(|origin| origin.of(|i| old[i as usize])));
+/// `source`. What `old` lacks is grey, or zero.
+pub(super) fn append(paint: &mut Paint, old: &Paint, origins: &[VertexOrigin], source: u32, faces: usize) {
+    fn add<T: Attribute>(values: &mut Vec<T>, origins: &[VertexOrigin], at: impl Fn(u32) -> T) {
+        values.extend(origins.iter().map(|origin| origin.of(&at)));
     }
-    match (paint, old) {
-        (Paint::Faces(colors), Paint::Solid(color)) => colors.extend(std::iter::repeat_n(*color, faces)),
-        (Paint::Faces(colors), Paint::Faces(old)) => colors.extend(std::iter::repeat_n(old[source], faces)),
-        (Paint::Vertices(colors), Paint::Vertices(old)) => add(colors, old, origins),
-        (Paint::Phong(phong), Paint::Phong(old)) => {
-            add(&mut phong.normals, &old.normals, origins);
-            add(&mut phong.positions, &old.positions, origins);
+    fn at<T: Copy + Default>(values: &[T], index: u32) -> T {
+        values.get(index as usize).copied().unwrap_or_default()
+    }
+    match paint {
+        // Made by `empty_like`, a paint is of the kind of the old one, and has no one colour.
+        Paint::Solid(_) => {}
+        Paint::Faces(colors) => {
+            let color = match old {
+                Paint::Solid(color) => *color,
+                Paint::Faces(old) => color_at(old, source),
+                Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. } => return,
+            };
+            colors.extend(std::iter::repeat_n(color, faces));
         }
-        (Paint::Texture { uv, .. }, Paint::Texture { uv: old, .. }) => add(uv, old, origins),
-        // Made by `empty_like`, a paint is of the kind of the old one.
-        (Paint::Solid(_) | Paint::Faces(_) | Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. }, _) => {}
+        Paint::Vertices(colors) => {
+            if let Paint::Vertices(old) = old {
+                add(colors, origins, |i| color_at(old, i));
+            }
+        }
+        Paint::Phong(phong) => {
+            if let Paint::Phong(old) = old {
+                add(&mut phong.normals, origins, |i| at(&old.normals, i));
+                add(&mut phong.positions, origins, |i| at(&old.positions, i));
+            }
+        }
+        Paint::Texture { uv, .. } => {
+            if let Paint::Texture { uv: old, .. } = old {
+                add(uv, origins, |i| at(old, i));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::appearance::Texture;
+    use crate::drawing::Lighting;
+
+    const RED: Rgba = Rgba::rgb(255, 0, 0);
+    const BLUE: Rgba = Rgba::rgb(0, 0, 255);
+
+    /// Half way between the first two vertices.
+    const MIDDLE: VertexOrigin = VertexOrigin::Between { of: [0, 1, 2], weights: [0.5, 0.5, 0.0] };
+
+    fn taken(old: &Paint, origins: &[VertexOrigin]) -> Paint {
+        let mut paint = empty_like(old);
+        append(&mut paint, old, origins, 1, 2);
+        paint
+    }
+
+    #[test]
+    fn what_a_piece_carries_is_what_its_face_carries_there() {
+        assert_eq!(taken(&Paint::Solid(RED), &[MIDDLE]), Paint::Faces(vec![RED; 2]));
+        assert_eq!(taken(&Paint::Faces(vec![RED, BLUE]), &[MIDDLE]), Paint::Faces(vec![BLUE; 2]));
+        let vertices = Paint::Vertices(vec![RED, BLUE, RED]);
+        assert_eq!(
+            taken(&vertices, &[MIDDLE, VertexOrigin::Vertex(1)]),
+            Paint::Vertices(vec![Rgba::rgb(128, 0, 128), BLUE])
+        );
+        let image = Arc::new(Texture { width: 1, height: 1, rgba: vec![0; 4] });
+        let texture = |uv| Paint::Texture { image: image.clone(), uv, opacity: 255 };
+        assert_eq!(taken(&texture(vec![[0.0, 0.0], [1.0, 0.5], [9.0, 9.0]]), &[MIDDLE]), texture(vec![[0.5, 0.25]]));
+    }
+
+    #[test]
+    fn a_paint_with_too_few_values_stops_nothing() {
+        let grey = Rgba::rgb(128, 128, 128);
+        let vertex = [VertexOrigin::Vertex(7)];
+        assert_eq!(taken(&Paint::Faces(vec![RED]), &vertex), Paint::Faces(vec![grey; 2]));
+        assert_eq!(taken(&Paint::Vertices(vec![RED]), &vertex), Paint::Vertices(vec![grey]));
+        let phong =
+            |normals, positions| Paint::Phong(Phong { normals, positions, color: RED, lighting: Lighting::default() });
+        let zero = vec![[0.0; 3]];
+        assert_eq!(taken(&phong(Vec::new(), Vec::new()), &vertex), phong(zero.clone(), zero));
     }
 }

@@ -104,7 +104,13 @@ impl Stage {
             Self::Interpolate | Self::HiddenSurfaces | Self::Texture | Self::Blend | Self::Antialias | Self::Write => {
                 Some(Self::Fill)
             }
-            _ => None,
+            Self::Traverse
+            | Self::Light
+            | Self::Transform
+            | Self::CullFaces
+            | Self::Clip
+            | Self::Fill
+            | Self::Lines => None,
         }
     }
 }

@@ -12,8 +12,10 @@ use std::collections::BinaryHeap;
 use std::ops::Range;
 
 use super::stroke_runs::{Run, SQUARE, stroke_runs};
+use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::Drawing;
+use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 
 /// What is painted of the strokes of a drawing, from back to front.
 ///
@@ -97,10 +99,10 @@ impl Segment {
         std::array::from_fn(|k| self.from[k] + t * self.along[k])
     }
 
-    /// By how much depths may differ where another stroke touches it; as the rasterizer has it.
-    fn reach(&self) -> f64 {
-        let rise = self.along[2].abs();
-        (3.0 * (self.radius + 0.5) * rise / self.length.max(1e-6)).min(rise)
+    /// What the rule of the order asks of it, where its middle line has this depth.
+    fn point(&self, depth: f64) -> StrokePoint {
+        let reach = stroke_reach(single(self.radius), single(self.along[2]), single(self.length));
+        StrokePoint { depth: single(depth), reach, visible: self.layer.1, width: self.width }
     }
 
     /// The share of the way at which it is nearest to a point.
@@ -145,10 +147,7 @@ impl Segment {
         if gap > self.radius + later.radius {
             return None;
         }
-        let same = self.reach() + later.reach() + 1e-4 * q[2].abs() + 1e-6;
-        let nearer = q[2] - p[2];
-        let second_is_over =
-            if nearer.abs() > same { nearer > 0.0 } else { (later.layer.1, later.width) >= (self.layer.1, self.width) };
+        let second_is_over = later_is_over(later.point(q[2]), self.point(p[2]));
         let arcs = [self.arc + s * self.length, later.arc + t * later.length];
         let contact = Contact { runs: [self.run, later.run], arcs, gap, second_is_over };
         // In the band of either, so that the squares of both know the place.
@@ -196,11 +195,6 @@ fn segments(all: &[Painted], drawing: &Drawing) -> Vec<Segment> {
         }
     }
     segments
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the display list is single precision")]
-fn single(v: f64) -> f32 {
-    v as f32
 }
 
 /// The place of a square among those of the picture; what is beside the picture belongs to those at its border.

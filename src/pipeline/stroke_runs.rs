@@ -6,7 +6,9 @@
 
 use std::ops::Range;
 
+use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
+use crate::drawing::order::on_a_face;
 use crate::drawing::{Drawing, StrokeSet};
 
 /// A part of a polyline that can be seen, or that faces hide, throughout.
@@ -131,11 +133,6 @@ impl Segment {
     fn at(&self, t: f64) -> [f32; 3] {
         std::array::from_fn(|k| single(self.from[k] + t * self.along[k]))
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the display list is single precision")]
-fn single(v: f64) -> f32 {
-    v as f32
 }
 
 /// An opaque triangle of the picture.
@@ -302,9 +299,7 @@ impl Face {
     /// By how much more than rounding its plane is nearer than a place.
     fn nearer_by(&self, [x, y, z]: [f64; 3]) -> f64 {
         let [px, py, c] = self.depth;
-        // As the rasterizer has it: corners of faces lie on a grid of the pixel, ends of strokes do not.
-        let same = 1e-4 * z.abs() + 1e-6 + 0.02 * (px.abs() + py.abs());
-        px * x + py * y + c - z - same
+        px * x + py * y + c - z - f64::from(on_a_face(single(z), [single(px), single(py)]))
     }
 
     /// True where it is before a place; also on its border, which two faces may share.

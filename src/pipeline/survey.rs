@@ -118,14 +118,31 @@ impl Survey {
         }
     }
 
-    /// Whether a stage is needed, and why.
-    pub(super) fn stage(&self, stage: Stage, projector: &Projector, style: &Style, output: Output) -> (bool, Reason) {
-        let no_faces = match style.shading {
+    /// Why a stage that works on faces has none.
+    fn no_faces(&self, style: &Style) -> Option<(bool, Reason)> {
+        match style.shading {
             Shading::Wireframe => Some((false, Reason::Wireframe)),
             _ if self.in_view == 0 => Some((false, Reason::NothingInView)),
             _ if self.faces == 0 => Some((false, Reason::NoFaces)),
-            _ => None,
-        };
+            Shading::Flat | Shading::Gouraud | Shading::Phong => None,
+        }
+    }
+
+    /// What decides which face is seen: the style's choice, or what the output can do; the depth buffer, which needs no order,
+    /// where no face hides another.
+    pub(super) fn order(&self, style: &Style, output: Output) -> Visibility {
+        match (output, style.visibility) {
+            _ if self.no_faces(style).is_some() => Visibility::DepthBuffer,
+            // Whoever paints in order needs one, also of faces that hide nothing.
+            (Output::Vectors, Visibility::DepthBuffer) => Visibility::Bsp,
+            (Output::Vectors, chosen) => chosen,
+            (Output::Pixels, chosen) if self.faces > 1 || self.hides_itself => chosen,
+            (Output::Pixels, _) => Visibility::DepthBuffer,
+        }
+    }
+
+    /// Whether a stage is needed, and why.
+    pub(super) fn stage(&self, stage: Stage, projector: &Projector, style: &Style, output: Output) -> (bool, Reason) {
         match stage {
             Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport if self.in_view == 0 && !self.lines => {
                 (false, Reason::NothingInView)
@@ -134,17 +151,15 @@ impl Survey {
             Stage::Viewport | Stage::Transform => (true, Reason::SomethingInView),
             Stage::CullObjects if self.outside == 0 => (false, Reason::NoneOutside { of: self.objects }),
             Stage::CullObjects => (true, Reason::Outside { outside: self.outside, of: self.objects }),
-            // Whoever paints in order needs one, also of faces that hide nothing.
-            Stage::HiddenSurfaces if output == Output::Vectors => no_faces.unwrap_or_else(|| (true, in_order(style))),
+            Stage::HiddenSurfaces => self.no_faces(style).unwrap_or_else(|| self.hidden_surfaces(style, output)),
             Stage::Normals
             | Stage::Light
             | Stage::CullFaces
             | Stage::Fill
             | Stage::Interpolate
-            | Stage::HiddenSurfaces
             | Stage::Texture
             | Stage::Blend
-            | Stage::Antialias => no_faces.unwrap_or_else(|| self.with_faces(stage, style)),
+            | Stage::Antialias => self.no_faces(style).unwrap_or_else(|| self.with_faces(stage, style)),
             Stage::Clip if self.in_view == 0 => (false, Reason::NothingInView),
             Stage::Clip if self.crossing == 0 => (false, Reason::AllInside { objects: self.in_view }),
             Stage::Clip => (true, Reason::Crossing { objects: self.crossing, of: self.in_view, planes: self.planes }),
@@ -163,7 +178,6 @@ impl Survey {
         match stage {
             Stage::Normals | Stage::Light => self.light(stage),
             Stage::CullFaces => self.cull_faces(),
-            Stage::HiddenSurfaces => self.hidden_surfaces(style),
             Stage::Interpolate => match self.varies {
                 0 => (false, Reason::OneColorAFace),
                 objects => (true, Reason::VariesOverFaces { objects }),
@@ -180,8 +194,18 @@ impl Survey {
                 0 | 1 => (false, Reason::OneSample),
                 samples => (true, Reason::Samples { samples }),
             },
-            // Filling, and what `stage` does not ask about.
-            _ => (true, Reason::FacesInView { objects: self.faces }),
+            Stage::Fill => (true, Reason::FacesInView { objects: self.faces }),
+            // `stage` and `face_stage` do not ask about these.
+            Stage::HiddenSurfaces
+            | Stage::Traverse
+            | Stage::CullObjects
+            | Stage::Transform
+            | Stage::Clip
+            | Stage::Oblique
+            | Stage::Divide
+            | Stage::Viewport
+            | Stage::Lines
+            | Stage::Write => (true, Reason::Always),
         }
     }
 
@@ -208,27 +232,15 @@ impl Survey {
         }
     }
 
-    fn hidden_surfaces(&self, style: &Style) -> (bool, Reason) {
-        if self.faces > 1 || self.hides_itself {
-            return (
-                true,
-                match style.visibility {
-                    Visibility::Painter => Reason::PaintedByCentroid,
-                    Visibility::Bsp => Reason::PaintedBySplitting,
-                    Visibility::DepthBuffer if self.faces > 1 => Reason::SeveralObjects { objects: self.faces },
-                    Visibility::DepthBuffer => Reason::HidesItself,
-                },
-            );
+    fn hidden_surfaces(&self, style: &Style, output: Output) -> (bool, Reason) {
+        match self.order(style, output) {
+            Visibility::Painter => (true, Reason::PaintedByCentroid),
+            Visibility::Bsp if style.visibility == Visibility::Bsp => (true, Reason::PaintedBySplitting),
+            Visibility::Bsp => (true, Reason::NoDepthBuffer),
+            Visibility::DepthBuffer if self.faces > 1 => (true, Reason::SeveralObjects { objects: self.faces }),
+            Visibility::DepthBuffer if self.hides_itself => (true, Reason::HidesItself),
+            Visibility::DepthBuffer if self.lines_ask => (true, Reason::LinesAskForDepth),
+            Visibility::DepthBuffer => (false, Reason::ConvexAlone),
         }
-        if self.lines_ask { (true, Reason::LinesAskForDepth) } else { (false, Reason::ConvexAlone) }
-    }
-}
-
-/// Why faces are painted from back to front for an output that has no depth buffer.
-fn in_order(style: &Style) -> Reason {
-    match style.visibility {
-        Visibility::Painter => Reason::PaintedByCentroid,
-        Visibility::Bsp => Reason::PaintedBySplitting,
-        Visibility::DepthBuffer => Reason::NoDepthBuffer,
     }
 }

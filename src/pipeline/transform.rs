@@ -174,17 +174,20 @@ fn clamp(value: f64, limit: f64) -> f64 {
 /// To the display list, exactly on the grid of [`SUBPIXELS`].
 #[inline(always)]
 pub(super) fn on_grid(p: [f64; 3]) -> [f32; 3] {
-    single([round_to_steps(p[0], SUBPIXELS), round_to_steps(p[1], SUBPIXELS), p[2]])
+    off_grid([round_to_steps(p[0], SUBPIXELS), round_to_steps(p[1], SUBPIXELS), p[2]])
 }
 
 /// To the display list, without the grid.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "pixels behind the viewport: single precision is the display list's"
-)]
 #[inline(always)]
-pub(super) fn single(p: [f64; 3]) -> [f32; 3] {
-    [p[0] as f32, p[1] as f32, p[2] as f32]
+pub(super) fn off_grid(p: [f64; 3]) -> [f32; 3] {
+    [single(p[0]), single(p[1]), single(p[2])]
+}
+
+/// To the precision of the display list, behind the viewport, and of light.
+#[expect(clippy::cast_possible_truncation, reason = "single precision is the display list's")]
+#[inline(always)]
+pub(super) fn single(v: f64) -> f32 {
+    v as f32
 }
 
 #[cfg(test)]

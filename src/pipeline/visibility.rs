@@ -101,7 +101,7 @@ impl Sides {
 #[derive(Clone, Debug)]
 struct Piece {
     layer: usize,
-    triangle: usize,
+    triangle: u32,
     corners: Vec<Corner>,
 }
 
@@ -165,7 +165,7 @@ fn pieces(layers: &[Layer]) -> (Vec<Piece>, Sides) {
     let own = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let (mut all, mut sides) = (Vec::new(), Sides::default());
     for (k, layer) in layers.iter().enumerate() {
-        for (triangle, corners) in layer.surface.triangles.iter().enumerate() {
+        for (triangle, corners) in (0_u32..).zip(&layer.surface.triangles) {
             let view = corners.map(|i| layer.view[i as usize]);
             let corner = |i: usize| Corner {
                 view: view[i],
@@ -335,7 +335,7 @@ impl Painter<'_> {
     fn paint(&mut self, piece: &Piece, corners: &[Corner]) {
         let layer = &self.layers[piece.layer];
         let old = &layer.surface;
-        let of = old.triangles[piece.triangle];
+        let of = old.triangles[piece.triangle as usize];
         let same_layer = self.last_layer == piece.layer;
         self.last_layer = piece.layer;
         if !self.surfaces.last().is_some_and(|last| takes(last, old, same_layer)) {
@@ -384,7 +384,9 @@ fn takes(last: &Surface, old: &Surface, same_layer: bool) -> bool {
     let alike = match (&last.paint, &old.paint) {
         (Paint::Faces(_), Paint::Faces(_) | Paint::Solid(_)) => true,
         (Paint::Vertices(_), Paint::Vertices(_)) => true,
-        _ => same_layer,
+        (Paint::Solid(_) | Paint::Faces(_) | Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. }, _) => {
+            same_layer
+        }
     };
     alike && last.translucent == old.translucent && last.inverse_w.is_empty() == old.inverse_w.is_empty()
 }

@@ -8,6 +8,7 @@
 use std::ops::Range;
 
 use crate::appearance::Rgba;
+use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 
 use super::pixel::{Pixel, over, premultiply, scale};
 
@@ -42,8 +43,7 @@ struct Layer {
 pub(super) enum LayerDepth {
     /// Nothing hides it but what comes later.
     OnTop,
-    /// Its depth; where that is the same, what is visible is in front of what is behind a face, then the wider stroke in front
-    /// of the finer one, then the later one.
+    /// Its depth, and what [`later_is_over`] asks besides.
     Tested {
         /// No face stands before it.
         visible: bool,
@@ -98,10 +98,9 @@ impl Coverage {
         }
         let (ux, uy) = if length > 1e-6 { (dx / length, dy / length) } else { (1.0, 0.0) };
         let (left, right) = (a[0].min(b[0]) - reach, a[0].max(b[0]) + reach);
-        // The depth along the middle line, and its change over as much of it as another stroke that crosses it covers, also at
-        // an acute angle.
+        // The depth along the middle line.
         let rise = (b[2] - a[2]) / length.max(1e-6);
-        let depth_reach = (3.0 * reach * rise.abs()).min((b[2] - a[2]).abs());
+        let depth_reach = stroke_reach(radius, b[2] - a[2], length);
         for j in pixels(a[1].min(b[1]) - reach, a[1].max(b[1]) + reach, self.first..self.end) {
             let y = center(j) - a[1];
             // Along the row the distance to the line grows by |uy| a pixel.
@@ -232,10 +231,13 @@ fn is_behind(later: &Fragment, earlier: &Fragment, layers: &[Layer]) -> bool {
         (LayerDepth::OnTop, _) => false,
         (LayerDepth::Tested { .. }, LayerDepth::OnTop) => true,
         (LayerDepth::Tested { visible, width }, LayerDepth::Tested { visible: other_visible, width: other_width }) => {
-            let nearer = later.depth - earlier.depth;
-            // Depths have some 16 bits where perspective crowds them.
-            let same = later.reach + earlier.reach + 1e-4 * later.depth.abs() + 1e-6;
-            if nearer.abs() > same { nearer < 0.0 } else { (visible, width) < (other_visible, other_width) }
+            let point = |&Fragment { depth, reach, .. }: &Fragment, visible, width| StrokePoint {
+                depth,
+                reach,
+                visible,
+                width,
+            };
+            !later_is_over(point(later, visible, width), point(earlier, other_visible, other_width))
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The depth of what is seen at each pixel.
 
 use super::setup::STEPS;
+use crate::drawing::order::on_a_face;
 
 /// Depth per pixel, greater is nearer.
 ///
@@ -82,8 +83,6 @@ impl DepthBuffer {
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
         let (i, j) = (floor(x), floor(y));
-        // Depths have some 16 bits where perspective crowds them; slopes lose 1/128 when they are packed.
-        let base = 1e-4 * p[2].abs() + 1e-6;
         let mut inside = false;
         for (i, j) in [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)] {
             let (Ok(column), Ok(row)) = (usize::try_from(i), usize::try_from(j)) else { continue };
@@ -91,7 +90,7 @@ impl DepthBuffer {
                 continue;
             }
             let Some((depth, [dx, dy])) = self.value(column, row) else { return true };
-            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + base + 0.02 * (dx.abs() + dy.abs()) {
+            if depth + dx * (x - i as f32) + dy * (y - j as f32) <= p[2] + on_a_face(p[2], [dx, dy]) {
                 return true;
             }
             inside = true;

@@ -82,7 +82,7 @@ pub(super) fn fill<K: Simd, const S: usize>(simd: K, band: &mut Band, surface: &
             Paint::Vertices(_) if !surface.translucent => {
                 eight::<K, S, GouraudColors<K>>(simd, band, surface, triangles, &corners, &batch, &z);
             }
-            _ => {
+            Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. } => {
                 for l in 0..triangles.len() {
                     let corners = corners_at(&corners, l);
                     if let Some(triangle) = batch.alone(l, &surface.positions, corners)

@@ -81,7 +81,7 @@ fn face_color(surface: &Surface, triangle: u32) -> Option<Pixel> {
     let color = match &surface.paint {
         Paint::Solid(color) => *color,
         Paint::Faces(colors) => *colors.get(triangle as usize)?,
-        _ => return None,
+        Paint::Vertices(_) | Paint::Phong(_) | Paint::Texture { .. } => return None,
     };
     Some(if surface.translucent { premultiply(color) } else { u32::from_le_bytes([color.r, color.g, color.b, 255]) })
 }
@@ -342,7 +342,7 @@ fn gouraud_alone(surface: &Surface, triangle: &Triangle, corners: [usize; 3]) ->
 fn vertex_colors(surface: &Surface) -> &[Rgba] {
     match &surface.paint {
         Paint::Vertices(colors) => colors,
-        _ => &[],
+        Paint::Solid(_) | Paint::Faces(_) | Paint::Phong(_) | Paint::Texture { .. } => &[],
     }
 }
 

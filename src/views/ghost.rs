@@ -102,16 +102,16 @@ mod tests {
         let before = Camera::new(&Parameters::default()).unwrap();
         let by = Angle::from_degrees(50.0);
         for convention in [Convention::RightHand, Convention::Vtk] {
-            for operation in
-                [Operation::Elevation(by), Operation::Azimuth(by), Operation::Yaw(by), Operation::Pitch(by)]
-            {
+            for (operation, moved) in [
+                (Operation::Elevation(by), Camera::position as fn(&Camera) -> DVec3),
+                (Operation::Azimuth(by), Camera::position),
+                (Operation::Yaw(by), Camera::focal_point),
+                (Operation::Pitch(by), Camera::focal_point),
+            ] {
                 let after = operation.apply(&before, convention).unwrap();
                 let axis = operation.axis(&before).unwrap();
                 let angle = operation.right_hand_angle(convention).unwrap().radians();
-                let (from, to) = match operation {
-                    Operation::Yaw(_) | Operation::Pitch(_) => (before.focal_point(), after.focal_point()),
-                    _ => (before.position(), after.position()),
-                };
+                let (from, to) = (moved(&before), moved(&after));
                 let way = arc(axis, from, angle);
                 assert!((way.first().unwrap() - from).length() < 1e-12);
                 assert!((way.last().unwrap() - to).length() < 1e-12, "{operation:?} {convention:?}");

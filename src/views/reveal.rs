@@ -204,11 +204,15 @@ fn divide_first(request: &Request, reach: f64, palette: Palette, revealed: &mut 
         Row::Warning(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
     });
     for object in objects {
-        if edges_only {
-            object.paint = ObjectPaint::Solid(palette.wrong);
-        } else if let ObjectPaint::Faces(colors) = &object.paint {
-            object.paint = ObjectPaint::Faces(Arc::new(colors.iter().map(|c| mixed(*c, palette.wrong)).collect()));
-        }
+        let tinted = |colors: &[Rgba]| Arc::new(colors.iter().map(|c| mixed(*c, palette.wrong)).collect());
+        object.paint = match &object.paint {
+            _ if edges_only => ObjectPaint::Solid(palette.wrong),
+            ObjectPaint::Solid(color) => ObjectPaint::Solid(mixed(*color, palette.wrong)),
+            ObjectPaint::Faces(colors) => ObjectPaint::Faces(tinted(colors)),
+            ObjectPaint::Vertices(colors) => ObjectPaint::Vertices(tinted(colors)),
+            // A picture can't be mixed with a colour.
+            ObjectPaint::Texture { .. } => ObjectPaint::Solid(mixed(Rgba::rgb(128, 128, 128), palette.wrong)),
+        };
         if let Some(edges) = &mut object.edges {
             edges.color = palette.wrong;
         }

@@ -386,22 +386,26 @@ fn what_is_wholly_before_the_eye_is_the_same_either_way() {
     assert!(wrong.data() == image(&Pictured::of(figure)).data());
 }
 
-#[test]
-fn a_face_that_passes_the_eye_is_where_its_divided_corners_are() {
-    // From (0, −1, −2), 2 before the eye, to (0, −1, 2), 2 behind it: it leads from below the middle to above it.
+/// From (0, −1, −2), 2 before the eye, to (0, −1, 2), 2 behind it: it leads from below the middle to above it.
+fn passing_the_eye(paint: ObjectPaint) -> Scene {
     let corners = [DVec3::new(-0.5, -1.0, -2.0), DVec3::new(0.5, -1.0, -2.0), DVec3::new(0.0, -1.0, 2.0)];
     let mesh = Mesh { positions: corners.to_vec(), triangles: vec![[0, 1, 2]], ..Mesh::default() };
-    let object = Object {
+    let floor = Object {
         name: "floor".to_owned(),
         mesh: std::sync::Arc::new(mesh),
         world_from_object: DMat4::IDENTITY,
-        paint: ObjectPaint::Solid(Rgba::rgb(9, 9, 9)),
+        paint,
         lit: false,
         two_sided: true,
         faces: true,
         edges: None,
     };
-    let scene = Scene { objects: vec![object], ..Scene::default() };
+    Scene { objects: vec![floor], ..Scene::default() }
+}
+
+#[test]
+fn a_face_that_passes_the_eye_is_where_its_divided_corners_are() {
+    let scene = passing_the_eye(ObjectPaint::Solid(Rgba::rgb(9, 9, 9)));
     let folded = divided_first(&scene, &eye(Projection::Perspective), 4.0);
     assert!(folded.right.objects[0].mesh.triangles.is_empty());
     let mesh = &folded.wrong.objects[0].mesh;
@@ -412,6 +416,19 @@ fn a_face_that_passes_the_eye_is_where_its_divided_corners_are() {
     // The cube ends at −z_n = −1, a sixth of the way: y = −1/2 + 1/6.
     let highest = in_cube.wrong.objects[0].mesh.positions.iter().map(|p| p.y).fold(f64::MIN, f64::max);
     assert!((highest + 1.0 / 3.0).abs() < 1e-15, "{highest}");
+}
+
+#[test]
+fn what_is_divided_first_carries_what_its_vertices_carry() {
+    let [black, light] = [Rgba::rgb(0, 0, 0), Rgba::rgb(240, 60, 120)];
+    let scene = passing_the_eye(ObjectPaint::Vertices(std::sync::Arc::new(vec![black, black, light])));
+    let floor = divided_first(&scene, &eye(Projection::Perspective), 1.0).wrong.objects.remove(0);
+    let ObjectPaint::Vertices(colors) = &floor.paint else { panic!("{:?}", floor.paint) };
+    assert_eq!(colors.len(), 4);
+    for (p, color) in floor.mesh.positions.iter().zip(colors.iter()) {
+        // The cube ends a sixth of the way to the third corner.
+        assert_eq!(*color, if p.z == -0.5 { black } else { Rgba::rgb(40, 10, 20) }, "{p}");
+    }
 }
 
 #[test]

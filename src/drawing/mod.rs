@@ -13,7 +13,9 @@
 //! their order in the list. Where they touch, so that neither is nearer by more than what their own width spans, a visible part
 //! goes over a hidden one, then the wider stroke over the finer one (an edge over a grid line that runs up to it), then the later
 //! one over the earlier. Strokes whose hidden parts are [`Shown`](crate::appearance::HiddenLines::Shown) take no part in this:
-//! they are painted over all others, one over the other.
+//! they are painted over all others, one over the other. [`order`] has these rules for numbers.
+
+pub mod order;
 
 use std::ops::Range;
 use std::sync::Arc;

@@ -1,0 +1,50 @@
+//! The rules by which depths are compared, the same for every output: what is in front, and what is as near as makes no
+//! difference.
+
+/// By how much two depths may differ, and still be the same: depths have some 16 bits where perspective crowds them.
+#[inline]
+#[must_use]
+pub fn same_depth(depth: f32) -> f32 {
+    1e-4 * depth.abs() + 1e-6
+}
+
+/// By how much a point may lie behind a face, and still be on it. `slope`: the change of the face's depth per pixel to the
+/// right and down.
+///
+/// Corners of faces lie on a grid of the pixel, ends of strokes do not; and slopes that are kept for each pixel are rounded.
+#[inline]
+#[must_use]
+pub fn on_a_face(depth: f32, slope: [f32; 2]) -> f32 {
+    same_depth(depth) + 0.02 * (slope[0].abs() + slope[1].abs())
+}
+
+/// By how much the depth of a stroke may differ between a point of its middle line and where another stroke touches it
+/// there, also at an acute angle. `radius`: half its width in pixels; `rise`: the change of its depth on `length` pixels.
+#[inline]
+#[must_use]
+pub fn stroke_reach(radius: f32, rise: f32, length: f32) -> f32 {
+    (3.0 * (radius + 0.5) * (rise / length.max(1e-6)).abs()).min(rise.abs())
+}
+
+/// A stroke at a place where it touches another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrokePoint {
+    /// The depth of its middle line where that is nearest.
+    pub depth: f32,
+    /// By how much its depth may differ around there.
+    pub reach: f32,
+    /// No face stands before it.
+    pub visible: bool,
+    /// Its width in pixels.
+    pub width: f32,
+}
+
+/// Which of two strokes is over the other where they touch: the nearer one; where neither is nearer by more than what they
+/// reach, one that is visible over one behind a face, then the wider over the finer one, then the later in the list.
+#[inline]
+#[must_use]
+pub fn later_is_over(later: StrokePoint, earlier: StrokePoint) -> bool {
+    let nearer = later.depth - earlier.depth;
+    let same = later.reach + earlier.reach + same_depth(later.depth);
+    if nearer.abs() > same { nearer > 0.0 } else { (later.visible, later.width) >= (earlier.visible, earlier.width) }
+}
