@@ -18,6 +18,12 @@ pub const MAX_SEGMENTS: u32 = 512;
 /// Segments of a curved shape where nothing is said: at usual sizes it looks round.
 pub const DEFAULT_SEGMENTS: u32 = 32;
 
+/// The most meridians that a curved shape names as edges: with more, the wireframe of a sphere is no longer legible.
+pub const MAX_MERIDIANS: u32 = 16;
+
+/// No mesh has more vertices than this: they are counted with 32 bits, with room for those that cutting makes.
+pub const MAX_VERTICES: usize = 1 << 31;
+
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;
 

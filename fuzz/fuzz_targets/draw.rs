@@ -6,7 +6,8 @@ use std::fmt::Write as _;
 use camera_lab::appearance::{Rgba, Style, Visibility};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::Figure;
-use camera_lab::pipeline::{self, Target};
+use camera_lab::pipeline::stroke_order::painted_runs;
+use camera_lab::pipeline::{Options, Output, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{ObjectSpec, Preset, SceneSpec, Shape, build};
 use glam::DVec3;
@@ -42,6 +43,12 @@ fuzz_target!(|bytes: &[u8]| {
     let style = Style { visibility, antialias: 1, ..Figure::default().style };
     let Ok(scene) = build(&spec, &style, &mut |_| Ok(obj.clone().into_bytes())) else { return };
     let target = Target { width: 64, height: 48, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
-    let drawing = pipeline::draw(&scene, &camera, target, &style);
-    assert!(Rasterizer::default().paint(&drawing).is_some());
+    for output in [Output::Pixels, Output::Vectors] {
+        let options = Options { output, ..Options::default() };
+        let drawing = Pipeline::default().frame(&scene, &camera, target, &style, options).drawing;
+        assert!(Rasterizer::default().paint(&drawing).is_some());
+        for run in painted_runs(&drawing) {
+            assert!(run.points.len() >= 2 && run.points.iter().flatten().all(|v| v.is_finite()));
+        }
+    }
 });

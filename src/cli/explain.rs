@@ -78,7 +78,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
 /// What becomes of each object of the scene.
 fn objects<'a>(scene: &'a Scene, account: &Account, lang: Lang) -> Vec<ObjectLine<'a>> {
     let line = |(object, report): (&'a Object, &ObjectReport)| {
-        let (place, planes) = match report.place {
+        let (place, planes) = match report.containment {
             Containment::Empty => ("empty", 0),
             Containment::Crosses(0) => ("inside", 0),
             Containment::Crosses(planes) => ("crosses", planes),

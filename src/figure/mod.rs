@@ -3,6 +3,7 @@
 mod edit;
 pub mod error;
 mod near;
+pub mod observer;
 pub mod read;
 mod recommended;
 mod reveal;
@@ -14,7 +15,7 @@ use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
 pub use edit::update;
 pub use error::FigureError;
-use glam::DVec3;
+pub use observer::Observer;
 pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal};
 
@@ -53,19 +54,4 @@ pub struct Observers {
     pub world: Option<Observer>,
     /// `[observers.canonical]`
     pub canonical: Option<Observer>,
-}
-
-/// Who looks at a three-dimensional picture: an orbit about a target.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Observer {
-    /// The point in the middle of the picture, in the space of the picture.
-    pub target: DVec3,
-    /// Distance of the eye from the target; also the measure of zoom.
-    pub distance: f64,
-    /// Degrees about y, 0 = the eye on the +z side, 90 = on the +x side.
-    pub azimuth: f64,
-    /// Degrees above the ground, −90 … 90.
-    pub elevation: f64,
-    /// Parallel (true) or perspective projection of this picture.
-    pub parallel: bool,
 }

@@ -16,11 +16,11 @@ use crate::views::{Arrows, Palette, SharedScene};
 /// The scene with what is selected marked in it; it is made anew only when one of both has changed.
 #[derive(Debug, Default)]
 pub(super) struct Highlight {
-    kept: Option<Kept>,
+    kept: Option<MarkedScene>,
 }
 
 #[derive(Debug)]
-struct Kept {
+struct MarkedScene {
     scene: SharedScene,
     selected: Selected,
     theme: Theme,
@@ -39,7 +39,7 @@ impl Highlight {
             return scene.clone();
         };
         let theme = figure.style.theme;
-        let is_same = |kept: &&Kept| kept.scene == *scene && kept.selected == *selected && kept.theme == theme;
+        let is_same = |kept: &&MarkedScene| kept.scene == *scene && kept.selected == *selected && kept.theme == theme;
         if let Some(kept) = self.kept.as_ref().filter(is_same) {
             return kept.marked.clone();
         }
@@ -54,7 +54,8 @@ impl Highlight {
             }
         }
         let marked = scene.marked(marked);
-        self.kept = Some(Kept { scene: scene.clone(), selected: selected.clone(), theme, marked: marked.clone() });
+        self.kept =
+            Some(MarkedScene { scene: scene.clone(), selected: selected.clone(), theme, marked: marked.clone() });
         marked
     }
 }

@@ -20,13 +20,13 @@ const SLOTS: usize = 16;
 #[derive(Debug)]
 pub struct Session {
     file: PathBuf,
-    written: Option<Kept>,
+    written: Option<SessionRecord>,
     _lock: File,
 }
 
 /// What is written down.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-struct Kept {
+struct SessionRecord {
     /// The figure's file, if it has one.
     path: Option<PathBuf>,
     /// The text of that file as it was read or saved last.
@@ -60,7 +60,7 @@ impl Session {
             self.forget();
             return;
         }
-        let kept = Kept {
+        let kept = SessionRecord {
             path: document.path().cloned(),
             source: document.source().to_owned(),
             figure: update(document.source(), document.figure()),
@@ -84,7 +84,7 @@ impl Session {
 }
 
 fn read(file: &Path) -> Option<Document> {
-    let kept: Kept = serde_json::from_slice(&files::read_file(file).ok()?).ok()?;
+    let kept: SessionRecord = serde_json::from_slice(&files::read_file(file).ok()?).ok()?;
     let changed = files::figure_from(kept.figure.as_bytes()).ok()?.figure;
     // Without a file, the window had begun with its own first figure, not with that of an empty file.
     let saved = match &kept.path {

@@ -157,7 +157,7 @@ pub const fn left_out(lang: Lang) -> &'static str {
 /// What becomes of an object, and why.
 #[must_use]
 pub fn object(lang: Lang, report: &ObjectReport) -> String {
-    let mut text = match report.place {
+    let mut text = match report.containment {
         Containment::Empty => {
             return match lang {
                 Lang::En => "has no vertices".to_owned(),

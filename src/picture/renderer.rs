@@ -37,12 +37,6 @@ impl Renderer {
         self.on_window = None;
     }
 
-    /// The plan, the report and the display list of a picture: what an output of vectors needs, which has no pixels. `None`
-    /// where there is no memory for the image on the window.
-    pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
-        self.timed_drawing(request).map(|(frame, _)| frame)
-    }
-
     /// A picture. `None` where a side is 0, or there is no memory for so many pixels.
     pub fn pixels(&mut self, request: &Request) -> Option<Picture> {
         let mut picture = Picture::default();

@@ -22,7 +22,7 @@ struct Crossing {
 
 /// What culling found out about a stretch of [`CHUNK`] triangles.
 #[derive(Debug, Default)]
-struct Part {
+struct Stretch {
     crossing: Vec<Crossing>,
     kept: usize,
     back: usize,
@@ -48,7 +48,7 @@ pub(super) struct Faces {
     pub(super) turned_over: usize,
     /// A bit for each triangle of the mesh that is left and crosses no plane, the first in the lowest bit.
     kept: Vec<u8>,
-    parts: Vec<Part>,
+    stretches: Vec<Stretch>,
     clipper: Clipper,
 }
 
@@ -84,33 +84,33 @@ impl Faces {
         self.used.resize_with(groups, AtomicBool::default);
         self.used.iter_mut().for_each(|used| *used.get_mut() = false);
         self.kept.resize(triangles.len().div_ceil(8), 0);
-        self.parts.resize_with(triangles.len().div_ceil(CHUNK), Part::default);
+        self.stretches.resize_with(triangles.len().div_ceil(CHUNK), Stretch::default);
 
         let culling = Culling { image: &self.image, vertices, used: &self.used, task };
-        let stretches = self.parts.iter_mut().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks_mut(CHUNK / 8));
+        let stretches = self.stretches.iter_mut().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks_mut(CHUNK / 8));
         let stretches = (0..).step_by(CHUNK).zip(stretches);
-        let cull = |(first, ((part, triangles), kept))| culling.stretch(part, triangles, kept, first);
+        let cull = |(first, ((stretch, triangles), kept))| culling.stretch(stretch, triangles, kept, first);
         if triangles.len() > 2 * CHUNK {
             stretches.collect::<Vec<_>>().into_par_iter().for_each(cull);
         } else {
             stretches.for_each(cull);
         }
-        self.back = self.parts.iter().map(|part| part.back).sum();
-        self.turned_over = self.parts.iter().map(|part| part.turned_over).sum();
+        self.back = self.stretches.iter().map(|stretch| stretch.back).sum();
+        self.turned_over = self.stretches.iter().map(|stretch| stretch.turned_over).sum();
         self.gather(triangles, task.want_source);
     }
 
     /// Puts the triangles that are left one behind the other.
     fn gather(&mut self, triangles: &[[u32; 3]], want_source: bool) {
-        let count = self.parts.iter().map(|part| part.kept).sum();
+        let count = self.stretches.iter().map(|stretch| stretch.kept).sum();
         self.triangles.resize(count, [0; 3]);
         self.source.resize(if want_source { count } else { 0 }, 0);
         let (mut left, mut sources) = (&mut self.triangles[..], &mut self.source[..]);
-        let stretches = self.parts.iter().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks(CHUNK / 8));
-        let stretches = (0..).step_by(CHUNK).zip(stretches).map(|(first, ((part, triangles), kept))| {
-            let (out, rest) = std::mem::take(&mut left).split_at_mut(part.kept);
+        let stretches = self.stretches.iter().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks(CHUNK / 8));
+        let stretches = (0..).step_by(CHUNK).zip(stretches).map(|(first, ((stretch, triangles), kept))| {
+            let (out, rest) = std::mem::take(&mut left).split_at_mut(stretch.kept);
             left = rest;
-            let (source, rest) = std::mem::take(&mut sources).split_at_mut(if want_source { part.kept } else { 0 });
+            let (source, rest) = std::mem::take(&mut sources).split_at_mut(if want_source { stretch.kept } else { 0 });
             sources = rest;
             (first, triangles, kept, out, source)
         });
@@ -141,7 +141,7 @@ impl Faces {
     /// that they do not cross.
     pub(super) fn clip(&mut self, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
         self.cuts.clear();
-        for &Crossing { source, triangle, planes } in self.parts.iter().flat_map(|part| &part.crossing) {
+        for &Crossing { source, triangle, planes } in self.stretches.iter().flat_map(|stretch| &stretch.crossing) {
             let corners = triangle.map(|i| vertices.clip(i));
             let planes = if all_planes { ALL_PLANES } else { planes };
             let mut fan = [0_u32; 2];
@@ -184,9 +184,9 @@ struct Culling<'a> {
 
 impl Culling<'_> {
     /// Sets the bits of triangles that are left and cross no plane.
-    fn stretch(&self, part: &mut Part, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
-        *part = Part { crossing: std::mem::take(&mut part.crossing), ..Part::default() };
-        part.crossing.clear();
+    fn stretch(&self, stretch: &mut Stretch, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
+        *stretch = Stretch { crossing: std::mem::take(&mut stretch.crossing), ..Stretch::default() };
+        stretch.crossing.clear();
         for ((k, byte), eight) in (first..).step_by(8).zip(kept).zip(triangles.chunks(8)) {
             let mut bits = 0;
             let [every, any] = self.outcodes(eight);
@@ -194,14 +194,14 @@ impl Culling<'_> {
                 // All of them are outside of the same plane.
             } else if self.task.watch_turning || any != 0 {
                 for (l, &triangle) in eight.iter().enumerate() {
-                    bits |= u8::from(self.judge(part, k + to_u32(l), triangle)) << l;
+                    bits |= u8::from(self.judge(stretch, k + to_u32(l), triangle)) << l;
                 }
             } else {
                 bits = self.turned_here(eight);
-                part.back += eight.len() - bits.count_ones() as usize;
+                stretch.back += eight.len() - bits.count_ones() as usize;
             }
             *byte = bits;
-            part.kept += bits.count_ones() as usize;
+            stretch.kept += bits.count_ones() as usize;
             let mut left = if self.used.is_empty() { 0 } else { bits };
             while left != 0 {
                 self.mark(eight[left.trailing_zeros() as usize]);
@@ -268,7 +268,7 @@ impl Culling<'_> {
     }
 
     /// The same for any triangle: false for one that crosses a plane, which is put aside.
-    fn judge(&self, part: &mut Part, source: u32, triangle: [u32; 3]) -> bool {
+    fn judge(&self, stretch: &mut Stretch, source: u32, triangle: [u32; 3]) -> bool {
         let Vertices { projector, view_from_object, .. } = *self.vertices;
         let [a, b, c] = [triangle[0] as usize, triangle[1] as usize, triangle[2] as usize];
         if a.max(b).max(c) >= self.image.positions.len() {
@@ -286,14 +286,14 @@ impl Culling<'_> {
         let in_world = || facing(projector, triangle.map(|i| self.vertices.view(i)));
         let area = if planes == 0 { area_on_image(positions[a], positions[b], positions[c]) } else { in_world() };
         if self.task.watch_turning && planes == 0 && area * in_world() < 0.0 {
-            part.turned_over += 1;
+            stretch.turned_over += 1;
         }
         if area == 0.0 || (self.task.cull_back && area * view_from_object.outward() < 0.0) {
-            part.back += 1;
+            stretch.back += 1;
             return false;
         }
         if planes != 0 {
-            part.crossing.push(Crossing { source, triangle, planes });
+            stretch.crossing.push(Crossing { source, triangle, planes });
             self.mark(triangle);
         }
         planes == 0

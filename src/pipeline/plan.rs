@@ -40,18 +40,18 @@ pub struct Options {
 }
 
 impl Plan {
-    /// Plans the picture. `places` are those of the objects; `boxes_tested`: see there.
+    /// Plans the picture. `containments` are those of the objects; `boxes_tested`: see there.
     pub(super) fn new(
         scene: &Scene,
         projector: &Projector,
         style: &Style,
-        (places, boxes_tested): (Vec<Containment>, usize),
+        (containments, boxes_tested): (Vec<Containment>, usize),
         options: Options,
     ) -> Self {
         let force = options.force_all_stages;
         let dark = scene.lights.is_empty();
-        let objects = scene.objects.iter().zip(places);
-        let objects = objects.map(|(object, place)| plan_object(object, place, style, dark, force));
+        let objects = scene.objects.iter().zip(containments);
+        let objects = objects.map(|(object, containment)| plan_object(object, containment, style, dark, force));
         let objects: Vec<ObjectPlan> = objects.collect();
         let survey = Survey::new(scene, &objects, style);
         let stages = Stage::ALL
@@ -84,15 +84,15 @@ impl Plan {
     }
 }
 
-fn plan_object(object: &Object, place: Containment, style: &Style, dark: bool, force: bool) -> ObjectPlan {
-    let drawn = match place {
+fn plan_object(object: &Object, containment: Containment, style: &Style, dark: bool, force: bool) -> ObjectPlan {
+    let drawn = match containment {
         Containment::Crosses(_) => true,
         Containment::Outside(_) => force,
         Containment::Empty => false,
     };
     if !drawn {
         return ObjectPlan {
-            place,
+            containment,
             drawn,
             clip_planes: 0,
             faces: false,
@@ -101,7 +101,7 @@ fn plan_object(object: &Object, place: Containment, style: &Style, dark: bool, f
             translucent: false,
         };
     }
-    let clip_planes = match place {
+    let clip_planes = match containment {
         Containment::Crosses(planes) if !force => planes,
         Containment::Crosses(_) | Containment::Outside(_) | Containment::Empty => ALL_PLANES,
     };
@@ -121,7 +121,7 @@ fn plan_object(object: &Object, place: Containment, style: &Style, dark: bool, f
         Shading::Phong => LitAt::Pixels,
     };
     ObjectPlan {
-        place,
+        containment,
         drawn,
         clip_planes,
         faces: object.faces && !object.mesh.triangles.is_empty() && (force || style.shading != Shading::Wireframe),

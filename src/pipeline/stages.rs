@@ -326,7 +326,7 @@ pub enum LitAt {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObjectPlan {
     /// Where its bounding box lies.
-    pub place: Containment,
+    pub containment: Containment,
     /// It is worked on at all; where not, nothing more is said.
     pub drawn: bool,
     /// The planes that its faces are clipped against.
@@ -345,7 +345,7 @@ pub struct ObjectPlan {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObjectReport {
     /// Where its bounding box lies.
-    pub place: Containment,
+    pub containment: Containment,
     /// What became of its faces.
     pub faces: FacesDone,
     /// Where light was computed.
@@ -370,6 +370,6 @@ pub enum FacesDone {
 impl ObjectReport {
     /// Before anything is done.
     pub(super) fn new(plan: &ObjectPlan) -> Self {
-        Self { place: plan.place, faces: FacesDone::NotDrawn, lit: LitAt::Nowhere, triangles: 0 }
+        Self { containment: plan.containment, faces: FacesDone::NotDrawn, lit: LitAt::Nowhere, triangles: 0 }
     }
 }

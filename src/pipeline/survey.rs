@@ -33,12 +33,16 @@ pub(super) struct Survey {
 
 impl Survey {
     pub(super) fn new(scene: &Scene, plans: &[ObjectPlan], style: &Style) -> Self {
-        let in_view: Vec<(&Object, &ObjectPlan)> =
-            scene.objects.iter().zip(plans).filter(|(_, plan)| matches!(plan.place, Containment::Crosses(_))).collect();
+        let in_view: Vec<(&Object, &ObjectPlan)> = scene
+            .objects
+            .iter()
+            .zip(plans)
+            .filter(|(_, plan)| matches!(plan.containment, Containment::Crosses(_)))
+            .collect();
         let wireframe = style.shading == Shading::Wireframe;
         let faces: Vec<_> = in_view.iter().filter(|(_, plan)| plan.faces && !wireframe).collect();
         let lit = |at: LitAt| faces.iter().filter(|(_, plan)| plan.lit == at).count();
-        let planes = |plan: &ObjectPlan| match plan.place {
+        let planes = |plan: &ObjectPlan| match plan.containment {
             Containment::Crosses(planes) => planes,
             Containment::Outside(_) | Containment::Empty => 0,
         };
@@ -49,7 +53,7 @@ impl Survey {
         };
         Self {
             objects: scene.objects.len(),
-            outside: plans.iter().filter(|plan| matches!(plan.place, Containment::Outside(_))).count(),
+            outside: plans.iter().filter(|plan| matches!(plan.containment, Containment::Outside(_))).count(),
             in_view: in_view.len(),
             crossing: in_view.iter().filter(|(_, plan)| planes(plan) != 0).count(),
             planes: in_view.iter().fold(0, |all, (_, plan)| all | planes(plan)),

@@ -179,21 +179,22 @@ fn pieces(layers: &[Layer]) -> (Vec<Piece>, Sides) {
     (all, sides)
 }
 
-/// A plane in view space.
+/// A plane in view space, by which faces are parted. A point of it is kept, and not its distance from the eye, so that
+/// differences are taken before products.
 #[derive(Clone, Copy, Debug)]
-struct Plane {
+struct SplitPlane {
     point: DVec3,
     normal: DVec3,
 }
 
 #[derive(Default)]
-struct Parts {
+struct Divided {
     front: Vec<Piece>,
     on: Vec<Piece>,
     back: Vec<Piece>,
 }
 
-impl Plane {
+impl SplitPlane {
     /// The plane of a face; `None` for one without area.
     fn of(piece: &Piece) -> Option<Self> {
         let [a, b, c] = [0, 1, 2].map(|i| piece.corners[i].view);
@@ -234,8 +235,8 @@ impl Plane {
         })
     }
 
-    fn divide(&self, set: Vec<Piece>, tolerance: f64, sides: &mut Sides) -> Parts {
-        let mut parts = Parts::default();
+    fn divide(&self, set: Vec<Piece>, tolerance: f64, sides: &mut Sides) -> Divided {
+        let mut parts = Divided::default();
         for piece in set {
             match self.sides(&piece, tolerance) {
                 (false, false) => parts.on.push(piece),
@@ -294,23 +295,23 @@ impl Plane {
 
 /// Of some planes of faces, and in large sets of some upright planes through the middle too, the one that splits least and
 /// divides most evenly; `None` where no face has an area.
-fn best_plane(set: &[Piece], tolerance: f64) -> Option<Plane> {
+fn best_plane(set: &[Piece], tolerance: f64) -> Option<SplitPlane> {
     const TRIED: usize = 6;
     const LARGE: usize = 128;
     let step = set.len().div_ceil(TRIED);
-    let mut candidates: Vec<Plane> = set.iter().step_by(step).filter_map(Plane::of).collect();
+    let mut candidates: Vec<SplitPlane> = set.iter().step_by(step).filter_map(SplitPlane::of).collect();
     if candidates.is_empty() {
-        candidates.extend(set.iter().find_map(Plane::of));
+        candidates.extend(set.iter().find_map(SplitPlane::of));
     }
     if set.len() > LARGE && !candidates.is_empty() {
         for axis in DVec3::AXES {
             let mut along: Vec<f64> = set.iter().map(|piece| axis.dot(piece.corners[0].view)).collect();
             let middle = along.len() / 2;
             let (_, median, _) = along.select_nth_unstable_by(middle, f64::total_cmp);
-            candidates.push(Plane { point: axis * *median, normal: axis });
+            candidates.push(SplitPlane { point: axis * *median, normal: axis });
         }
     }
-    let useful = |plane: &Plane| {
+    let useful = |plane: &SplitPlane| {
         // A plane that leaves the whole set on one side would go on for ever.
         let (before, behind) = set.iter().fold((0, 0), |(before, behind), piece| {
             let (b, h) = plane.sides(piece, tolerance);

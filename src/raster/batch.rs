@@ -20,7 +20,9 @@ use crate::drawing::Surface;
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x4, f32x8, i32x8, mask32x8, round_bits};
 
-use super::setup::{FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, Plane, REACH, STEPS, Size, Triangle, WIDEST, pick};
+use super::setup::{
+    AffineValue, FRACTION, GRID_ZERO, HALF, HIGHEST, OFFSET, REACH, STEPS, Size, Triangle, WIDEST, pick,
+};
 
 /// Triangles in a batch.
 pub(super) const BATCH: usize = 8;
@@ -289,7 +291,7 @@ impl<K: Simd> SetUp<K> {
     }
 }
 
-/// A [`Plane`] of each of eight triangles.
+/// A [`AffineValue`] of each of eight triangles.
 #[derive(Clone, Copy)]
 pub(super) struct Planes<K: Simd> {
     pub(super) value: f32x8<K>,
@@ -301,8 +303,8 @@ pub(super) struct Planes<K: Simd> {
 
 impl<K: Simd> Planes<K> {
     #[inline(always)]
-    pub(super) fn of(&self, lane: usize) -> Plane {
-        Plane {
+    pub(super) fn of(&self, lane: usize) -> AffineValue {
+        AffineValue {
             value: self.value[lane],
             dx: self.dx[lane],
             dy: self.dy[lane],

@@ -17,7 +17,7 @@ use super::batch::{BATCH, Batch, Corners, Planes, SetUp, corners, corners_at, ga
 use super::depth::pack_slope;
 use super::per_pixel::PerPixel;
 use super::pixel::{self, Pixel};
-use super::setup::{Borders, Plane, ROWS, STEPS, Size};
+use super::setup::{AffineValue, Borders, ROWS, STEPS, Size};
 use super::shade::{Colors, FlatColors, GouraudColors, LANES, Shader};
 
 /// Some rows of a picture: colour and depth of each sample, in one plane for each place of a sample.
@@ -233,8 +233,8 @@ impl Few {
 impl Band<'_> {
     /// Where a pixel's values are.
     #[inline(always)]
-    fn place(&self, row: i32, column: i32) -> Place {
-        Place { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
+    fn place(&self, row: i32, column: i32) -> TileStart {
+        TileStart { start: (row - self.rows.start) as u32 * self.pitch + column as u32, pitch: self.pitch }
     }
 
     /// Sets a pixel.
@@ -318,13 +318,13 @@ impl<K: Simd, const SQUARE: bool> Tile<K, SQUARE> {
 
 /// Where a tile begins in the arrays of a band, and how far it is from there to the next row.
 #[derive(Clone, Copy)]
-struct Place {
+struct TileStart {
     // 32 bits: then the compiler knows that a sum in 64 does not overflow.
     start: u32,
     pitch: u32,
 }
 
-impl Place {
+impl TileStart {
     /// The same pixels in the plane of another sample.
     #[inline(always)]
     fn plane(self, start: u32) -> Self {
@@ -375,7 +375,7 @@ impl Place {
 struct Painter<K: Simd, const S: usize, P> {
     simd: K,
     origin: [f32; 2],
-    z: Plane,
+    z: AffineValue,
     /// From the depth at the centre to that at each sample.
     depth_steps: [f32; S],
     depth_test: bool,
@@ -386,7 +386,7 @@ struct Painter<K: Simd, const S: usize, P> {
 
 impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     #[inline(always)]
-    fn new(simd: K, origin: [f32; 2], z: Plane, band: &Band, surface: &Surface, shader: P) -> Self {
+    fn new(simd: K, origin: [f32; 2], z: AffineValue, band: &Band, surface: &Surface, shader: P) -> Self {
         // Depth is affine, so a sample's differs from the centre's by the same everywhere.
         let mut depth_steps = [0.0; S];
         for (step, sample) in depth_steps.iter_mut().zip(band.samples) {
@@ -523,7 +523,7 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn paint<const SQUARE: bool>(
         &self,
-        place: Place,
+        place: TileStart,
         band: &mut Band,
         center: f32x8<K>,
         covered: &mut [mask32x8<K>; S],

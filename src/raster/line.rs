@@ -16,7 +16,7 @@ use super::depth::DepthBuffer;
 
 /// Distance of the points of a stroke that are held against the depth buffer, in pixels.
 const STEP: f32 = 0.5;
-/// A visible or hidden part shorter than this (pixels) between two of the other kind is taken for rounding.
+/// A visible or hidden run shorter than this (pixels) between two of the other kind is taken for rounding.
 const SHORTEST: f32 = 1.25;
 /// Polylines longer than this (pixels) are not part of a picture.
 const LONGEST: f32 = 1e6;
@@ -40,13 +40,13 @@ pub(super) struct Strokes {
 struct Chunk {
     set: usize,
     polylines: Range<usize>,
-    parts: Vec<Part>,
+    runs: Vec<ArcRun>,
     line: Polyline,
 }
 
-/// A part of a polyline, by arc length.
+/// A run of a polyline, visible or hidden throughout, by arc length.
 #[derive(Clone, Debug, PartialEq)]
-struct Part {
+struct ArcRun {
     polyline: usize,
     range: Range<f32>,
     visible: bool,
@@ -117,18 +117,18 @@ fn points<'a>(set: &'a StrokeSet, polyline: usize, line: &mut Polyline) -> Optio
 impl Chunk {
     /// Finds the visible and the hidden parts of the chunk's polylines.
     fn split(&mut self, set: &StrokeSet, depth: &DepthBuffer) {
-        self.parts.clear();
+        self.runs.clear();
         let test = set.style.hidden != HiddenLines::Shown && !depth.is_empty();
         for polyline in self.polylines.clone() {
             let Some(points) = points(set, polyline, &mut self.line) else { continue };
-            let first = self.parts.len();
+            let first = self.runs.len();
             if test {
                 self.line.split(points, depth, |range, visible| {
-                    push(&mut self.parts, first, Part { polyline, range, visible });
+                    push(&mut self.runs, first, ArcRun { polyline, range, visible });
                 });
-                smooth(&mut self.parts, first);
+                smooth(&mut self.runs, first);
             } else {
-                self.parts.push(Part { polyline, range: 0.0..self.line.length(), visible: true });
+                self.runs.push(ArcRun { polyline, range: 0.0..self.line.length(), visible: true });
             }
         }
     }
@@ -144,26 +144,26 @@ impl Strip {
                 let Some(style) = style else { continue };
                 let tested = LayerDepth::Tested { visible, width: set.style.width };
                 self.coverage.begin(style.color, if on_top { LayerDepth::OnTop } else { tested });
-                for part in chunks.iter().flat_map(|c| &c.parts).filter(|p| p.visible == visible) {
-                    self.cover(set, part, style);
+                for run in chunks.iter().flat_map(|c| &c.runs).filter(|p| p.visible == visible) {
+                    self.cover(set, run, style);
                 }
             }
         }
         self.coverage.lay(pixels);
     }
 
-    /// Covers a part of a polyline, with the arrow head if that is in it.
-    fn cover(&mut self, set: &StrokeSet, part: &Part, style: LineStyle) {
-        let Some(points) = points(set, part.polyline, &mut self.line) else { return };
+    /// Covers a run of a polyline, with the arrow head if that is in it.
+    fn cover(&mut self, set: &StrokeSet, run: &ArcRun, style: LineStyle) {
+        let Some(points) = points(set, run.polyline, &mut self.line) else { return };
         let length = self.line.length();
         let head = style.head_length(length);
         // The shaft ends a little inside the head, whose point would be blunt otherwise.
         let shaft = length - 0.8 * head;
-        dashes(part.range.start..part.range.end.min(shaft), style, |from, to| {
+        dashes(run.range.start..run.range.end.min(shaft), style, |from, to| {
             self.line.cover(points, from..to, &mut self.coverage, 0.5 * style.width);
         });
         let middle = length - 0.5 * head;
-        if head > 0.0 && part.range.start < middle && middle <= part.range.end {
+        if head > 0.0 && run.range.start < middle && middle <= run.range.end {
             let (tip, base) = (self.line.at(points, length), self.line.at(points, length - head));
             let (dx, dy) = (tip[0] - base[0], tip[1] - base[1]);
             let (nx, ny) = (-0.38 * dy, 0.38 * dx);
@@ -190,8 +190,8 @@ impl Polyline {
         self.arcs.last().copied().unwrap_or(0.0)
     }
 
-    /// Calls `part` for each stretch of the polyline that is visible or hidden throughout.
-    fn split(&self, points: &[[f32; 3]], depth: &DepthBuffer, mut part: impl FnMut(Range<f32>, bool)) {
+    /// Calls `run` for each stretch of the polyline that is visible or hidden throughout.
+    fn split(&self, points: &[[f32; 3]], depth: &DepthBuffer, mut run: impl FnMut(Range<f32>, bool)) {
         for (k, pair) in points.windows(2).enumerate() {
             let (start, end) = (self.arcs[k], self.arcs[k + 1]);
             let point = |t: f32| -> [f32; 3] { std::array::from_fn(|c| pair[0][c] + t * (pair[1][c] - pair[0][c])) };
@@ -209,12 +209,12 @@ impl Polyline {
                         if depth.shows(point(middle)) == before { low = middle } else { high = middle }
                     }
                     let change = start + high * (end - start);
-                    part(from..change, before);
+                    run(from..change, before);
                     (from, before) = (change, now);
                 }
                 step += 1.0;
             }
-            part(from..end, before);
+            run(from..end, before);
         }
     }
 
@@ -239,28 +239,28 @@ impl Polyline {
     }
 }
 
-/// Adds a part of the polyline whose parts begin at `first`; one that goes on as the last did makes that longer.
-fn push(parts: &mut Vec<Part>, first: usize, part: Part) {
-    match parts[first..].last_mut() {
-        Some(last) if last.visible == part.visible => last.range.end = part.range.end,
-        _ => parts.push(part),
+/// Adds a run of the polyline whose runs begin at `first`; one that goes on as the last did makes that longer.
+fn push(runs: &mut Vec<ArcRun>, first: usize, run: ArcRun) {
+    match runs[first..].last_mut() {
+        Some(last) if last.visible == run.visible => last.range.end = run.range.end,
+        _ => runs.push(run),
     }
 }
 
-/// Drops parts that are too short to mean anything, of the polyline whose parts begin at `first`.
-fn smooth(parts: &mut Vec<Part>, first: usize) {
-    if parts.len() < first + 2 {
+/// Drops runs that are too short to mean anything, of the polyline whose runs begin at `first`.
+fn smooth(runs: &mut Vec<ArcRun>, first: usize) {
+    if runs.len() < first + 2 {
         return;
     }
-    let all = parts.split_off(first);
+    let all = runs.split_off(first);
     let last = all.len() - 1;
-    for (k, part) in all.iter().enumerate() {
-        let length = part.range.end - part.range.start;
+    for (k, run) in all.iter().enumerate() {
+        let length = run.range.end - run.range.start;
         // At the ends of a line there is but one neighbour to believe: less is asked for.
         let shortest = if k == 0 || k == last { 0.5 * SHORTEST } else { SHORTEST };
-        let before = parts[first..].last().map_or(all[1].visible, |p| p.visible);
-        let visible = if length < shortest { before } else { part.visible };
-        push(parts, first, Part { visible, ..part.clone() });
+        let before = runs[first..].last().map_or(all[1].visible, |p| p.visible);
+        let visible = if length < shortest { before } else { run.visible };
+        push(runs, first, ArcRun { visible, ..run.clone() });
     }
 }
 
@@ -326,15 +326,15 @@ mod tests {
 
     #[test]
     fn short_parts_are_taken_for_rounding() {
-        let part = |range, visible| Part { polyline: 3, range, visible };
+        let run = |range, visible| ArcRun { polyline: 3, range, visible };
         // Of another polyline: stays as it is.
-        let mut parts = vec![part(0.0..0.1, true)];
+        let mut runs = vec![run(0.0..0.1, true)];
         for (range, visible) in [(0.0..10.0, true), (10.0..10.5, false), (10.5..20.0, true), (20.0..23.0, false)] {
-            push(&mut parts, 1, part(range, visible));
+            push(&mut runs, 1, run(range, visible));
         }
-        assert_eq!(parts.len(), 5);
-        smooth(&mut parts, 1);
-        assert_eq!(parts, [part(0.0..0.1, true), part(0.0..20.0, true), part(20.0..23.0, false)]);
+        assert_eq!(runs.len(), 5);
+        smooth(&mut runs, 1);
+        assert_eq!(runs, [run(0.0..0.1, true), run(0.0..20.0, true), run(20.0..23.0, false)]);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, mask32x8, u32x8};
 
 use super::pixel::{Pixel, channels, premultiply};
-use super::setup::{Plane, Triangle, pick};
+use super::setup::{AffineValue, Triangle, pick};
 use super::shade::{LANES, Shader, inverse_w};
 
 /// Premultiplied colours as floating-point channels.
@@ -109,7 +109,7 @@ fn weights_and_attributes<'a>(
 
 /// The share of each vertex in the points of a triangle, perspective-correct.
 struct Weights {
-    planes: [Plane; 3],
+    planes: [AffineValue; 3],
     inverse_w: [f32; 3],
 }
 

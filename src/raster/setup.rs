@@ -103,13 +103,13 @@ impl Triangle {
     }
 
     /// The plane through values at the three vertices, in the order in which they came.
-    pub(super) fn plane(&self, q: [f32; 3]) -> Plane {
+    pub(super) fn plane(&self, q: [f32; 3]) -> AffineValue {
         let q = self.own_order(q);
         let (d1, d2) = (f64::from(q[1]) - f64::from(q[0]), f64::from(q[2]) - f64::from(q[0]));
         #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
         let (dx, dy) = ((d1 * self.m[0] - d2 * self.m[1]) as f32, (d2 * self.m[2] - d1 * self.m[3]) as f32);
         let (low, high) = (lesser(lesser(q[0], q[1]), q[2]), greater(greater(q[0], q[1]), q[2]));
-        Plane { value: q[0], dx, dy, low, high }
+        AffineValue { value: q[0], dx, dy, low, high }
     }
 }
 
@@ -192,7 +192,7 @@ impl<K: Simd> Borders<K> {
 
 /// A value that is affine over the picture: `value` at the origin of its triangle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plane {
+pub(super) struct AffineValue {
     pub(super) value: f32,
     /// Change per pixel.
     pub(super) dx: f32,
@@ -202,7 +202,7 @@ pub(super) struct Plane {
     pub(super) high: f32,
 }
 
-impl Plane {
+impl AffineValue {
     /// The values at points relative to the origin, held to the range of the vertices: rounding, and pixels whose centre lies
     /// outside while a sample is inside, would leave it.
     #[inline(always)]

@@ -7,7 +7,7 @@ use crate::simd::{ROUND_F32, Simd, f32x8, mask32x8, round_bits, u32x8};
 
 use super::batch::{BATCH, Corners, Planes, SetUp, gather};
 use super::pixel::{Pixel, premultiply};
-use super::setup::{Plane, Triangle, greater, pick};
+use super::setup::{AffineValue, Triangle, greater, pick};
 
 /// Pixels that are worked on together.
 pub(super) const LANES: usize = 8;
@@ -134,7 +134,7 @@ const RGB: usize = 3;
 
 /// Opaque colours between those of the vertices, affine on the picture.
 pub(super) struct Affine<K: Simd> {
-    planes: [Plane; RGB],
+    planes: [AffineValue; RGB],
     /// Each channel's change from the origin to the columns, and its value in the rows, of the tile at hand.
     across: [f32x8<K>; RGB],
     down: [f32x8<K>; RGB],
@@ -176,7 +176,7 @@ pub(super) struct Gouraud<K: Simd> {
     /// Red, green, blue, divided by w if `perspective`; their ranges are not.
     affine: Affine<K>,
     perspective: bool,
-    inverse_w: Plane,
+    inverse_w: AffineValue,
     inverse_w_across: f32x8<K>,
     inverse_w_down: f32x8<K>,
 }
@@ -184,7 +184,7 @@ pub(super) struct Gouraud<K: Simd> {
 impl<K: Simd> Gouraud<K> {
     #[inline(always)]
     fn channel(&self, k: usize, w: f32x8<K>) -> u32x8<K> {
-        let Plane { low, high, .. } = self.affine.planes[k];
+        let AffineValue { low, high, .. } = self.affine.planes[k];
         round(((self.affine.across[k] + self.affine.down[k]) * w).max(low).min(high))
     }
 }
@@ -321,7 +321,11 @@ fn perspective_matters<K: Simd>(spread: f32x8<K>, far: f32x8<K>, near: f32x8<K>)
 }
 
 /// Planes of red, green, blue, whether they are divided by w, and the plane of 1/w.
-fn gouraud_alone(surface: &Surface, triangle: &Triangle, corners: [usize; 3]) -> Option<([Plane; RGB], bool, Plane)> {
+fn gouraud_alone(
+    surface: &Surface,
+    triangle: &Triangle,
+    corners: [usize; 3],
+) -> Option<([AffineValue; RGB], bool, AffineValue)> {
     let colors = pick(vertex_colors(surface), corners)?;
     let colors = [colors.map(|c| f32::from(c.r)), colors.map(|c| f32::from(c.g)), colors.map(|c| f32::from(c.b))];
     let w = inverse_w(surface, corners)?;
@@ -334,7 +338,7 @@ fn gouraud_alone(surface: &Surface, triangle: &Triangle, corners: [usize; 3]) ->
     }
     let divided = |k: usize| {
         let [p, q, r] = colors[k];
-        Plane { low: planes[k].low, high: planes[k].high, ..triangle.plane([p * w[0], q * w[1], r * w[2]]) }
+        AffineValue { low: planes[k].low, high: planes[k].high, ..triangle.plane([p * w[0], q * w[1], r * w[2]]) }
     };
     Some(([divided(0), divided(1), divided(2)], true, inverse_w))
 }

@@ -9,7 +9,7 @@ use glam::{DMat3, DMat4, DVec3, EulerRot};
 
 use super::SceneError;
 use super::palette::SceneColors;
-use super::resolve::{parent_from_object, place};
+use super::resolve::{by_name, parent_from_object, place};
 use super::{ObjectSpec, Preset, SceneSpec, presets};
 use crate::appearance::Theme;
 
@@ -45,8 +45,11 @@ pub fn free_name(spec: &SceneSpec, wanted: &str) -> String {
 
 /// All names of a scene, those of the preset too.
 fn names(spec: &SceneSpec) -> BTreeSet<String> {
-    let preset = presets::objects(spec.preset, &SceneColors::of(Theme::Light));
-    preset.into_iter().map(|o| o.name).chain(spec.objects.iter().map(|o| o.name.clone())).collect()
+    preset_names(spec).chain(spec.objects.iter().map(|o| o.name.clone())).collect()
+}
+
+fn preset_names(spec: &SceneSpec) -> impl Iterator<Item = String> {
+    presets::objects(spec.preset, &SceneColors::of(Theme::Light)).into_iter().map(|object| object.name)
 }
 
 /// The names of the figure's objects below the one called `name`, at any depth; not itself.
@@ -67,15 +70,17 @@ pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
 /// Gives a figure's object another name; its children follow.
 ///
 /// # Errors
-/// [`SceneError::DuplicateName`] where another object is called so already; nothing has changed then.
+/// [`SceneError::DuplicateName`] where another object is called so already, also one of the preset: what hangs on that would
+/// hang on this. Nothing has changed then.
 pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneError> {
     if from == to {
         return Ok(());
     }
-    if names(spec).contains(to) {
+    if preset_names(spec).any(|name| name == to) {
         return Err(SceneError::DuplicateName { name: to.to_owned() });
     }
-    for object in &mut spec.objects {
+    let mut objects = spec.objects.clone();
+    for object in &mut objects {
         if object.name == from {
             to.clone_into(&mut object.name);
         }
@@ -83,6 +88,8 @@ pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneErr
             object.parent = Some(to.to_owned());
         }
     }
+    by_name(&objects)?;
+    spec.objects = objects;
     Ok(())
 }
 
@@ -305,7 +312,12 @@ mod tests {
         let mut spec = arm();
         rename(&mut spec, "upper", "shoulder").unwrap();
         assert_eq!(spec.objects[2].parent.as_deref(), Some("shoulder"));
+        let before = spec.clone();
         assert!(matches!(rename(&mut spec, "hand", "arm"), Err(SceneError::DuplicateName { .. })));
+        assert_eq!(spec, before);
+        spec.preset = Preset::Primitives;
+        assert!(matches!(rename(&mut spec, "hand", "box"), Err(SceneError::DuplicateName { .. })), "the preset's");
+        spec.preset = Preset::Empty;
         assert_eq!(free_name(&spec, "arm"), "arm 2");
         assert_eq!(free_name(&spec, "leg"), "leg");
     }

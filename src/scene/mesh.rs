@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::polygon;
 use crate::geometry::Aabb;
+use crate::limits::MAX_VERTICES;
 
 /// A mesh in its object's own space. Vertices that lie on a crease are there once for each side, each with its own normal.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -107,6 +108,3 @@ pub(super) fn index_u32(index: usize) -> u32 {
     debug_assert!(index < MAX_VERTICES);
     index as u32
 }
-
-/// No mesh has more vertices than this.
-pub const MAX_VERTICES: usize = 1 << 31;

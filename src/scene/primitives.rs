@@ -4,17 +4,14 @@
 //! grow counter-clockwise seen from +y; the point at angle φ is (cos φ, y, −sin φ).
 //!
 //! *Edges.* Faceted solids (box, prism, pyramid) name every side of every face. Curved solids name their rims and up to
-//! [`MAX_LINES`] meridians (and as many parallels as keep the meshes of the net about square), each along sides of the
-//! tessellation: with up to [`MAX_LINES`] segments the wireframe shows the tessellation itself, with more it stays legible.
+//! [`MAX_MERIDIANS`] meridians (and as many parallels as keep the meshes of the net about square), each along sides of the
+//! tessellation: with up to [`MAX_MERIDIANS`] segments the wireframe shows the tessellation itself, with more it stays legible.
 
 use glam::{DVec2, DVec3};
 
 use super::mesh::Mesh;
 use crate::geometry::{Angle, try_unit};
-use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
-
-/// The most meridians that a curved shape names as edges.
-pub const MAX_LINES: u32 = 16;
+use crate::limits::{MAX_MERIDIANS, MAX_SEGMENTS, MIN_SEGMENTS};
 
 /// Half axes of the shape `ellipsoid`.
 pub const ELLIPSOID_HALF_AXES: DVec3 = DVec3::new(1.0, 2.0 / 3.0, 0.5);
@@ -142,13 +139,13 @@ pub fn ellipsoid(half_axes: DVec3, segments: u32) -> Mesh {
             mesh.add_polygon(&[at(band, k), at(band, k + 1), at(band + 1, k + 1), at(band + 1, k)]);
         }
         mesh.triangles.push([north, at(bands - 1, k), at(bands - 1, k + 1)]);
-        if is_drawn(k, n, MAX_LINES) {
+        if is_drawn(k, n, MAX_MERIDIANS) {
             mesh.edges.push([south, at(1, k)]);
             mesh.edges.extend((1..bands - 1).map(|band| [at(band, k), at(band + 1, k)]));
             mesh.edges.push([at(bands - 1, k), north]);
         }
     }
-    for band in (1..bands).filter(|&band| is_drawn(band, bands, MAX_LINES / 2)) {
+    for band in (1..bands).filter(|&band| is_drawn(band, bands, MAX_MERIDIANS / 2)) {
         mesh.edges.extend((0..n).map(|k| [at(band, k), at(band, k + 1)]));
     }
     mesh
@@ -174,7 +171,7 @@ pub fn cylinder(segments: u32) -> Mesh {
         mesh.add_polygon(&[k, next, n + next, n + k]);
         mesh.edges.push([k, next]);
         mesh.edges.push([n + k, n + next]);
-        if is_drawn(k, n, MAX_LINES) {
+        if is_drawn(k, n, MAX_MERIDIANS) {
             mesh.edges.push([k, n + k]);
         }
     }
@@ -202,7 +199,7 @@ pub fn cone(segments: u32) -> Mesh {
         let apex = mesh.add_vertex(DVec3::Y * HEIGHT, normal(turn(2 * k + 1, 2 * n)));
         mesh.triangles.push([k, (k + 1) % n, apex]);
         mesh.edges.push([k, (k + 1) % n]);
-        if is_drawn(k, n, MAX_LINES) {
+        if is_drawn(k, n, MAX_MERIDIANS) {
             mesh.edges.push([k, apex]);
         }
     }
@@ -241,10 +238,10 @@ pub fn torus(segments: u32) -> Mesh {
     for k in 0..n {
         for j in 0..m {
             mesh.add_polygon(&[at(k, j), at(k + 1, j), at(k + 1, j + 1), at(k, j + 1)]);
-            if is_drawn(k, n, MAX_LINES) {
+            if is_drawn(k, n, MAX_MERIDIANS) {
                 mesh.edges.push([at(k, j), at(k, j + 1)]);
             }
-            if is_drawn(j, m, MAX_LINES / 2) {
+            if is_drawn(j, m, MAX_MERIDIANS / 2) {
                 mesh.edges.push([at(k, j), at(k + 1, j)]);
             }
         }

@@ -70,14 +70,20 @@ fn rotation(degrees: DVec3) -> DMat3 {
     rz * ry * rx
 }
 
-/// Multiplies out the tree of `specs`; parents are looked for among them, then among `others`.
-pub(super) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Placed<'a>>, SceneError> {
+/// The index of each object, by its name; the rule that each name is used once.
+pub(super) fn by_name(specs: &[ObjectSpec]) -> Result<BTreeMap<&str, usize>, SceneError> {
     let mut by_name = BTreeMap::new();
     for (i, spec) in specs.iter().enumerate() {
         if by_name.insert(spec.name.as_str(), i).is_some() {
             return Err(SceneError::DuplicateName { name: spec.name.clone() });
         }
     }
+    Ok(by_name)
+}
+
+/// Multiplies out the tree of `specs`; parents are looked for among them, then among `others`.
+pub(super) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Result<Vec<Placed<'a>>, SceneError> {
+    let by_name = by_name(specs)?;
     let mut done: Vec<Option<(DMat4, Option<Rgba>)>> = vec![None; specs.len()];
     for start in 0..specs.len() {
         // Up to the first ancestor that is done (or to a root), then down again.

@@ -2,9 +2,10 @@
 
 use glam::DVec3;
 
-use super::mesh::{MAX_VERTICES, Mesh, index_u32};
+use super::mesh::{Mesh, index_u32};
 use super::polygon;
 use crate::geometry::try_unit;
+use crate::limits::MAX_VERTICES;
 
 /// Where normals are missing, faces that meet at less than this angle are smoothed into one another: cos 45°.
 const CREASE: f64 = std::f64::consts::FRAC_1_SQRT_2;

@@ -12,7 +12,7 @@ use crate::pipeline::Frame;
 use crate::scene::Scene;
 
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
-use super::observer::{Direction, Viewpoint};
+use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
 use super::reveal::{self, Revealed};
 use super::screen::Screen;
@@ -44,7 +44,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
         Outside::Tinted | Outside::Shown => BEYOND,
     };
     let points: Vec<_> = CUBE.corners().map(|p| p * beyond).into_iter().chain(tips).collect();
-    Observer::framing(&points, direction, request.size.aspect())
+    enclosing(&points, direction, request.size.aspect())
 }
 
 /// The observer's camera and its pixels; `None` for an observer that is not a camera.

@@ -34,8 +34,8 @@ pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
     // What is divided first is not a depth where it is wrong: it is drawn as glass.
-    let folded = request.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
-    let hit = hits::first_opaque(folded.as_ref().unwrap_or(&request.scene), from, to)?;
+    let right = request.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
+    let hit = hits::first_opaque(right.as_ref().unwrap_or(&request.scene), from, to)?;
     let stations = camera.stations(hit, request.look.image, &request.look.viewport);
     let Projected { ndc, viewport, .. } = stations.projected?;
     Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })

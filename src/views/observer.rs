@@ -1,20 +1,13 @@
-//! The observer of a three-dimensional picture: an orbit about a target, and the camera that it amounts to.
+//! The sides from which a three-dimensional picture is seen, and the observer who has all of it in the picture.
 
 use glam::DVec3;
 
-use crate::camera::{Camera, CameraError, Parameters, Projection};
 use crate::figure::Observer;
-use crate::geometry::{Aabb, Angle};
+use crate::figure::observer::VIEW_ANGLE;
+use crate::geometry::Aabb;
 
-/// The observer's vertical view angle: narrow, so that the picture's own perspective does not compete with the one it shows.
-pub const VIEW_ANGLE: Angle = Angle::from_degrees(28.0);
-
-/// The share of the picture's width and height that [`Observer::framing`] fills.
+/// The share of the picture's width and height that [`enclosing`] fills.
 const FILL: f64 = 0.86;
-
-/// How many times the observer's distance a depth range may be in parallel projection, where depth is linear and kept in
-/// `f32`: beyond it, faces that touch would flicker.
-const PARALLEL_DEPTH: f64 = 100.0;
 
 /// A side to look from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -60,114 +53,41 @@ impl From<Observer> for Direction {
     }
 }
 
-impl Observer {
-    /// The nearest observer in a direction that has all `points` in a picture of this aspect, with a margin. Points that are
-    /// not finite are left out; without any, the observer looks at the cube \[−1, 1\]³.
-    pub(super) fn framing(points: &[DVec3], direction: Direction, aspect: f64) -> Self {
-        let Direction { azimuth, elevation, parallel } = direction;
-        let Some(bounds) = Aabb::around(points.iter().copied()) else {
-            return Self::framing(&[DVec3::NEG_ONE, DVec3::ONE], direction, aspect);
-        };
-        let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-9).max(1e-9);
-        let target = bounds.center();
-        let [right, up, back] = Self { target, distance: 1.0, azimuth, elevation, parallel }.axes();
-        let tan = (VIEW_ANGLE.radians() / 2.0).tan() * FILL;
-        // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t · depth),
-        // after `[0]` Eq. (5.9); opposite sides then meet in the eye.
-        let support = |axis: DVec3, t: f64| {
-            let slope = if parallel { 0.0 } else { t };
-            points
-                .iter()
-                .filter(|p| p.is_finite())
-                .map(|&p| p - target)
-                .map(|d| axis.dot(d) + slope * back.dot(d))
-                .fold(f64::NEG_INFINITY, f64::max)
-        };
-        let (tan_x, tan_y) = (tan * aspect, tan);
-        let (r, l) = (support(right, tan_x), support(-right, tan_x));
-        let (t, b) = (support(up, tan_y), support(-up, tan_y));
-        let distance = ((r + l) / (2.0 * tan_x)).max((t + b) / (2.0 * tan_y)).max(least);
-        let target = target + right * ((r - l) / 2.0) + up * ((t - b) / 2.0);
-        Self { target, distance, azimuth, elevation, parallel }
-    }
-
-    /// Turns about the target. The scene follows the pointer: `dx_deg` > 0 turns what is in front to the right, `dy_deg` > 0
-    /// turns it down, so that the eye rises.
-    #[must_use]
-    pub fn orbit(self, dx_deg: f64, dy_deg: f64) -> Self {
-        Self {
-            azimuth: (self.azimuth - dx_deg).rem_euclid(360.0),
-            elevation: (self.elevation + dy_deg).clamp(-90.0, 90.0),
-            ..self
-        }
-    }
-
-    /// Moves the target so that what lies at its depth follows the pointer by (`dx_px`, `dy_px`), y down, in a picture
-    /// `height_px` high.
-    #[must_use]
-    pub fn pan(self, dx_px: f64, dy_px: f64, height_px: f64) -> Self {
-        let unit = self.height_at_target() / height_px.max(1.0);
-        let [right, up, _] = self.axes();
-        Self { target: self.target - right * (dx_px * unit) + up * (dy_px * unit), ..self }
-    }
-
-    /// Goes nearer (`factor` > 1) or away: what is at the target is shown `factor` times as large. A factor that is not
-    /// positive and finite changes nothing.
-    #[must_use]
-    pub fn zoom(self, factor: f64) -> Self {
-        let distance = self.distance / factor;
-        if distance > 0.0 && distance.is_finite() { Self { distance, ..self } } else { self }
-    }
-
-    /// Right, up and towards the eye: unit vectors in the space of the picture.
-    #[must_use]
-    pub fn axes(&self) -> [DVec3; 3] {
-        let (sa, ca) = Angle::from_degrees(self.azimuth).sin_cos();
-        let (se, ce) = Angle::from_degrees(self.elevation).sin_cos();
-        [DVec3::new(ca, 0.0, -sa), DVec3::new(-se * sa, ce, -se * ca), DVec3::new(ce * sa, se, ce * ca)]
-    }
-
-    /// What the picture's height spans at the target.
-    fn height_at_target(&self) -> f64 {
-        2.0 * self.distance * (VIEW_ANGLE.radians() / 2.0).tan()
-    }
-
-    /// The camera of this observer. Its clipping planes enclose `bounds` as far as a depth buffer in `f32` bears it.
-    ///
-    /// # Errors
-    /// [`CameraError`] for an observer that is not a camera, such as one at distance 0.
-    pub fn camera(&self, bounds: Option<Aabb>, aspect: f64) -> Result<Camera, CameraError> {
-        let [_, up, back] = self.axes();
-        let reach = bounds.map_or(0.0, |b| {
-            b.corners().iter().map(|&p| back.dot(p - self.target).abs()).filter(|d| d.is_finite()).fold(0.0, f64::max)
-        });
-        // In parallel projection the place of the eye does not matter: it steps back from all that is to be seen. In
-        // perspective it stays, and depth, which is reversed, keeps its resolution whatever the far plane is.
-        let (eye, near, far) = if self.parallel {
-            let half = (1.01 * reach).clamp(self.distance, PARALLEL_DEPTH * self.distance);
-            (1.01 * half, 0.01 * half, 2.02 * half)
-        } else {
-            (self.distance, 0.02 * self.distance, 2.0 * self.distance + 1.01 * reach)
-        };
-        Camera::new(&Parameters {
-            position: self.target + back * eye,
-            focal_point: self.target,
-            view_up: up,
-            projection: if self.parallel { Projection::Parallel } else { Projection::Perspective },
-            view_angle: VIEW_ANGLE.degrees(),
-            height: self.height_at_target(),
-            aspect,
-            near,
-            far,
-            window: None,
-        })
-    }
+/// The nearest observer in a direction that has all `points` in a picture of this aspect, with a margin. Points that are
+/// not finite are left out; without any, the observer looks at the cube \[−1, 1\]³.
+pub(super) fn enclosing(points: &[DVec3], direction: Direction, aspect: f64) -> Observer {
+    let Direction { azimuth, elevation, parallel } = direction;
+    let Some(bounds) = Aabb::around(points.iter().copied()) else {
+        return enclosing(&[DVec3::NEG_ONE, DVec3::ONE], direction, aspect);
+    };
+    let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-9).max(1e-9);
+    let target = bounds.center();
+    let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, parallel }.axes();
+    let tan = (VIEW_ANGLE.radians() / 2.0).tan() * FILL;
+    // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t · depth),
+    // after `[0]` Eq. (5.9); opposite sides then meet in the eye.
+    let support = |axis: DVec3, t: f64| {
+        let slope = if parallel { 0.0 } else { t };
+        points
+            .iter()
+            .filter(|p| p.is_finite())
+            .map(|&p| p - target)
+            .map(|d| axis.dot(d) + slope * back.dot(d))
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    let (tan_x, tan_y) = (tan * aspect, tan);
+    let (r, l) = (support(right, tan_x), support(-right, tan_x));
+    let (t, b) = (support(up, tan_y), support(-up, tan_y));
+    let distance = ((r + l) / (2.0 * tan_x)).max((t + b) / (2.0 * tan_y)).max(least);
+    let target = target + right * ((r - l) / 2.0) + up * ((t - b) / 2.0);
+    Observer { target, distance, azimuth, elevation, parallel }
 }
 
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
     use super::*;
+    use crate::camera::Camera;
 
     const ISO: Direction = Direction { azimuth: 35.0, elevation: 25.0, parallel: false };
 
@@ -182,10 +102,10 @@ mod tests {
     }
 
     #[test]
-    fn framing_has_every_point_in_the_picture_and_touches_two_sides() {
+    fn enclosing_has_every_point_in_the_picture_and_touches_two_sides() {
         for viewpoint in [Viewpoint::Front, Viewpoint::Top, Viewpoint::Side, Viewpoint::Iso] {
             for aspect in [0.5, 1.0, 2.0] {
-                let o = Observer::framing(&cloud(), viewpoint.direction(ISO), aspect);
+                let o = enclosing(&cloud(), viewpoint.direction(ISO), aspect);
                 let camera = o.camera(Aabb::around(cloud()), aspect).unwrap();
                 let points: Vec<_> = cloud().iter().map(|&p| ndc(&camera, p)).collect();
                 let widest = points.iter().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
@@ -197,54 +117,12 @@ mod tests {
 
     #[test]
     fn viewpoints_look_from_their_side() {
-        let eye = |p: Viewpoint| Observer::framing(&cloud(), p.direction(ISO), 1.0).axes()[2];
+        let eye = |p: Viewpoint| enclosing(&cloud(), p.direction(ISO), 1.0).axes()[2];
         assert!((eye(Viewpoint::Front) - DVec3::Z).length() < 1e-15);
         assert!((eye(Viewpoint::Top) - DVec3::Y).length() < 1e-15);
         assert!((eye(Viewpoint::Side) - DVec3::X).length() < 1e-15);
-        let top = Observer::framing(&cloud(), Viewpoint::Top.direction(ISO), 1.0);
+        let top = enclosing(&cloud(), Viewpoint::Top.direction(ISO), 1.0);
         assert!((top.axes()[0] - DVec3::X).length() < 1e-15, "on a map, x goes to the right");
         assert!((top.axes()[1] + DVec3::Z).length() < 1e-15, "and z towards the reader");
-    }
-
-    #[test]
-    fn a_pan_moves_the_target_with_the_pointer() {
-        for parallel in [false, true] {
-            let before = Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, parallel };
-            let after = before.pan(30.0, -20.0, 400.0);
-            let seen = ndc(&after.camera(None, 1.5).unwrap(), before.target);
-            assert!((seen.x * 300.0 - 30.0).abs() < 1e-9 && (-seen.y * 200.0 + 20.0).abs() < 1e-9, "{seen}");
-        }
-    }
-
-    #[test]
-    fn zoom_scales_what_is_at_the_target_and_refuses_nonsense() {
-        let before = Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, parallel: false };
-        let p = before.target + before.axes()[0];
-        let size = |o: Observer| ndc(&o.camera(None, 1.0).unwrap(), p).x;
-        assert!((size(before.zoom(3.0)) / size(before) - 3.0).abs() < 1e-12);
-        for nonsense in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert_eq!(before.zoom(nonsense), before);
-        }
-    }
-
-    #[test]
-    fn an_orbit_turns_the_scene_with_the_pointer_and_stops_at_the_poles() {
-        let before = Observer { target: DVec3::ZERO, distance: 7.0, azimuth: 10.0, elevation: 40.0, parallel: false };
-        let front = before.axes()[2];
-        let seen = ndc(&before.orbit(5.0, 5.0).camera(None, 1.0).unwrap(), front);
-        assert!(seen.x > 0.0 && seen.y < 0.0, "{seen}");
-        let top = before.orbit(0.0, 500.0);
-        assert_eq!(top.elevation, 90.0);
-        assert!(top.camera(None, 1.0).is_ok());
-        assert!((before.orbit(-400.0, 0.0).azimuth - 50.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn depth_is_bounded_in_parallel_projection() {
-        let o = Observer { target: DVec3::ZERO, distance: 7.0, azimuth: 10.0, elevation: 40.0, parallel: true };
-        let camera = o.camera(Aabb::around([DVec3::splat(-1e6), DVec3::splat(1e6)]), 1.0).unwrap();
-        assert!(camera.far() - camera.near() <= 2.02 * PARALLEL_DEPTH * o.distance);
-        assert!(ndc(&camera, o.target).abs().max_element() < 0.1);
-        assert!(Observer { distance: 0.0, ..o }.camera(None, 1.0).is_err());
     }
 }

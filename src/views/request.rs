@@ -116,10 +116,10 @@ impl Look {
 /// A scene that requests share. Two are equal where they are the same one, not where they look alike: scenes have millions of
 /// vertices, and whoever keeps one makes another only when something in it has changed.
 #[derive(Clone, Debug, Default)]
-pub struct SharedScene(Arc<Kept>);
+pub struct SharedScene(Arc<SceneWithBounds>);
 
 #[derive(Debug, Default)]
-struct Kept {
+struct SceneWithBounds {
     scene: Scene,
     /// The box around the scene: with a million vertices it takes a while to find.
     bounds: OnceLock<Option<Aabb>>,
@@ -129,13 +129,13 @@ impl SharedScene {
     /// Shares a scene.
     #[must_use]
     pub fn new(scene: Scene) -> Self {
-        Self(Arc::new(Kept { scene, bounds: OnceLock::new() }))
+        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::new() }))
     }
 
     /// Another scene, which is this one with marks in it: pictures frame it as they frame this one.
     #[must_use]
     pub fn marked(&self, scene: Scene) -> Self {
-        Self(Arc::new(Kept { scene, bounds: OnceLock::from(self.bounds()) }))
+        Self(Arc::new(SceneWithBounds { scene, bounds: OnceLock::from(self.bounds()) }))
     }
 
     /// The box around the scene; `None` for an empty one.

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::Request;
 use super::content::{Content, iso_direction};
-use super::observer::{Direction, Viewpoint};
+use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
 use super::screen::Screen;
 use crate::camera::Camera;
@@ -24,12 +24,12 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
 fn framing(request: &Request, direction: Direction) -> Observer {
     let aspect = request.size.aspect();
     let content = Content::of(request);
-    let first = Observer::framing(&content.of_interest, direction, aspect);
+    let first = enclosing(&content.of_interest, direction, aspect);
     let mut points = content.of_interest.clone();
     if let Some(screen) = screen_of(request, &first, &content) {
         points.extend(Gear::new(&screen, &request.camera).room(&request.camera));
     }
-    Observer::framing(&points, direction, aspect)
+    enclosing(&points, direction, aspect)
 }
 
 /// From where the world is seen.

@@ -111,7 +111,7 @@ fn a_ball_is_inside_where_the_corners_of_its_box_are_not() {
     let ball = |radius: f64| {
         let place = DMat4::from_rotation_x(0.7) * DMat4::from_rotation_y(0.6) * DMat4::from_scale(DVec3::splat(radius));
         let scene = Scene { objects: vec![object(primitives::sphere(16), place)], ..Scene::default() };
-        frame(&mut Pipeline::default(), &scene, false).plan.objects[0].place
+        frame(&mut Pipeline::default(), &scene, false).plan.objects[0].containment
     };
     // The planes go through x = ±2 on z = 0, and are 2 · cos(atan 0.2) = 1.961 from the origin.
     assert_eq!(ball(1.95), Containment::Crosses(0));

@@ -74,7 +74,7 @@ fn each_ground_for_a_stage_brings_it_back() {
         (true, Reason::Outside { outside: 1, of: 2 })
     );
     // Outside the near plane, and with w < 0 outside the four sides too, but inside the far plane.
-    assert_eq!(frame(&two, &camera, &style).plan.objects[1].place, Containment::Outside(0b01_1111));
+    assert_eq!(frame(&two, &camera, &style).plan.objects[1].containment, Containment::Outside(0b01_1111));
     let mut hollow = alone.clone();
     hollow.objects[0].mesh = Arc::new(primitives::torus(8));
     assert_eq!(depth(&hollow), (true, Reason::HidesItself));
@@ -157,7 +157,11 @@ fn a_stage_that_was_left_with_no_face_says_so() {
     scene.objects[0].two_sided = true;
     scene.lights.push(Light::Directional { direction: DVec3::NEG_Z });
     let frame = frame(&scene, &eye(Projection::Perspective), &Style::default());
-    assert!(matches!(frame.objects[0].place, Containment::Crosses(planes) if planes != 0), "{:?}", frame.objects[0]);
+    assert!(
+        matches!(frame.objects[0].containment, Containment::Crosses(planes) if planes != 0),
+        "{:?}",
+        frame.objects[0]
+    );
     assert_eq!(frame.objects[0].triangles, 0);
     for stage in [Stage::Fill, Stage::Light] {
         assert_eq!(said(&frame, stage), (false, Reason::NoFaceLeft, None), "{stage:?}");

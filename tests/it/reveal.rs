@@ -370,8 +370,8 @@ fn a_point_behind_the_eye_folds_over_to_the_front() {
     let points = [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, 1.0, 1.0), DVec3::new(1.0, 1.0, 0.0)];
     let scene = Scene { marks: marks(&points), ..Scene::default() };
     let camera = eye(Projection::Perspective);
-    let folded = divided_first(&scene, &camera, 10.0);
-    let found: Vec<DVec3> = folded.wrong.marks.iter().map(|m| m.position).collect();
+    let divided = divided_first(&scene, &camera, 10.0);
+    let found: Vec<DVec3> = divided.wrong.marks.iter().map(|m| m.position).collect();
     // z_n = (B + F)/(B − F) − 2 F B/((B − F) d) = 2 + 3 for d = −1; shown as −z_n.
     assert_eq!(found, [DVec3::new(-1.0, -1.0, -5.0)], "w = 0 is nowhere");
     assert!(divided_first(&scene, &camera, 1.0).wrong.marks.is_empty(), "outside the cube");
@@ -406,9 +406,9 @@ fn passing_the_eye(paint: ObjectPaint) -> Scene {
 #[test]
 fn a_face_that_passes_the_eye_is_where_its_divided_corners_are() {
     let scene = passing_the_eye(ObjectPaint::Solid(Rgba::rgb(9, 9, 9)));
-    let folded = divided_first(&scene, &eye(Projection::Perspective), 4.0);
-    assert!(folded.right.objects[0].mesh.triangles.is_empty());
-    let mesh = &folded.wrong.objects[0].mesh;
+    let divided = divided_first(&scene, &eye(Projection::Perspective), 4.0);
+    assert!(divided.right.objects[0].mesh.triangles.is_empty());
+    let mesh = &divided.wrong.objects[0].mesh;
     // By hand: z_n = 2 − 3/2 = 0.5 and 2 + 3/2 = 3.5.
     let expected = [[-0.25, -0.5, -0.5], [0.25, -0.5, -0.5], [0.0, 0.5, -3.5]].map(DVec3::from);
     assert_eq!(mesh.positions, expected);

@@ -4,9 +4,10 @@ use eframe::egui::Vec2;
 use glam::DVec2;
 
 use crate::camera::Camera;
+use crate::figure::observer::VIEW_ANGLE;
 use crate::figure::{Observer, Observers, Outside};
 use crate::gui::state::ObserverChange;
-use crate::views::observer::{VIEW_ANGLE, Viewpoint};
+use crate::views::observer::Viewpoint;
 use crate::views::{Request, SharedScene, Size, View};
 
 /// Degrees of orbit for one point of pointer motion.
@@ -16,11 +17,11 @@ pub(super) const DEGREES_PER_POINT: f64 = 0.5;
 /// that is about true, so that a camera that is moved is seen moving.
 #[derive(Debug, Default)]
 pub(super) struct Auto {
-    kept: Option<Kept>,
+    kept: Option<FittedObserver>,
 }
 
 #[derive(Debug)]
-struct Kept {
+struct FittedObserver {
     observer: Observer,
     /// The observer that would fit, and what it was computed from.
     fitted: Observer,
@@ -41,7 +42,7 @@ impl Auto {
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let fitted = request.observer_from(Viewpoint::default())?;
             let (camera, scene) = (camera.clone(), scene.clone());
-            self.kept = Some(Kept { observer: fitted, fitted, camera, scene, subject, aspect, outside });
+            self.kept = Some(FittedObserver { observer: fitted, fitted, camera, scene, subject, aspect, outside });
             return Some(fitted);
         };
         // What lies outside the canonical volume needs room.

@@ -78,13 +78,14 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
         return;
     }
     let problem = if wanted.is_empty() {
-        Some(t.name_empty)
+        Some(t.name_empty.to_owned())
     } else {
-        edit::rename(&mut form.scene.clone(), name, &wanted).err().map(|_| t.name_taken)
+        let renamed = edit::rename(&mut form.scene.clone(), name, &wanted);
+        renamed.err().map(|error| scenes::scene_error(state.settings.lang, &error))
     };
     typing.left |= left;
     match problem {
-        Some(problem) if typing.left => complaint(ui, problem),
+        Some(problem) if typing.left => complaint(ui, &problem),
         None if left => {
             // The draft of impossible numbers, if there is one, goes on under the new name.
             let mut base = form.base.clone();
