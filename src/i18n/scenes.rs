@@ -81,7 +81,6 @@ texts! {
     light_position_hint: "Where the lamp is (world)", "Onde a lâmpada está (mundo)";
 
     name_empty: "a name must not be empty", "um nome não pode ser vazio";
-    name_taken: "another object has this name", "outro objeto tem este nome";
     mesh_title: "Choose a mesh", "Escolher uma malha";
     mesh_filter: "Mesh (OBJ, glTF, GLB)", "Malha (OBJ, glTF, GLB)";
     mesh_action: "Add", "Acrescentar";

@@ -24,6 +24,7 @@ mod pipeline_exact;
 mod pipeline_plan;
 mod pipeline_project;
 mod pipeline_visibility;
+mod raster_colors;
 mod raster_fill;
 mod raster_lines;
 mod raster_pictures;
