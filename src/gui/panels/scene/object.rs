@@ -81,7 +81,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
         Some(t.name_empty.to_owned())
     } else {
         let renamed = edit::rename(&mut form.scene.clone(), name, &wanted);
-        renamed.err().map(|error| crate::i18n::faults::scene_error(state.settings.lang, &error))
+        renamed.err().map(|error| faults::scene_error(state.settings.lang, &error))
     };
     typing.left |= left;
     match problem {
