@@ -16,6 +16,7 @@
 
 use std::ops::Range;
 
+use crate::foreign;
 use crate::geometry::Angle;
 use crate::limits::MAX_EXPRESSION;
 
@@ -45,13 +46,13 @@ pub enum ExpressionProblem {
     #[error("a number is missing")]
     Empty,
     /// A character that has no meaning there.
-    #[error("unexpected “{0}”")]
+    #[error("unexpected “{}”", foreign::shown(&.0.to_string()))]
     Unexpected(char),
     /// The text ends where something must follow.
     #[error("the expression is not finished")]
     Unfinished,
     /// A word that is neither a function nor a constant.
-    #[error("unknown name “{0}”")]
+    #[error("unknown name “{}”", foreign::shown(.0))]
     UnknownName(String),
     /// More opening than closing parentheses.
     #[error("a “)” is missing")]
@@ -141,7 +142,7 @@ pub fn marked(text: &str, span: &Range<usize>) -> String {
         part.chars().take(AROUND).collect::<String>() + dots
     };
     let shown = format!("{dots}{before}▸{}◂{}", start(fault), start(after));
-    shown.replace(char::is_control, " ")
+    foreign::printable(&shown.replace(char::is_whitespace, " "))
 }
 
 /// A number or an angle; an operation that has no meaning for them is `None`.

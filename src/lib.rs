@@ -23,6 +23,7 @@ pub mod export;
 pub mod expression;
 pub mod figure;
 pub mod files;
+pub mod foreign;
 pub mod geometry;
 #[cfg(feature = "gui")]
 pub mod gui;

@@ -30,6 +30,13 @@ pub const MAX_FIGURE_BYTES: usize = 8 << 20;
 /// The longest file of any kind in bytes: more than any picture or mesh that can be shown.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
 
+/// The most bytes that a figure makes the program read, meshes and what they name together: some five million triangles as
+/// text. What a mesh becomes in memory is several times as much.
+pub const MAX_SCENE_BYTES: usize = 512 << 20;
+
+/// The most items of sparse accessors that are 0 because no bytes stand behind them: a line of JSON can ask for billions.
+pub const MAX_ZEROS: usize = 1 << 20;
+
 /// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper ones
 /// would need more of the stack.
 pub const MAX_EXPRESSION: (usize, u32) = (500, 60);

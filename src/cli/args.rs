@@ -11,6 +11,7 @@ use super::Failure;
 use crate::appearance;
 use crate::camera::{Convention, ImageSize, Operation};
 use crate::expression::{self, Dimension};
+use crate::foreign::shown;
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::limits::MAX_SIDE;
 use crate::views::{View, Views};
@@ -142,6 +143,10 @@ pub(super) struct FigureArgs {
     /// Signs of the rotations: by the right-hand rule, or as VTK has them (elevation and roll the other way)
     #[arg(long, value_enum, default_value_t)]
     convention: ConventionArg,
+    /// Let the figure name any file of this machine. Without it, what a mesh names (materials, buffers) must lie in the mesh's
+    /// folder or below, and what a figure inside a picture names in the picture's. Nothing comes from another machine
+    #[arg(long)]
+    pub(super) allow_files: bool,
     /// Language of the window, of messages, and of words in pictures
     #[arg(long, value_enum, ignore_case = true)]
     pub(super) lang: Option<LangArg>,
@@ -241,7 +246,8 @@ impl FigureArgs {
 
     pub(super) fn operations(&self, lang: Lang) -> Result<Vec<Operation>, Failure> {
         let read = |text: &String| {
-            text.parse().map_err(|e| Failure::BadInput(format!("--op {text}: {}", messages::operation(lang, &e))))
+            text.parse()
+                .map_err(|e| Failure::BadInput(format!("--op {}: {}", shown(text), messages::operation(lang, &e))))
         };
         self.operations.iter().map(read).collect()
     }

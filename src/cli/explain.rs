@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::args::{ExplainArgs, TableFormat};
 use super::{Failure, Subject, print};
 use crate::clock;
+use crate::foreign::shown;
 use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
 use crate::picture::{Account, Picture, Renderer};
 use crate::pipeline::{Containment, ObjectReport, StageReport};
@@ -61,7 +62,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
             let mut text = table(&account, canvas::texts(lang).view(args.view), size, lang);
             if let Some(objects) = objects.filter(|objects| !objects.is_empty()) {
                 text += "\n";
-                objects.iter().for_each(|object| text += &format!("{:<18} {}\n", object.name, object.reason));
+                objects.iter().for_each(|object| text += &format!("{:<18} {}\n", shown(object.name), object.reason));
             }
             text
         }

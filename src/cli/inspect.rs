@@ -2,6 +2,7 @@
 
 use super::args::InspectArgs;
 use super::{Failure, open, print};
+use crate::foreign;
 use crate::i18n::{Lang, messages};
 use crate::inspect::Report;
 
@@ -10,7 +11,7 @@ pub(super) fn run(args: &InspectArgs, lang: Lang) -> Result<(), Failure> {
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
     let figure = &opened.figure;
     let report = Report::of(&camera, figure.image, figure.viewport, &points, &pixels).map_err(|error| {
-        Failure::BadInput(format!("{}: {}", args.figure.display(), messages::inspect(lang, &error)))
+        Failure::BadInput(format!("{}: {}", foreign::path(&args.figure), messages::inspect(lang, &error)))
     })?;
     print(args.to_text(&report).as_bytes(), lang)
 }

@@ -20,7 +20,8 @@ use clap::Parser;
 use crate::camera::{Camera, Convention, ImageSize, Operation};
 use crate::figure::Figure;
 use crate::figure::read::line_of_object;
-use crate::files::{self, FileError, Opened, SourceFile};
+use crate::files::{self, FigureFiles, FileError, Opened, Reach, SourceFile};
+use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::inspect::{InspectError, camera_after};
 use crate::scene::Scene;
@@ -54,6 +55,8 @@ pub struct Opening {
     pub figure: Figure,
     /// Its file; `None`: a new figure.
     pub file: Option<SourceFile>,
+    /// The user lets the figure name any file.
+    pub allow_files: bool,
     /// The language of the window and of messages.
     pub lang: Lang,
 }
@@ -89,9 +92,13 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
 /// Says on standard error why the program ends, and gives its exit status.
 #[must_use]
 pub fn fail(status: u8, message: &str) -> ExitCode {
-    // Where even standard error is closed, the status has to do.
-    let _ = writeln!(io::stderr(), "camera-lab: {message}");
+    say(message);
     ExitCode::from(status)
+}
+
+/// Writes a line to standard error. Where even that is closed, the status has to do.
+fn say(message: &str) {
+    let _ = writeln!(io::stderr(), "camera-lab: {}", foreign::printable(message));
 }
 
 /// The language of the system, where it is one of ours.
@@ -114,7 +121,7 @@ fn print(bytes: &[u8], lang: Lang) -> Result<(), Failure> {
 /// Opens the figure of the arguments and applies their operations. The figure has the parameters of the camera that is given
 /// back; the camera knows more digits of them.
 fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), Failure> {
-    let name = path.display().to_string();
+    let name = foreign::path(path);
     // What is wrong with the arguments is said first: it does not depend on the file.
     let operations = args.operations(lang)?;
     let mut opened =
@@ -124,13 +131,19 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
     Ok((opened, camera))
 }
 
-/// The scene of a figure; its meshes are looked for beside the figure file.
-fn scene(path: &Path, opened: &Opened, lang: Lang) -> Result<Scene, Failure> {
-    let mut read_file = |mesh: &str| files::read_for_scene(&path.with_file_name(mesh));
-    scene_of(&opened.figure, &mut read_file).map_err(|error| {
+/// The scene of a figure; its meshes are looked for beside the figure file. Says on standard error which files are missing
+/// without which it can be drawn.
+fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<Scene, Failure> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut files = FigureFiles::new(folder, Reach::of(opened.from_picture, args.allow_files));
+    let scene = scene_of(&opened.figure, &mut |wanted| files.read(wanted)).map_err(|error| {
         let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
-        Failure::BadInput(texts::in_file(lang, &path.display().to_string(), line, &messages::scene(lang, &error)))
-    })
+        Failure::BadInput(texts::in_file(lang, &foreign::path(path), line, &messages::scene(lang, &error)))
+    })?;
+    for unread in files.unread() {
+        say(&messages::without_colors(lang, unread));
+    }
+    Ok(scene)
 }
 
 /// What `explain` and `bench` look at.
@@ -146,7 +159,7 @@ struct Subject {
 impl Subject {
     fn open(path: &Path, args: &FigureArgs, size: Option<ImageSize>, lang: Lang) -> Result<Self, Failure> {
         let (opened, camera) = open(path, args, lang)?;
-        let scene = SharedScene::new(scene(path, &opened, lang)?);
+        let scene = SharedScene::new(scene(path, &opened, args, lang)?);
         let ImageSize { width, height } = size.unwrap_or(opened.figure.image);
         let size = Size { width, height, scale: 1.0 };
         Ok(Self { opened, camera, scene, size, lang: args.lang.map_or(Lang::En, LangArg::lang) })

@@ -10,10 +10,10 @@ pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure>
     if let Some(path) = &args.figure {
         let (opened, _) = super::open(path, &args.common, lang)?;
         let (figure, file) = opened.at(path.clone());
-        return Ok(Opening { figure, file: Some(file), lang });
+        return Ok(Opening { figure, file: Some(file), allow_files: args.common.allow_files, lang });
     }
     let mut figure = Figure::of_preset(Preset::default());
     super::operate(&mut figure, &args.common.operations(lang)?, args.common.convention())
         .map_err(|error| Failure::BadInput(messages::inspect(lang, &error)))?;
-    Ok(Opening { figure, file: None, lang })
+    Ok(Opening { figure, file: None, allow_files: args.common.allow_files, lang })
 }

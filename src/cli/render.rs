@@ -6,17 +6,18 @@ use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
+use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{self, PictureError, gap, requests};
 use crate::views::{Request, SharedScene, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
-    let name = args.output.display().to_string();
+    let name = foreign::path(&args.output);
     let format = PictureFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::ending(lang, &name)))?;
     let (given, scale) = (args.size(lang)?, args.scale(lang)?);
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
     opened.figure.style.theme = args.theme().unwrap_or(opened.figure.style.theme);
-    let scene = SharedScene::new(scene(&args.figure, &opened, lang)?);
+    let scene = SharedScene::new(scene(&args.figure, &opened, &args.common, lang)?);
     let figure = &opened.figure;
     let [width, height] = pixels(given, figure.image, args.view == Views::All, scale);
     let too_large = || Failure::BadInput(texts::too_large(lang, width, height));

@@ -2,6 +2,7 @@
 
 use crate::camera::CameraError;
 use crate::expression::{self, ExpressionError};
+use crate::foreign::shown;
 use crate::scene::SceneError;
 
 /// The first fault of a figure file.
@@ -59,7 +60,7 @@ pub enum Problem {
         allowed: Allowed,
     },
     /// A number that is written as a text, which cannot be read.
-    #[error("is {text:?}: {error} in {}; allowed: {allowed:?}", expression::marked(text, &error.span))]
+    #[error("is \"{}\": {error} in {}; allowed: {allowed:?}", shown(text), expression::marked(text, &error.span))]
     Expression {
         /// The text.
         text: String,

@@ -1,5 +1,6 @@
 //! The file system, for both shells: opening a figure, saving so that nothing is lost.
 
+mod reach;
 mod save;
 
 use std::fs::{self, File};
@@ -9,17 +10,18 @@ use std::path::{Path, PathBuf};
 use crate::export::png::{self, PngError};
 use crate::figure::{Figure, FigureError, read};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES};
-use crate::scene::{ReadError, ReadProblem, system_words};
+use crate::scene::{ReadProblem, system_words};
+pub use reach::{FigureFiles, Reach};
 pub use save::{Overwrite, save};
 
 /// Why a file cannot be used. Displayed, it stands after the name of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// The system does not let it be read.
-    #[error("cannot be read: {}", system_words(.0.kind(), &.0.to_string()))]
+    #[error("cannot be read: {}", system_words(.0.kind(), .0.raw_os_error()))]
     Read(io::Error),
     /// The system does not let it be written.
-    #[error("cannot be written: {}", system_words(.0.kind(), &.0.to_string()))]
+    #[error("cannot be written: {}", system_words(.0.kind(), .0.raw_os_error()))]
     Write(io::Error),
     /// It is a directory.
     #[error("{}", ReadProblem::Directory)]
@@ -34,7 +36,7 @@ pub enum FileError {
     #[error("is read-only and was left as it is; allowed: another name, or a file that may be written")]
     ReadOnly,
     /// It is larger than any file that is meant for this program.
-    #[error("{}", ReadProblem::TooLarge)]
+    #[error("is larger than any figure or picture; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
     TooLarge,
     /// A picture that holds no figure.
     #[error(transparent)]
@@ -98,6 +100,11 @@ pub fn figure_from(bytes: &[u8]) -> Result<Opened, FileError> {
 /// # Errors
 /// [`FileError`] where the system refuses, for what is not a regular file or too large, and for network paths.
 pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
+    read_at_most(path, MAX_FILE_BYTES)
+}
+
+/// As [`read_file`], of at most so many bytes.
+fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     if is_network(path) {
         return Err(FileError::Network);
     }
@@ -110,9 +117,18 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
         return Err(FileError::NotRegular);
     }
     let file = File::open(path).map_err(FileError::Read)?;
-    let mut bytes = Vec::new();
-    file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
-    if bytes.len() as u64 > MAX_FILE_BYTES { Err(FileError::TooLarge) } else { Ok(bytes) }
+    // Asked again of what is open: another file may have taken its place.
+    let now = file.metadata().map_err(FileError::Read)?;
+    if !now.is_file() {
+        return Err(FileError::NotRegular);
+    }
+    // Nothing is read of what says that it is too large; a file that grows meanwhile is not trusted either.
+    if now.len() > most {
+        return Err(FileError::TooLarge);
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(now.len()).unwrap_or_default());
+    file.take(most + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
+    if bytes.len() as u64 > most { Err(FileError::TooLarge) } else { Ok(bytes) }
 }
 
 /// True for paths that begin with two slashes or backslashes, as Windows names other machines (`\\\\host\\share`). Its long names
@@ -123,28 +139,6 @@ pub fn is_network(path: &Path) -> bool {
     let separators = text.iter().take_while(|byte| matches!(byte, b'/' | b'\\')).count();
     let long_name_of_a_disk = text.starts_with(br"\\?\") && text.get(5) == Some(&b':');
     separators >= 2 && !long_name_of_a_disk
-}
-
-/// The bytes of a file that a scene names, such as a mesh.
-///
-/// # Errors
-/// As [`read_file`], as a value that can be kept.
-pub fn read_for_scene(path: &Path) -> Result<Vec<u8>, ReadError> {
-    read_file(path).map_err(|error| {
-        let problem = match error {
-            FileError::Directory => ReadProblem::Directory,
-            FileError::TooLarge => ReadProblem::TooLarge,
-            FileError::NotRegular => ReadProblem::NotRegular,
-            FileError::Network => ReadProblem::Network,
-            FileError::Read(error) | FileError::Write(error) => {
-                ReadProblem::System { kind: error.kind(), detail: error.to_string() }
-            }
-            error @ (FileError::Png(_) | FileError::Figure(_) | FileError::ReadOnly) => {
-                ReadProblem::System { kind: io::ErrorKind::InvalidData, detail: error.to_string() }
-            }
-        };
-        ReadError { file: path.display().to_string(), problem }
-    })
 }
 
 #[cfg(test)]

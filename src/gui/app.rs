@@ -12,6 +12,7 @@ use super::session::Session;
 use super::state::{AfterSave, Dialog, Purpose, Side, State};
 use super::{dialogs, menu, panels, theme};
 use crate::appearance::Theme;
+use crate::foreign;
 use crate::i18n::Lang;
 use crate::i18n::window;
 
@@ -187,7 +188,7 @@ impl App {
     fn update_title(&mut self, ctx: &egui::Context) {
         let document = &self.state.document;
         let name = document.name().unwrap_or_else(|| window::texts(self.state.settings.lang).untitled.to_owned());
-        let title = format!("{name}{} – Camera Lab", if document.is_changed() { " •" } else { "" });
+        let title = format!("{}{} – Camera Lab", foreign::shown(&name), if document.is_changed() { " •" } else { "" });
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;

@@ -12,6 +12,7 @@ use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row};
 use super::state::{Dialog, Purpose, State};
 use crate::appearance::Theme;
+use crate::foreign;
 use crate::i18n::canvas;
 use crate::i18n::window::{self, Texts};
 use crate::limits::MAX_SIDE;
@@ -44,7 +45,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 }
             }
             Dialog::Overwrite(purpose, path) => {
-                text(ui, t.overwrite_title, &format!("{} {}", path.display(), t.overwrite_text));
+                text(ui, t.overwrite_title, &format!("{} {}", foreign::path(&path), t.overwrite_text));
                 match buttons(ui, t.cancel, &[t.replace], first.then_some(CANCEL)) {
                     Pressed::Action(_) => file_flow::confirmed(ctx, state, purpose, &path),
                     Pressed::Cancel => {}

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
 use crate::figure::{Figure, Observers};
-use crate::files::SourceFile;
+use crate::files::{Reach, SourceFile};
 use crate::limits::MAX_UNDO_STEPS;
 
 /// What one undo step brings back.
@@ -25,6 +25,7 @@ pub struct Document {
     problem: Option<CameraError>,
     path: Option<PathBuf>,
     folder: Option<PathBuf>,
+    reach: Reach,
     source: String,
     saved: Figure,
     opened: Parameters,
@@ -41,6 +42,7 @@ impl Document {
     pub fn new(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
         let camera = Camera::new(&figure.camera)?;
         let folder = file.as_ref().and_then(|file| file.path.parent()).map(Path::to_owned);
+        let reach = Reach::of(file.as_ref().is_some_and(|file| file.is_picture), false);
         let (path, source) = match file {
             // A picture holds a figure, but it is not a figure file: saving must not replace it.
             Some(SourceFile { text, is_picture: true, .. }) => (None, text),
@@ -53,6 +55,7 @@ impl Document {
             problem: None,
             path,
             folder,
+            reach,
             source,
             saved: figure.clone(),
             opened: figure.camera,
@@ -258,6 +261,17 @@ impl Document {
     #[must_use]
     pub fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
+    }
+
+    /// Which files the figure may name.
+    #[must_use]
+    pub fn reach(&self) -> Reach {
+        self.reach
+    }
+
+    /// Lets the figure name any file of this machine: the user has said so.
+    pub fn allow_files(&mut self) {
+        self.reach = Reach::Anywhere;
     }
 
     /// The text of the file as it was read or written last, with its comments; empty without a file.

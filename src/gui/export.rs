@@ -13,7 +13,7 @@ use crate::clock;
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
 use crate::figure::update;
-use crate::files::{self, FileError, Overwrite};
+use crate::files::{self, FigureFiles, FileError, Overwrite, Reach};
 use crate::i18n::{Lang, messages, pictures, window};
 use crate::picture::{self, PictureError, requests};
 use crate::scene::SceneError;
@@ -114,6 +114,7 @@ pub(super) struct Task {
     figure: Figure,
     source: String,
     folder: PathBuf,
+    reach: Reach,
     lang: Lang,
     export: Export,
     format: PictureFormat,
@@ -141,7 +142,11 @@ impl Exporting {
         let folder = document.folder().map(Path::to_owned).unwrap_or_default();
         let format = PictureFormat::of(&path).unwrap_or(PictureFormat::ALL[0]);
         let mut worker = Worker::new("export", clock::now, make);
-        worker.ask(ctx, 0, Task { figure, source, folder, lang, export, format, path: path.clone() });
+        worker.ask(
+            ctx,
+            0,
+            Task { figure, source, folder, reach: document.reach(), lang, export, format, path: path.clone() },
+        );
         Self { path, worker }
     }
 
@@ -159,10 +164,10 @@ impl Task {
 
     /// The bytes of the file, with the figure file in it.
     fn bytes(&self) -> Result<Vec<u8>, ExportError> {
-        let Self { figure, source, folder, lang, export, format, .. } = self;
+        let Self { figure, source, folder, reach, lang, export, format, .. } = self;
         let camera = Camera::new(&figure.camera)?;
-        let mut beside = |path: &str| files::read_for_scene(&folder.join(path));
-        let scene = scene_of(figure, &mut beside)?;
+        let mut files = FigureFiles::new(folder, *reach);
+        let scene = scene_of(figure, &mut |wanted| files.read(wanted))?;
         let size = Size { width: export.width, height: export.height, scale: export.scale };
         let labels = pictures::labels(*lang);
         let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);

@@ -17,6 +17,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
+use crate::foreign;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{messages, scenes};
 use crate::scene::Shape;
@@ -210,7 +211,7 @@ fn for_folder(document: &Document, to: &Path) -> Figure {
 }
 
 fn open(state: &mut State, path: &Path) {
-    let name = path.display().to_string();
+    let name = foreign::path(path);
     let lang = state.settings.lang;
     match files::open_figure(path) {
         Ok(opened) => {
@@ -230,7 +231,7 @@ fn open(state: &mut State, path: &Path) {
 fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>) {
     let figure = for_folder(&state.document, path);
     let text = update(state.document.source(), &figure);
-    let name = path.display().to_string();
+    let name = foreign::path(path);
     match files::save(path, text.as_bytes(), Overwrite::Writable) {
         Ok(()) => {
             if figure.scene != state.document.figure().scene {
@@ -286,7 +287,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
 fn take_exports(ctx: &egui::Context, state: &mut State) {
     let mut failed = false;
     for (path, result) in state.file_flow.exported() {
-        let (lang, name) = (state.settings.lang, path.display().to_string());
+        let (lang, name) = (state.settings.lang, foreign::path(&path));
         match result {
             Ok(()) => state.say(format!("{} {name}", window::texts(lang).saved)),
             Err(error) => {

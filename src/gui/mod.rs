@@ -44,6 +44,8 @@ pub struct Start {
     pub file: Option<SourceFile>,
     /// The language of the interface.
     pub lang: Lang,
+    /// The user lets the figure name any file of this machine.
+    pub allow_files: bool,
 }
 
 /// Why there is no window.

@@ -12,9 +12,9 @@ use super::document::Document;
 use super::worker::Worker;
 use crate::appearance::{HiddenLines, Theme};
 use crate::clock;
-use crate::files;
+use crate::files::{FigureFiles, Reach};
 use crate::scene::import::{Part, read};
-use crate::scene::{self, MeshError, MeshFiles, Preset, SceneError, SceneSpec, Shape};
+use crate::scene::{self, MeshError, MeshFiles, Preset, ReadError, SceneError, SceneSpec, Shape};
 use crate::views::SharedScene;
 
 /// The scene of the figure, or the last one that could be made.
@@ -24,6 +24,8 @@ pub struct SceneCache {
     files: MeshFiles,
     /// Files that could not be read; they are not tried again by themselves.
     broken: BTreeMap<String, MeshError>,
+    /// What the files name and lack, and can be drawn without.
+    unread: BTreeMap<String, Vec<ReadError>>,
     reader: Reader,
     scene: SharedScene,
     /// Counts the scenes that have nothing to do with each other.
@@ -36,6 +38,7 @@ struct MadeFrom {
     theme: Theme,
     hidden_lines: HiddenLines,
     folder: Option<PathBuf>,
+    reach: Reach,
 }
 
 impl MadeFrom {
@@ -45,42 +48,58 @@ impl MadeFrom {
             && self.theme == figure.style.theme
             && self.hidden_lines == figure.style.hidden_lines
             && self.folder.as_deref() == document.folder()
+            && self.reach == document.reach()
     }
 }
 
-type Parts = Result<Arc<Vec<Part>>, MeshError>;
+/// What came of reading a file.
+#[derive(Debug)]
+struct Outcome {
+    parts: Result<Arc<Vec<Part>>, MeshError>,
+    /// How many were read, in it and in what it names.
+    bytes: usize,
+    /// What it names and lacks.
+    unread: Vec<ReadError>,
+}
 
 /// A file to be read.
 #[derive(Clone, Debug, PartialEq)]
 struct MeshFile {
     path: String,
     folder: PathBuf,
+    reach: Reach,
+    /// The bytes that the figure's other files have.
+    spent: usize,
 }
 
 impl MeshFile {
-    fn read(&self) -> Parts {
-        read(&self.path, &mut |name| files::read_for_scene(&self.folder.join(name)))
+    fn read(&self) -> Outcome {
+        let mut files = FigureFiles::new(&self.folder, self.reach).after(self.spent);
+        let parts = read(&self.path, &mut |wanted| files.read(wanted));
+        Outcome { parts, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
     }
 }
 
 /// Reads one file after the other.
 #[derive(Debug)]
 struct Reader {
-    worker: Worker<MeshFile, (MeshFile, Parts)>,
+    worker: Worker<MeshFile, (MeshFile, Outcome)>,
     /// The file that is being read, and those that come next.
     reading: Option<MeshFile>,
     waiting: Vec<MeshFile>,
+    /// How many bytes were read for each file that is in use.
+    bytes: BTreeMap<String, usize>,
 }
 
 impl Default for Reader {
     fn default() -> Self {
         let worker = Worker::new("meshes", clock::now, || {
             Box::new(|file: MeshFile| {
-                let parts = file.read();
-                (file, parts)
+                let outcome = file.read();
+                (file, outcome)
             })
         });
-        Self { worker, reading: None, waiting: Vec::new() }
+        Self { worker, reading: None, waiting: Vec::new(), bytes: BTreeMap::new() }
     }
 }
 
@@ -94,7 +113,8 @@ impl Reader {
 
     fn next(&mut self, ctx: &egui::Context) {
         if self.reading.is_none() && !self.waiting.is_empty() {
-            let file = self.waiting.remove(0);
+            let mut file = self.waiting.remove(0);
+            file.spent = self.bytes.values().sum();
             self.worker.ask(ctx, 0, file.clone());
             self.reading = Some(file);
         }
@@ -105,10 +125,10 @@ impl Reader {
     }
 
     /// The next file that has been read. Waits for it up to `patience`.
-    fn take(&mut self, ctx: &egui::Context, patience: Duration) -> Option<(String, Parts)> {
+    fn take(&mut self, ctx: &egui::Context, patience: Duration) -> Option<(String, Outcome)> {
         let reading = self.reading.as_ref()?;
         let [done] = self.worker.take(patience);
-        let Some((file, parts)) = done?.outcome else {
+        let Some((file, outcome)) = done?.outcome else {
             // A panic; what is missing is asked for again with the next change.
             self.reading = None;
             self.next(ctx);
@@ -119,8 +139,9 @@ impl Reader {
             return self.take(ctx, patience);
         }
         self.reading = None;
+        self.bytes.insert(file.path.clone(), outcome.bytes);
         self.next(ctx);
-        Some((file.path, parts))
+        Some((file.path, outcome))
     }
 }
 
@@ -157,11 +178,26 @@ impl SceneCache {
         Some(SceneError::Mesh { name: object.to_owned(), path: path.clone(), error })
     }
 
+    /// What the file of an object names, lacks, and can be drawn without.
+    #[must_use]
+    pub fn unread_of(&self, object: &str) -> &[ReadError] {
+        let spec = self.made_from.as_ref().map(|made| &made.spec);
+        let shape = spec.and_then(|spec| spec.objects.iter().find(|o| o.name == object)).and_then(|o| o.shape.as_ref());
+        let Some(Shape::Mesh { path }) = shape else { return &[] };
+        self.unread.get(path).map_or(&[], Vec::as_slice)
+    }
+
     /// Tries the files again that could not be read, and reads the others anew.
     pub fn read_again(&mut self) {
+        self.forget_files();
+        self.made_from = None;
+    }
+
+    fn forget_files(&mut self) {
         self.files = MeshFiles::default();
         self.broken.clear();
-        self.made_from = None;
+        self.unread.clear();
+        self.reader.bytes.clear();
     }
 
     /// Makes the scene where the figure's has changed, or a mesh file has been read. Meshes are looked for beside the figure file.
@@ -179,26 +215,32 @@ impl SceneCache {
             theme: figure.style.theme,
             hidden_lines: figure.style.hidden_lines,
             folder: document.folder().map(Path::to_owned),
+            reach: document.reach(),
         };
         let mut said = Ok(());
-        let before = self.made_from.as_ref();
-        let changed = before != Some(&wanted);
-        if before.is_some_and(|before| before.folder != wanted.folder) {
-            // Another folder: other files under the same names.
-            self.files = MeshFiles::default();
-            self.broken.clear();
+        let before = self.made_from.take();
+        let changed = before.as_ref() != Some(&wanted);
+        if before.as_ref().is_some_and(|before| (&before.folder, before.reach) != (&wanted.folder, wanted.reach)) {
+            // Another folder: other files under the same names. Another reach: other files may be read.
+            self.forget_files();
             self.reader.begin(ctx, Vec::new());
         }
-        if before.is_some_and(|before| before.spec.preset != wanted.spec.preset && wanted.spec.preset != Preset::Empty)
+        if before
+            .as_ref()
+            .is_some_and(|before| before.spec.preset != wanted.spec.preset && wanted.spec.preset != Preset::Empty)
         {
             self.subject += 1;
         }
+        self.made_from = before;
         let mut arrived = self.receive(ctx, Duration::ZERO, &wanted, &mut said);
         if changed || arrived {
+            let used = paths(&wanted.spec);
+            self.broken.retain(|path, _| used.contains(path));
+            self.unread.retain(|path, _| used.contains(path));
+            self.reader.bytes.retain(|path, _| used.contains(path));
             if self.begin_to_load(ctx, &wanted) {
                 arrived |= self.receive(ctx, patience, &wanted, &mut said);
             }
-            self.broken.retain(|path, _| paths(&wanted.spec).contains(path));
         }
         if changed || arrived {
             said = said.and(self.build(wanted));
@@ -216,8 +258,13 @@ impl SceneCache {
     ) -> bool {
         let mut arrived = false;
         let end = clock::now() + patience;
-        while let Some((path, parts)) = self.reader.take(ctx, end.saturating_sub(clock::now())) {
+        while let Some((path, Outcome { parts, unread, .. })) = self.reader.take(ctx, end.saturating_sub(clock::now()))
+        {
             arrived = true;
+            self.unread.remove(&path);
+            if !unread.is_empty() && parts.is_ok() {
+                self.unread.insert(path.clone(), unread);
+            }
             match parts {
                 Ok(parts) => self.files.insert(&path, parts),
                 Err(error) => {
@@ -240,7 +287,7 @@ impl SceneCache {
         }
         let unknown = |path: &String| !self.files.knows(path) && !self.broken.contains_key(path);
         let folder = wanted.folder.clone().unwrap_or_default();
-        let file = |path| MeshFile { path, folder: folder.clone() };
+        let file = |path| MeshFile { path, folder: folder.clone(), reach: wanted.reach, spent: 0 };
         let missing: Vec<MeshFile> = paths(&wanted.spec).into_iter().filter(unknown).map(file).collect();
         if missing.is_empty() {
             return false;

@@ -7,6 +7,7 @@ use super::Lang;
 use super::expressions::in_expression;
 use super::wording::Wording;
 use crate::camera::{Amount, CameraError, Derived, Descriptor, Operation, OperationError, Range, Warning};
+use crate::foreign::shown;
 use crate::inspect::InspectError;
 
 /// Why parameters are not a camera, with the keys concerned and what is allowed.
@@ -139,20 +140,20 @@ pub fn operation(lang: Lang, error: &OperationError) -> String {
     match (lang, error) {
         (Lang::En, error) => error.to_string(),
         (Lang::PtBr, OperationError::NoValue { text }) => {
-            format!("{text:?} não é uma operação; permitido: NOME=VALOR, em que NOME é um de {}", names())
+            format!("\"{}\" não é uma operação; permitido: NOME=VALOR, em que NOME é um de {}", shown(text), names())
         }
         (Lang::PtBr, OperationError::UnknownName { name }) => {
-            format!("não há a operação {name:?}; permitido: {}", names())
+            format!("não há a operação \"{}\"; permitido: {}", shown(name), names())
         }
         (Lang::PtBr, OperationError::NotANumber { descriptor, value, error }) => {
             let (why, allowed) = (in_expression(lang, value, error), amount_in_portuguese(descriptor));
-            format!("{} é {value:?}: {why}; permitido: {allowed}", descriptor.word)
+            format!("{} é \"{}\": {why}; permitido: {allowed}", descriptor.word, shown(value))
         }
         (
             Lang::PtBr,
             OperationError::NotAFactor { descriptor, value } | OperationError::WrongCount { descriptor, value },
         ) => {
-            format!("{} é {value:?}; permitido: {}", descriptor.word, amount_in_portuguese(descriptor))
+            format!("{} é \"{}\"; permitido: {}", descriptor.word, shown(value), amount_in_portuguese(descriptor))
         }
     }
 }

@@ -6,6 +6,7 @@ use super::Lang;
 use super::expressions::in_expression;
 use crate::export::format::PictureFormat;
 use crate::expression::ExpressionError;
+use crate::foreign::{self, shown};
 use crate::limits::MAX_SIDE;
 
 /// Arguments that are at fault, in one paragraph.
@@ -15,6 +16,8 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
         Lang::En => english(error),
         Lang::PtBr => portuguese(error),
     };
+    // What was typed may stand in it, however long.
+    let what = foreign::within(&what, 600);
     format!(
         "{what}{}",
         match lang {
@@ -27,13 +30,14 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
 /// A command that does not exist.
 #[must_use]
 pub fn unknown_command(lang: Lang, name: &str, commands: &[String]) -> String {
+    let name = shown(name);
     let commands = commands.join(", ");
     match lang {
         Lang::En => {
-            format!("there is no command {name:?}, nor a figure file of this name; allowed: {commands}; see --help")
+            format!("there is no command \"{name}\", nor a figure file of this name; allowed: {commands}; see --help")
         }
         Lang::PtBr => format!(
-            "não há o comando {name:?}, nem um arquivo de figura com este nome; permitido: {commands}; veja --help"
+            "não há o comando \"{name}\", nem um arquivo de figura com este nome; permitido: {commands}; veja --help"
         ),
     }
 }
@@ -108,13 +112,14 @@ pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> Strin
 /// A text that is not a point; of its parts the one that is not a number, with the reason, if there are three.
 #[must_use]
 pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) -> String {
+    let text = shown(text);
     let why = fault.map_or_else(String::new, |(part, error)| format!(": {}", in_expression(lang, part, error)));
     match lang {
         Lang::En => {
-            format!("--point is {text:?}{why}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3")
+            format!("--point is \"{text}\"{why}; allowed: three finite numbers X,Y,Z, such as --point 1,2.5,-3")
         }
         Lang::PtBr => {
-            format!("--point é {text:?}{why}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3")
+            format!("--point é \"{text}\"{why}; permitido: três números finitos X,Y,Z, como --point 1,2.5,-3")
         }
     }
 }
@@ -122,38 +127,44 @@ pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) ->
 /// A text that is not a pixel.
 #[must_use]
 pub fn pixel(lang: Lang, text: &str) -> String {
+    let text = shown(text);
     match lang {
-        Lang::En => format!("--pixel is {text:?}; allowed: two integers I,J (column, row), such as --pixel 0,0"),
-        Lang::PtBr => format!("--pixel é {text:?}; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
+        Lang::En => format!("--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0"),
+        Lang::PtBr => format!("--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
     }
 }
 
 /// A text that is not a size.
 #[must_use]
 pub fn size(lang: Lang, text: &str) -> String {
+    let text = shown(text);
     match lang {
         Lang::En => {
-            format!("--size is {text:?}; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600")
+            format!("--size is \"{text}\"; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600")
         }
-        Lang::PtBr => format!("--size é {text:?}; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600"),
+        Lang::PtBr => {
+            format!("--size é \"{text}\"; permitido: LxA com inteiros de 1 a {MAX_SIDE}, como --size 800x600")
+        }
     }
 }
 
 /// A text that is not a scale.
 #[must_use]
 pub fn scale(lang: Lang, text: &str) -> String {
+    let text = shown(text);
     match lang {
-        Lang::En => format!("--scale is {text:?}; allowed: a number from 0.1 to 16, such as --scale 2"),
-        Lang::PtBr => format!("--scale é {text:?}; permitido: um número de 0.1 a 16, como --scale 2"),
+        Lang::En => format!("--scale is \"{text}\"; allowed: a number from 0.1 to 16, such as --scale 2"),
+        Lang::PtBr => format!("--scale é \"{text}\"; permitido: um número de 0.1 a 16, como --scale 2"),
     }
 }
 
 /// A text that is not a number of frames.
 #[must_use]
 pub fn frames(lang: Lang, text: &str) -> String {
+    let text = shown(text);
     match lang {
-        Lang::En => format!("--frames is {text:?}; allowed: an integer from 1 to 1000000, such as --frames 100"),
-        Lang::PtBr => format!("--frames é {text:?}; permitido: um inteiro de 1 a 1000000, como --frames 100"),
+        Lang::En => format!("--frames is \"{text}\"; allowed: an integer from 1 to 1000000, such as --frames 100"),
+        Lang::PtBr => format!("--frames é \"{text}\"; permitido: um inteiro de 1 a 1000000, como --frames 100"),
     }
 }
 
@@ -231,10 +242,11 @@ pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
 /// An ending that is not a picture's.
 #[must_use]
 pub fn ending(lang: Lang, name: &str) -> String {
+    let name = shown(name);
     let endings = PictureFormat::ALL.map(|format| format!(".{}", format.ending())).join(", ");
     match lang {
-        Lang::En => format!("--output is {name:?}; allowed: a file name that ends in {endings}"),
-        Lang::PtBr => format!("--output é {name:?}; permitido: um nome de arquivo que termina em {endings}"),
+        Lang::En => format!("--output is \"{name}\"; allowed: a file name that ends in {endings}"),
+        Lang::PtBr => format!("--output é \"{name}\"; permitido: um nome de arquivo que termina em {endings}"),
     }
 }
 

@@ -6,6 +6,7 @@ use super::expressions::in_expression;
 use super::scene_errors::scene_wording;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
+use crate::foreign::shown;
 
 /// Why a text is not a figure: line, key, what was found, what is allowed.
 #[must_use]
@@ -67,8 +68,8 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
         Problem::Expression { text, error, allowed } => {
             let (why, allowed) = (in_expression(lang, text, error), self::allowed(lang, allowed));
             match lang {
-                Lang::En => format!("is {text:?}: {why}; allowed: {allowed}"),
-                Lang::PtBr => format!("é {text:?}: {why}; permitido: {allowed}"),
+                Lang::En => format!("is \"{}\": {why}; allowed: {allowed}", shown(text)),
+                Lang::PtBr => format!("é \"{}\": {why}; permitido: {allowed}", shown(text)),
             }
         }
         Problem::Missing { allowed } => {
@@ -108,7 +109,7 @@ fn toml_in_portuguese(detail: &str) -> &str {
 }
 
 fn meant(lang: Lang, near: Option<&str>) -> String {
-    near.map_or_else(String::new, |near| match lang {
+    near.map(shown).map_or_else(String::new, |near| match lang {
         Lang::En => format!(" (did you mean {near}?)"),
         Lang::PtBr => format!(" (você quis dizer {near}?)"),
     })

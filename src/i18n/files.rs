@@ -5,6 +5,7 @@ use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
 use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
+use crate::limits::MAX_FILE_BYTES;
 use crate::scene::ReadProblem;
 
 /// Why the file called `name` cannot be used.
@@ -15,14 +16,15 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
         (_, FileError::Png(error)) => format!("{name}: {}", png(lang, error)),
         (_, FileError::Figure(error)) => format!("{name}, {}", figure(lang, error)),
         (Lang::En, error) => format!("{name} {error}"),
-        (Lang::PtBr, FileError::Read(error)) => {
-            after_name(&ReadProblem::System { kind: error.kind(), detail: error.to_string() })
-        }
+        (Lang::PtBr, FileError::Read(error)) => after_name(&ReadProblem::system(error)),
         (Lang::PtBr, FileError::Write(error)) => {
-            format!("{name} não pode ser gravado: {}", system_in_portuguese(error.kind(), &error.to_string()))
+            format!("{name} não pode ser gravado: {}", system_in_portuguese(error.kind(), error.raw_os_error()))
         }
         (Lang::PtBr, FileError::Directory) => after_name(&ReadProblem::Directory),
-        (Lang::PtBr, FileError::TooLarge) => after_name(&ReadProblem::TooLarge),
+        (Lang::PtBr, FileError::TooLarge) => {
+            let gib = MAX_FILE_BYTES >> 30;
+            format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB")
+        }
         (Lang::PtBr, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
         (Lang::PtBr, FileError::Network) => after_name(&ReadProblem::Network),
         (Lang::PtBr, FileError::ReadOnly) => format!(

@@ -2,7 +2,7 @@
 
 use super::Lang;
 use super::unreadable::unreadable;
-use crate::scene::{GltfFault, MeshError, ObjFault};
+use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, ObjFault};
 
 /// Why a mesh file cannot be used. In English it is the error's own words.
 pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
@@ -15,7 +15,9 @@ pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
         (Lang::PtBr, MeshError::Empty) => "não há nenhuma face nele".to_owned(),
         (Lang::PtBr, MeshError::TooLarge) => "ele tem vértices demais".to_owned(),
         (Lang::PtBr, MeshError::Obj { line, fault }) => format!("linha {line}: {}", obj_in_portuguese(fault)),
-        (Lang::PtBr, MeshError::Json { line, column, detail }) => format!("linha {line}, coluna {column}: {detail}"),
+        (Lang::PtBr, MeshError::Json { line, column, fault }) => {
+            format!("linha {line}, coluna {column}: {}", json_in_portuguese(fault))
+        }
         (Lang::PtBr, MeshError::Gltf { place, fault }) if place.is_empty() => gltf_in_portuguese(fault),
         (Lang::PtBr, MeshError::Gltf { place, fault }) => format!("{place}: {}", gltf_in_portuguese(fault)),
     }
@@ -35,10 +37,29 @@ fn obj_in_portuguese(fault: &ObjFault) -> String {
     }
 }
 
+fn json_in_portuguese(fault: &JsonFault) -> String {
+    match fault {
+        JsonFault::Syntax => "isto não é JSON".to_owned(),
+        JsonFault::End => "o JSON termina antes do fim".to_owned(),
+        JsonFault::MissingKey { key } => format!("falta a chave \"{key}\" no que termina aqui"),
+        JsonFault::Value => "um valor que o glTF não permite".to_owned(),
+    }
+}
+
+const fn glb_in_portuguese(fault: GlbFault) -> &'static str {
+    match fault {
+        GlbFault::Header => "seu cabeçalho está cortado ou dá um comprimento errado",
+        GlbFault::Version => "sua versão não é 2",
+        GlbFault::End => "termina antes do fim",
+        GlbFault::Parts => "suas partes não são as de um arquivo GLB",
+    }
+}
+
 fn gltf_in_portuguese(fault: &GltfFault) -> String {
     match fault {
         GltfFault::File { uri, error } => format!("\"{uri}\": {}", unreadable(Lang::PtBr, error)),
-        GltfFault::Container { detail } => format!("o arquivo GLB não é válido ({detail})"),
+        GltfFault::Container { fault } => format!("o arquivo GLB não é válido: {}", glb_in_portuguese(*fault)),
+        GltfFault::Version { found } => format!("isto é glTF {found}; permitido: 2.0"),
         GltfFault::Value => "um valor que o glTF não permite".to_owned(),
         GltfFault::Missing => "está faltando".to_owned(),
         GltfFault::Reference => "indica algo que não existe".to_owned(),
@@ -49,6 +70,10 @@ fn gltf_in_portuguese(fault: &GltfFault) -> String {
         GltfFault::Index { found, vertices } => {
             format!("o índice {found} indica um vértice que não existe; há {vertices}")
         }
+        GltfFault::SparseIndex { found, count } => {
+            format!("o índice {found} de um acessor esparso não está entre seus {count} itens, ou não cresce")
+        }
+        GltfFault::TooMuch => "seus acessores contêm mais do que qualquer malha".to_owned(),
         GltfFault::NotFinite => "um número não é finito".to_owned(),
         GltfFault::Tree => "um nó tem dois pais".to_owned(),
     }

@@ -5,3 +5,4 @@ pub use super::expressions::{expression, not_whole, outside};
 pub use super::figure_files::figure;
 pub use super::files::{file, png};
 pub use super::scene_errors::scene;
+pub use super::unreadable::without_colors;

@@ -3,8 +3,9 @@
 use super::Lang;
 use super::meshes::mesh;
 use super::wording::Wording;
+use crate::foreign::shown;
 use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
-use crate::scene::SceneError;
+use crate::scene::{SceneError, chain_text};
 
 /// Why the objects and lights of a figure make no scene; names the object and the key.
 #[must_use]
@@ -16,7 +17,7 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
         | SceneError::Mesh { name, .. }
         | SceneError::NotFinite { name, .. }
         | SceneError::ZeroScale { name }
-        | SceneError::Segments { name, .. } => format!("[[scene.objects]] {name:?}: {key} {why}"),
+        | SceneError::Segments { name, .. } => format!("[[scene.objects]] \"{}\": {key} {why}", shown(name)),
         SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
     }
 }
@@ -28,19 +29,21 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
     match (lang, error) {
         (Lang::En, SceneError::DuplicateName { .. }) => english("another object has this name"),
         (Lang::PtBr, SceneError::DuplicateName { name }) => Wording::new(
-            format!("é {name:?}, como um objeto anterior; permitido: um nome próprio"),
+            format!("é \"{}\", como um objeto anterior; permitido: um nome próprio", shown(name)),
             "outro objeto tem este nome",
         ),
-        (Lang::En, SceneError::UnknownParent { parent, .. }) => english(&format!("there is no object “{parent}”")),
+        (Lang::En, SceneError::UnknownParent { parent, .. }) => {
+            english(&format!("there is no object “{}”", shown(parent)))
+        }
         (Lang::PtBr, SceneError::UnknownParent { parent, .. }) => Wording::new(
-            format!("é {parent:?}, e nenhum objeto se chama assim; permitido: o nome de um objeto"),
-            format!("não há objeto “{parent}”"),
+            format!("é \"{}\", e nenhum objeto se chama assim; permitido: o nome de um objeto", shown(parent)),
+            format!("não há objeto “{}”", shown(parent)),
         ),
         (Lang::En, SceneError::Cycle { chain }) => {
-            english(&format!("parents go round in a circle: {}", chain.join(" → ")))
+            english(&format!("parents go round in a circle: {}", chain_text(chain)))
         }
         (Lang::PtBr, SceneError::Cycle { chain }) => {
-            let chain = chain.join(" → ");
+            let chain = chain_text(chain);
             Wording::new(
                 format!("forma um ciclo ({chain}); permitido: pais que formem uma árvore"),
                 format!("os pais formam um ciclo: {chain}"),
@@ -64,8 +67,8 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             segments_allowed(lang),
         ),
         (_, SceneError::Mesh { path, error, .. }) => {
-            let why = mesh(lang, error);
-            Wording::new(format!("{path:?}: {why}"), format!("{path}: {why}"))
+            let (path, why) = (shown(path), mesh(lang, error));
+            Wording::new(format!("\"{path}\": {why}"), format!("{path}: {why}"))
         }
         (Lang::En, SceneError::Light { key: "direction", .. }) => english("the direction must not be 0"),
         (Lang::En, SceneError::Light { .. }) => english("a finite position is needed"),

@@ -59,6 +59,8 @@ texts! {
     browse: "Choose…", "Escolher…";
     read_again: "Read again", "Ler de novo";
     read_again_hint: "The file may have changed since it was read", "O arquivo pode ter mudado desde que foi lido";
+    allow_files: "Let this figure read any file", "Deixar esta figura ler qualquer arquivo";
+    allow_files_hint: "Until it is closed, the figure may name any file of this computer; what is on other machines is never read", "Até ser fechada, a figura pode indicar qualquer arquivo deste computador; o que está em outras máquinas nunca é lido";
     loading: "Loading", "Carregando";
     duplicate: "Duplicate", "Duplicar";
     duplicate_hint: "Another one with the same numbers", "Mais um com os mesmos números";

@@ -1,10 +1,11 @@
 //! What keeps a file from being read, in both languages. In English it is the error's own words.
 
+use std::borrow::Cow;
 use std::io;
 
 use super::Lang;
-use crate::limits::MAX_FILE_BYTES;
-use crate::scene::{ReadError, ReadProblem, system_words};
+use crate::limits::MAX_SCENE_BYTES;
+use crate::scene::{NamedBy, ReadError, ReadProblem};
 
 /// Why a file that a scene names cannot be read.
 pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
@@ -15,30 +16,84 @@ pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
 pub(super) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
     match (lang, problem) {
         (Lang::En, problem) => problem.to_string(),
-        (Lang::PtBr, ReadProblem::System { kind, detail }) => {
-            format!("não pode ser lido: {}", system_in_portuguese(*kind, detail))
+        (Lang::PtBr, ReadProblem::System { kind, code }) => {
+            format!("não pode ser lido: {}", system_in_portuguese(*kind, *code))
         }
         (Lang::PtBr, ReadProblem::Directory) => "é um diretório; permitido: um arquivo".to_owned(),
-        (Lang::PtBr, ReadProblem::TooLarge) => {
-            let gib = MAX_FILE_BYTES >> 30;
-            format!("é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB")
-        }
         (Lang::PtBr, ReadProblem::NotRegular) => {
             "é um dispositivo, um pipe ou um socket; permitido: um arquivo comum".to_owned()
+        }
+        (Lang::PtBr, ReadProblem::Outside { folder, named_by }) => {
+            let who = match named_by {
+                NamedBy::Mesh => "uma malha",
+                NamedBy::Picture => "uma figura dentro de uma imagem",
+            };
+            format!(
+                "não foi lido, porque {who} o indica e ele está em outro lugar; permitido: arquivos em {folder} e abaixo, ou quaisquer com --allow-files"
+            )
+        }
+        (Lang::PtBr, ReadProblem::Budget) => {
+            let mib = MAX_SCENE_BYTES >> 20;
+            format!(
+                "não foi lido, porque com ele os arquivos desta figura passam de {mib} MiB; permitido: no máximo isso para todos juntos"
+            )
         }
         (Lang::PtBr, ReadProblem::Network) => "está em outra máquina; permitido: arquivos desta".to_owned(),
     }
 }
 
-/// What the system said, in our words where the case is common.
-pub(super) fn system_in_portuguese(kind: io::ErrorKind, detail: &str) -> &str {
-    match kind {
+/// A material library that a mesh names and that could not be read.
+#[must_use]
+pub fn without_colors(lang: Lang, error: &ReadError) -> String {
+    let why = unreadable(lang, error);
+    match lang {
+        Lang::En => format!("{why}; the mesh is drawn without the colours of its materials"),
+        Lang::PtBr => format!("{why}; a malha é desenhada sem as cores de seus materiais"),
+    }
+}
+
+/// What the system said, in our words; where it is not usual, by its number.
+pub(super) fn system_in_portuguese(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
+    let words = match kind {
         io::ErrorKind::NotFound => "o arquivo ou diretório não existe",
         io::ErrorKind::PermissionDenied => "permissão negada",
         io::ErrorKind::IsADirectory => "é um diretório",
         io::ErrorKind::NotADirectory => "uma parte do caminho não é um diretório",
+        io::ErrorKind::AlreadyExists => "já existe algo com este nome",
+        io::ErrorKind::InvalidInput | io::ErrorKind::InvalidFilename => "nenhum arquivo pode ter este nome",
         io::ErrorKind::StorageFull => "o disco está cheio",
+        io::ErrorKind::QuotaExceeded => "sua cota do disco está cheia",
+        io::ErrorKind::FileTooLarge => "o disco não aceita um arquivo tão grande",
         io::ErrorKind::ReadOnlyFilesystem => "o disco é somente de leitura",
-        _ => system_words(kind, detail),
+        io::ErrorKind::ResourceBusy | io::ErrorKind::ExecutableFileBusy => "outro programa o está usando",
+        io::ErrorKind::CrossesDevices => "está em outro disco",
+        io::ErrorKind::OutOfMemory => "não há memória suficiente",
+        io::ErrorKind::BrokenPipe => "ninguém mais o lê",
+        io::ErrorKind::TimedOut => "demorou demais",
+        io::ErrorKind::UnexpectedEof | io::ErrorKind::WriteZero => "terminou antes do fim",
+        io::ErrorKind::InvalidData => "contém o que não deve",
+        _ => match code {
+            Some(code) => return format!("o sistema recusa, com o erro {code}").into(),
+            None => "o sistema recusa",
+        },
+    };
+    words.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::system_words;
+
+    #[test]
+    fn the_systems_words_are_ours_in_both_languages() {
+        let words = |error: &io::Error| {
+            let (kind, code) = (error.kind(), error.raw_os_error());
+            [system_words(kind, code), system_in_portuguese(kind, code)]
+        };
+        let nul = std::fs::File::open("a\0b").expect_err("no file can be called so");
+        assert_eq!(words(&nul), ["no file can have this name", "nenhum arquivo pode ter este nome"]);
+        let unusual = io::Error::from_raw_os_error(112);
+        assert_eq!(words(&unusual), ["the system refuses, with its error 112", "o sistema recusa, com o erro 112"]);
     }
 }

@@ -12,6 +12,7 @@ use super::{
     Line, Mesh, MeshFiles, Object, ObjectPaint, ReadFile, Scene, SceneError, SceneSpec, Shape, presets, primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
+use crate::foreign::shown;
 
 /// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with hidden
 /// edges as it wants them.
@@ -90,7 +91,7 @@ impl Maker<'_, '_> {
                     scene.marks.push(point_mark(to_world(*p), MarkShape::Disc, color));
                 }
                 if let [p] = points[..] {
-                    scene.texts.push(point_name(to_world(p), name, self.colors.ink));
+                    scene.texts.push(point_name(to_world(p), &shown(name), self.colors.ink));
                 }
                 scene.objects.push(bare(name, Mesh::point_cloud(points.iter().copied()), placed, color, None));
             }

@@ -1,6 +1,7 @@
 //! What can be wrong with a scene.
 
 use super::MeshError;
+use crate::foreign::shown;
 use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 
 /// Why a specification is not a scene. Displayed, it says what is wrong with [`key`](Self::key) of [`object`](Self::object), which
@@ -8,13 +9,13 @@ use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// Two objects have one name.
-    #[error("is {name:?}, as an object before it; allowed: a name of its own")]
+    #[error("is \"{}\", as an object before it; allowed: a name of its own", shown(name))]
     DuplicateName {
         /// The name.
         name: String,
     },
     /// An object's parent does not exist.
-    #[error("is {parent:?}, and no object is called so; allowed: the name of an object")]
+    #[error("is \"{}\", and no object is called so; allowed: the name of an object", shown(parent))]
     UnknownParent {
         /// The object.
         name: String,
@@ -22,7 +23,7 @@ pub enum SceneError {
         parent: String,
     },
     /// An object is its own ancestor.
-    #[error("goes round in a circle ({}); allowed: parents that form a tree", chain.join(" → "))]
+    #[error("goes round in a circle ({}); allowed: parents that form a tree", chain_text(chain))]
     Cycle {
         /// From the object over its ancestors back to itself.
         chain: Vec<String>,
@@ -51,7 +52,7 @@ pub enum SceneError {
         found: u32,
     },
     /// A mesh file cannot be used.
-    #[error("{path:?}: {error}")]
+    #[error("\"{}\": {error}", shown(path))]
     Mesh {
         /// The object.
         name: String,
@@ -68,6 +69,17 @@ pub enum SceneError {
         /// `direction` or `position`.
         key: &'static str,
     },
+}
+
+/// The names of a chain of objects, of a long one those at its ends.
+#[must_use]
+pub fn chain_text(chain: &[String]) -> String {
+    const ENDS: usize = 3;
+    let names = |part: &[String]| part.iter().map(|name| shown(name)).collect::<Vec<_>>().join(" → ");
+    match chain.len().checked_sub(2 * ENDS) {
+        None | Some(0) => names(chain),
+        Some(_) => format!("{} → … → {}", names(&chain[..ENDS]), names(&chain[chain.len() - ENDS..])),
+    }
 }
 
 impl SceneError {

@@ -1,31 +1,39 @@
 //! glTF 2.0 and GLB, through the crate `gltf`: it reads and checks the JSON; the bytes behind the accessors are read here,
 //! with every address checked.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
+use std::cell::Cell;
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
 use std::sync::Arc;
 
 use ::gltf::accessor::{DataType, Dimensions};
+use ::gltf::buffer::View;
 use ::gltf::json::validation::{Checked, Error as Rule};
 use ::gltf::material::AlphaMode;
 use ::gltf::mesh::Mode;
 use ::gltf::{Accessor, Document, Gltf, Primitive, Semantic};
 use base64::Engine as _;
 use glam::{DMat4, DQuat, DVec3};
+use serde_json::error::Category;
 
 use super::Mesh;
-use super::ReadFile;
 use super::part::Part;
+use super::read_error::Beside;
 use super::soup::Soup;
-use super::{GltfFault, MeshError};
+use super::{GlbFault, GltfFault, JsonFault, MeshError};
 use crate::appearance::Rgba;
+use crate::foreign::{self, shown};
+use crate::limits::{MAX_SCENE_BYTES, MAX_ZEROS};
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
 ///
 /// # Errors
 /// [`MeshError::Json`] and [`MeshError::Gltf`].
-pub(super) fn read(bytes: &[u8], read_file: &mut ReadFile<'_>) -> Result<Vec<Part>, MeshError> {
+pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>) -> Result<Vec<Part>, MeshError> {
     let Gltf { document, blob } = parse(bytes)?;
-    let reader = Reader { buffers: buffers(&document, blob, read_file)? };
+    let buffers = buffers(&document, blob, read_file)?;
+    let reader = Reader { buffers, left: Cell::new(MAX_SCENE_BYTES), zeros_left: Cell::new(MAX_ZEROS) };
     let mut meshes: BTreeMap<(usize, usize), Option<Arc<Mesh>>> = BTreeMap::new();
     let mut parts = Vec::new();
     for (node, world) in nodes(&document)? {
@@ -64,17 +72,24 @@ fn place(list: &str, index: usize) -> String {
 }
 
 fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
-    let container = |detail: String| fault("GLB", GltfFault::Container { detail });
+    let container = |broken: GlbFault| fault("", GltfFault::Container { fault: broken });
     if bytes.starts_with(b"glTF") {
         // The crate subtracts the header from this length without looking.
         let length = bytes.get(8..12).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         if length.is_none_or(|length| length < 12) {
-            return Err(container("the header is cut off or its length is wrong".to_owned()));
+            return Err(container(GlbFault::Header));
         }
     }
     // The crate's check of positions indexes the list of accessors without looking.
     if let Ok(unchecked) = Gltf::from_slice_without_validation(bytes) {
         let root = unchecked.document.as_json();
+        let asset = &root.asset;
+        let is_second = |version: &str| version == "2" || version.starts_with("2.");
+        if let Some(version) =
+            [Some(&asset.version), asset.min_version.as_ref()].into_iter().flatten().find(|v| !is_second(v))
+        {
+            return Err(fault("asset", GltfFault::Version { found: shown(version) }));
+        }
         for (i, mesh) in root.meshes.iter().enumerate() {
             for (j, primitive) in mesh.primitives.iter().enumerate() {
                 let positions = primitive.attributes.get(&Checked::Valid(Semantic::Positions));
@@ -86,13 +101,31 @@ fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
         }
     }
     Gltf::from_slice(bytes).map_err(|error| match error {
-        ::gltf::Error::Deserialize(e) => MeshError::Json { line: e.line(), column: e.column(), detail: e.to_string() },
+        ::gltf::Error::Deserialize(e) => MeshError::Json { line: e.line(), column: e.column(), fault: json_fault(&e) },
         ::gltf::Error::Validation(all) => match all.into_iter().next() {
-            Some((path, error)) => fault(path.to_string(), broken_rule(error)),
+            Some((path, error)) => fault(foreign::within(&path.to_string(), 80), broken_rule(error)),
             None => fault("", GltfFault::Value),
         },
-        other => container(other.to_string()),
+        ::gltf::Error::Binary(::gltf::binary::Error::Version(_)) => container(GlbFault::Version),
+        ::gltf::Error::Binary(::gltf::binary::Error::Magic(_)) => container(GlbFault::Header),
+        ::gltf::Error::Binary(::gltf::binary::Error::ChunkType(_) | ::gltf::binary::Error::UnknownChunkType(_)) => {
+            container(GlbFault::Parts)
+        }
+        _ => container(GlbFault::End),
     })
+}
+
+/// What the parser of JSON says, without its words: they repeat the place, and what the file holds, at any length.
+fn json_fault(error: &serde_json::Error) -> JsonFault {
+    match error.classify() {
+        Category::Eof => JsonFault::End,
+        Category::Syntax | Category::Io => JsonFault::Syntax,
+        Category::Data => {
+            let words = error.to_string();
+            let key = words.strip_prefix("missing field `").and_then(|rest| rest.split('`').next());
+            key.map_or(JsonFault::Value, |key| JsonFault::MissingKey { key: shown(key) })
+        }
+    }
 }
 
 fn broken_rule(error: Rule) -> GltfFault {
@@ -108,24 +141,31 @@ fn broken_rule(error: Rule) -> GltfFault {
 fn buffers(
     document: &Document,
     blob: Option<Vec<u8>>,
-    read_file: &mut ReadFile<'_>,
-) -> Result<Vec<Vec<u8>>, MeshError> {
+    read_file: &mut Beside<'_>,
+) -> Result<Vec<Rc<Vec<u8>>>, MeshError> {
     let mut blob = blob;
     let mut all = Vec::new();
+    let mut files: HashMap<String, Rc<Vec<u8>>> = HashMap::new();
     for buffer in document.buffers() {
         let fault = |f| fault(place("buffers", buffer.index()), f);
         let bytes = match buffer.source() {
-            ::gltf::buffer::Source::Bin => blob.take().ok_or_else(|| fault(GltfFault::NoBytes))?,
+            ::gltf::buffer::Source::Bin => Rc::new(blob.take().ok_or_else(|| fault(GltfFault::NoBytes))?),
             ::gltf::buffer::Source::Uri(uri) => match uri.strip_prefix("data:") {
                 Some(data) => {
                     let text = data.split_once(";base64,").map(|(_, text)| text);
                     let decoded = text.and_then(|t| base64::engine::general_purpose::STANDARD.decode(t).ok());
-                    decoded.ok_or_else(|| fault(GltfFault::DataUri))?
+                    Rc::new(decoded.ok_or_else(|| fault(GltfFault::DataUri))?)
                 }
                 None => {
                     let name = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
-                    read_file(&name)
-                        .map_err(|error| fault(GltfFault::File { uri: uri.to_owned(), error: Box::new(error) }))?
+                    let failed = |error| fault(GltfFault::File { uri: shown(uri), error: Box::new(error) });
+                    match files.get(&*name) {
+                        Some(known) => Rc::clone(known),
+                        None => {
+                            let read = Rc::new(read_file(&name).map_err(failed)?);
+                            Rc::clone(files.entry(name.into_owned()).or_insert(read))
+                        }
+                    }
                 }
             },
         };
@@ -143,8 +183,9 @@ fn nodes(document: &Document) -> Result<Vec<(::gltf::Node<'_>, DMat4)>, MeshErro
     let roots: Vec<_> = match document.default_scene().or_else(|| document.scenes().next()) {
         Some(scene) => scene.nodes().collect(),
         None => {
-            let children: Vec<usize> = document.nodes().flat_map(|n| n.children().map(|c| c.index())).collect();
-            document.nodes().filter(|n| !children.contains(&n.index())).collect()
+            let mut has_parent = vec![false; document.nodes().len()];
+            document.nodes().flat_map(|n| n.children()).for_each(|child| has_parent[child.index()] = true);
+            document.nodes().filter(|n| !has_parent[n.index()]).collect()
         }
     };
     let mut seen = vec![false; document.nodes().len()];
@@ -202,7 +243,25 @@ fn color(material: &::gltf::Material<'_>) -> Rgba {
 }
 
 struct Reader {
-    buffers: Vec<Vec<u8>>,
+    buffers: Vec<Rc<Vec<u8>>>,
+    /// How many more bytes accessors may hold, all together: many can name the same bytes.
+    left: Cell<usize>,
+    /// How many more items may be 0 because no bytes stand behind them.
+    zeros_left: Cell<usize>,
+}
+
+/// Items of equal length.
+struct Items<'a> {
+    bytes: Cow<'a, [u8]>,
+    /// From the start of one to the start of the next.
+    stride: usize,
+    item: usize,
+}
+
+impl Items<'_> {
+    fn iter(&self) -> impl Iterator<Item = &[u8]> {
+        self.bytes.chunks(self.stride).map(|padded| &padded[..self.item])
+    }
 }
 
 impl Reader {
@@ -235,24 +294,54 @@ impl Reader {
         Ok(Some(soup.into_mesh()?))
     }
 
-    /// The bytes of each item of an accessor with `N` components.
-    fn items<const N: usize>(&self, accessor: &Accessor<'_>) -> Result<impl Iterator<Item = &[u8]>, MeshError> {
+    /// The bytes of the items of an accessor with `N` components, each as long as the other.
+    fn items<const N: usize>(&self, accessor: &Accessor<'_>) -> Result<Items<'_>, MeshError> {
         let fault = |f| fault(place("accessors", accessor.index()), f);
-        if accessor.sparse().is_some() {
-            return Err(fault(GltfFault::Unsupported { what: "sparse accessor".to_owned() }));
-        }
-        let Some(view) = accessor.view() else { return Err(fault(GltfFault::NoBytes)) };
         let item = N * accessor.data_type().size();
+        let held = accessor.count().checked_mul(item).and_then(|bytes| self.left.get().checked_sub(bytes));
+        self.left.set(held.ok_or_else(|| fault(GltfFault::TooMuch))?);
+        let base = match accessor.view() {
+            Some(view) => Some(self.strided(&view, accessor.offset(), accessor.count(), item).map_err(fault)?),
+            None => None,
+        };
+        let Some(sparse) = accessor.sparse() else { return base.ok_or_else(|| fault(GltfFault::NoBytes)) };
+        let mut bytes = match base {
+            Some(base) => base.iter().flatten().copied().collect(),
+            None => {
+                let left = self.zeros_left.get().checked_sub(accessor.count());
+                self.zeros_left.set(left.ok_or_else(|| fault(GltfFault::TooMuch))?);
+                vec![0; accessor.count() * item]
+            }
+        };
+        let (indices, values) = (sparse.indices(), sparse.values());
+        let width = indices.index_type().size();
+        let places = self.strided(&indices.view(), indices.offset(), sparse.count(), width).map_err(fault)?;
+        let values = self.strided(&values.view(), values.offset(), sparse.count(), item).map_err(fault)?;
+        let mut next = 0;
+        for (place, value) in places.iter().zip(values.iter()) {
+            let index = place.iter().rev().fold(0_u32, |index, byte| index << 8 | u32::from(*byte));
+            let at = index as usize;
+            if at < next || at >= accessor.count() {
+                return Err(fault(GltfFault::SparseIndex { found: index, count: accessor.count() }));
+            }
+            bytes[at * item..][..item].copy_from_slice(value);
+            next = at + 1;
+        }
+        Ok(Items { bytes: Cow::Owned(bytes), stride: item, item })
+    }
+
+    /// The bytes of `count` items of `item` bytes in a view, from `offset` on.
+    fn strided(&self, view: &View<'_>, offset: usize, count: usize, item: usize) -> Result<Items<'_>, GltfFault> {
         let stride = view.stride().unwrap_or(item).max(item);
         let data = self.buffers.get(view.buffer().index()).and_then(|bytes| {
             let end = view.offset().checked_add(view.length())?;
-            let data = bytes.get(view.offset()..end)?.get(accessor.offset()..)?;
+            let data = bytes.get(view.offset()..end)?.get(offset..)?;
             // The last item need not be padded to the stride.
-            let before_last = accessor.count().saturating_sub(1).checked_mul(stride)?;
-            data.get(..if accessor.count() == 0 { 0 } else { before_last.checked_add(item)? })
+            let before_last = count.saturating_sub(1).checked_mul(stride)?;
+            data.get(..if count == 0 { 0 } else { before_last.checked_add(item)? })
         });
-        let data = data.ok_or_else(|| fault(GltfFault::OutOfBuffer))?;
-        Ok(data.chunks(stride).map(move |padded| &padded[..item]))
+        let bytes = Cow::Borrowed(data.ok_or(GltfFault::OutOfBuffer)?);
+        Ok(Items { bytes, stride, item })
     }
 
     /// Points or normals.
@@ -264,7 +353,7 @@ impl Reader {
         }
         let number = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
         let vector = |b: &[u8]| DVec3::new(number(&b[..4]), number(&b[4..8]), number(&b[8..]));
-        let vectors: Vec<DVec3> = self.items::<3>(accessor)?.map(vector).collect();
+        let vectors: Vec<DVec3> = self.items::<3>(accessor)?.iter().map(vector).collect();
         if vectors.iter().all(|v| v.is_finite()) { Ok(vectors) } else { Err(fault(GltfFault::NotFinite)) }
     }
 
@@ -278,7 +367,7 @@ impl Reader {
                 return Err(fault(place("accessors", accessor.index()), GltfFault::Unsupported { what }));
             }
         };
-        Ok(self.items::<1>(accessor)?.map(read).collect())
+        Ok(self.items::<1>(accessor)?.iter().map(read).collect())
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use super::part::Part;
-use super::{Mesh, MeshError, ReadFile, gltf, obj};
+use super::{Mesh, MeshError, ReadFile, Wanted, gltf, obj};
 
 /// The parts of the mesh file with this path and these bytes. `read_file` gives the files beside it (MTL, BIN); a material
 /// library that cannot be read is left out, its materials have no colour then.
@@ -13,7 +13,7 @@ use super::{Mesh, MeshError, ReadFile, gltf, obj};
 /// [`MeshError`].
 pub fn import(path: &str, bytes: &[u8], read_file: &mut ReadFile<'_>) -> Result<Vec<Part>, MeshError> {
     let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
-    let mut beside = |name: &str| read_file(&companion(path, name));
+    let mut beside = |name: &str| read_file(Wanted { path: &companion(path, name), named_by: Some(path) });
     let parts = match ending.as_deref() {
         Some("obj") => obj::read(bytes, &mut beside)?,
         Some("gltf" | "glb") => gltf::read(bytes, &mut beside)?,
@@ -76,7 +76,7 @@ impl MeshFiles {
 /// # Errors
 /// [`MeshError`].
 pub fn read(path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Vec<Part>>, MeshError> {
-    let bytes = read_file(path).map_err(|error| MeshError::Unreadable(Box::new(error)))?;
+    let bytes = read_file(Wanted { path, named_by: None }).map_err(|error| MeshError::Unreadable(Box::new(error)))?;
     Ok(Arc::new(import(path, &bytes, read_file)?))
 }
 

@@ -27,14 +27,14 @@ pub enum MeshError {
         fault: ObjFault,
     },
     /// The JSON of a glTF file does not parse.
-    #[error("line {line}, column {column}: {detail}")]
+    #[error("line {line}, column {column}: {fault}")]
     Json {
         /// From 1; within the JSON part of a GLB file.
         line: usize,
         /// From 1.
         column: usize,
-        /// The parser's words.
-        detail: String,
+        /// What is wrong there.
+        fault: JsonFault,
     },
     /// A glTF file is not as it should be.
     #[error("{place}{}{fault}", if place.is_empty() { "" } else { ": " })]
@@ -44,6 +44,19 @@ pub enum MeshError {
         /// What is wrong there.
         fault: GltfFault,
     },
+}
+
+impl MeshError {
+    /// True where a file lies outside of what the figure may name: the user can let it.
+    #[must_use]
+    pub fn is_outside(&self) -> bool {
+        match self {
+            Self::Unreadable(error) | Self::Gltf { fault: GltfFault::File { error, .. }, .. } => error.is_outside(),
+            Self::Format | Self::Empty | Self::TooLarge | Self::Obj { .. } | Self::Json { .. } | Self::Gltf { .. } => {
+                false
+            }
+        }
+    }
 }
 
 impl From<TooLarge> for MeshError {
@@ -91,14 +104,57 @@ pub enum ObjFault {
     },
 }
 
+/// What is wrong with the JSON of a glTF file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum JsonFault {
+    /// It is not JSON from here on.
+    #[error("this is not JSON")]
+    Syntax,
+    /// It ends before it is complete.
+    #[error("the JSON ends early")]
+    End,
+    /// A key that must be there is not.
+    #[error("the key \"{key}\" is missing in what ends here")]
+    MissingKey {
+        /// The key.
+        key: String,
+    },
+    /// A value of another type than glTF wants.
+    #[error("a value that glTF does not allow")]
+    Value,
+}
+
+/// What is wrong with the frame of a GLB file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum GlbFault {
+    /// The twelve bytes at its start.
+    #[error("its header is cut off, or gives a wrong length")]
+    Header,
+    /// A version of the frame that is not 2.
+    #[error("its version is not 2")]
+    Version,
+    /// A chunk goes beyond the end.
+    #[error("it ends early")]
+    End,
+    /// The JSON does not come first, or a part is of an unknown kind.
+    #[error("its parts are not those of a GLB file")]
+    Parts,
+}
+
 /// What is wrong with a glTF file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GltfFault {
     /// The frame of a GLB file is broken.
-    #[error("not a valid GLB file ({detail})")]
+    #[error("not a valid GLB file: {fault}")]
     Container {
-        /// The reader's words.
-        detail: String,
+        /// What is wrong with it.
+        fault: GlbFault,
+    },
+    /// Another version of glTF.
+    #[error("this is glTF {found}; allowed: 2.0")]
+    Version {
+        /// The version.
+        found: String,
     },
     /// A value breaks a rule of glTF.
     #[error("a value that glTF does not allow")]
@@ -140,6 +196,17 @@ pub enum GltfFault {
         /// The number of vertices.
         vertices: usize,
     },
+    /// A sparse accessor names an item that is not there, or not in rising order.
+    #[error("a sparse accessor's index {found} is not among its {count} items, or does not rise")]
+    SparseIndex {
+        /// The index.
+        found: u32,
+        /// The number of items.
+        count: usize,
+    },
+    /// It makes far more of its bytes than there are.
+    #[error("its accessors hold more than any mesh")]
+    TooMuch,
     /// A coordinate or matrix is infinite or not a number.
     #[error("a number is not finite")]
     NotFinite,

@@ -26,12 +26,12 @@ use glam::{DMat4, DVec3};
 use crate::appearance::{LineStyle, MarkShape, Rgba};
 use crate::geometry::Aabb;
 pub use build::{build, build_with};
-pub use error::SceneError;
+pub use error::{SceneError, chain_text};
 pub use import::MeshFiles;
 pub use mesh::Mesh;
-pub use mesh_error::{GltfFault, MeshError, ObjFault};
+pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, ObjFault};
 pub use presets::{Beyond, objects as preset_objects};
-pub use read_error::{ReadError, ReadFile, ReadProblem, no_files, system_words};
+pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, no_files, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
 pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 

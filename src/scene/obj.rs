@@ -1,23 +1,24 @@
 //! Wavefront OBJ: points, normals, faces, objects, and the colours of their materials. Texture coordinates are checked and left
 //! out, as is all that is neither point, normal, face, name nor material.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
 
-use super::ReadFile;
 use super::mesh::index_u32;
 use super::part::Part;
+use super::read_error::Beside;
 use super::soup::Soup;
 use super::{MeshError, ObjFault};
 use crate::appearance::Rgba;
+use crate::foreign::shown;
 
 /// The objects of an OBJ file; one that has several materials comes in several parts.
 ///
 /// # Errors
 /// [`MeshError::Obj`] with the line.
-pub(super) fn read(bytes: &[u8], read_file: &mut ReadFile<'_>) -> Result<Vec<Part>, MeshError> {
+pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>) -> Result<Vec<Part>, MeshError> {
     let mut file = ObjFile::default();
     let mut lines = Lines { rest: bytes, number: 0 };
     while let Some(line) = lines.next() {
@@ -80,6 +81,8 @@ struct ObjFile {
     ahead: [Option<(usize, usize, String)>; 2],
     materials: Vec<Material>,
     material_of: HashMap<String, usize>,
+    /// The material libraries that have been asked for.
+    libraries: HashSet<String>,
     parts: Vec<Faces>,
     /// The part that is being read.
     open: Faces,
@@ -116,7 +119,7 @@ impl Material {
 }
 
 impl ObjFile {
-    fn read_line(&mut self, line: &str, number: usize, read_file: &mut ReadFile<'_>) -> Result<(), ObjFault> {
+    fn read_line(&mut self, line: &str, number: usize, read_file: &mut Beside<'_>) -> Result<(), ObjFault> {
         let line = line.trim_start();
         let (keyword, values) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
         // Names may hold a #, numbers are followed by comments.
@@ -153,7 +156,10 @@ impl ObjFile {
     }
 
     /// Reads a material library; without one that can be read, its materials have no colour.
-    fn library(&mut self, name: &str, read_file: &mut ReadFile<'_>) {
+    fn library(&mut self, name: &str, read_file: &mut Beside<'_>) {
+        if !self.libraries.insert(name.to_owned()) {
+            return;
+        }
         let Ok(bytes) = read_file(name) else { return };
         let mut material = None;
         for line in String::from_utf8_lossy(&bytes).lines() {
@@ -181,7 +187,7 @@ impl ObjFile {
             return Err(ObjFault::Corners { found });
         }
         for corner in values.split_whitespace() {
-            let (point, normal) = indices(corner).ok_or_else(|| ObjFault::Corner { found: corner.to_owned() })?;
+            let (point, normal) = indices(corner).ok_or_else(|| ObjFault::Corner { found: shown(corner) })?;
             let point = self.resolve(0, point, corner, line)?;
             let normal = normal.map(|index| self.resolve(1, index, corner, line)).transpose()?;
             self.normals_lack |= normal.is_none();
@@ -208,7 +214,7 @@ impl ObjFile {
     }
 
     fn no_such_index(&self, corner: &str) -> ObjFault {
-        ObjFault::Index { found: corner.to_owned(), points: self.points.len(), normals: self.normals.len() }
+        ObjFault::Index { found: shown(corner), points: self.points.len(), normals: self.normals.len() }
     }
 
     /// A corner that names what did not come until the end of the file.
@@ -259,7 +265,7 @@ fn point(values: &str) -> Result<DVec3, ObjFault> {
     let point = vector(values)?;
     let [_, _, _, weight] = words[..] else { return Ok(point) };
     let divided = point / number(weight)?;
-    if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: weight.to_owned() }) }
+    if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: shown(weight) }) }
 }
 
 /// The first three numbers.
@@ -272,5 +278,5 @@ fn vector(values: &str) -> Result<DVec3, ObjFault> {
 }
 
 fn number(word: &str) -> Result<f64, ObjFault> {
-    word.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| ObjFault::Number { found: word.to_owned() })
+    word.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| ObjFault::Number { found: shown(word) })
 }

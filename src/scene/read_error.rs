@@ -1,11 +1,25 @@
 //! How the files are read that a scene names, and what keeps them from being read.
 
+use std::borrow::Cow;
 use std::io;
 
-use crate::limits::MAX_FILE_BYTES;
+use crate::foreign;
+use crate::limits::MAX_SCENE_BYTES;
 
-/// Gives the bytes of the file with this path (as the figure names it).
-pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, ReadError> + 'a;
+/// Gives the bytes of a file.
+pub type ReadFile<'a> = dyn FnMut(Wanted<'_>) -> Result<Vec<u8>, ReadError> + 'a;
+
+/// Gives the bytes of a file that a mesh names, as it names it.
+pub(super) type Beside<'a> = dyn FnMut(&str) -> Result<Vec<u8>, ReadError> + 'a;
+
+/// A file that a scene names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wanted<'a> {
+    /// Its path, relative to the folder of the figure.
+    pub path: &'a str,
+    /// The path of the mesh that names it; `None` where the figure itself does.
+    pub named_by: Option<&'a str>,
+}
 
 /// Why a file that a scene names cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -21,46 +35,98 @@ pub struct ReadError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ReadProblem {
     /// The system refuses.
-    #[error("cannot be read: {}", system_words(*kind, detail))]
+    #[error("cannot be read: {}", system_words(*kind, *code))]
     System {
         /// The kind of refusal.
         kind: io::ErrorKind,
-        /// The system's words.
-        detail: String,
+        /// The system's number for it, where it has one.
+        code: Option<i32>,
     },
     /// It is a directory.
     #[error("is a directory; allowed: a file")]
     Directory,
-    /// It is larger than any file that is meant for this program.
-    #[error("is larger than any figure or picture; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
-    TooLarge,
     /// It is a device, a pipe or a socket, which may have no end.
     #[error("is a device, a pipe or a socket; allowed: a regular file")]
     NotRegular,
+    /// It lies outside of the only folder that may be read.
+    #[error(
+        "was not read, because {named_by} names it and it lies elsewhere; allowed: files in {folder} and below, or any with --allow-files"
+    )]
+    Outside {
+        /// The folder, as it is shown.
+        folder: String,
+        /// Who names the file.
+        named_by: NamedBy,
+    },
+    /// With it, the figure would make the program read more than any figure needs.
+    #[error("was not read, because with it this figure's files have more than {} MiB; allowed: at most that for all of them together", MAX_SCENE_BYTES >> 20)]
+    Budget,
     /// Its path leads to another machine.
     #[error("is on another machine; allowed: files of this one")]
     Network,
 }
 
-/// What a system says, in plain English where the case is common.
+impl ReadError {
+    /// True where the file lies outside of what the figure may name: the user can let it.
+    #[must_use]
+    pub const fn is_outside(&self) -> bool {
+        matches!(self.problem, ReadProblem::Outside { .. })
+    }
+}
+
+impl ReadProblem {
+    /// What the system said.
+    #[must_use]
+    pub fn system(error: &io::Error) -> Self {
+        Self::System { kind: error.kind(), code: error.raw_os_error() }
+    }
+}
+
+/// Who names a file that is not read, because it lies elsewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NamedBy {
+    /// A mesh.
+    #[error("a mesh")]
+    Mesh,
+    /// A figure that came inside a picture.
+    #[error("a figure inside a picture")]
+    Picture,
+}
+
+/// What a system says, in plain English; where it is not usual, by its number: its own sentence may be in any language.
 #[must_use]
-pub fn system_words(kind: io::ErrorKind, detail: &str) -> &str {
-    match kind {
+pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
+    let words = match kind {
         io::ErrorKind::NotFound => "there is no such file or directory",
         io::ErrorKind::PermissionDenied => "permission denied",
         io::ErrorKind::IsADirectory => "it is a directory",
         io::ErrorKind::NotADirectory => "a part of the path is not a directory",
+        io::ErrorKind::AlreadyExists => "there is something of this name",
+        io::ErrorKind::InvalidInput | io::ErrorKind::InvalidFilename => "no file can have this name",
         io::ErrorKind::StorageFull => "the disk is full",
+        io::ErrorKind::QuotaExceeded => "your share of the disk is full",
+        io::ErrorKind::FileTooLarge => "the disk takes no file so large",
         io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only",
-        _ => detail,
-    }
+        io::ErrorKind::ResourceBusy | io::ErrorKind::ExecutableFileBusy => "another program is using it",
+        io::ErrorKind::CrossesDevices => "it lies on another disk",
+        io::ErrorKind::OutOfMemory => "there is not enough memory",
+        io::ErrorKind::BrokenPipe => "nobody reads it any more",
+        io::ErrorKind::TimedOut => "it took too long",
+        io::ErrorKind::UnexpectedEof | io::ErrorKind::WriteZero => "it ended early",
+        io::ErrorKind::InvalidData => "it holds what it must not",
+        _ => match code {
+            Some(code) => return format!("the system refuses, with its error {code}").into(),
+            None => "the system refuses",
+        },
+    };
+    words.into()
 }
 
 /// For scenes without files: a [`ReadFile`] that finds none.
 ///
 /// # Errors
 /// Always: the file does not exist.
-pub fn no_files(file: &str) -> Result<Vec<u8>, ReadError> {
-    let kind = io::ErrorKind::NotFound;
-    Err(ReadError { file: file.to_owned(), problem: ReadProblem::System { kind, detail: kind.to_string() } })
+pub fn no_files(wanted: Wanted<'_>) -> Result<Vec<u8>, ReadError> {
+    let problem = ReadProblem::System { kind: io::ErrorKind::NotFound, code: None };
+    Err(ReadError { file: foreign::path_text(wanted.path), problem })
 }

@@ -52,7 +52,7 @@ fn first(lang: Lang, theme: Theme, size: [f32; 2]) -> Window {
     figure.style.theme = theme;
     figure.style.antialias = 1;
     figure.scene.preset = Preset::Cube;
-    let mut state = State::new(Start { figure, file: None, lang }).expect("a possible camera");
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).expect("a possible camera");
     state.file_flow.native = false;
     Window::with_state(state, size)
 }

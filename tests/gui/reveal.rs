@@ -26,7 +26,7 @@ fn window_with(lang: Lang, picture: View, size: [f32; 2], change: impl FnOnce(&m
     figure.observers.world =
         Some(Observer { target: DVec3::ZERO, distance: 9.0, azimuth: 20.0, elevation: 15.0, parallel: false });
     change(&mut figure);
-    let mut state = State::new(Start { figure, file: None, lang }).expect("a possible camera");
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).expect("a possible camera");
     state.layout.maximized = Some(picture);
     Window::with_state(state, size)
 }

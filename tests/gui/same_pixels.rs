@@ -32,7 +32,8 @@ fn assert_same_everywhere(view: View, scale: f32, figure: &str) {
     fs::write(&path, figure).expect("written");
     let opened = open_figure(&path).expect("a figure");
     let (figure, file) = opened.at(path.clone());
-    let mut state = State::new(Start { figure, file: Some(file), lang: Lang::En }).expect("a possible camera");
+    let mut state =
+        State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false }).expect("a possible camera");
     state.file_flow.native = false;
     state.layout.maximized = Some(view);
     state.settings.panels = Panels::default();

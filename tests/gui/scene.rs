@@ -309,6 +309,42 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
 }
 
 #[test]
+fn what_a_mesh_names_outside_of_its_folder_is_read_once_the_user_lets_it() {
+    let folder = Folder::new("reach");
+    std::fs::create_dir_all(folder.file("inner")).expect("a folder");
+    let path = folder.file("figure.toml");
+    let object =
+        |name: &str| format!("[[scene.objects]]\nname = \"{name}\"\nshape = \"mesh\"\npath = \"inner/{name}\"\n");
+    std::fs::write(&path, object("tent.obj") + &object("tent.gltf")).expect("written");
+    std::fs::write(folder.file("red.mtl"), "newmtl red\nKd 1 0 0\n").expect("written");
+    let triangle = "mtllib ../red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::fs::write(folder.file("inner/tent.obj"), triangle).expect("written");
+    let gltf = r#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "../points.bin"}]}"#;
+    std::fs::write(folder.file("inner/tent.gltf"), gltf).expect("written");
+    let points = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    std::fs::write(folder.file("points.bin"), points.map(f32::to_le_bytes).as_flattened()).expect("written");
+
+    let mut window = Window::opened(&path);
+    window.key(Key::F6);
+    window.run();
+    window.select("tent.obj");
+    assert!(window.says("red.mtl") && window.says("a mesh names it and it lies elsewhere"));
+    assert!(window.says("without the colours of its materials"));
+    window.select("tent.gltf");
+    assert!(window.says("points.bin"));
+    assert_eq!(window.state().scene_cache.scene().objects.len(), 1);
+    window.click("Let this figure read any file");
+    window.run();
+    window.run();
+    assert_eq!(window.state().scene_cache.scene().objects.len(), 2);
+    assert!(!window.says("points.bin") && !window.says("Let this figure read any file"));
+    window.select("tent.obj");
+    assert!(!window.says("red.mtl"));
+}
+
+#[test]
 fn a_figure_that_is_saved_elsewhere_takes_the_way_to_its_meshes_along() {
     let folder = Folder::new("elsewhere");
     let path = folder.file("figure.toml");

@@ -7,11 +7,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Leaves that everybody may import.
-const LEAVES: &[&str] = &["appearance", "limits"];
+const LEAVES: &[&str] = &["appearance", "foreign", "limits"];
 
 /// Each module with the modules that it may import, besides [`LEAVES`].
 const TABLE: &[(&str, &[&str])] = &[
     ("appearance", &[]),
+    ("foreign", &[]),
     ("limits", &[]),
     ("geometry", &[]),
     ("numbers", &[]),

@@ -14,6 +14,7 @@ mod explain;
 mod export;
 mod figure;
 mod guides;
+mod hostile;
 mod inspect_report;
 mod layers;
 mod meshes;

@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 use base64::Engine as _;
 use camera_lab::appearance::{Rgba, Style, Theme};
 use camera_lab::scene::{
-    GltfFault, Mesh, MeshError, MeshFiles, ObjFault, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError,
-    SceneSpec, Shape, build_with, no_files, primitives,
+    GlbFault, GltfFault, JsonFault, Mesh, MeshError, MeshFiles, ObjFault, Object, ObjectPaint, ObjectSpec, Preset,
+    Scene, SceneError, SceneSpec, Shape, Wanted, build_with, no_files, primitives,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ fn spec(path: &str) -> SceneSpec {
 }
 
 fn load_spec(spec: &SceneSpec, files: &Folder) -> Result<Scene, SceneError> {
-    let mut read = |path: &str| files.get(path).cloned().map_or_else(|| no_files(path), Ok);
+    let mut read = |wanted: Wanted<'_>| files.get(wanted.path).cloned().map_or_else(|| no_files(wanted), Ok);
     build_with(spec, &Style::default(), &mut read, &mut MeshFiles::default())
 }
 
@@ -188,7 +188,10 @@ fn broken_obj_files_are_refused_with_the_line() {
     assert_eq!(obj(points), Err(MeshError::Empty));
     assert_eq!(obj(""), Err(MeshError::Empty));
     assert_eq!(load("m.stl", &folder([("m.stl", b"solid")])), Err(MeshError::Format));
-    assert_eq!(load("gone.obj", &folder([])), Err(MeshError::Unreadable(Box::new(no_files("gone.obj").unwrap_err()))));
+    assert_eq!(
+        load("gone.obj", &folder([])),
+        Err(MeshError::Unreadable(Box::new(no_files(Wanted { path: "gone.obj", named_by: None }).unwrap_err())))
+    );
 }
 
 #[test]
@@ -313,6 +316,85 @@ fn missing_normals_are_computed_and_strips_and_fans_turn_one_way() {
     }
 }
 
+/// A triangle at z = 0 whose accessor of positions is written as `accessor`, and the bytes behind it: two views, of three points
+/// and of what sparse accessors hold.
+fn sparse_triangle(accessor: &str, sparse: &[u8]) -> Result<Scene, MeshError> {
+    let points = [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let mut bytes: Vec<u8> = points.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
+    bytes.extend(sparse);
+    let json = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}}}]}}],
+"accessors": [{{"componentType": 5126, "type": "VEC3", "min": [0,0,0], "max": [1,1,1], {accessor}}}],
+"bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": {}}}],
+"buffers": [{{"byteLength": {}}}]}}"#,
+        sparse.len(),
+        bytes.len()
+    );
+    load("s.glb", &folder([("s.glb", &glb(&json, &bytes))]))
+}
+
+#[test]
+fn sparse_accessors_replace_some_of_their_items() {
+    let floats = |values: &[f32]| values.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>();
+    let sparse = |width: u32, at: usize, count: usize| {
+        format!(
+            r#""sparse": {{"count": {count}, "indices": {{"bufferView": 1, "componentType": {width}}},
+"values": {{"bufferView": 1, "byteOffset": {at}}}}}"#
+        )
+    };
+    // The last two of three points, with indices of each width.
+    let values = floats(&[2.0, 0.0, 1.0, 0.0, 3.0, 1.0]);
+    for (width, indices) in [(5121, vec![1, 2, 0, 0]), (5123, vec![1, 0, 2, 0]), (5125, vec![1, 0, 0, 0, 2, 0, 0, 0])] {
+        let at = indices.len();
+        let bytes = [indices, values.clone()].concat();
+        let scene =
+            sparse_triangle(&format!(r#""bufferView": 0, "count": 3, {}"#, sparse(width, at, 2)), &bytes).unwrap();
+        assert_eq!(only(&scene).mesh.positions, [DVec3::ZERO, DVec3::new(2.0, 0.0, 1.0), DVec3::new(0.0, 3.0, 1.0)]);
+        // Without a view, the others are 0.
+        let scene = sparse_triangle(&format!(r#""count": 3, {}"#, sparse(width, at, 2)), &bytes).unwrap();
+        assert_eq!(only(&scene).mesh.positions[0], DVec3::ZERO);
+    }
+    let fault = |accessor: &str, bytes: &[u8]| match sparse_triangle(accessor, bytes) {
+        Err(MeshError::Gltf { place, fault }) => {
+            assert_eq!(place, "accessors[0]");
+            fault
+        }
+        other => panic!("{other:?}"),
+    };
+    for (indices, found) in [([1, 3, 0, 0], 3), ([1, 1, 0, 0], 1), ([2, 0, 0, 0], 0)] {
+        let bytes = [&indices[..], &values].concat();
+        let accessor = format!(r#""bufferView": 0, "count": 3, {}"#, sparse(5121, 4, 2));
+        assert_eq!(fault(&accessor, &bytes), GltfFault::SparseIndex { found, count: 3 });
+    }
+    let short = [&[1, 2, 0, 0][..], &values[..20]].concat();
+    assert_eq!(
+        fault(&format!(r#""bufferView": 0, "count": 3, {}"#, sparse(5121, 4, 2)), &short),
+        GltfFault::OutOfBuffer
+    );
+    // A line that asks for gigabytes of zeros.
+    let bytes = [&[1, 2, 0, 0][..], &values].concat();
+    for count in [2_000_000_usize, 4_000_000_000, usize::MAX / 16] {
+        let accessor = format!(r#""count": {count}, {}"#, sparse(5121, 4, 2));
+        assert_eq!(fault(&accessor, &bytes), GltfFault::TooMuch, "{count}");
+    }
+}
+
+#[test]
+fn a_chain_of_nodes_without_a_scene_takes_time_by_its_length() {
+    let count = 100_000;
+    let chain: Vec<String> = (1..count).map(|i| format!(r#"{{"children": [{i}]}}"#)).collect();
+    let json = embedded();
+    let start = json.find(r#""nodes": [{"name""#).unwrap();
+    let end = json.find(r#""meshes""#).unwrap();
+    let long = format!("{}\"nodes\": [{}, {{\"mesh\": 0}}],\n{}", &json[..start], chain.join(", "), &json[end..])
+        .replace(r#""scene": 0, "scenes": [{"nodes": [0]}],"#, "");
+    let begin = std::time::Instant::now();
+    assert_eq!(load("b.gltf", &folder([("b.gltf", long.as_bytes())])).unwrap().objects.len(), 1);
+    // All children against all nodes: half a minute and more in a build like this.
+    assert!(begin.elapsed().as_secs() < 15, "{:?}", begin.elapsed());
+}
+
 #[test]
 fn broken_gltf_files_are_refused_with_the_place() {
     let edited = |what: &str, by: &str| {
@@ -333,11 +415,13 @@ fn broken_gltf_files_are_refused_with_the_place() {
     assert_eq!(edited(r#""buffers": [{"byteLength": "#, r#""buffers": [{"byteLength": 9"#).1, GltfFault::NoBytes);
     assert_eq!(edited(r#""children": [1]"#, r#""children": [1, 1]"#), at("nodes[1]", GltfFault::Tree));
     assert_eq!(edited(r#""children": [1]"#, r#""children": [0]"#), at("nodes[0]", GltfFault::Tree));
-    let sparse = edited(
-        r#"{"bufferView": 1, "#,
-        r#"{"sparse": {"count": 1, "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 0}}, "bufferView": 1, "#,
-    );
-    assert_eq!(sparse, at("accessors[2]", GltfFault::Unsupported { what: "sparse accessor".into() }));
+    for version in ["1.0", "3.0", "20", "", "2\\u001b"] {
+        let found = version.replace("\\u001b", "\\u{1b}");
+        let edited = edited(r#""version": "2.0""#, &format!(r#""version": "{version}""#));
+        assert_eq!(edited, at("asset", GltfFault::Version { found }));
+    }
+    let later = edited(r#""version": "2.0""#, r#""version": "2.0", "minVersion": "3.0""#);
+    assert_eq!(later, at("asset", GltfFault::Version { found: "3.0".into() }));
 
     let (json, mut bytes) = gltf_sphere("");
     let last = bytes.len() - 1;
@@ -348,10 +432,27 @@ fn broken_gltf_files_are_refused_with_the_place() {
     let nan = load("b.glb", &folder([("b.glb", &glb(&json, &bytes))]));
     assert_eq!(nan, Err(MeshError::Gltf { place: "accessors[0]".into(), fault: GltfFault::NotFinite }));
 
-    match load("b.gltf", &folder([("b.gltf", b"{\n  \"asset\": nonsense\n}")])) {
-        Err(MeshError::Json { line: 2, .. }) => {}
+    let json = |text: &str| match load("b.gltf", &folder([("b.gltf", text.as_bytes())])) {
+        Err(MeshError::Json { line, fault, .. }) => (line, fault),
         other => panic!("{other:?}"),
-    }
+    };
+    assert_eq!(json("{\n  \"asset\": nonsense\n}"), (2, JsonFault::Syntax));
+    assert_eq!(json("{\n  \"asset\": {\"version\":"), (2, JsonFault::End));
+    assert_eq!(json("{\n\"asset\": {}}"), (2, JsonFault::MissingKey { key: "version".into() }));
+    assert_eq!(json("{\"asset\": {\"version\": \"2.0\"},\n\"nodes\": \"none\"}"), (2, JsonFault::Value));
+    let (json, bytes) = gltf_sphere("");
+    let whole = glb(&json, &bytes);
+    let changed = |at: usize, by: u8| {
+        let mut bytes = whole.clone();
+        bytes[at] = by;
+        match load("b.glb", &folder([("b.glb", &bytes)])) {
+            Err(MeshError::Gltf { fault: GltfFault::Container { fault }, .. }) => fault,
+            other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(changed(4, 1), GlbFault::Version);
+    assert_eq!(changed(16, b'X'), GlbFault::Parts);
+    assert_eq!(changed(14, 0xff), GlbFault::End);
     for cut in ["glTF", "glTF\x02\0\0\0\x01\0\0\0", "glTF\x02\0\0\0\x0c\0\0\0"] {
         let broken = load("b.glb", &folder([("b.glb", cut.as_bytes())]));
         assert!(matches!(&broken, Err(MeshError::Gltf { fault: GltfFault::Container { .. }, .. })), "{broken:?}");
@@ -365,7 +466,7 @@ fn a_file_that_many_objects_use_is_read_once_and_kept_between_builds() {
     let mut two = spec("m.obj");
     two.objects.push(ObjectSpec::new("n", Shape::Mesh { path: "m.obj".into() }).at(5.0, 0.0, 0.0));
     let mut reads = 0;
-    let mut read = |_: &str| {
+    let mut read = |_: Wanted<'_>| {
         reads += 1;
         Ok(CUBE.as_bytes().to_vec())
     };

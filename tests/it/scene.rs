@@ -8,11 +8,11 @@ use camera_lab::appearance::{HiddenLines, Rgba, Style, Theme};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{read, recommended_camera};
-use camera_lab::files::{open_figure, read_for_scene};
+use camera_lab::files::{FigureFiles, Reach, open_figure};
 use camera_lab::geometry::Aabb;
 use camera_lab::scene::{
-    Light, LightSpec, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, build,
-    no_files, primitives,
+    Light, LightSpec, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, Wanted,
+    build, no_files, primitives,
 };
 use glam::{DMat4, DQuat, DVec3};
 
@@ -439,7 +439,8 @@ fn every_example_figure_can_be_drawn() {
     for entry in std::fs::read_dir(&folder).unwrap() {
         let path = entry.unwrap().path();
         let figure = open_figure(&path).unwrap().figure;
-        let mut read = |file: &str| read_for_scene(&folder.join(file));
+        let mut files = FigureFiles::new(&folder, Reach::Figure);
+        let mut read = |wanted: Wanted<'_>| files.read(wanted);
         let scene = build(&figure.scene, &figure.style, &mut read).unwrap();
         Camera::new(&figure.camera).unwrap();
         let is_empty = scene.objects.is_empty();
@@ -452,7 +453,8 @@ fn every_example_figure_can_be_drawn() {
 #[test]
 fn the_sample_mesh_is_whole() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/meshes");
-    let mut read = |file: &str| read_for_scene(&folder.join(file));
+    let mut files = FigureFiles::new(&folder, Reach::Figure);
+    let mut read = |wanted: Wanted<'_>| files.read(wanted);
     let teapot = ObjectSpec::new("t", Shape::Mesh { path: "teapot.obj".to_owned() });
     let spec = SceneSpec { preset: Preset::Empty, objects: vec![teapot], lights: vec![] };
     let scene = build(&spec, &Style::default(), &mut read).unwrap();

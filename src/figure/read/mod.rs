@@ -14,6 +14,7 @@ use super::words::{DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES
 use super::{Depth, Figure, Observer, Observers, Outside, Reveal};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
+use crate::foreign;
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
 pub use scene::line_of_object;
 use section::{Fault, Section};
@@ -191,21 +192,8 @@ fn line_of(text: &str, at: usize) -> usize {
 
 /// A piece of the text that fits into a sentence: one line, no control characters, not long.
 fn snippet(text: &str, span: Range<usize>) -> String {
-    const LONGEST: usize = 40;
     let piece = text.get(span).unwrap_or_default();
-    let mut shown = String::new();
-    for c in piece.split_whitespace().collect::<Vec<_>>().join(" ").chars() {
-        if shown.chars().count() >= LONGEST {
-            shown.push('…');
-            break;
-        }
-        if c.is_control() {
-            shown.extend(c.escape_default());
-        } else {
-            shown.push(c);
-        }
-    }
-    shown
+    foreign::shown(&piece.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 #[cfg(test)]

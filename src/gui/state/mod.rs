@@ -9,6 +9,7 @@ mod scene_tree;
 use crate::camera::{CameraError, Operation};
 use crate::figure::Figure;
 use crate::files::{SourceFile, figure_from};
+use crate::foreign;
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Probe};
 pub use files::{AfterSave, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose};
@@ -127,8 +128,12 @@ impl State {
     pub fn new(start: Start) -> Result<Self, CameraError> {
         let image = start.figure.image;
         let square = start.figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
+        let mut document = begin(start.figure, start.file)?;
+        if start.allow_files {
+            document.allow_files();
+        }
         Ok(Self {
-            document: begin(start.figure, start.file)?,
+            document,
             scene_cache: SceneCache::default(),
             settings: Settings {
                 lang: start.lang,
@@ -182,12 +187,12 @@ impl State {
 
     /// Says something at the bottom of the window.
     pub fn say(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: text.into(), is_error: false });
+        self.message = Some(Message { text: foreign::printable(&text.into()), is_error: false });
     }
 
     /// Says at the bottom of the window what went wrong.
     pub fn say_error(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: text.into(), is_error: true });
+        self.message = Some(Message { text: foreign::printable(&text.into()), is_error: true });
     }
 
     /// What is possible, but probably not what was meant, in the language of the window.

@@ -8,6 +8,7 @@ mod tree;
 use eframe::egui::{self, RichText};
 
 use super::{choice, row, section};
+use crate::foreign::shown;
 use crate::gui::number_field::FieldOutput;
 use crate::gui::state::{Draft, Selected, State};
 use crate::i18n::faults;
@@ -219,7 +220,7 @@ fn perform(state: &mut State, edit: Edit, t: &Texts) {
             state.tree.select(selected.map(Selected::Object));
             let others = if others > 1 { format!(" (+ {})", others - 1) } else { String::new() };
             let shear = if stayed { "" } else { t.shear };
-            state.say(format!("{} {name}{others}. {shear}", t.deleted).trim());
+            state.say(format!("{} {}{others}. {shear}", t.deleted, shown(&name)).trim());
         }
         Edit::RemoveLight(index) => {
             state.document.edit(|figure| {

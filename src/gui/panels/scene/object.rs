@@ -5,12 +5,13 @@ use glam::DVec3;
 
 use super::{Edit, Form};
 use crate::appearance::Rgba;
+use crate::foreign::shown;
 use crate::gui::file_flow;
 use crate::gui::number_field::{FieldError, NumberField, Step};
 use crate::gui::panels::{Vector, complaint, row};
 use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
-use crate::i18n::faults;
 use crate::i18n::scenes::{self, Texts};
+use crate::i18n::{faults, messages};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::numbers::short;
 use crate::scene::edit::{self, Children, descendants, free_name, placements};
@@ -47,7 +48,9 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, name: &str) {
     let Some(object) = preset.iter().find(|o| o.name == name) else { return };
     ui.add(egui::Label::new(RichText::new(t.of_preset_hint).weak()).wrap());
     row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
-    row(ui, "", t.parent, t.parent_hint, |ui| ui.label(object.parent.as_deref().unwrap_or(t.no_parent)));
+    row(ui, "", t.parent, t.parent_hint, |ui| {
+        ui.label(object.parent.as_deref().map_or_else(|| t.no_parent.to_owned(), shown))
+    });
     for (symbol, name, hint, v, unit) in [
         ("T", t.translate, t.translate_hint, object.translate, ""),
         ("R", t.rotate, t.rotate_hint, object.rotate, "°"),
@@ -163,12 +166,12 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Op
     let mut chosen = object.parent.clone();
     row(ui, "", t.parent, t.parent_hint, |ui| {
         egui::ComboBox::from_id_salt(t.parent)
-            .selected_text(chosen.as_deref().unwrap_or(t.no_parent))
+            .selected_text(chosen.as_deref().map_or_else(|| t.no_parent.to_owned(), shown))
             .width(116.0)
             .show_ui(ui, |ui| {
                 ui.selectable_value(&mut chosen, None, t.no_parent);
                 for name in names {
-                    ui.selectable_value(&mut chosen, Some(name.clone()), name);
+                    ui.selectable_value(&mut chosen, Some(name.clone()), shown(name));
                 }
             })
             .response
@@ -374,12 +377,24 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     } else if !left && text != *path {
         state.tree.typing = Some(typing);
     }
-    if let Some(error) = state.scene_cache.problem_of(owner) {
+    let problem = state.scene_cache.problem_of(owner);
+    let unread = state.scene_cache.unread_of(owner);
+    let mut is_outside = matches!(&problem, Some(SceneError::Mesh { error, .. }) if error.is_outside());
+    for error in unread {
+        complaint(ui, &messages::without_colors(state.settings.lang, error));
+        is_outside |= error.is_outside();
+    }
+    let is_lacking = problem.is_some() || !unread.is_empty();
+    if let Some(error) = problem {
         complaint(ui, &faults::scene_error(state.settings.lang, &error));
-        if ui.button(t.read_again).on_hover_text(t.read_again_hint).clicked() {
-            state.scene_cache.read_again();
-            state.message = None;
-        }
+    }
+    if is_outside && ui.button(t.allow_files).on_hover_text(t.allow_files_hint).clicked() {
+        state.document.allow_files();
+        state.message = None;
+    }
+    if is_lacking && ui.button(t.read_again).on_hover_text(t.read_again_hint).clicked() {
+        state.scene_cache.read_again();
+        state.message = None;
     }
 }
 

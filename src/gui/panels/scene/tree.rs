@@ -10,6 +10,7 @@ use eframe::egui::{
 
 use super::Edit;
 use crate::appearance::Rgba;
+use crate::foreign::shown;
 use crate::gui::state::{Selected, State, preset_objects};
 use crate::i18n::scenes::Texts;
 use crate::scene::edit::{Children, descendants};
@@ -147,7 +148,7 @@ fn follow(ui: &egui::Ui, name: &str) {
     let layer = egui::LayerId::new(egui::Order::Tooltip, Id::unique("dragged object"));
     let painter = ui.ctx().layer_painter(layer);
     let font = TextStyle::Body.resolve(ui.style());
-    let galley = painter.layout_no_wrap(name.to_owned(), font, ui.visuals().text_color());
+    let galley = painter.layout_no_wrap(shown(name), font, ui.visuals().text_color());
     let place = Rect::from_min_size(pointer + vec2(12.0, 4.0), galley.size());
     painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, ui.visuals().selection.bg_fill);
     painter.galley(place.min, galley, ui.visuals().text_color());
@@ -159,7 +160,7 @@ fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), height));
     let sense = if matches!(row.what, Some(Selected::Object(_))) { Sense::click_and_drag() } else { Sense::CLICK };
     let response = ui.interact(rect, Id::unique(("row of the scene", format!("{:?} {}", row.what, row.kind))), sense);
-    response.widget_info(|| WidgetInfo::selected(Role::TreeItem, true, selected, &row.name));
+    response.widget_info(|| WidgetInfo::selected(Role::TreeItem, true, selected, shown(&row.name)));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_level(row.depth.into());
         node.set_description(row.kind);
@@ -205,7 +206,7 @@ fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
     ui.painter().with_clip_rect(clip.intersect(ui.clip_rect())).text(
         pos2(left, rect.center().y),
         Align2::LEFT_CENTER,
-        &row.name,
+        shown(&row.name),
         TextStyle::Body.resolve(ui.style()),
         color,
     );

@@ -1,0 +1,272 @@
+//! What a figure may make the program read: which files, and how much of them.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Component, Path, PathBuf};
+
+use super::{FileError, is_network, read_at_most};
+use crate::foreign;
+use crate::limits::MAX_SCENE_BYTES;
+use crate::scene::{NamedBy, ReadError, ReadProblem, Wanted};
+
+/// Which files a figure may name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reach {
+    /// Of a figure that came in a picture: its meshes, and what they name, lie in the picture's folder and below.
+    Picture,
+    /// Of a figure file: its meshes may lie anywhere on this machine; what they name lies in their folder and below.
+    #[default]
+    Figure,
+    /// The user has said that it may name any file of this machine.
+    Anywhere,
+}
+
+impl Reach {
+    /// The reach of a figure that came in a picture or in a file of its own; `allowed`: the user lets it name any file.
+    #[must_use]
+    pub const fn of(from_picture: bool, allowed: bool) -> Self {
+        match (allowed, from_picture) {
+            (true, _) => Self::Anywhere,
+            (false, true) => Self::Picture,
+            (false, false) => Self::Figure,
+        }
+    }
+}
+
+/// Reads what one figure names.
+///
+/// *Guarantees*: nothing but regular files of this machine, within the reach, and never more than [`MAX_SCENE_BYTES`] of them in
+/// all. What lies outside is not even looked at: whether it exists cannot be told from the message.
+#[derive(Clone, Debug)]
+pub struct FigureFiles {
+    folder: PathBuf,
+    reach: Reach,
+    left: usize,
+    unread: Vec<ReadError>,
+}
+
+impl FigureFiles {
+    /// The files of a figure whose paths are relative to `folder`.
+    #[must_use]
+    pub fn new(folder: &Path, reach: Reach) -> Self {
+        Self { folder: folder.to_owned(), reach, left: MAX_SCENE_BYTES, unread: Vec::new() }
+    }
+
+    /// As if so many bytes had been read already.
+    #[must_use]
+    pub fn after(self, spent: usize) -> Self {
+        Self { left: self.left.saturating_sub(spent), ..self }
+    }
+
+    /// How many bytes have been read.
+    #[must_use]
+    pub fn spent(&self) -> usize {
+        MAX_SCENE_BYTES - self.left
+    }
+
+    /// The files that meshes name and that could not be read. A mesh without its material library is drawn all the same.
+    #[must_use]
+    pub fn unread(&self) -> &[ReadError] {
+        &self.unread
+    }
+
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// What the system refuses, what is not a regular file, what lies outside of the reach, and what is too much.
+    pub fn read(&mut self, wanted: Wanted<'_>) -> Result<Vec<u8>, ReadError> {
+        let path = self.folder.join(wanted.path);
+        let read =
+            self.read_problem(&path, wanted).map_err(|problem| ReadError { file: foreign::path(&path), problem });
+        if let (Err(error), Some(_)) = (&read, wanted.named_by) {
+            self.unread.push(error.clone());
+        }
+        read
+    }
+
+    fn read_problem(&mut self, path: &Path, wanted: Wanted<'_>) -> Result<Vec<u8>, ReadProblem> {
+        if is_network(path) || is_network(Path::new(wanted.path)) {
+            return Err(ReadProblem::Network);
+        }
+        let path = match self.bound(wanted) {
+            Some((folder, named_by)) => inside(&folder, path).map_err(|error| match error {
+                Elsewhere::Outside => {
+                    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { &folder };
+                    ReadProblem::Outside { folder: foreign::path(folder), named_by }
+                }
+                Elsewhere::System(error) => ReadProblem::system(&error),
+            })?,
+            None => path.to_owned(),
+        };
+        let bytes = read_at_most(&path, self.left as u64).map_err(|error| match error {
+            FileError::Directory => ReadProblem::Directory,
+            FileError::TooLarge => ReadProblem::Budget,
+            FileError::NotRegular => ReadProblem::NotRegular,
+            FileError::Network => ReadProblem::Network,
+            FileError::Read(error) | FileError::Write(error) => ReadProblem::system(&error),
+            FileError::Png(_) | FileError::Figure(_) | FileError::ReadOnly => {
+                ReadProblem::system(&ErrorKind::InvalidData.into())
+            }
+        })?;
+        self.left = self.left.saturating_sub(bytes.len());
+        Ok(bytes)
+    }
+
+    /// The folder in which a file has to lie, where it has to, and who names it.
+    fn bound(&self, wanted: Wanted<'_>) -> Option<(PathBuf, NamedBy)> {
+        match (self.reach, wanted.named_by) {
+            (Reach::Anywhere, _) | (Reach::Figure, None) => None,
+            (Reach::Figure, Some(mesh)) => {
+                let folder = self.folder.join(mesh).parent().map(Path::to_owned).unwrap_or_default();
+                Some((folder, NamedBy::Mesh))
+            }
+            (Reach::Picture, _) => Some((self.folder.clone(), NamedBy::Picture)),
+        }
+    }
+}
+
+enum Elsewhere {
+    Outside,
+    System(std::io::Error),
+}
+
+/// The path without links and `..`, where it lies in `folder` or below.
+fn inside(folder: &Path, path: &Path) -> Result<PathBuf, Elsewhere> {
+    // By its words first: of what lies outside, not even the existence is looked for.
+    if !lexically_inside(folder, path) {
+        return Err(Elsewhere::Outside);
+    }
+    // `""` is the folder where the program runs.
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let folder = fs::canonicalize(folder).map_err(Elsewhere::System)?;
+    let path = fs::canonicalize(path).map_err(Elsewhere::System)?;
+    if path.starts_with(&folder) { Ok(path) } else { Err(Elsewhere::Outside) }
+}
+
+/// True where the words of `path` go on from `folder` and never above it.
+fn lexically_inside(folder: &Path, path: &Path) -> bool {
+    let Ok(rest) = path.strip_prefix(folder) else { return false };
+    let mut depth = 0_usize;
+    for component in rest.components() {
+        match component {
+            Component::Normal(_) => depth += 1,
+            Component::CurDir => {}
+            Component::ParentDir => match depth.checked_sub(1) {
+                Some(above) => depth = above,
+                None => return false,
+            },
+            Component::RootDir | Component::Prefix(_) => return false,
+        }
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::files::testing::Directory;
+
+    fn of_mesh<'a>(path: &'a str, mesh: &'a str) -> Wanted<'a> {
+        Wanted { path, named_by: Some(mesh) }
+    }
+
+    fn of_figure(path: &str) -> Wanted<'_> {
+        Wanted { path, named_by: None }
+    }
+
+    fn is_outside(read: Result<Vec<u8>, ReadError>) -> bool {
+        matches!(read, Err(ReadError { problem: ReadProblem::Outside { .. }, .. }))
+    }
+
+    #[test]
+    fn what_a_mesh_names_comes_from_its_folder_and_below() {
+        let directory = Directory::new("reach");
+        let root = directory.path();
+        fs::create_dir_all(root.join("figure/meshes/deep")).unwrap();
+        fs::write(root.join("secret"), "secret").unwrap();
+        fs::write(root.join("figure/beside"), "beside").unwrap();
+        fs::write(root.join("figure/meshes/a.bin"), "a").unwrap();
+        fs::write(root.join("figure/meshes/deep/b.bin"), "b").unwrap();
+        let folder = root.join("figure");
+        let secret = root.join("secret");
+        let absolute = secret.to_str().unwrap();
+        let outside =
+            ["meshes/../../secret", "meshes/../beside", "meshes/deep/../../beside", "meshes/../../nothing", absolute];
+
+        let mut files = FigureFiles::new(&folder, Reach::Figure);
+        for (path, bytes) in [("meshes/a.bin", "a"), ("meshes/deep/b.bin", "b"), ("meshes/deep/../a.bin", "a")] {
+            assert_eq!(files.read(of_mesh(path, "meshes/m.obj")).unwrap(), bytes.as_bytes(), "{path}");
+        }
+        for path in outside {
+            assert!(is_outside(files.read(of_mesh(path, "meshes/m.obj"))), "{path}");
+        }
+        // The figure's own words reach further, and so do the user's.
+        assert_eq!(files.read(of_figure("../secret")).unwrap(), b"secret");
+        assert_eq!(files.read(of_figure(absolute)).unwrap(), b"secret");
+        let mut files = FigureFiles::new(&folder, Reach::Anywhere);
+        assert_eq!(files.read(of_mesh("meshes/../../secret", "meshes/m.obj")).unwrap(), b"secret");
+
+        let mut files = FigureFiles::new(&folder, Reach::Picture);
+        assert_eq!(files.read(of_figure("beside")).unwrap(), b"beside");
+        assert_eq!(files.read(of_mesh("meshes/../beside", "meshes/m.obj")).unwrap(), b"beside");
+        assert!(is_outside(files.read(of_figure("../secret"))));
+        assert!(is_outside(files.read(of_figure(absolute))));
+        assert!(is_outside(files.read(of_mesh("meshes/../../secret", "meshes/m.obj"))));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_lead_out_no_more_than_paths_do() {
+        let directory = Directory::new("links");
+        let root = directory.path();
+        fs::create_dir_all(root.join("figure/inner")).unwrap();
+        fs::write(root.join("secret"), "secret").unwrap();
+        fs::write(root.join("figure/inner/x"), "x").unwrap();
+        std::os::unix::fs::symlink(root.join("secret"), root.join("figure/link")).unwrap();
+        std::os::unix::fs::symlink(root, root.join("figure/up")).unwrap();
+        std::os::unix::fs::symlink("inner/x", root.join("figure/within")).unwrap();
+        let mut files = FigureFiles::new(&root.join("figure"), Reach::Picture);
+        assert!(is_outside(files.read(of_figure("link"))));
+        assert!(is_outside(files.read(of_figure("up/secret"))));
+        assert_eq!(files.read(of_figure("within")).unwrap(), b"x");
+        // The folder itself may be a link.
+        std::os::unix::fs::symlink(root.join("figure"), root.join("linked")).unwrap();
+        let mut files = FigureFiles::new(&root.join("linked"), Reach::Picture);
+        assert_eq!(files.read(of_figure("inner/x")).unwrap(), b"x");
+    }
+
+    #[test]
+    fn no_reach_leads_to_another_machine() {
+        for reach in [Reach::Picture, Reach::Figure, Reach::Anywhere] {
+            let mut files = FigureFiles::new(Path::new("folder"), reach);
+            for path in [r"\\host\share\x.obj", "//host/share/x.obj"] {
+                for wanted in [of_figure(path), of_mesh(path, "m.obj")] {
+                    let problem = files.read(wanted).map_err(|error| error.problem);
+                    assert_eq!(problem, Err(ReadProblem::Network), "{path}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn all_files_of_a_figure_have_one_budget() {
+        let directory = Directory::new("budget");
+        // Sparse: it takes no room on the disk.
+        for (name, bytes) in [("large", MAX_SCENE_BYTES as u64 + 1), ("small", 100), ("smaller", 50)] {
+            fs::File::create(directory.path().join(name)).unwrap().set_len(bytes).unwrap();
+        }
+        let problem = |read: Result<Vec<u8>, ReadError>| read.map(|bytes| bytes.len()).map_err(|error| error.problem);
+        let mut files = FigureFiles::new(directory.path(), Reach::Figure);
+        assert_eq!(problem(files.read(of_figure("large"))), Err(ReadProblem::Budget));
+        assert_eq!(files.spent(), 0);
+        let mut files = files.after(MAX_SCENE_BYTES - 150);
+        assert_eq!(problem(files.read(of_figure("small"))), Ok(100));
+        assert_eq!(problem(files.read(of_mesh("small", "m.obj"))), Err(ReadProblem::Budget));
+        assert_eq!(problem(files.read(of_mesh("smaller", "m.obj"))), Ok(50));
+        assert_eq!(problem(files.read(of_figure("smaller"))), Err(ReadProblem::Budget));
+        assert_eq!(files.spent(), MAX_SCENE_BYTES);
+        assert_eq!(files.unread().len(), 1, "what a mesh names and lacks");
+    }
+}
