@@ -139,21 +139,85 @@ impl Segment {
         sum.map(|sum| sum / count)
     }
 
-    /// How this touches a segment of a later run; `None`: it does not.
-    fn contact(&self, later: &Self) -> Option<(Contact, [f64; 2])> {
-        let [s, t] = self.nearest(later);
-        let (p, q) = (self.at(s), later.at(t));
-        let gap = distance(p, q);
+    /// Where it touches a segment of a later run, as shares of the ways: at one place, or at two where they go along each other
+    /// and one is over the other on the first part of that, below it on the rest. `None`: nowhere.
+    fn places(&self, later: &Self) -> [Option<[f64; 2]>; 2] {
+        let nearest = self.nearest(later);
+        let gap = distance(self.at(nearest[0]), later.at(nearest[1]));
         if gap > self.radius + later.radius {
-            return None;
+            return [None, None];
         }
-        let second_is_over = later_is_over(later.point(q[2]), self.point(p[2]));
-        let arcs = [self.arc + s * self.length, later.arc + t * later.length];
-        let contact = Contact { runs: [self.run, later.run], arcs, gap, second_is_over };
+        let extent = extent(self.radius, later.radius) / self.length;
+        let Some([from, to]) = self.beside(later).filter(|[from, to]| to - from > 2.0 * extent) else {
+            return [Some(nearest), None];
+        };
+        let pair = |s: f64| [s, later.nearest_to(self.at(s))];
+        let is_under = |s: f64| self.is_under(later, pair(s));
+        let first = is_under(from);
+        if first == is_under(to) {
+            return [Some(nearest), None];
+        }
+        // Depths are affine: there is one place where the order turns round.
+        let (mut before, mut after) = (from, to);
+        for _ in 0..40 {
+            let middle = 0.5 * (before + after);
+            *if is_under(middle) == first { &mut before } else { &mut after } = middle;
+        }
+        let shorter = (before - from).min(to - before);
+        if 2.0 * shorter > extent {
+            // Near enough for a cut between them to be where the order turns, and far enough to be two places.
+            let step = shorter.min(0.75 * extent);
+            [Some(pair(before - step)), Some(pair(before + step))]
+        } else {
+            let longer = if before - from > to - before { 0.5 * (from + before) } else { 0.5 * (before + to) };
+            [Some(pair(longer)), None]
+        }
+    }
+
+    /// The part of the way on which it touches another, as shares.
+    fn beside(&self, other: &Self) -> Option<[f64; 2]> {
+        let reach = self.radius + other.radius;
+        let [ux, uy] = [other.along[0] / other.length, other.along[1] / other.length];
+        let [x, y] = [self.from[0] - other.from[0], self.from[1] - other.from[1]];
+        let [dx, dy] = [self.along[0], self.along[1]];
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for (start, change, low, high) in [
+            (x * uy - y * ux, dx * uy - dy * ux, -reach, reach),
+            (x * ux + y * uy, dx * ux + dy * uy, -reach, other.length + reach),
+        ] {
+            if change != 0.0 {
+                let (a, b) = ((low - start) / change, (high - start) / change);
+                (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
+            } else if !(low..=high).contains(&start) {
+                return None;
+            }
+        }
+        (from < to).then_some([from, to])
+    }
+
+    /// True where a segment of a later run is over it.
+    fn is_under(&self, later: &Self, [s, t]: [f64; 2]) -> bool {
+        later_is_over(later.point(later.at(t)[2]), self.point(self.at(s)[2]))
+    }
+
+    /// How it touches a segment of a later run at a place, and where on the picture that is.
+    fn contact(&self, later: &Self, [s, t]: [f64; 2]) -> (Contact, [f64; 2]) {
+        let (p, q) = (self.at(s), later.at(t));
+        let contact = Contact {
+            runs: [self.run, later.run],
+            arcs: [self.arc + s * self.length, later.arc + t * later.length],
+            gap: distance(p, q),
+            second_is_over: self.is_under(later, [s, t]),
+        };
         // In the band of either, so that the squares of both know the place.
         let share = self.radius / (self.radius + later.radius).max(f64::MIN_POSITIVE);
-        Some((contact, [p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])]))
+        (contact, [p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])])
     }
+}
+
+/// How far along two strokes with these half widths a place goes where they touch.
+fn extent(radius: f64, other: f64) -> f64 {
+    2.0 * (radius + other)
 }
 
 fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
@@ -221,15 +285,14 @@ fn find_contacts(all: &[Painted], drawing: &Drawing) -> Vec<Contact> {
                     continue;
                 }
                 // Several squares may list both; the one in which they touch speaks.
-                let touches = first
-                    .contact(second)
-                    .filter(|(_, [x, y])| square(*y, rows) * columns + square(*x, columns) == index);
-                found.extend(touches.map(|(contact, _)| contact));
+                let touches = first.places(second).into_iter().flatten().map(|place| first.contact(second, place));
+                let here = touches.filter(|(_, [x, y])| square(*y, rows) * columns + square(*x, columns) == index);
+                found.extend(here.map(|(contact, _)| contact));
             }
         }
     }
     let radius: Vec<f64> = all.iter().map(|painted| 0.5 * f64::from(painted.style.width)).collect();
-    one_each(found, |contact| 2.0 * (radius[contact.runs[0]] + radius[contact.runs[1]]))
+    one_each(found, |contact| extent(radius[contact.runs[0]], radius[contact.runs[1]]))
 }
 
 /// Calls `visit` for the squares that a segment touches with its width.
