@@ -150,6 +150,9 @@ fn disagreement(drawing: &Drawing) -> [usize; 3] {
     counts
 }
 
+/// What is left has two causes. Strokes along each other at a small angle that change order on the way: each pixel has its own
+/// nearer one, but runs are cut once for both and all their width. And joints of one set: the rasterizer keeps the greatest share
+/// that any of its segments covers, but runs paint over one another.
 #[test]
 fn runs_in_their_order_cross_as_the_depths_of_pixels_say() {
     let (mut behind_faces, mut alone) = ([0; 3], [0; 3]);
@@ -159,10 +162,10 @@ fn runs_in_their_order_cross_as_the_depths_of_pixels_say() {
         disagreement(&without).iter().zip(&mut alone).for_each(|(n, sum)| *sum += n);
     }
     let [ink, ordered, listed] = behind_faces;
-    assert!(ink > 20_000 && ordered * 200 < ink && ordered * 5 < listed, "{behind_faces:?}");
+    assert!(ink > 20_000 && ordered * 250 < ink && ordered * 5 < listed, "{behind_faces:?}");
     // Where no face hides anything, order alone decides.
     let [ink, ordered, listed] = alone;
-    assert!(ink > 20_000 && ordered * 200 < ink && ordered * 5 < listed, "{alone:?}");
+    assert!(ink > 20_000 && ordered * 250 < ink && ordered * 5 < listed, "{alone:?}");
 }
 
 /// A figure in which boxes pass through one another, with edges, marks and a legend.
