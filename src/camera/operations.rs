@@ -7,7 +7,7 @@
 
 use super::basis::{Frame, Pose};
 use super::parameters::check_range;
-use super::{Camera, CameraError, Parameters, Range};
+use super::{Camera, CameraError, Derived, Parameters, Range};
 use crate::geometry::double_double::{Dd, Dd3, sin_cos_degrees};
 use crate::geometry::{Angle, Ray};
 
@@ -163,6 +163,13 @@ impl Operation {
                 let step = frame.u * Dd::new(dx) + frame.v * Dd::new(dy);
                 pose.position = pose.position.plus(step);
                 pose.focal_point = pose.focal_point.plus(step);
+                // Moved alike, C and PF are as far from each other as before; where their numbers do not say so, it is the
+                // numbers that end.
+                let (position, focal_point) = (pose.position.value(), pose.focal_point.value());
+                if position == focal_point || !position.is_finite() || !focal_point.is_finite() {
+                    let keys = &["position", "focal_point"];
+                    return Err(CameraError::Overflow { quantity: Derived::Distance, keys });
+                }
             }
         }
         pose.write(&mut parameters);

@@ -1,5 +1,7 @@
 //! A change of a figure → the change of its text, with comments and order kept.
 
+use std::collections::{HashMap, VecDeque};
+
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
 use super::Figure;
@@ -133,28 +135,84 @@ fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &Array
     }
 }
 
-/// Which of the old tables each new one comes from: after the same names, the pair with the most equal keys first, and of
-/// equal ones that at the same place. An object that was renamed is found again although another was deleted or added.
+/// Which of the old tables each new one comes from: the one of the same name; of the others one that is equal, at the same place
+/// where there are several; after those, the pair with the most equal keys first. An object that was renamed is found again
+/// although another was deleted or added.
+///
+/// Where very many are left, they are taken in their order: comparing all with all would take longer than anybody waits.
 fn sources(old: &[&Table], new: &ArrayOfTables) -> Vec<Option<usize>> {
+    const MOST_PAIRS: usize = 1 << 16;
+    let new: Vec<&Table> = new.iter().collect();
+    let mut found = Sources { of_new: vec![None; new.len()], taken: vec![false; old.len()] };
     let name = |table: &Table| table.get("name").map(ToString::to_string);
-    let mut sources: Vec<Option<usize>> =
-        new.iter().map(|table| old.iter().position(|was| name(was).is_some() && name(was) == name(table))).collect();
+    found.take_equal(old, &new, name);
+    found.take_equal(old, &new, |table| Some(table.to_string()));
+    let (rest_of_new, rest_of_old) = found.rest();
+    if rest_of_new.len().saturating_mul(rest_of_old.len()) > MOST_PAIRS {
+        rest_of_new.into_iter().zip(rest_of_old).for_each(|(i, j)| found.take(i, j));
+        return found.of_new;
+    }
     let common = |was: &Table, table: &Table| {
         table.iter().filter(|(key, value)| was.get(key).is_some_and(|was| same(was, value))).count()
     };
     let mut pairs = Vec::new();
-    for (i, table) in new.iter().enumerate().filter(|(i, _)| sources[*i].is_none()) {
-        for (j, was) in old.iter().enumerate().filter(|(j, _)| !sources.contains(&Some(*j))) {
-            pairs.push((common(was, table), i == j, i, j));
+    for &i in &rest_of_new {
+        for &j in &rest_of_old {
+            pairs.push((common(old[j], new[i]), i == j, i, j));
         }
     }
     pairs.sort_by_key(|&(common, same_place, i, j)| (std::cmp::Reverse((common, same_place)), i, j));
-    for (_, _, i, j) in pairs {
-        if sources[i].is_none() && !sources.contains(&Some(j)) {
-            sources[i] = Some(j);
+    pairs.into_iter().for_each(|(_, _, i, j)| found.take(i, j));
+    found.of_new
+}
+
+/// The pairs of old and new tables that have been found.
+struct Sources {
+    of_new: Vec<Option<usize>>,
+    taken: Vec<bool>,
+}
+
+impl Sources {
+    /// Makes a pair, where both are free.
+    fn take(&mut self, i: usize, j: usize) {
+        if self.of_new[i].is_none() && !self.taken[j] {
+            self.of_new[i] = Some(j);
+            self.taken[j] = true;
         }
     }
-    sources
+
+    /// Pairs what has the same key, at the same place first, then in order.
+    fn take_equal(&mut self, old: &[&Table], new: &[&Table], key: impl Fn(&Table) -> Option<String>) {
+        let (rest_of_new, rest_of_old) = self.rest();
+        let mut places: HashMap<String, VecDeque<usize>> = HashMap::new();
+        let mut key_at: HashMap<usize, String> = HashMap::new();
+        for j in rest_of_old {
+            if let Some(key) = key(old[j]) {
+                places.entry(key.clone()).or_default().push_back(j);
+                key_at.insert(j, key);
+            }
+        }
+        let keys: Vec<(usize, String)> = rest_of_new.into_iter().filter_map(|i| Some((i, key(new[i])?))).collect();
+        for (i, key) in &keys {
+            if key_at.get(i) == Some(key) {
+                self.take(*i, *i);
+            }
+        }
+        for (i, key) in &keys {
+            let Some(places) = places.get_mut(key) else { continue };
+            while self.of_new[*i].is_none()
+                && let Some(j) = places.pop_front()
+            {
+                self.take(*i, j);
+            }
+        }
+    }
+
+    /// The new tables without an old one, and the old ones without a new one.
+    fn rest(&self) -> (Vec<usize>, Vec<usize>) {
+        let new = (0..self.of_new.len()).filter(|&i| self.of_new[i].is_none());
+        (new.collect(), (0..self.taken.len()).filter(|&j| !self.taken[j]).collect())
+    }
 }
 
 #[cfg(test)]

@@ -1,13 +1,15 @@
 //! One picture, or all three side by side: which size each has, and how far apart they stand.
 
 use crate::figure::Observers;
+use crate::limits::MAX_PIXELS;
 use crate::views::{Request, Size, View, Views, observer_in};
 
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
 
 /// What is drawn for `views`, from left to right: `request` for each of them, seen by its observer. All three together are as
-/// large as `request` says. `None` where there is no room for three.
+/// large as `request` says. `None` where there is no room for three, or where they would have more
+/// pixels than any picture.
 #[must_use]
 pub fn requests(views: Views, request: &Request, observers: &Observers) -> Option<Vec<Request>> {
     let of = |view, width| Request {
@@ -16,6 +18,10 @@ pub fn requests(views: Views, request: &Request, observers: &Observers) -> Optio
         size: Size { width, ..request.size },
         ..request.clone()
     };
+    // Each of the three may be as large as a picture can be; the sheet of them may not be larger.
+    if u64::from(request.size.width) * u64::from(request.size.height) > MAX_PIXELS {
+        return None;
+    }
     Some(match views {
         Views::One(view) => vec![of(view, request.size.width)],
         Views::All => View::ALL.into_iter().zip(widths(request.size)?).map(|(view, width)| of(view, width)).collect(),

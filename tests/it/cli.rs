@@ -111,6 +111,16 @@ fn a_refused_picture_leaves_the_old_file() {
         (&["render", "figure.toml", "-o", "old.png", "--size", "0x3"], "1 to 16384"),
         (&["render", "figure.toml", "-o", "old.png", "--size", "20000x3"], "--size"),
         (&["render", "figure.toml", "-o", "old.png", "--size", "9000x9000", "--scale", "2"], "18000 × 18000"),
+        (&["render", "figure.toml", "-o", "old.png", "--size", "16384x16384", "--view", "all"], "134 million"),
+        (
+            &["render", "figure.toml", "-o", "old.png", "--size", "6000x6000", "--scale", "2", "--view", "all"],
+            "134 million",
+        ),
+        (&["bench", "figure.toml", "--size", "16384x16384", "--view", "all"], "134 million"),
+        (
+            &["inspect", "figure.toml", "--op", "pan=1e308,1e308", "--op", "pan=1e308,1e308"],
+            "exceed the range of numbers",
+        ),
         (&["render", "figure.toml", "-o", "old.png", "--scale", "0"], "--scale is \"0\"; allowed"),
         (&["render", "figure.toml", "-o", "old.png", "--view", "side"], "world, canonical, image, all"),
         (&["render", "figure.toml", "-o", "old.jpg"], ".png"),

@@ -290,3 +290,37 @@ fn names_of_all_kinds_stay_on_their_line_and_read_back() {
     assert_eq!(text.lines().filter(|line| line.starts_with("name = \"") && line.ends_with('"')).count(), names.len());
     assert!(text.contains("\nview_angle = 45.0\n") && text.contains("\nposition = [3.0, 4.0, 5.0]\n"), "{text}");
 }
+
+#[test]
+fn one_of_very_many_objects_is_edited_in_the_time_of_reading_them() {
+    const MANY: usize = 5000;
+    let named = |prefix: &str| {
+        let mut figure = Figure::default();
+        figure.scene.objects = (0..MANY).map(|i| ObjectSpec::new(format!("{prefix}{i}"), Shape::Box)).collect();
+        figure
+    };
+    let figure = named("object ");
+    let text = to_toml(&figure);
+    let begin = std::time::Instant::now();
+    assert_eq!(read::parse(&text).as_ref(), Ok(&figure));
+    let reading = begin.elapsed();
+
+    let mut moved = figure.clone();
+    moved.scene.objects[4000].translate.x = 1.0;
+    let mut lights = figure.clone();
+    lights.scene.lights =
+        (1..=MANY).map(|i| LightSpec::Point(DVec3::new(f64::from(u32::try_from(i).unwrap()), 0.0, 0.0))).collect();
+    let lit = to_toml(&lights);
+    let mut relit = lights.clone();
+    relit.scene.lights.reverse();
+    relit.scene.lights.iter_mut().for_each(|light| *light = LightSpec::Point(DVec3::Y));
+    // One moved; all renamed; all lights, which have no names, others.
+    for (text, figure) in [(&text, &moved), (&text, &named("thing ")), (&lit, &relit)] {
+        let begin = std::time::Instant::now();
+        let edited = update(text, figure);
+        let editing = begin.elapsed();
+        assert_eq!(read::parse(&edited).as_ref(), Ok(figure));
+        // All names against all: several hundred times as long as reading. The text is read three times in an edit.
+        assert!(editing < 40 * reading, "{editing:?} to edit, {reading:?} to read");
+    }
+}

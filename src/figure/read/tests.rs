@@ -415,3 +415,18 @@ fn a_bad_expression_is_named_with_its_place() {
     assert_eq!(problem, Problem::Value { found: "\"100°\"".to_owned(), allowed: Allowed::NumberIn(-90.0, 90.0) });
     assert_eq!(place("[image]\nwidth = \"640\""), (2, "[image] width".to_owned()), "whole numbers are digits");
 }
+
+#[test]
+fn very_many_unknown_parents_take_the_time_of_reading_them() {
+    let figure = |parent: &dyn Fn(usize) -> String| -> String {
+        (0..5000).map(|i| format!("[[scene.objects]]\nname = \"object {i}\"\n{}", parent(i))).collect()
+    };
+    let begin = std::time::Instant::now();
+    assert!(parse(&figure(&|_| "color = \"#123456\"\n".to_owned())).is_ok());
+    let reading = begin.elapsed();
+    let begin = std::time::Instant::now();
+    let (line, key, _) = error(&figure(&|i| format!("parent = \"objekt {i}\"\n")));
+    assert_eq!((line, key.as_str()), (3, "[[scene.objects]] parent"));
+    // Every unknown name held against all that there are: hundreds of times as long.
+    assert!(begin.elapsed() < 20 * reading, "{:?}, {reading:?} without a fault", begin.elapsed());
+}
