@@ -54,8 +54,6 @@ pub struct NumberField<'a> {
 /// What came of a field in this frame.
 #[derive(Debug)]
 pub struct FieldOutput {
-    /// The widget; `changed()` where the value has changed.
-    pub response: egui::Response,
     /// Why the text in the field cannot be taken over; the value has not changed then.
     pub error: Option<FieldError>,
 }
@@ -152,12 +150,6 @@ impl<'a> NumberField<'a> {
         Self { prefix, ..self }
     }
 
-    /// Shown after the number.
-    #[must_use]
-    pub fn unit(self, unit: &'static str) -> Self {
-        Self { unit, ..self }
-    }
-
     /// Width in points.
     #[must_use]
     pub fn width(self, width: f32) -> Self {
@@ -217,7 +209,8 @@ impl<'a> NumberField<'a> {
         if let Some(state) = state {
             ui.data_mut(|data| data.insert_temp(id, state));
         }
-        FieldOutput { response: self.announce(ui, response, *value), error }
+        self.announce(ui, &response, *value);
+        FieldOutput { error }
     }
 
     /// Arrow keys while it is edited, and what a screen reader asks for; the result is what cannot be taken over of that.
@@ -399,7 +392,7 @@ impl<'a> NumberField<'a> {
     }
 
     /// Name and value for screen readers.
-    fn announce(&self, ui: &egui::Ui, response: egui::Response, value: f64) -> egui::Response {
+    fn announce(&self, ui: &egui::Ui, response: &egui::Response, value: f64) {
         use egui::accesskit::Action;
         response.widget_info(|| WidgetInfo::drag_value(ui.is_enabled(), value));
         ui.ctx().accesskit_node_builder(response.id, |node| {
@@ -409,6 +402,5 @@ impl<'a> NumberField<'a> {
             node.add_action(Action::Decrement);
             node.set_value(format!("{}{}", numbers::significant(value, numbers::EXACT_DIGITS), self.unit));
         });
-        response
     }
 }

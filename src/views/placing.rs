@@ -98,8 +98,8 @@ fn lines(strokes: &[StrokeSet], background: &[Rgba]) -> Vec<[DVec2; 2]> {
 /// Places around a label's point and how little each is liked.
 fn candidates(label: &Label) -> impl Iterator<Item = (Box2, f64)> + use<> {
     let half = half_size(&label.text, label.size);
-    let wish = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
-    let (direction, gap) = (wish.normalize_or(DVec2::X), wish.length());
+    let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
+    let (direction, gap) = (offset.normalize_or(DVec2::X), offset.length());
     let (at, em) = (point(label.position), f64::from(label.size));
     let angles = [0.0_f64, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 110.0, -110.0, 145.0, -145.0, 180.0];
     let gaps = [0.0, 0.5, 1.1, 1.8];

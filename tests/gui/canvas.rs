@@ -7,17 +7,14 @@ use std::time::Duration;
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::canvas::Canvas;
-use camera_lab::gui::state::Selected;
 use camera_lab::gui::{Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;
-use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
-use camera_lab::views::Arrows;
+use camera_lab::scene::Preset;
 use camera_lab::views::Handle;
-use camera_lab::views::arrows::arrow_at;
 use camera_lab::views::handles::handles;
 use camera_lab::views::image_frame;
-use camera_lab::views::{Overlays, Probe, Request, Size, View, pick};
+use camera_lab::views::{Probe, Request, Size, View};
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, vec2,
 };
@@ -25,12 +22,12 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::{DVec2, DVec3};
 
-struct Stage {
-    state: State,
-    canvas: Canvas,
+pub(super) struct Stage {
+    pub(super) state: State,
+    pub(super) canvas: Canvas,
 }
 
-const WORLD: &str = "World: the scene";
+pub(super) const WORLD: &str = "World: the scene";
 const CANONICAL: &str = "Canonical volume: the scene";
 const IMAGE: &str = "Image: what the camera sees";
 
@@ -38,7 +35,7 @@ fn observer() -> Observer {
     Observer { target: DVec3::new(1.0, 1.5, 2.0), distance: 22.0, azimuth: 100.0, elevation: 30.0, parallel: false }
 }
 
-fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> {
+pub(super) fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> {
     let mut figure =
         Figure { camera: Parameters { near: 2.0, far: 9.0, ..Parameters::default() }, ..Figure::default() };
     figure.scene.preset = Preset::Cube;
@@ -58,7 +55,7 @@ fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> {
     harness
 }
 
-fn place(harness: &Harness<Stage>, label: &str) -> Rect {
+pub(super) fn place(harness: &Harness<Stage>, label: &str) -> Rect {
     harness.get_by_label_contains(label).rect()
 }
 
@@ -75,7 +72,7 @@ fn canonical_observer(harness: &Harness<Stage>) -> Observer {
 }
 
 /// The world in `rect`.
-fn world(harness: &Harness<Stage>, rect: Rect) -> Request {
+pub(super) fn world(harness: &Harness<Stage>, rect: Rect) -> Request {
     let state = &harness.state().state;
     let side = |s: f32| s.round() as u32;
     let size = Size { width: side(rect.width()), height: side(rect.height()), scale: 1.0 };
@@ -91,7 +88,13 @@ fn handle(harness: &Harness<Stage>, wanted: Handle) -> Pos2 {
     rect.min + vec2(p.x as f32, p.y as f32)
 }
 
-fn drag(harness: &mut Harness<Stage>, from: Pos2, motion: Vec2, button: PointerButton, modifiers: Modifiers) {
+pub(super) fn drag(
+    harness: &mut Harness<Stage>,
+    from: Pos2,
+    motion: Vec2,
+    button: PointerButton,
+    modifiers: Modifiers,
+) {
     let press = |pressed, pos| Event::PointerButton { pos, button, pressed, modifiers };
     harness.event(Event::ModifiersChanged(modifiers));
     harness.hover_at(from);
@@ -443,115 +446,6 @@ fn pictures_are_arranged_as_asked() {
     let (world, canonical, image) = (place(&h, WORLD), place(&h, CANONICAL), place(&h, IMAGE));
     assert!(canonical.top() > world.bottom() && image.top() == canonical.top() && image.left() > canonical.right());
     assert!(world.width() > canonical.width() + image.width());
-}
-
-/// A turned group with a cone in it that is selected, and a lamp.
-fn with_cone(state: &mut State) {
-    state.document.edit(|figure| {
-        figure.scene.preset = Preset::Empty;
-        figure.scene.objects = vec![
-            ObjectSpec::group("group").at(1.0, 0.0, 1.0).turned(0.0, 90.0, 0.0).scaled(2.0, 2.0, 2.0),
-            ObjectSpec::new("cone", Shape::Cone).at(0.5, 0.5, 0.25).under("group"),
-        ];
-        figure.scene.lights = vec![LightSpec::Point(DVec3::new(0.0, 3.0, 0.0))];
-    });
-    state.tree.select(Some(Selected::Object("cone".to_owned())));
-}
-
-/// A place in the world picture where the arrow of an axis can be taken.
-fn on_arrow(harness: &Harness<Stage>, arrows: Arrows, axis: usize) -> Pos2 {
-    let rect = place(harness, WORLD);
-    let overlays = Overlays { arrows: Some(arrows), ..Overlays::default() };
-    let world = Request { overlays, ..world(harness, rect) };
-    let found = {
-        let columns = (0..rect.width() as u32).step_by(3);
-        let mut places = columns.flat_map(|x| (0..rect.height() as u32).step_by(3).map(move |y| (x, y)));
-        places.find(|&(x, y)| {
-            let at = DVec2::new(f64::from(x), f64::from(y));
-            arrow_at(&world, at, 2.0) == Some(axis)
-        })
-    };
-    let (x, y) = found.unwrap();
-    rect.min + vec2(x as f32, y as f32)
-}
-
-#[test]
-fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
-    let mut h = stage(with_cone);
-    h.state_mut().state.document.commit();
-    let undoable = h.state().state.document.can_undo();
-    // The group's x is the world's −z, its z the world's x.
-    let arrows = Arrows { origin: DVec3::new(1.5, 1.0, 0.0), axes: [DVec3::NEG_Z, DVec3::Y, DVec3::X], hot: None };
-    let cone = |h: &Harness<Stage>| h.state().state.document.figure().scene.objects[1].translate;
-    let before = cone(&h);
-    let from = on_arrow(&h, arrows, 1);
-    drag(&mut h, from, vec2(0.0, -30.0), PointerButton::Primary, Modifiers::NONE);
-    let after = cone(&h);
-    assert!(after.y > before.y && after.x == before.x && after.z == before.z, "{before} {after}");
-    // Tidy: no more digits than pixels.
-    assert_eq!(after.y, (after.y * 1000.0).round() / 1000.0);
-    assert!(h.state().state.document.can_undo());
-    h.state_mut().state.document.undo();
-    h.run();
-    assert_eq!((cone(&h), h.state().state.document.can_undo()), (before, undoable));
-
-    h.hover_at(from);
-    h.run();
-    assert!(h.query_all_by_label_contains("Drag: along this axis of its parent").next().is_some());
-}
-
-#[test]
-fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
-    let mut h = stage(with_cone);
-    h.state_mut().state.document.commit();
-    let drawn = h.state().canvas.drawn();
-    h.state_mut().state.tree.select(Some(Selected::Light(0)));
-    h.run();
-    assert!(h.state().canvas.drawn().iter().zip(drawn).all(|(now, before)| *now == before + 1), "all three, once");
-    let arrows = Arrows { origin: DVec3::Y * 3.0, axes: DVec3::AXES, hot: None };
-    let from = on_arrow(&h, arrows, 0);
-    drag(&mut h, from, vec2(25.0, 0.0), PointerButton::Primary, Modifiers::NONE);
-    let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
-    assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
-    // Selecting is no change of the figure.
-    h.state_mut().state.document.undo();
-    h.state_mut().state.tree.select(None);
-    h.run();
-    let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
-    assert_eq!(lamp, DVec3::Y * 3.0);
-}
-
-#[test]
-fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
-    let mut h = stage(with_cone);
-    h.state_mut().state.tree.select(None);
-    h.run();
-    // The cone is at (1.5, 1 … 5, 0) and 4 wide.
-    let rect = place(&h, WORLD);
-    let world = world(&h, rect);
-    let at = {
-        let screen_center = DVec2::new(f64::from(rect.width()) / 2.0, f64::from(rect.height()) / 2.0);
-        (0..400)
-            .map(|i| screen_center + DVec2::new(f64::from(i % 20) * 6.0 - 60.0, f64::from(i / 20) * 6.0 - 60.0))
-            .find(|p| pick::object(&world, *p).as_deref() == Some("cone"))
-            .unwrap()
-    };
-    let at = rect.min + vec2(at.x as f32, at.y as f32);
-    let click = |h: &mut Harness<Stage>| {
-        drag(h, at, Vec2::ZERO, PointerButton::Primary, Modifiers::NONE);
-        h.run();
-    };
-    let selected =
-        |h: &Harness<Stage>| h.state().state.tree.selected(&h.state().state.document.figure().scene).cloned();
-    click(&mut h);
-    assert_eq!(selected(&h), None, "the tree is not open");
-    h.state_mut().state.settings.tab = camera_lab::gui::state::Tab::Scene;
-    // Not as a double-click.
-    for _ in 0..20 {
-        h.step();
-    }
-    click(&mut h);
-    assert_eq!(selected(&h), Some(Selected::Object("cone".to_owned())));
 }
 
 /// The image alone, with the focus.

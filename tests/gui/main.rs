@@ -3,6 +3,7 @@
 #![expect(clippy::expect_used, clippy::cast_possible_truncation, reason = "tests may fail")]
 
 mod canvas;
+mod canvas_objects;
 mod commands;
 mod files;
 mod language;

@@ -180,8 +180,8 @@ mod tests {
     #[test]
     fn pictures_fill_the_room_without_overlap() {
         for size in [(1320.0, 950.0), (700.0, 600.0), (240.0, 800.0), (600.0, 240.0)] {
-            let wishes = [None].into_iter().chain(Arrangement::ALL.map(Some));
-            for (count, wanted) in wishes.flat_map(|wanted| [1, 2, 3].map(|count| (count, wanted))) {
+            let wanted_ones = [None].into_iter().chain(Arrangement::ALL.map(Some));
+            for (count, wanted) in wanted_ones.flat_map(|wanted| [1, 2, 3].map(|count| (count, wanted))) {
                 let room = room(size.0, size.1);
                 let (panes, bars) = arrange(room, &View::ALL[..count], wanted, &Shares::default());
                 assert_eq!((panes.len(), bars.len()), (count, count - 1));

@@ -6,7 +6,7 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-use super::picking::{self, Question, What};
+use super::picking::{self, PickRequest, What};
 use super::status::Status;
 use super::{Canvas, Pane, orbit, readout, toggle_maximized};
 use crate::camera::{Convention, Operation};
@@ -360,7 +360,7 @@ impl Canvas {
         };
         let what = What::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
         let request = Request { overlays: Overlays::default(), ..request };
-        self.picker.ask(ui.ctx(), Question { request, what }).probe
+        self.picker.ask(ui.ctx(), PickRequest { request, what }).probe
     }
 
     // The keys.

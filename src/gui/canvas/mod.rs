@@ -25,7 +25,7 @@ use eframe::egui::{
 use self::arrange::{Axis, Shares, arrange};
 use self::interaction::Drag;
 use self::orbit::Auto;
-use self::picking::{Picker, Question, What};
+use self::picking::{PickRequest, Picker, What};
 use self::rendering::{Job, Rendering};
 use self::status::{Status, StatusAction};
 use self::strip::{Strip, StripAction};
@@ -332,7 +332,7 @@ impl Canvas {
         let asks = matches!(probe, Probe::Window(_)) && request.look.reveal.depth != Depth::Off;
         let depths = asks
             .then(|| {
-                self.depth_picker.ask(ctx, Question { request: request.clone(), what: What::Depths(probe) }).depths
+                self.depth_picker.ask(ctx, PickRequest { request: request.clone(), what: What::Depths(probe) }).depths
             })
             .flatten();
         status.cells = readout::cells(probe, depths, &request, digits.min(4), texts);

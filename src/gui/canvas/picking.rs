@@ -31,17 +31,17 @@ pub(super) enum What {
     Depths(Probe),
 }
 
-/// A question, with all that its answer depends on.
+/// A pick, with all that its answer depends on.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Question {
+pub(super) struct PickRequest {
     pub(super) request: Request,
     pub(super) what: What,
 }
 
-impl Question {
+impl PickRequest {
     /// True where what was found for the other is better than nothing: the pointer has moved a little.
     fn is_near(&self, other: &Self) -> bool {
-        let is_under = |question: &Self| matches!(question.what, What::Under { .. });
+        let is_under = |pick: &Self| matches!(pick.what, What::Under { .. });
         is_under(self) && is_under(other) && self.request == other.request
     }
 
@@ -100,19 +100,19 @@ fn depths(probe: Probe, request: &Request) -> Option<Depths> {
     }
 }
 
-/// Answers one question after the other; one that has not been begun is forgotten when the next comes.
+/// Answers one pick after the other; one that has not been begun is forgotten when the next comes.
 pub(super) struct Picker {
-    worker: Worker<Question, (Question, Found)>,
-    asked: Option<Question>,
-    last: Option<(Question, Found)>,
+    worker: Worker<PickRequest, (PickRequest, Found)>,
+    asked: Option<PickRequest>,
+    last: Option<(PickRequest, Found)>,
 }
 
 impl Default for Picker {
     fn default() -> Self {
         let worker = Worker::new("pointer", clock::now, || {
-            Box::new(|question: Question| {
-                let found = question.find();
-                (question, found)
+            Box::new(|pick: PickRequest| {
+                let found = pick.find();
+                (pick, found)
             })
         });
         Self { worker, asked: None, last: None }
@@ -121,19 +121,19 @@ impl Default for Picker {
 
 impl Picker {
     /// What was found, or what was found last near it while this is being looked for; `ctx` is asked for a frame when it is found.
-    pub(super) fn ask(&mut self, ctx: &egui::Context, question: Question) -> Found {
-        if !question.is_heavy() {
-            return question.find();
+    pub(super) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> Found {
+        if !pick.is_heavy() {
+            return pick.find();
         }
-        if self.asked.as_ref() != Some(&question) {
-            self.worker.ask(ctx, 0, question.clone());
-            self.asked = Some(question.clone());
+        if self.asked.as_ref() != Some(&pick) {
+            self.worker.ask(ctx, 0, pick.clone());
+            self.asked = Some(pick.clone());
         }
         let [done] = self.worker.take(PATIENCE);
         if let Some(found) = done.and_then(|done| done.outcome) {
             self.last = Some(found);
         }
-        let near = self.last.as_ref().filter(|(last, _)| *last == question || last.is_near(&question));
+        let near = self.last.as_ref().filter(|(last, _)| *last == pick || last.is_near(&pick));
         near.map_or_else(Found::default, |(_, found)| *found)
     }
 }
@@ -149,7 +149,7 @@ mod tests {
     use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape, build, no_files};
     use crate::views::{SharedScene, Size};
 
-    fn question(segments: u32, pointer: DVec2) -> Question {
+    fn pick(segments: u32, pointer: DVec2) -> PickRequest {
         let ball = ObjectSpec::new("ball", Shape::Sphere).with_segments(segments);
         let spec = SceneSpec { preset: Preset::Empty, objects: vec![ball], lights: Vec::new() };
         let scene = SharedScene::new(build(&spec, &Style::default(), &mut no_files).unwrap());
@@ -157,18 +157,18 @@ mod tests {
         let camera = Camera::new(&figure.camera).unwrap();
         let size = Size { width: 400, height: 300, scale: 1.0 };
         let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size);
-        Question { request, what: What::Under { pointer, reach: 7.0 } }
+        PickRequest { request, what: What::Under { pointer, reach: 7.0 } }
     }
 
     #[test]
     fn a_heavy_scene_gives_the_same_answer_a_little_later() {
         let ctx = egui::Context::default();
         let mut picker = Picker::default();
-        let light = question(16, DVec2::new(200.0, 150.0));
+        let light = pick(16, DVec2::new(200.0, 150.0));
         assert!(!light.is_heavy());
         assert_eq!(picker.ask(&ctx, light.clone()), light.find());
         assert!(picker.asked.is_none(), "at once");
-        let heavy = question(256, DVec2::new(200.0, 150.0));
+        let heavy = pick(256, DVec2::new(200.0, 150.0));
         assert!(heavy.is_heavy());
         let wanted = heavy.find();
         assert!(wanted.probe.is_some());
@@ -178,10 +178,10 @@ mod tests {
         }
         // Until the next is found, the last one nearby stands; nothing of another camera.
         let what = What::Under { pointer: DVec2::new(201.0, 150.0), reach: 7.0 };
-        let beside = Question { what, ..heavy.clone() };
+        let beside = PickRequest { what, ..heavy.clone() };
         assert!(picker.ask(&ctx, beside).probe.is_some());
         let near = crate::camera::Parameters { near: 2.0, ..*heavy.request.camera.parameters() };
-        let other = Question { request: Request { camera: Camera::new(&near).unwrap(), ..heavy.request }, ..heavy };
+        let other = PickRequest { request: Request { camera: Camera::new(&near).unwrap(), ..heavy.request }, ..heavy };
         assert!(!other.is_near(&picker.last.as_ref().unwrap().0));
     }
 }

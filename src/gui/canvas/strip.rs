@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    self, Align, Align2, Color32, FontId, Id, Label, Layout, Rect, RichText, Sense, Stroke, StrokeKind, TextStyle, Ui,
-    UiBuilder, WidgetInfo, pos2, vec2,
+    self, Align, Align2, Color32, FontId, FontSelection, Id, Label, Layout, Rect, RichText, Sense, Stroke, StrokeKind,
+    TextStyle, TextWrapMode, Ui, UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
 };
 
 use super::icons::{Icon, icon_button};
@@ -217,7 +217,11 @@ impl Strip<'_> {
         } else {
             let middle = written.center().y + 0.5;
             painter.hline(written.x_range(), middle, Stroke::new(1.0, ink));
-            painter.text(at(1.0), Align2::LEFT_TOP, words::reason(self.lang, report.reason), font, ink);
+            // A reason that is too long ends in dots; the sentence above the cells tells it whole.
+            let reason = WidgetText::from(RichText::new(words::reason(self.lang, report.reason)).font(font).color(ink));
+            let room = place.width() - 10.0;
+            let reason = reason.into_galley(ui, Some(TextWrapMode::Truncate), room, FontSelection::Default);
+            painter.galley(at(1.0), reason, ink);
         }
     }
 }

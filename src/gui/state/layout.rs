@@ -109,7 +109,7 @@ pub enum Tab {
 /// Which panels are wanted, and which there is room for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Panels {
-    /// The wishes, left and right.
+    /// Wanted by the user: left and right.
     pub wanted: [bool; 2],
     /// The one that stays where there is no room for both.
     pub last: Side,

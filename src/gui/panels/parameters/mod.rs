@@ -2,7 +2,7 @@
 
 mod camera;
 mod image;
-mod reveal;
+mod reveal_section;
 mod style;
 
 use eframe::egui;
@@ -30,7 +30,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
         Tab::Drawing => {
             scroll.show(ui, |ui| {
                 style::ui(ui, state);
-                reveal::ui(ui, state);
+                reveal_section::ui(ui, state);
             });
         }
     }

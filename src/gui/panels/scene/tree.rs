@@ -60,7 +60,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
                 if let Some(edit) = dropped(ui, row, &response, &scene, dragged.as_deref()) {
                     edits.push(edit);
                 }
-                act(ui, state, row, &response, &mut edits);
+                clicks_and_keys(ui, state, row, &response, &mut edits);
             }
             if scene.objects.is_empty() && scene.preset == Preset::Empty {
                 ui.weak(t.empty);
@@ -74,7 +74,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
 }
 
 /// Clicks and keys on a row.
-fn act(ui: &egui::Ui, state: &mut State, row: &Row, response: &Response, edits: &mut Vec<Edit>) {
+fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &Row, response: &Response, edits: &mut Vec<Edit>) {
     if response.clicked() {
         state.tree.select(row.what.clone());
         response.request_focus();

@@ -1,0 +1,124 @@
+//! What is selected in the scene, in the pictures: its arrows, its mark, and the click that selects it.
+
+#![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
+
+use camera_lab::gui::State;
+use camera_lab::gui::state::Selected;
+use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
+use camera_lab::views::arrows::arrow_at;
+use camera_lab::views::{Arrows, Overlays, Request, pick};
+use eframe::egui::{Modifiers, PointerButton, Pos2, Vec2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use glam::{DVec2, DVec3};
+
+use super::canvas::{Stage, WORLD, drag, place, stage, world};
+
+/// A turned group with a cone in it that is selected, and a lamp.
+fn with_cone(state: &mut State) {
+    state.document.edit(|figure| {
+        figure.scene.preset = Preset::Empty;
+        figure.scene.objects = vec![
+            ObjectSpec::group("group").at(1.0, 0.0, 1.0).turned(0.0, 90.0, 0.0).scaled(2.0, 2.0, 2.0),
+            ObjectSpec::new("cone", Shape::Cone).at(0.5, 0.5, 0.25).under("group"),
+        ];
+        figure.scene.lights = vec![LightSpec::Point(DVec3::new(0.0, 3.0, 0.0))];
+    });
+    state.tree.select(Some(Selected::Object("cone".to_owned())));
+}
+
+/// A place in the world picture where the arrow of an axis can be taken.
+fn on_arrow(harness: &Harness<Stage>, arrows: Arrows, axis: usize) -> Pos2 {
+    let rect = place(harness, WORLD);
+    let overlays = Overlays { arrows: Some(arrows), ..Overlays::default() };
+    let world = Request { overlays, ..world(harness, rect) };
+    let found = {
+        let columns = (0..rect.width() as u32).step_by(3);
+        let mut places = columns.flat_map(|x| (0..rect.height() as u32).step_by(3).map(move |y| (x, y)));
+        places.find(|&(x, y)| {
+            let at = DVec2::new(f64::from(x), f64::from(y));
+            arrow_at(&world, at, 2.0) == Some(axis)
+        })
+    };
+    let (x, y) = found.unwrap();
+    rect.min + vec2(x as f32, y as f32)
+}
+
+#[test]
+fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
+    let mut h = stage(with_cone);
+    h.state_mut().state.document.commit();
+    let undoable = h.state().state.document.can_undo();
+    // The group's x is the world's −z, its z the world's x.
+    let arrows = Arrows { origin: DVec3::new(1.5, 1.0, 0.0), axes: [DVec3::NEG_Z, DVec3::Y, DVec3::X], hot: None };
+    let cone = |h: &Harness<Stage>| h.state().state.document.figure().scene.objects[1].translate;
+    let before = cone(&h);
+    let from = on_arrow(&h, arrows, 1);
+    drag(&mut h, from, vec2(0.0, -30.0), PointerButton::Primary, Modifiers::NONE);
+    let after = cone(&h);
+    assert!(after.y > before.y && after.x == before.x && after.z == before.z, "{before} {after}");
+    // Tidy: no more digits than pixels.
+    assert_eq!(after.y, (after.y * 1000.0).round() / 1000.0);
+    assert!(h.state().state.document.can_undo());
+    h.state_mut().state.document.undo();
+    h.run();
+    assert_eq!((cone(&h), h.state().state.document.can_undo()), (before, undoable));
+
+    h.hover_at(from);
+    h.run();
+    assert!(h.query_all_by_label_contains("Drag: along this axis of its parent").next().is_some());
+}
+
+#[test]
+fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
+    let mut h = stage(with_cone);
+    h.state_mut().state.document.commit();
+    let drawn = h.state().canvas.drawn();
+    h.state_mut().state.tree.select(Some(Selected::Light(0)));
+    h.run();
+    assert!(h.state().canvas.drawn().iter().zip(drawn).all(|(now, before)| *now == before + 1), "all three, once");
+    let arrows = Arrows { origin: DVec3::Y * 3.0, axes: DVec3::AXES, hot: None };
+    let from = on_arrow(&h, arrows, 0);
+    drag(&mut h, from, vec2(25.0, 0.0), PointerButton::Primary, Modifiers::NONE);
+    let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
+    assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
+    // Selecting is no change of the figure.
+    h.state_mut().state.document.undo();
+    h.state_mut().state.tree.select(None);
+    h.run();
+    let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
+    assert_eq!(lamp, DVec3::Y * 3.0);
+}
+
+#[test]
+fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
+    let mut h = stage(with_cone);
+    h.state_mut().state.tree.select(None);
+    h.run();
+    // The cone is at (1.5, 1 … 5, 0) and 4 wide.
+    let rect = place(&h, WORLD);
+    let world = world(&h, rect);
+    let at = {
+        let screen_center = DVec2::new(f64::from(rect.width()) / 2.0, f64::from(rect.height()) / 2.0);
+        (0..400)
+            .map(|i| screen_center + DVec2::new(f64::from(i % 20) * 6.0 - 60.0, f64::from(i / 20) * 6.0 - 60.0))
+            .find(|p| pick::object(&world, *p).as_deref() == Some("cone"))
+            .unwrap()
+    };
+    let at = rect.min + vec2(at.x as f32, at.y as f32);
+    let click = |h: &mut Harness<Stage>| {
+        drag(h, at, Vec2::ZERO, PointerButton::Primary, Modifiers::NONE);
+        h.run();
+    };
+    let selected =
+        |h: &Harness<Stage>| h.state().state.tree.selected(&h.state().state.document.figure().scene).cloned();
+    click(&mut h);
+    assert_eq!(selected(&h), None, "the tree is not open");
+    h.state_mut().state.settings.tab = camera_lab::gui::state::Tab::Scene;
+    // Not as a double-click.
+    for _ in 0..20 {
+        h.step();
+    }
+    click(&mut h);
+    assert_eq!(selected(&h), Some(Selected::Object("cone".to_owned())));
+}
