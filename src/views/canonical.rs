@@ -14,7 +14,7 @@ use crate::scene::Scene;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
-use super::reveal::{self, Revealed};
+use super::revealed_scene::{self, Revealed};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
 use super::{Palette, Request, placing, probe};
@@ -61,7 +61,7 @@ pub(super) fn contents(request: &Request) -> Scene {
 }
 
 fn revealed(request: &Request) -> Revealed {
-    reveal::in_canonical(request, Palette::of(request.look.style.theme))
+    revealed_scene::in_canonical(request, Palette::of(request.look.style.theme))
 }
 
 /// Draws the canonical volume; an observer that is not a camera sees nothing.
@@ -80,9 +80,9 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     probe::in_canonical(&mut builder, request, palette);
     cube(&mut builder, request, palette);
     let mut drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
-    let legend = reveal::legend(request, revealed.rows, &target, palette);
-    placing::settle(&mut drawn.drawing, &[], reveal::room(legend.as_ref()));
-    reveal::explain(&mut drawn.drawing, legend.as_ref());
+    let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
+    placing::settle(&mut drawn.drawing, &[], revealed_scene::room(legend.as_ref()));
+    revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
     drawn
 }
 

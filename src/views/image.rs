@@ -11,7 +11,7 @@ use super::gizmos::{SceneBuilder, stroke};
 use super::pixels::{PixelRect, Size, image_frame};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Palette, Request, placing, probe, reveal};
+use super::{Palette, Request, placing, probe, revealed_scene};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -35,7 +35,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let target = Target { width: rect.width, height: rect.height, ..whole };
     // A scene of many objects is not copied where nothing is added to it.
     let plain = request.look.reveal == Reveal::default() && request.overlays.probe.is_none();
-    let (revealed, wrong) = if plain { Default::default() } else { reveal::in_image(request, palette) };
+    let (revealed, wrong) = if plain { Default::default() } else { revealed_scene::in_image(request, palette) };
     let mut drawn = if plain {
         pipeline.frame(request, &request.scene, &request.camera, target, &style)
     } else {
@@ -49,7 +49,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     };
     // Where nothing is behind the eye, dividing first makes no difference, and clipping did its work as ever.
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
-    if let Some((wrong, front)) = wrong.zip(reveal::front()) {
+    if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);
         add(&mut drawn.drawing, TimedPipeline::default().frame(request, &wrong, &front, target, &style).drawing);
     }
@@ -62,7 +62,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     if rect != PixelRect::whole(request.size) {
         drawn.drawing = mounted(drawn.drawing, rect, request.size, palette);
     }
-    reveal::explain(&mut drawn.drawing, reveal::legend(request, rows, &whole, palette).as_ref());
+    revealed_scene::explain(&mut drawn.drawing, revealed_scene::legend(request, rows, &whole, palette).as_ref());
     drawn
 }
 

@@ -30,7 +30,7 @@ mod pixels;
 mod placing;
 mod probe;
 mod request;
-mod reveal;
+mod revealed_scene;
 mod screen;
 mod timed_pipeline;
 mod view;

@@ -13,7 +13,7 @@ use super::content::Content;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{Gear, screen_of, seen_from};
-use super::{Handle, Palette, Request, arrows, ghost, handles, placing, probe, reveal};
+use super::{Handle, Palette, Request, arrows, ghost, handles, placing, probe, revealed_scene};
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
@@ -24,7 +24,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let Some(screen) = screen_of(request, &seen_from(request), &content) else {
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
-    let mut revealed = reveal::in_world(request, palette);
+    let mut revealed = revealed_scene::in_world(request, palette);
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
     let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
@@ -41,9 +41,9 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     probe::in_world(&mut world.builder, request, palette);
     arrows::in_world(&mut world.builder, request, palette);
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
-    let legend = reveal::legend(request, revealed.rows, &target, palette);
-    placing::settle(&mut drawn.drawing, &[palette.grid], reveal::room(legend.as_ref()));
-    reveal::explain(&mut drawn.drawing, legend.as_ref());
+    let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
+    placing::settle(&mut drawn.drawing, &[palette.grid], revealed_scene::room(legend.as_ref()));
+    revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
     drawn
 }
 
