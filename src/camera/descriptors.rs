@@ -262,4 +262,12 @@ mod tests {
             assert_ne!(undone, operation);
         }
     }
+
+    #[test]
+    fn what_undoes_an_amount_is_its_opposite_or_its_inverse() {
+        for amount in [Amount::Angle, Amount::Length] {
+            assert_eq!(amount.inverse(7.5), -7.5);
+        }
+        assert_eq!(Amount::Factor.inverse(4.0), 0.25);
+    }
 }

@@ -55,3 +55,18 @@ fn whole(i: i64) -> Dd {
     let (high, low) = ((i >> 32) as i32, (i & 0xffff_ffff) as u32);
     Dd::sum(f64::from(high) * 4_294_967_296.0, f64::from(low))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::whole;
+
+    #[test]
+    fn whole_numbers_of_63_bits_are_taken_exactly() {
+        for i in [0, 1, -1, 4_294_967_295, 4_294_967_296, -4_294_967_297, (1 << 53) + 1, i64::MAX, i64::MIN + 1] {
+            // Each part is a whole number below 2^64.
+            #[expect(clippy::cast_possible_truncation, reason = "both parts are whole numbers of at most 64 bits")]
+            let sum: i128 = whole(i).parts().iter().map(|&part| part as i128).sum();
+            assert_eq!(sum, i128::from(i));
+        }
+    }
+}

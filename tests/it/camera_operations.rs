@@ -82,6 +82,14 @@ fn the_axis_goes_through_what_does_not_move() {
 }
 
 #[test]
+fn half_a_turn_is_a_turn() {
+    let camera = camera(|p| (p.position, p.focal_point) = (DVec3::Z * 5.0, DVec3::ZERO));
+    assert_close3(apply(&camera, "azimuth=180").position(), DVec3::NEG_Z * 5.0);
+    assert_close3(apply(&camera, "yaw=-180").focal_point(), DVec3::Z * 10.0);
+    assert_close3(apply(&camera, "roll=540").view_up(), -camera.view_up());
+}
+
+#[test]
 fn nothing_flips_at_a_pole() {
     let start = camera(|p| (p.position, p.view_up) = (DVec3::new(0.0, 0.0, 5.0), DVec3::new(0.0, 3.0, 1.0)));
     let mut camera = start.clone();

@@ -165,6 +165,9 @@ fn numbers_that_overflow_are_errors() {
         (error(|p| (p.position, p.focal_point) = (DVec3::X * huge, DVec3::X * -huge)), Derived::Distance),
         (error(|p| p.position = DVec3::splat(1.5e308)), Derived::Distance),
         (error(|p| (p.projection, p.height, p.aspect) = (Projection::Parallel, huge, 10.0)), Derived::Window),
+        // Its borders are numbers, its width is not.
+        (error(|p| p.window = Some(ViewWindow { left: -huge, right: huge, bottom: -1.0, top: 1.0 })), Derived::Window),
+        (error(|p| (p.projection, p.height, p.aspect) = (Projection::Parallel, 1e-308, 1e-30)), Derived::Window),
         (error(|p| p.aspect = 1e-320), Derived::ProjectionMatrix),
         (error(|p| (p.near, p.far) = (1e-320, 1.0)), Derived::ProjectionMatrix),
         (error(|p| p.view_angle = 1e-307), Derived::ProjectionMatrix),
@@ -174,7 +177,24 @@ fn numbers_that_overflow_are_errors() {
         let CameraError::Overflow { quantity, keys } = &found else { panic!("{found:?}") };
         assert_eq!(*quantity, expected);
         assert!(!keys.is_empty() && keys.iter().all(|key| found.to_string().contains(key)), "{found}");
+        assert!(found.to_string().starts_with(&format!("{quantity} would")) && !quantity.to_string().is_empty());
     }
+}
+
+#[test]
+fn what_overflows_follows_from_the_numbers_that_the_projection_uses() {
+    let keys = |found: CameraError| match found {
+        CameraError::Overflow { keys, .. } => keys,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(
+        keys(error(|p| (p.view_angle, p.near, p.far) = (179.999, 1e307, 1e308))),
+        ["view_angle", "aspect", "near"]
+    );
+    let parallel = |p: &mut Parameters| (p.projection, p.height, p.aspect) = (Projection::Parallel, 1e308, 10.0);
+    assert_eq!(keys(error(parallel)), ["height", "aspect"]);
+    let window = ViewWindow { left: -1e308, right: 1e308, bottom: -1.0, top: 1.0 };
+    assert_eq!(keys(error(|p| p.window = Some(window))), ["window"]);
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod camera_equations;
 mod camera_extreme;
 mod camera_operations;
 mod camera_parameters;
+mod camera_pixels;
 mod camera_properties;
 mod cli;
 mod contract;
