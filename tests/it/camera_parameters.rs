@@ -228,3 +228,50 @@ fn warnings_say_what_is_probably_not_meant() {
         assert!(text.len() > 40 && !text.contains("NaN") && !text.contains("inf"), "{text}");
     }
 }
+
+#[test]
+fn warnings_begin_where_they_say() {
+    let codes = |change: fn(&mut Parameters)| -> Vec<&str> {
+        let camera = camera(|p| {
+            (p.position, p.focal_point) = (DVec3::Z * 5.0, DVec3::ZERO);
+            change(p);
+        });
+        camera.warnings().iter().map(Warning::code).collect()
+    };
+    // PF on a plane of the volume is seen.
+    assert_eq!(codes(|p| (p.near, p.far) = (5.0, 6.0)), [""; 0]);
+    assert_eq!(codes(|p| (p.near, p.far) = (1.0, 5.0)), [""; 0]);
+    assert_eq!(codes(|p| p.view_angle = 120.0), [""; 0]);
+    assert_eq!(codes(|p| p.view_angle = 120.001), ["wide-angle"]);
+    // A step at B is B (B − F) / F 2⁻²⁴: a hundredth of B where (B − F) / F = 167772.16.
+    assert_eq!(codes(|p| (p.near, p.far) = (1.0, 167_772.9)), [""; 0]);
+    assert_eq!(codes(|p| (p.near, p.far) = (1.0, 167_773.5)), ["depth-precision"]);
+    let away = |p: &mut Parameters, x: f64| (p.position, p.focal_point) = (DVec3::new(x, 0.0, 2.0), DVec3::X * x);
+    let far_away = camera(|p| away(p, 2e9)).warnings();
+    assert_eq!(
+        far_away.first(),
+        Some(&Warning::FarFromOrigin { ratio: 1e9, digits: 6 }),
+        "1e-6 of the distance is left"
+    );
+    assert_eq!(camera(|p| away(p, 2e7)).warnings(), []);
+}
+
+#[test]
+fn the_step_of_a_coarse_depth_is_that_at_the_back_plane() {
+    let warnings = camera(|p| (p.near, p.far) = (1e-6, 16.0)).warnings();
+    let [Warning::DepthPrecision { ratio, step }] = warnings[..] else { panic!("{warnings:?}") };
+    assert_eq!(ratio, 1.6e7);
+    // B (B − F) / F 2⁻²⁴
+    let expected = 16.0 * (16.0 - 1e-6) / 1e-6 / 16_777_216.0;
+    assert!((step - expected).abs() < 1e-12 * expected, "{step} for {expected}");
+}
+
+#[test]
+fn less_than_a_pixel_of_stretching_one_way_or_the_other_is_none() {
+    let warns = |aspect: f64, width: u32, height: u32| {
+        camera(|p| p.aspect = aspect).aspect_warning(ImageSize { width, height }).is_some()
+    };
+    assert!(!warns(2.0, 201, 100), "a pixel of width, half a pixel of height");
+    assert!(!warns(0.5, 50, 101), "half a pixel of width, a pixel of height");
+    assert!(warns(2.0, 202, 100) && warns(2.0, 198, 100) && warns(0.5, 50, 102));
+}
