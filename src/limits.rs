@@ -46,3 +46,6 @@ pub const MAX_UNDO_STEPS: usize = 500;
 
 /// The longest list of points that the panel shows as fields; longer ones are edited in the file.
 pub const MAX_POINTS_IN_PANEL: usize = 48;
+
+/// The most lines that are shown where two texts are compared: more than anybody reads.
+pub const MAX_COMPARED_LINES: usize = 2000;

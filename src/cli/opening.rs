@@ -9,7 +9,7 @@ use crate::scene::Preset;
 pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure> {
     if let Some(path) = &args.figure {
         let (opened, _) = super::open(path, &args.common, lang)?;
-        let (figure, file) = opened.at(path.clone());
+        let (figure, file) = opened.at(path);
         return Ok(Opening { figure, file: Some(file), allow_files: args.common.allow_files, lang });
     }
     let mut figure = Figure::of_preset(Preset::default());

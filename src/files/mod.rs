@@ -1,5 +1,6 @@
 //! The file system, for both shells: opening a figure, saving so that nothing is lost.
 
+mod look;
 mod reach;
 mod save;
 
@@ -11,8 +12,9 @@ use crate::export::png::{self, PngError};
 use crate::figure::{Figure, FigureError, read};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES};
 use crate::scene::{ReadProblem, system_words};
+pub use look::{Found, Stamp, look};
 pub use reach::{FigureFiles, Reach};
-pub use save::{Overwrite, save};
+pub use save::{Overwrite, is_read_only, save};
 
 /// Why a file cannot be used. Displayed, it stands after the name of the file.
 #[derive(Debug, thiserror::Error)]
@@ -60,7 +62,7 @@ pub struct Opened {
 /// The file that a figure came from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SourceFile {
-    /// Where it is.
+    /// Where it is, by its [`whole`] path.
     pub path: PathBuf,
     /// The text of the figure file, so that saving keeps the comments.
     pub text: String,
@@ -71,8 +73,8 @@ pub struct SourceFile {
 impl Opened {
     /// The figure, and the file with this path that it came from.
     #[must_use]
-    pub fn at(self, path: PathBuf) -> (Figure, SourceFile) {
-        (self.figure, SourceFile { path, text: self.text, is_picture: self.from_picture })
+    pub fn at(self, path: &Path) -> (Figure, SourceFile) {
+        (self.figure, SourceFile { path: whole(path), text: self.text, is_picture: self.from_picture })
     }
 }
 
@@ -129,6 +131,13 @@ fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::with_capacity(usize::try_from(now.len()).unwrap_or_default());
     file.take(most + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
     if bytes.len() as u64 > most { Err(FileError::TooLarge) } else { Ok(bytes) }
+}
+
+/// A path that means the same file from every folder; links in it stay.
+#[must_use]
+pub fn whole(path: &Path) -> PathBuf {
+    // An error is an empty path, or a current folder that is gone: then nothing better is to be had.
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
 /// True for paths that begin with two slashes or backslashes, as Windows names other machines (`\\\\host\\share`). Its long names

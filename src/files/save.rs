@@ -42,8 +42,7 @@ pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileE
         }
         Ok(before) => {
             let writable = open_to_write(&target);
-            // To root every file is writable: what its owner has set counts.
-            if (before.permissions().readonly() || denied(&writable)) && overwrite == Overwrite::Writable {
+            if may_not_be_written(&before, &writable) && overwrite == Overwrite::Writable {
                 return Err(FileError::ReadOnly);
             }
             replace(&target, bytes, &before, writable.ok())
@@ -57,12 +56,19 @@ pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileE
     Ok(())
 }
 
-fn open_to_write(path: &Path) -> io::Result<File> {
-    OpenOptions::new().write(true).open(path)
+/// True where [`save`] needs [`Overwrite::ReadOnlyToo`].
+#[must_use]
+pub fn is_read_only(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|meta| meta.is_file() && may_not_be_written(&meta, &open_to_write(path)))
 }
 
-fn denied<T>(result: &io::Result<T>) -> bool {
-    result.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::PermissionDenied)
+/// To root every file is writable: what its owner has set counts.
+fn may_not_be_written(meta: &Metadata, opened: &io::Result<File>) -> bool {
+    meta.permissions().readonly() || opened.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::PermissionDenied)
+}
+
+fn open_to_write(path: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).open(path)
 }
 
 /// Where a chain of links ends, whether a file is there or not.
@@ -267,6 +273,7 @@ mod tests {
         let mut permissions = fs::metadata(&path).unwrap().permissions();
         permissions.set_readonly(true);
         fs::set_permissions(&path, permissions).unwrap();
+        assert!(is_read_only(&path) && !is_read_only(directory.path()));
         assert!(matches!(save_writable(&path, b"new"), Err(FileError::ReadOnly)));
         assert_eq!(fs::read(&path).unwrap(), b"old");
         save(&path, b"new", Overwrite::ReadOnlyToo).unwrap();

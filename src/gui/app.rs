@@ -65,6 +65,7 @@ impl App {
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         let sides = *self.state.settings.panels();
         let bar = egui::Panel::top("menu").show(ui, |ui| menu::bar(ui, &self.state)).inner;
+        panels::changed_file::bar(ui, &mut self.state);
         panels::status::error(ui, &mut self.state);
         if sides.is_shown(Side::Left) {
             egui::Panel::left("parameters")

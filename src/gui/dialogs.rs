@@ -6,11 +6,12 @@ use std::path::PathBuf;
 use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
 
 use super::command::Command;
+use super::comparison::{Comparison, Whose};
 use super::export::Export;
 use super::file_flow;
 use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row};
-use super::state::{Dialog, Purpose, State};
+use super::state::{Agreed, Changed, Dialog, Purpose, State};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::canvas;
@@ -31,7 +32,12 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
     let t = window::texts(state.settings.lang);
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let modal = Modal::new(Id::unique("dialog").with(kind)).frame(frame).show(ctx, |ui| {
-        let width = if dialog == Dialog::Help { 520.0 } else { 380.0_f32 };
+        let width = match &dialog {
+            Dialog::Help => 520.0,
+            Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
+            Dialog::Changed(_) => 480.0,
+            _ => 380.0_f32,
+        };
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
             Dialog::Unsaved(next) => {
@@ -47,9 +53,21 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             Dialog::Overwrite(purpose, path) => {
                 text(ui, t.overwrite_title, &format!("{} {}", foreign::path(&path), t.overwrite_text));
                 match buttons(ui, t.cancel, &[t.replace], first.then_some(CANCEL)) {
-                    Pressed::Action(_) => file_flow::confirmed(ctx, state, purpose, &path),
+                    Pressed::Action(_) => file_flow::confirmed(ctx, state, purpose, &path, Agreed::default()),
                     Pressed::Cancel => {}
                     Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path)),
+                }
+            }
+            Dialog::Changed(changed) => ask_changed(ui, t, state, changed, first),
+            Dialog::ReadOnly(purpose, path, agreed) => {
+                text(ui, t.read_only_title, &format!("{} {}", foreign::path(&path), t.read_only_text));
+                match buttons(ui, t.cancel, &[t.replace, t.save_as], first.then_some(CANCEL)) {
+                    Pressed::Action(0) => {
+                        file_flow::confirmed(ctx, state, purpose, &path, Agreed { read_only: true, ..agreed });
+                    }
+                    Pressed::Action(_) => file_flow::ask(ctx, state, purpose),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path, agreed)),
                 }
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
@@ -117,6 +135,66 @@ fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usiz
         }
     });
     pressed
+}
+
+/// What is to become of what another program has written: the choice that loses nothing is the one most wanted.
+fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
+    let name = state.document.path().map(|path| foreign::path(path)).unwrap_or_default();
+    text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
+    if let Some(comparison) = &changed.comparison {
+        compared(ui, t, comparison);
+    }
+    let comparable = changed.comparison.is_none() && changed.theirs.is_some();
+    let mut actions = vec![t.replace, t.save_as];
+    if comparable {
+        actions.insert(0, t.compare);
+    }
+    let (theirs, then) = (changed.theirs.clone(), changed.then.clone());
+    let ctx = ui.ctx().clone();
+    match buttons(ui, t.cancel, &actions, first.then_some(CANCEL)) {
+        Pressed::Action(pressed) if comparable && pressed == 0 => {
+            let theirs = String::from_utf8_lossy(theirs.as_deref().unwrap_or_default()).into_owned();
+            changed.comparison = Some(Comparison::new(&theirs, &file_flow::text_to_save(state)));
+            state.file_flow.dialog = Some(Dialog::Changed(changed));
+        }
+        Pressed::Action(pressed) if pressed + 1 == actions.len() => file_flow::ask(&ctx, state, Purpose::Save(then)),
+        Pressed::Action(_) => {
+            if let Some(path) = state.document.path().cloned() {
+                let agreed = Agreed { theirs: Some(theirs), ..Agreed::default() };
+                file_flow::confirmed(&ctx, state, Purpose::Save(then), &path, agreed);
+            }
+        }
+        Pressed::Cancel => {}
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Changed(changed)),
+    }
+}
+
+/// The lines that differ: those of the file with −, those of the window with +.
+fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
+    let visuals = ui.visuals().clone();
+    ui.label(RichText::new(t.compare_file).monospace().color(visuals.error_fg_color));
+    ui.label(RichText::new(t.compare_mine).monospace().color(visuals.hyperlink_color));
+    ui.add_space(4.0);
+    if comparison.lines.is_empty() {
+        ui.label(t.compare_equal);
+    }
+    let height = (ui.ctx().content_rect().height() - 280.0).max(80.0);
+    let line = ui.text_style_height(&egui::TextStyle::Monospace);
+    ui.spacing_mut().item_spacing.y = 1.0;
+    let area = egui::ScrollArea::both().max_height(height).auto_shrink([false, true]);
+    area.show_rows(ui, line, comparison.lines.len(), |ui, rows| {
+        for (whose, text) in comparison.lines.get(rows).unwrap_or_default() {
+            let (sign, color) = match whose {
+                Whose::Both => (" ", visuals.text_color()),
+                Whose::Theirs => ("−", visuals.error_fg_color),
+                Whose::Mine => ("+", visuals.hyperlink_color),
+                Whose::Gap => ("⋯", visuals.weak_text_color()),
+            };
+            let line = RichText::new(format!("{sign} {text}")).monospace().color(color);
+            ui.add(egui::Label::new(line).extend());
+        }
+    });
+    ui.add_space(10.0);
 }
 
 fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Purpose, mut path: String, first: bool) {

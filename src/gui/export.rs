@@ -119,12 +119,20 @@ pub(super) struct Task {
     export: Export,
     format: PictureFormat,
     path: PathBuf,
+    overwrite: Overwrite,
 }
 
 impl Exporting {
     /// Draws and writes beside the window's thread.
-    pub(super) fn start(ctx: &egui::Context, document: &Document, lang: Lang, export: Export, path: PathBuf) -> Self {
-        Self::with(ctx, document, lang, export, path, || Box::new(Task::run))
+    pub(super) fn start(
+        ctx: &egui::Context,
+        document: &Document,
+        lang: Lang,
+        export: Export,
+        path: PathBuf,
+        overwrite: Overwrite,
+    ) -> Self {
+        Self::with(ctx, document, lang, export, (path, overwrite), || Box::new(Task::run))
     }
 
     /// As [`start`](Self::start), by other means of drawing and writing.
@@ -133,7 +141,7 @@ impl Exporting {
         document: &Document,
         lang: Lang,
         export: Export,
-        path: PathBuf,
+        (path, overwrite): (PathBuf, Overwrite),
         make: fn() -> Work<Task, Result<(), ExportError>>,
     ) -> Self {
         let mut figure = document.figure().clone();
@@ -145,7 +153,17 @@ impl Exporting {
         worker.ask(
             ctx,
             0,
-            Task { figure, source, folder, reach: document.reach(), lang, export, format, path: path.clone() },
+            Task {
+                figure,
+                source,
+                folder,
+                reach: document.reach(),
+                lang,
+                export,
+                format,
+                path: path.clone(),
+                overwrite,
+            },
         );
         Self { path, worker }
     }
@@ -159,7 +177,7 @@ impl Exporting {
 
 impl Task {
     fn run(self) -> Result<(), ExportError> {
-        Ok(files::save(&self.path, &self.bytes()?, Overwrite::Writable)?)
+        Ok(files::save(&self.path, &self.bytes()?, self.overwrite)?)
     }
 
     /// The bytes of the file, with the figure file in it.

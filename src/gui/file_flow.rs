@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! New, Open, a dropped file, Quit ── unsaved? ── ask ──┐
-//! Save, Save as, Export ── which file? ── there already? ── ask ── do it ── then what was wanted
+//! Save, Save as, Export ── which file? ── there already? changed by another program? read-only? ── ask ── do it ── then what was wanted
 //! ```
 
 use std::path::{Path, PathBuf};
@@ -11,12 +11,12 @@ use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
 use super::export::Exporting;
+use super::mesh_paths::{for_folder, named_in_figure};
 use super::native::{FileAnswer, FileQuestion, OpenFileDialog};
-use super::state::{AfterSave, Dialog, MESH_ENDINGS, MeshFor, Purpose, State, Tab};
+use super::state::{AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Purpose, State, Tab, Theirs};
 use crate::export::format::PictureFormat;
-use crate::figure::Figure;
 use crate::figure::update;
-use crate::files::{self, Overwrite};
+use crate::files::{self, Found};
 use crate::foreign;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{messages, scenes};
@@ -56,7 +56,7 @@ pub fn close(ctx: &egui::Context, state: &mut State) {
 /// Saves to the figure's own file; asks for one where there is none.
 pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     match state.document.path().cloned() {
-        Some(path) => write(ctx, state, &path, then),
+        Some(path) => write(ctx, state, &path, then, Agreed::default()),
         None => ask(ctx, state, Purpose::Save(then)),
     }
 }
@@ -124,6 +124,7 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
 
 /// Goes on with the file that was chosen; asks before a file is replaced.
 pub fn chosen(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: PathBuf) {
+    let path = files::whole(&path);
     let path = match &purpose {
         Purpose::Open | Purpose::Mesh(_) => path,
         Purpose::Save(_) => with_ending(path, "toml"),
@@ -135,7 +136,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: Pa
     if !reads && !own && path.exists() {
         state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
-        confirmed(ctx, state, purpose, &path);
+        confirmed(ctx, state, purpose, &path, Agreed::default());
     }
 }
 
@@ -150,14 +151,24 @@ fn with_ending(path: PathBuf, ending: &str) -> PathBuf {
     name.into()
 }
 
-/// Opens or writes the file.
-pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path) {
+/// Opens or writes the file, over what the user has `agreed` to.
+pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: &Path, agreed: Agreed) {
     match purpose {
         Purpose::Open => open(state, path),
-        Purpose::Save(then) => write(ctx, state, path, then),
+        Purpose::Save(then) => write(ctx, state, path, then, agreed),
+        Purpose::Export(_) if !agreed.read_only && files::is_read_only(path) => {
+            state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
+        }
         Purpose::Mesh(which) => mesh(state, which, path),
         Purpose::Export(export) => {
-            let exporting = Exporting::start(ctx, &state.document, state.settings.lang, export, path.to_owned());
+            let exporting = Exporting::start(
+                ctx,
+                &state.document,
+                state.settings.lang,
+                export,
+                path.to_owned(),
+                agreed.overwrite(),
+            );
             state.file_flow.exporting.push(exporting);
             state.say(window::texts(state.settings.lang).exporting);
         }
@@ -177,45 +188,12 @@ fn mesh(state: &mut State, which: MeshFor, path: &Path) {
     }
 }
 
-/// How a figure in this folder names a file: relative to the folder where the file lies in it, with slashes; else by its
-/// whole path.
-fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
-    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    let folder = folder.and_then(|folder| std::path::absolute(folder).ok());
-    match folder.as_deref().and_then(|folder| whole.strip_prefix(folder).ok()) {
-        Some(inside) => {
-            let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
-            parts.join("/")
-        }
-        None => whole.to_string_lossy().into_owned(),
-    }
-}
-
-/// The figure as it is written to `to`: in another folder it names its meshes anew, so that they are the same files.
-fn for_folder(document: &Document, to: &Path) -> Figure {
-    let mut figure = document.figure().clone();
-    let (from, to) = (document.folder(), to.parent());
-    if from == to {
-        return figure;
-    }
-    for object in &mut figure.scene.objects {
-        if let Some(Shape::Mesh { path }) = &mut object.shape {
-            let file = from.unwrap_or(Path::new("")).join(&path);
-            // A foreign figure must not make the system look for another machine.
-            if !files::is_network(&file) && file.exists() {
-                *path = named_in_figure(to, &file);
-            }
-        }
-    }
-    figure
-}
-
 fn open(state: &mut State, path: &Path) {
     let name = foreign::path(path);
     let lang = state.settings.lang;
     match files::open_figure(path) {
         Ok(opened) => {
-            let (figure, file) = opened.at(path.to_owned());
+            let (figure, file) = opened.at(path);
             match Document::new(figure, Some(file)) {
                 Ok(document) => {
                     state.take_over(document);
@@ -228,22 +206,82 @@ fn open(state: &mut State, path: &Path) {
     }
 }
 
-fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>) {
+/// Reads the figure's own file again, and goes on with it.
+pub fn reload(state: &mut State) {
+    if let Some(path) = state.document.path().cloned() {
+        open(state, &path);
+    }
+}
+
+/// Goes on with the window's figure although the file holds another one; that is not asked again for the same content.
+pub fn keep_mine(state: &mut State) {
+    state.file_flow.decided = state.file_flow.theirs.take();
+}
+
+/// Asks what is to become of what another program has written into the figure's file.
+pub fn ask_about(state: &mut State, theirs: Theirs, then: Option<AfterSave>) {
+    state.file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
+}
+
+/// What saving would write.
+#[must_use]
+pub fn text_to_save(state: &State) -> String {
+    let figure =
+        state.document.path().map_or_else(|| state.document.figure().clone(), |path| for_folder(&state.document, path));
+    update(state.document.source(), &figure)
+}
+
+/// What the figure's own file holds instead of what was read from it or saved in it last.
+fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
+    if document.path().is_none_or(|own| own != path) {
+        return None;
+    }
+    match files::look(path, document.source().as_bytes(), None) {
+        Found::Other(theirs) => Some(theirs),
+        Found::Same(_) | Found::Gone => None,
+    }
+}
+
+fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<AfterSave>, agreed: Agreed) {
+    if let Some(theirs) = theirs(&state.document, path).filter(|theirs| agreed.theirs.as_ref() != Some(theirs)) {
+        return ask_about(state, theirs, then);
+    }
+    if !agreed.read_only && files::is_read_only(path) {
+        state.file_flow.dialog = Some(Dialog::ReadOnly(Purpose::Save(then), path.to_owned(), agreed));
+        return;
+    }
     let figure = for_folder(&state.document, path);
     let text = update(state.document.source(), &figure);
     let name = foreign::path(path);
-    match files::save(path, text.as_bytes(), Overwrite::Writable) {
+    match files::save(path, text.as_bytes(), agreed.overwrite()) {
         Ok(()) => {
             if figure.scene != state.document.figure().scene {
                 state.document.edit(|own| own.scene = figure.scene);
             }
             state.document.mark_saved(path.to_owned(), text);
+            state.file_flow.theirs = None;
+            state.file_flow.decided = None;
             state.say(format!("{} {name}", window::texts(state.settings.lang).saved));
             if let Some(then) = then {
                 go_on(ctx, state, then);
             }
         }
         Err(error) => state.say_error(messages::file(state.settings.lang, &name, &error)),
+    }
+}
+
+/// Looks whether another program has changed the figure's file: when the window gets the focus.
+fn watch(ctx: &egui::Context, state: &mut State) {
+    if ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true))) {
+        state.file_flow.watch.begin(ctx, &state.document);
+    }
+    match state.file_flow.watch.take(&state.document) {
+        Some(Found::Other(theirs)) if state.file_flow.decided.as_ref() != Some(&theirs) => {
+            state.file_flow.theirs = Some(theirs);
+        }
+        // As it was: there is nothing to say any more.
+        Some(Found::Same(_)) => (state.file_flow.theirs, state.file_flow.decided) = (None, None),
+        Some(Found::Other(_) | Found::Gone) | None => {}
     }
 }
 
@@ -261,7 +299,8 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
         }
     }
     take_exports(ctx, state);
-    let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
+    watch(ctx, state);
+    let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| files::whole(file.path())));
     if let Some(path) = dropped {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         if MESH_ENDINGS.contains(&ending.as_str()) {
@@ -311,23 +350,23 @@ mod tests {
     use std::sync::Mutex;
 
     use super::*;
+    use crate::files::Overwrite;
     use crate::gui::export::{Export, ExportError, Task};
     use crate::gui::worker::Work;
     use crate::i18n::Lang;
-
-    #[test]
-    fn meshes_are_named_relative_to_their_figure() {
-        let named = |folder: Option<&str>, path: &str| named_in_figure(folder.map(Path::new), Path::new(path));
-        assert_eq!(named(Some("/lecture"), "/lecture/meshes/cow.obj"), "meshes/cow.obj");
-        assert_eq!(named(Some("/lecture"), "/other/cow.obj"), "/other/cow.obj");
-        assert_eq!(named(None, "/other/cow.obj"), "/other/cow.obj");
-    }
 
     /// The window as it is while a picture is being written by `make`, and frames of it.
     fn exporting(make: fn() -> Work<Task, Result<(), ExportError>>) -> (egui::Context, State) {
         let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
         let export = Export::new([[4, 3]; 3], 1.0);
-        let exporting = Exporting::with(&ctx, &state.document, Lang::En, export, PathBuf::from("a.png"), make);
+        let exporting = Exporting::with(
+            &ctx,
+            &state.document,
+            Lang::En,
+            export,
+            (PathBuf::from("a.png"), Overwrite::Writable),
+            make,
+        );
         state.file_flow.exporting.push(exporting);
         (ctx, state)
     }

@@ -11,6 +11,7 @@
 pub mod app;
 pub mod canvas;
 pub mod command;
+pub mod comparison;
 pub mod dialogs;
 pub mod document;
 pub mod export;
@@ -18,6 +19,7 @@ pub mod file_flow;
 mod handle_drag;
 mod highlight;
 pub mod menu;
+mod mesh_paths;
 pub mod native;
 pub mod number_field;
 pub mod panels;
@@ -26,6 +28,7 @@ pub mod scene_cache;
 pub mod session;
 pub mod state;
 pub mod theme;
+mod watch;
 mod worker;
 
 use crate::figure::Figure;

@@ -7,6 +7,7 @@ mod canvas_objects;
 mod commands;
 mod files;
 mod language;
+mod other_programs;
 mod painter;
 mod panels;
 mod pictures;

@@ -31,7 +31,7 @@ fn assert_same_everywhere(view: View, scale: f32, figure: &str) {
     let path = folder.file("figure.toml");
     fs::write(&path, figure).expect("written");
     let opened = open_figure(&path).expect("a figure");
-    let (figure, file) = opened.at(path.clone());
+    let (figure, file) = opened.at(&path);
     let mut state =
         State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false }).expect("a possible camera");
     state.file_flow.native = false;

@@ -37,7 +37,7 @@ impl Window {
     /// A window with a figure file, and only the image in it.
     pub(crate) fn opened(path: &std::path::Path) -> Self {
         let opened = camera_lab::files::open_figure(path).expect("a figure file");
-        let (figure, file) = opened.at(path.to_owned());
+        let (figure, file) = opened.at(path);
         let mut state = State::new(Start { figure, file: Some(file), lang: Lang::En, allow_files: false })
             .expect("a possible camera");
         state.file_flow.native = false;

@@ -1,5 +1,6 @@
 //! The panels at the sides, and the few shapes that all of them are made of.
 
+pub mod changed_file;
 pub mod operations;
 pub mod parameters;
 pub mod scene;

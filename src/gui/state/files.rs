@@ -2,8 +2,11 @@
 
 use std::path::PathBuf;
 
+use crate::files::Overwrite;
+use crate::gui::comparison::Comparison;
 use crate::gui::export::{Export, ExportError, Exporting};
 use crate::gui::native::OpenFileDialog;
+use crate::gui::watch::Watch;
 
 /// What is to be done once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,6 +46,37 @@ pub enum MeshFor {
 /// The endings of mesh files.
 pub const MESH_ENDINGS: &[&str] = &["obj", "gltf", "glb"];
 
+/// What another program has written into the figure's file; `None`: what cannot be read.
+pub type Theirs = Option<Vec<u8>>;
+
+/// What the user has agreed to write over.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Agreed {
+    /// This, which another program has written into the figure's file.
+    pub theirs: Option<Theirs>,
+    /// A read-only file.
+    pub read_only: bool,
+}
+
+impl Agreed {
+    /// What saving may replace.
+    #[must_use]
+    pub fn overwrite(&self) -> Overwrite {
+        if self.read_only { Overwrite::ReadOnlyToo } else { Overwrite::Writable }
+    }
+}
+
+/// The figure's file holds something else than what was read from it or saved in it: what then?
+#[derive(Clone, Debug, PartialEq)]
+pub struct Changed {
+    /// What it holds.
+    pub theirs: Theirs,
+    /// What was to come after saving.
+    pub then: Option<AfterSave>,
+    /// The lines that differ, once they are wanted.
+    pub comparison: Option<Comparison>,
+}
+
 /// What is asked in the window.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
@@ -52,6 +86,10 @@ pub enum Dialog {
     Path(Purpose, String),
     /// The file is there already: replace it?
     Overwrite(Purpose, PathBuf),
+    /// Another program has changed the figure's file: write over it?
+    Changed(Changed),
+    /// The file is read-only: replace it all the same?
+    ReadOnly(Purpose, PathBuf, Agreed),
     /// What to export.
     Export(Export),
     /// Pictures are still being written: the window closes when they are there.
@@ -69,6 +107,11 @@ pub struct FileFlow {
     pub native: bool,
     /// True from the moment when the window may close.
     pub may_close: bool,
+    /// What another program has written into the figure's file, as long as that has to be said.
+    pub theirs: Option<Theirs>,
+    /// What has been said about the file, and is not said again.
+    pub(in crate::gui) decided: Option<Theirs>,
+    pub(in crate::gui) watch: Watch,
     pub(in crate::gui) asking: Option<(Purpose, OpenFileDialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
 }

@@ -12,7 +12,7 @@ use crate::files::{SourceFile, figure_from};
 use crate::foreign;
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Probe};
-pub use files::{AfterSave, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose};
+pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::rounded;
 pub use layout::{Arrangement, Layout, ObserverChange, Panels, Side, Tab};
 pub use operations::Operations;
@@ -166,6 +166,8 @@ impl State {
         self.settings.aspect_follows_image =
             document.draft().aspect == f64::from(image.width) / f64::from(image.height);
         self.document = document;
+        self.file_flow.theirs = None;
+        self.file_flow.decided = None;
         self.scene_cache.expect_another();
         self.tree = SceneTree::default();
         self.probe = None;

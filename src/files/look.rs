@@ -1,0 +1,74 @@
+//! Whether a file still holds what was read from it or saved in it.
+
+use std::fs;
+use std::path::Path;
+use std::time::SystemTime;
+
+use super::read_file;
+use crate::limits::MAX_FIGURE_BYTES;
+
+/// Time and size of a file: while they stay, it is taken to be unchanged without being read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stamp {
+    modified: Option<SystemTime>,
+    size: u64,
+}
+
+/// What there is where `known` was read or saved.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// The same bytes.
+    Same(Stamp),
+    /// These bytes; `None` where they cannot be read, or are more than any figure file has.
+    Other(Option<Vec<u8>>),
+    /// Nothing.
+    Gone,
+}
+
+/// Looks at a file that held `known`. Where its time and size are still `stamp`, it is not read.
+#[must_use]
+pub fn look(path: &Path, known: &[u8], stamp: Option<Stamp>) -> Found {
+    let Ok(meta) = fs::metadata(path) else { return Found::Gone };
+    // Taken before the bytes are read: what is written after that has another one.
+    let now = Stamp { modified: meta.modified().ok(), size: meta.len() };
+    if stamp == Some(now) && now.modified.is_some() {
+        return Found::Same(now);
+    }
+    if now.size > MAX_FIGURE_BYTES as u64 {
+        return Found::Other(None);
+    }
+    match read_file(path) {
+        Ok(bytes) if bytes == known => Found::Same(now),
+        Ok(bytes) => Found::Other(Some(bytes)),
+        Err(_) => Found::Other(None),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::files::testing::Directory;
+
+    #[test]
+    fn what_another_program_wrote_is_found_and_what_it_only_touched_is_not() {
+        let directory = Directory::new("look");
+        let path = directory.path().join("a.toml");
+        assert_eq!(look(&path, b"mine", None), Found::Gone);
+        fs::write(&path, "mine").unwrap();
+        let Found::Same(stamp) = look(&path, b"mine", None) else { panic!("the same") };
+        assert_eq!(look(&path, b"mine", Some(stamp)), Found::Same(stamp));
+        let file = fs::File::options().write(true).open(&path).unwrap();
+        file.set_modified(SystemTime::UNIX_EPOCH).unwrap();
+        assert!(matches!(look(&path, b"mine", Some(stamp)), Found::Same(touched) if touched != stamp));
+        fs::write(&path, "theirs").unwrap();
+        assert_eq!(look(&path, b"mine", Some(stamp)), Found::Other(Some(b"theirs".to_vec())));
+        // Of the same size: it is the content that counts.
+        fs::write(&path, "ours").unwrap();
+        assert_eq!(look(&path, b"mine", None), Found::Other(Some(b"ours".to_vec())));
+        file.set_len(MAX_FIGURE_BYTES as u64 + 1).unwrap();
+        assert_eq!(look(&path, b"mine", Some(stamp)), Found::Other(None));
+        assert_eq!(look(directory.path(), b"mine", None), Found::Other(None));
+    }
+}

@@ -1,0 +1,98 @@
+//! The lines in which two texts differ.
+
+use std::time::Duration;
+
+use similar::{ChangeTag, TextDiff};
+
+use crate::foreign;
+use crate::limits::MAX_COMPARED_LINES;
+
+/// Equal lines that are shown around those that differ.
+const AROUND: usize = 2;
+
+/// For texts with little in common a rough comparison does: the window waits for it.
+const PATIENCE: Duration = Duration::from_millis(300);
+
+/// Whose line it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whose {
+    /// In both texts.
+    Both,
+    /// In the file alone.
+    Theirs,
+    /// In the window alone.
+    Mine,
+    /// None: equal lines are left out here, or too many lines follow.
+    Gap,
+}
+
+/// The lines in which a file and the window differ, with a few around them, in order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Comparison {
+    /// Each line without its end.
+    pub lines: Vec<(Whose, String)>,
+}
+
+impl Comparison {
+    /// Compares the text of the file with the one that saving would write.
+    #[must_use]
+    pub fn new(theirs: &str, mine: &str) -> Self {
+        let difference = TextDiff::configure().timeout(PATIENCE).diff_lines(theirs, mine);
+        let mut lines = Vec::new();
+        for (number, group) in difference.grouped_ops(AROUND).iter().enumerate() {
+            if number > 0 {
+                lines.push((Whose::Gap, String::new()));
+            }
+            for change in group.iter().flat_map(|operation| difference.iter_changes(operation)) {
+                if lines.len() >= MAX_COMPARED_LINES {
+                    lines.push((Whose::Gap, String::new()));
+                    return Self { lines };
+                }
+                let whose = match change.tag() {
+                    ChangeTag::Equal => Whose::Both,
+                    ChangeTag::Delete => Whose::Theirs,
+                    ChangeTag::Insert => Whose::Mine,
+                };
+                lines.push((whose, shown(change.value())));
+            }
+        }
+        Self { lines }
+    }
+}
+
+/// A line as it is shown: without its end.
+fn shown(line: &str) -> String {
+    foreign::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_differ_are_told_apart_with_a_few_around_them() {
+        let theirs = "a\nb\nc\nd\nnear = 1\ne\nf\ng\nh\ni\nj\nk\n";
+        let mine = "a\nb\nc\nd\nnear = 2\ne\nf\ng\nh\ni\nj\nk\nl\n";
+        let lines = Comparison::new(theirs, mine).lines;
+        let signs: Vec<String> = lines
+            .iter()
+            .map(|(whose, line)| match whose {
+                Whose::Both => format!("={line}"),
+                Whose::Theirs => format!("-{line}"),
+                Whose::Mine => format!("+{line}"),
+                Whose::Gap => "…".to_owned(),
+            })
+            .collect();
+        assert_eq!(signs, ["=c", "=d", "-near = 1", "+near = 2", "=e", "=f", "…", "=j", "=k", "+l"]);
+        assert!(Comparison::new(mine, mine).lines.is_empty());
+    }
+
+    #[test]
+    fn long_and_strange_texts_are_bounded() {
+        let many: String = (0..100_000).map(|i| format!("{i}\n")).collect();
+        let lines = Comparison::new(&many, "x\n").lines;
+        assert_eq!(lines.len(), MAX_COMPARED_LINES + 1);
+        let lines = Comparison::new("a\u{1b}[31m\tb\r\n", "").lines;
+        assert_eq!(lines, [(Whose::Theirs, r"a\u{1b}[31m    b".to_owned())]);
+    }
+}

@@ -1,0 +1,62 @@
+//! Looks beside the window's thread whether another program has changed the figure's file.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::document::Document;
+use super::worker::Worker;
+use crate::clock;
+use crate::files::{Found, Stamp, look};
+
+/// What is looked at.
+struct Look {
+    path: PathBuf,
+    source: String,
+    stamp: Option<Stamp>,
+}
+
+/// Looks at the figure's file whenever it is asked to.
+#[derive(Debug)]
+pub(in crate::gui) struct Watch {
+    worker: Worker<Look, (PathBuf, String, Found)>,
+    /// The file as it was when it last held what the window had read or saved.
+    same: Option<(PathBuf, String, Stamp)>,
+}
+
+impl Default for Watch {
+    fn default() -> Self {
+        let worker = Worker::new("watch", clock::now, || {
+            Box::new(|Look { path, source, stamp }| {
+                let found = look(&path, source.as_bytes(), stamp);
+                (path, source, found)
+            })
+        });
+        Self { worker, same: None }
+    }
+}
+
+impl Watch {
+    /// Looks at the file of the document, if it has one; `ctx` is woken when that is done.
+    pub(in crate::gui) fn begin(&mut self, ctx: &egui::Context, document: &Document) {
+        let Some(path) = document.path().cloned() else { return };
+        let source = document.source().to_owned();
+        let same = self.same.as_ref().filter(|(was, text, _)| *was == path && *text == source);
+        let stamp = same.map(|(_, _, stamp)| *stamp);
+        self.worker.ask(ctx, 0, Look { path, source, stamp });
+    }
+
+    /// What was found, once, where the document is still what it was when one looked.
+    pub(in crate::gui) fn take(&mut self, document: &Document) -> Option<Found> {
+        let [done] = self.worker.take(Duration::ZERO);
+        let (path, source, found) = done?.outcome?;
+        if document.path() != Some(&path) || document.source() != source {
+            return None;
+        }
+        if let Found::Same(stamp) = found {
+            self.same = Some((path, source, stamp));
+        }
+        Some(found)
+    }
+}

@@ -1,0 +1,220 @@
+//! Files that another program, or another window, changes in between; files that may not be written.
+
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use camera_lab::files;
+use camera_lab::gui::state::Dialog;
+use camera_lab::i18n::Lang;
+use eframe::egui::{Event, Key, Modifiers};
+
+use super::files::Folder;
+use super::window::Window;
+
+const MINE: &str = "# Mine.\n[camera]\nfar = 50.0\n\n[scene]\npreset = \"empty\"\n";
+const THEIRS: &str = "# Theirs.\n[camera]\nfar = 61.0\n\n[scene]\npreset = \"empty\"\n";
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).expect("there")
+}
+
+impl Window {
+    /// The window gets the focus, and frames follow until `done`.
+    fn focus(&mut self, done: impl Fn(&Self) -> bool) {
+        self.harness.event(Event::WindowFocused(true));
+        self.wait(done);
+    }
+
+    /// Frames until `done`.
+    pub(crate) fn wait(&mut self, done: impl Fn(&Self) -> bool) {
+        let since = Instant::now();
+        self.run();
+        while !done(self) {
+            assert!(since.elapsed() < Duration::from_secs(60), "{:?}", self.state().message);
+            std::thread::sleep(Duration::from_millis(10));
+            self.run();
+        }
+    }
+
+    fn is_asked_about_the_file(&self) -> bool {
+        matches!(self.state().file_flow.dialog, Some(Dialog::Changed(_)))
+    }
+}
+
+#[test]
+fn what_another_program_wrote_is_replaced_only_after_a_question() {
+    let folder = Folder::new("changed-file");
+    let path = folder.file("a.toml");
+    fs::write(&path, MINE).expect("written");
+    let mut window = Window::opened(&path);
+    window.enter("B", "75");
+    fs::write(&path, THEIRS).expect("written");
+    window.command_key(Key::S);
+    assert!(window.is_asked_about_the_file());
+    assert_eq!(read(&path), THEIRS);
+    window.click("Compare…");
+    assert!(window.says("− # Theirs.") && window.says("− far = 61.0"));
+    assert!(window.says("+ # Mine.") && window.says("+ far = 75.0"));
+    window.click("Cancel");
+    assert_eq!(read(&path), THEIRS);
+    assert!(window.state().document.is_changed());
+
+    // What was not there when one was asked is asked about again.
+    window.command_key(Key::S);
+    fs::write(&path, "# Again.\n").expect("written");
+    window.click("Replace");
+    assert!(window.is_asked_about_the_file());
+    assert_eq!(read(&path), "# Again.\n");
+    window.click("Replace");
+    assert!(read(&path).contains("far = 75.0") && read(&path).contains("# Mine."));
+    assert!(!window.state().document.is_changed());
+    window.enter("B", "76");
+    window.command_key(Key::S);
+    assert!(window.state().file_flow.dialog.is_none());
+    assert!(read(&path).contains("far = 76.0"));
+}
+
+#[test]
+fn a_changed_file_can_be_saved_beside_before_closing() {
+    let folder = Folder::new("changed-beside");
+    let path = folder.file("a.toml");
+    fs::write(&path, MINE).expect("written");
+    let mut window = Window::opened(&path);
+    window.enter("B", "75");
+    fs::write(&path, THEIRS).expect("written");
+    window.command_key(Key::Q);
+    window.click("Save");
+    assert!(window.is_asked_about_the_file() && !window.state().file_flow.may_close);
+    window.click("Save as…");
+    window.choose(&folder.file("b.toml"));
+    assert_eq!(read(&path), THEIRS);
+    assert!(read(&folder.file("b.toml")).contains("far = 75.0"));
+    assert!(window.state().file_flow.may_close);
+}
+
+#[test]
+fn a_window_that_gets_the_focus_offers_to_reload_once() {
+    let folder = Folder::new("reload");
+    let path = folder.file("a.toml");
+    fs::write(&path, MINE).expect("written");
+    for lang in [Lang::En, Lang::PtBr] {
+        fs::write(&path, MINE).expect("written");
+        let mut window = Window::opened(&path);
+        window.app_mut().state.settings.lang = lang;
+        let [says, reload, keep] = match lang {
+            Lang::En => ["was changed by another program.", "Reload", "Keep mine"],
+            Lang::PtBr => ["foi alterado por outro programa.", "Recarregar", "Manter o meu"],
+        };
+        fs::write(&path, THEIRS).expect("written");
+        window.focus(|window| window.state().file_flow.theirs.is_some());
+        assert!(window.says(says));
+        window.click(keep);
+        assert!(!window.says(says));
+        assert_eq!(window.state().document.figure().camera.far, 50.0);
+        // The same content is not told twice; another one is.
+        window.harness.event(Event::WindowFocused(true));
+        for _ in 0..10 {
+            std::thread::sleep(Duration::from_millis(10));
+            window.run();
+        }
+        assert!(!window.says(says));
+        fs::write(&path, THEIRS.replace("61", "62")).expect("written");
+        window.focus(|window| window.state().file_flow.theirs.is_some());
+        window.click(reload);
+        assert_eq!(window.state().document.figure().camera.far, 62.0);
+        assert!(!window.says(says) && !window.state().document.is_changed());
+        // As it was read: nothing is said.
+        let touched = fs::File::options().write(true).open(&path).expect("there");
+        touched.set_modified(std::time::SystemTime::UNIX_EPOCH).expect("possible");
+        window.harness.event(Event::WindowFocused(true));
+        for _ in 0..10 {
+            std::thread::sleep(Duration::from_millis(10));
+            window.run();
+        }
+        assert!(!window.says(says));
+    }
+}
+
+#[test]
+fn a_window_with_changes_says_that_the_file_was_changed_too() {
+    let folder = Folder::new("both-changed");
+    let path = folder.file("a.toml");
+    fs::write(&path, MINE).expect("written");
+    let mut window = Window::opened(&path);
+    window.enter("B", "75");
+    fs::write(&path, THEIRS).expect("written");
+    window.focus(|window| window.state().file_flow.theirs.is_some());
+    assert!(window.says("this window has changes too. Saving asks first."));
+    assert!(!window.says("Reload"));
+    window.click("Compare…");
+    assert!(window.is_asked_about_the_file());
+    window.key(Key::Escape);
+    // The other program takes its change back.
+    fs::write(&path, MINE).expect("written");
+    window.focus(|window| window.state().file_flow.theirs.is_none());
+    window.command_key(Key::S);
+    assert!(read(&path).contains("far = 75.0"));
+}
+
+#[test]
+fn two_windows_on_one_file_do_not_write_over_each_other() {
+    let folder = Folder::new("two-windows");
+    let path = folder.file("a.toml");
+    fs::write(&path, MINE).expect("written");
+    let (mut one, mut other) = (Window::opened(&path), Window::opened(&path));
+    one.enter("B", "75");
+    other.enter("F", "0.5");
+    one.command_key(Key::S);
+    other.command_key(Key::S);
+    assert!(other.is_asked_about_the_file());
+    assert!(read(&path).contains("far = 75.0") && !read(&path).contains("0.5"));
+    other.click("Replace");
+    assert!(read(&path).contains("near = 0.5"));
+    one.focus(|one| one.state().file_flow.theirs.is_some());
+    one.click("Reload");
+    assert_eq!(one.state().document.figure().camera.near, 0.5);
+}
+
+#[test]
+fn a_read_only_file_is_asked_about() {
+    let folder = Folder::new("read-only");
+    let path = folder.file("a.toml");
+    fs::write(&path, MINE).expect("written");
+    let mut permissions = fs::metadata(&path).expect("there").permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&path, permissions).expect("possible");
+    let mut window = Window::opened(&path);
+    window.enter("B", "75");
+    window.command_key(Key::S);
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::ReadOnly(..))));
+    window.click("Cancel");
+    assert_eq!(read(&path), MINE);
+    // Two reasons to ask are two questions.
+    window.command_key(Key::S);
+    window.click("Save as…");
+    window.choose(&folder.file("b.toml"));
+    assert!(read(&folder.file("b.toml")).contains("far = 75.0"));
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run();
+    window.choose(&path);
+    window.click("Replace");
+    assert_eq!(read(&path), MINE);
+    assert!(window.says("The file is read-only"));
+    window.click("Replace");
+    assert!(read(&path).contains("far = 75.0"));
+    assert!(fs::metadata(&path).expect("there").permissions().readonly());
+}
+
+#[test]
+fn paths_are_whole_from_the_moment_they_are_taken() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::O);
+    window.choose(Path::new("tests/figures/documented.toml"));
+    let path = window.state().document.path().expect("a file").clone();
+    assert_eq!(path, Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/figures/documented.toml"));
+    let (_, file) = files::open_figure(&path).expect("a figure").at(Path::new("tests/figures/documented.toml"));
+    assert_eq!(file.path, path);
+    let folder = window.state().document.folder().expect("a folder").to_owned();
+    assert!(folder.is_absolute());
+}
