@@ -41,11 +41,18 @@ pub const MAX_ZEROS: usize = 1 << 20;
 /// would need more of the stack.
 pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
 
-/// The most undo steps that are kept: more than anybody goes back; a snapshot is a few kilobytes.
+/// The most undo steps that are kept: more than anybody goes back.
 pub const MAX_UNDO_STEPS: usize = 500;
+
+/// The most bytes of scenes that undo keeps besides the one that is shown: several steps of the largest figures, all steps of
+/// usual ones. One step is kept however large it is.
+pub const MAX_UNDO_BYTES: usize = 64 << 20;
 
 /// The longest list of points that the panel shows as fields; longer ones are edited in the file.
 pub const MAX_POINTS_IN_PANEL: usize = 48;
 
 /// The most lines that are shown where two texts are compared: more than anybody reads.
 pub const MAX_COMPARED_LINES: usize = 2000;
+
+/// The most windows that are written down, those that did not close included: more than anybody opens at once.
+pub const MAX_SESSIONS: usize = 16;

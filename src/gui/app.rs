@@ -6,15 +6,18 @@ use eframe::egui::{self, ViewportCommand};
 
 use super::canvas::Canvas;
 use super::command::Command;
+use super::document::Document;
 use super::export::Export;
 use super::file_flow;
-use super::session::Session;
+use super::panels::recovery::Decision;
+use super::session::{News, Sessions};
 use super::state::{AfterSave, Dialog, Purpose, Side, State};
 use super::{dialogs, menu, panels, theme};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::Lang;
-use crate::i18n::window;
+use crate::i18n::{messages, sessions, window};
+use crate::limits::MAX_SESSIONS;
 
 /// The window's program.
 pub struct App {
@@ -22,7 +25,7 @@ pub struct App {
     pub state: State,
     /// The pictures.
     pub canvas: Canvas,
-    session: Option<Session>,
+    sessions: Option<Sessions>,
     title: String,
 }
 
@@ -38,18 +41,73 @@ impl App {
     pub fn new(ctx: &egui::Context, state: State) -> Self {
         theme::install_fonts(ctx);
         theme::install_style(ctx);
-        let app = Self { state, canvas: Canvas::default(), session: None, title: String::new() };
+        let app = Self { state, canvas: Canvas::default(), sessions: None, title: String::new() };
         app.apply_settings(ctx);
         app
     }
 
     /// Writes the session down in `folder` from now on. With `restore`, takes up what a window left that did not close.
     pub fn keep_session(&mut self, folder: &Path, restore: bool) {
-        let Some((session, left)) = Session::begin(folder, restore) else { return };
-        self.session = Some(session);
+        let (sessions, left) = Sessions::begin(folder, restore);
+        self.sessions = Some(sessions);
+        self.go_on_with(left);
+        self.tell_news();
+    }
+
+    /// Goes on with what a window has left.
+    fn go_on_with(&mut self, left: Option<Document>) {
         if let Some(document) = left {
             self.state.take_over(document);
-            self.state.say(window::texts(self.state.settings.lang).restored);
+            // Another program may have gone on with the file.
+            self.state.file_flow.look = true;
+        }
+    }
+
+    /// The list of what windows have left, and what is decided about it.
+    fn recovery(&mut self, ui: &mut egui::Ui) {
+        let Some(sessions) = &mut self.sessions else { return };
+        let decision = panels::recovery::list(ui, self.state.settings.lang, sessions.left());
+        match decision {
+            Some(Decision::Restore(slot)) => file_flow::begin(ui.ctx(), &mut self.state, AfterSave::Restore(slot)),
+            Some(Decision::Discard(slot)) => sessions.discard(slot),
+            None => {}
+        }
+        if let Some(slot) = self.state.file_flow.restore.take() {
+            let left = sessions.restore(slot);
+            self.go_on_with(left);
+        }
+        self.tell_news();
+    }
+
+    /// Says what there is to say about sessions, each in a line.
+    fn tell_news(&mut self) {
+        let news = self.sessions.as_mut().map(Sessions::news).unwrap_or_default();
+        let lang = self.state.settings.lang;
+        let t = window::texts(lang);
+        let lines: Vec<String> = news
+            .iter()
+            .map(|news| match news {
+                News::Restored => t.restored.to_owned(),
+                News::RestoredInPart(keys, path) => {
+                    let keys: Vec<String> = keys.iter().map(|key| foreign::shown(key)).collect();
+                    sessions::in_part(lang, &foreign::within(&keys.join(", "), 200), &foreign::path(path))
+                }
+                News::Damaged(path) => sessions::damaged(lang, &foreign::path(path)),
+                News::Unreadable(path, error) => messages::file(lang, &foreign::path(path), error),
+                News::Taken => t.taken.to_owned(),
+                News::NotWritten(path, error) => {
+                    sessions::not_written(lang, &messages::file(lang, &foreign::path(path), error))
+                }
+                News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
+            })
+            .collect();
+        if lines.is_empty() {
+            return;
+        }
+        if matches!(news[..], [News::Restored]) {
+            self.state.say(lines.concat());
+        } else {
+            self.state.say_error(lines.join("\n"));
         }
     }
 
@@ -65,6 +123,7 @@ impl App {
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         let sides = *self.state.settings.panels();
         let bar = egui::Panel::top("menu").show(ui, |ui| menu::bar(ui, &self.state)).inner;
+        self.recovery(ui);
         panels::changed_file::bar(ui, &mut self.state);
         panels::status::error(ui, &mut self.state);
         if sides.is_shown(Side::Left) {
@@ -91,8 +150,8 @@ impl App {
         self.update_title(&ctx);
         if ctx.input(|i| !i.pointer.any_down() && i.keys_down.is_empty()) {
             self.state.document.commit();
-            if let Some(session) = &mut self.session {
-                session.keep(&self.state.document);
+            if let Some(sessions) = &mut self.sessions {
+                sessions.keep(&ctx, &self.state.document);
             }
         }
     }
@@ -240,8 +299,8 @@ impl eframe::App for App {
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         // Whoever closes the window has saved, or does not want to.
-        if let Some(session) = &mut self.session {
-            session.forget();
+        if let Some(sessions) = &mut self.sessions {
+            sessions.forget();
         }
     }
 }

@@ -2,19 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use super::history::{History, Moment};
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
 use crate::figure::{Figure, Observers};
 use crate::files::{Reach, SourceFile};
-use crate::limits::MAX_UNDO_STEPS;
-
-/// What one undo step brings back.
-#[derive(Clone, Debug, PartialEq)]
-struct Snapshot {
-    figure: Figure,
-    /// With what it knows beyond the `f64`s of its parameters.
-    camera: Camera,
-    draft: Parameters,
-}
 
 /// The figure that is being edited.
 #[derive(Clone, Debug)]
@@ -29,9 +20,7 @@ pub struct Document {
     source: String,
     saved: Figure,
     opened: Parameters,
-    committed: Snapshot,
-    past: Vec<Snapshot>,
-    future: Vec<Snapshot>,
+    history: History,
 }
 
 impl Document {
@@ -50,7 +39,8 @@ impl Document {
             None => (None, String::new()),
         };
         Ok(Self {
-            camera: camera.clone(),
+            history: History::new(&figure, &camera),
+            camera,
             draft: figure.camera,
             problem: None,
             path,
@@ -59,13 +49,6 @@ impl Document {
             source,
             saved: figure.clone(),
             opened: figure.camera,
-            committed: Snapshot {
-                draft: figure.camera,
-                camera,
-                figure: Figure { observers: Observers::default(), ..figure.clone() },
-            },
-            past: Vec::new(),
-            future: Vec::new(),
             figure,
         })
     }
@@ -123,63 +106,42 @@ impl Document {
         &mut self.figure.observers
     }
 
-    fn snapshot(&self) -> Snapshot {
-        let mut figure = self.figure.clone();
-        figure.observers = Observers::default();
-        Snapshot { figure, camera: self.camera.clone(), draft: self.draft }
-    }
-
-    fn restore(&mut self, snapshot: &Snapshot) {
-        let observers = self.figure.observers;
-        self.figure = snapshot.figure.clone();
-        self.figure.observers = observers;
-        self.camera = snapshot.camera.clone();
-        self.draft = snapshot.draft;
+    fn restore(&mut self, moment: Option<Moment>) {
+        let Some(Moment { figure, camera, draft }) = moment else { return };
+        (self.figure, self.camera, self.draft) = (figure, camera, draft);
         self.problem = Camera::new(&self.draft).err();
     }
 
     /// Makes an undo step of what has changed since the last one. Call it when no pointer or key is held, so that a drag is
     /// one step.
     pub fn commit(&mut self) {
-        let now = self.snapshot();
-        if now == self.committed {
-            return;
-        }
-        self.past.push(std::mem::replace(&mut self.committed, now));
-        if self.past.len() > MAX_UNDO_STEPS {
-            self.past.remove(0);
-        }
-        self.future.clear();
+        self.history.commit(&self.figure, &self.camera, &self.draft);
     }
 
     /// True where there is something to undo.
     #[must_use]
     pub fn can_undo(&self) -> bool {
-        !self.past.is_empty()
+        self.history.can_undo()
     }
 
     /// True where there is something to redo.
     #[must_use]
     pub fn can_redo(&self) -> bool {
-        !self.future.is_empty()
+        self.history.can_redo()
     }
 
     /// Goes one step back.
     pub fn undo(&mut self) {
         self.commit();
-        if let Some(earlier) = self.past.pop() {
-            self.restore(&earlier);
-            self.future.push(std::mem::replace(&mut self.committed, earlier));
-        }
+        let moment = self.history.undo(self.figure.observers);
+        self.restore(moment);
     }
 
     /// Goes one step forward.
     pub fn redo(&mut self) {
         self.commit();
-        if let Some(later) = self.future.pop() {
-            self.restore(&later);
-            self.past.push(std::mem::replace(&mut self.committed, later));
-        }
+        let moment = self.history.redo(self.figure.observers);
+        self.restore(moment);
     }
 
     /// Takes another figure over, as one undo step.
@@ -288,11 +250,20 @@ impl Document {
         self.saved = self.figure.clone();
     }
 
+    /// Leaves the file alone from now on: saving asks for one.
+    pub fn forget_file(&mut self) {
+        self.path = None;
+    }
+
     /// True where closing would lose something. From where the pictures are seen does not count.
     #[must_use]
     pub fn is_changed(&self) -> bool {
-        let saved = Figure { observers: self.figure.observers, ..self.saved.clone() };
-        self.figure != saved || self.draft != self.saved.camera
+        let Figure { camera, image, viewport, scene, style, reveal, observers: _ } = &self.figure;
+        let saved = &self.saved;
+        (camera, image, viewport) != (&saved.camera, &saved.image, &saved.viewport)
+            || (style, reveal) != (&saved.style, &saved.reveal)
+            || *scene != saved.scene
+            || self.draft != saved.camera
     }
 }
 

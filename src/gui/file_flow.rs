@@ -42,6 +42,7 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         }
         AfterSave::Open => ask(ctx, state, Purpose::Open),
         AfterSave::OpenPath(path) => open(state, &path),
+        AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
         AfterSave::Quit if !state.file_flow.exporting.is_empty() => state.file_flow.dialog = Some(Dialog::Closing),
         AfterSave::Quit => close(ctx, state),
     }
@@ -270,9 +271,10 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
     }
 }
 
-/// Looks whether another program has changed the figure's file: when the window gets the focus.
+/// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was restored.
 fn watch(ctx: &egui::Context, state: &mut State) {
-    if ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true))) {
+    let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
+    if std::mem::take(&mut state.file_flow.look) || focused {
         state.file_flow.watch.begin(ctx, &state.document);
     }
     match state.file_flow.watch.take(&state.document) {

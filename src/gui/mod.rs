@@ -18,6 +18,7 @@ pub mod export;
 pub mod file_flow;
 mod handle_drag;
 mod highlight;
+mod history;
 pub mod menu;
 mod mesh_paths;
 pub mod native;

@@ -47,6 +47,7 @@ pub mod pipeline;
 pub mod reasons;
 mod scene_errors;
 pub mod scenes;
+pub mod sessions;
 mod unreadable;
 pub mod window;
 mod wording;

@@ -226,6 +226,13 @@ texts! {
     saved: "Saved:", "Salvo:";
     exporting: "Drawing the picture…", "Desenhando a imagem…";
     restored: "The last session is back: it had not been saved.", "A última sessão voltou: ela não tinha sido salva.";
+    recovery_title: "Windows that did not close have left changes that were not saved:", "Janelas que não fecharam deixaram mudanças que não foram salvas:";
+    restore: "Restore", "Restaurar";
+    restore_hint: "Goes on with it in this window", "Continua com isso nesta janela";
+    discard: "Discard", "Descartar";
+    discard_hint: "Deletes it", "Apaga isso";
+    did_not_survive: "the program ended while it was being restored", "o programa terminou enquanto isso era restaurado";
+    taken: "Another window has taken it up already.", "Outra janela já a retomou.";
     copied: "Copied.", "Copiado.";
     closing_title: "A picture is still being written", "Uma imagem ainda está sendo gravada";
     closing_text: "The window closes when it is there.", "A janela fecha quando ela estiver pronta.";

@@ -15,7 +15,7 @@ use egui_kittest::kittest::Queryable;
 use super::window::Window;
 
 /// A folder that is there for one test.
-pub(crate) struct Folder(PathBuf);
+pub(crate) struct Folder(pub(crate) PathBuf);
 
 impl Folder {
     pub(crate) fn new(name: &str) -> Self {
@@ -229,21 +229,6 @@ fn a_picture_is_never_replaced_by_text_whatever_its_name_says() {
     window.enter("F", "0.75");
     window.command_key(Key::S);
     assert_eq!(files::open_figure(&path).expect("a figure").figure.camera.near, 0.75);
-}
-
-#[test]
-fn a_crashed_session_is_back_at_the_next_start() {
-    let folder = Folder::new("session");
-    let mut window = Window::new(Lang::En);
-    window.app_mut().keep_session(&folder.0, true);
-    window.enter("C x", "1.25");
-    drop(window);
-    let mut window = Window::new(Lang::En);
-    window.app_mut().keep_session(&folder.0, true);
-    window.run();
-    assert_eq!(window.state().document.draft().position.x, 1.25);
-    assert!(window.says("The last session is back"));
-    assert!(window.state().document.is_changed());
 }
 
 #[test]

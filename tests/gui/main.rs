@@ -14,5 +14,6 @@ mod pictures;
 mod reveal;
 mod same_pixels;
 mod scene;
+mod sessions;
 mod strip;
 mod window;

@@ -45,6 +45,34 @@ pub fn parse_bytes(bytes: &[u8]) -> Result<Figure, FigureError> {
 /// [`FigureError`] names the first line that is at fault: the line, the key, what was found and what is allowed.
 pub fn parse(text: &str) -> Result<Figure, FigureError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (figure, faults) = figure_and_faults(text)?;
+    match first_of(text, faults) {
+        Some(error) => Err(error),
+        None => Ok(figure),
+    }
+}
+
+/// As [`parse`], but keys that are not known, which a later version may have written, are passed over; they are given back.
+///
+/// # Errors
+/// As for [`parse`].
+pub fn parse_known(text: &str) -> Result<(Figure, Vec<String>), FigureError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (figure, faults) = figure_and_faults(text)?;
+    let (unknown, faults): (Vec<_>, Vec<_>) = faults.into_iter().partition(Fault::is_unknown_key);
+    match first_of(text, faults) {
+        Some(error) => Err(error),
+        None => Ok((figure, unknown.into_iter().map(|fault| fault.key).collect())),
+    }
+}
+
+fn first_of(text: &str, faults: Vec<Fault>) -> Option<FigureError> {
+    let Fault { at, key, problem } = faults.into_iter().min_by_key(|fault| fault.at)?;
+    Some(FigureError { line: line_of(text, at), key, problem })
+}
+
+/// The figure of a text that is TOML, and all faults; where there is one, the figure has a default there.
+fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
     let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
     let mut root = Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0);
     // Asked for in the order of the documentation, in which a message lists them.
@@ -63,10 +91,7 @@ pub fn parse(text: &str) -> Result<Figure, FigureError> {
         reveal: reveal(reveal_section, &mut faults),
         observers: observers(observers_section, &mut faults),
     };
-    match faults.into_iter().min_by_key(|fault| fault.at) {
-        Some(Fault { at, key, problem }) => Err(FigureError { line: line_of(text, at), key, problem }),
-        None => Ok(figure),
-    }
+    Ok((figure, faults))
 }
 
 fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {
@@ -108,7 +133,7 @@ fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindo
     };
     let window = ViewWindow { left: side("left"), right: side("right"), bottom: side("bottom"), top: side("top") };
     let found = section.finish();
-    let good = found.is_empty();
+    let good = found.iter().all(Fault::is_unknown_key);
     faults.extend(found);
     good.then_some(window)
 }

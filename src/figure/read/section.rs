@@ -18,6 +18,12 @@ pub(super) struct Fault {
     pub(super) problem: Problem,
 }
 
+impl Fault {
+    pub(super) fn is_unknown_key(&self) -> bool {
+        matches!(self.problem, Problem::UnknownKey { .. })
+    }
+}
+
 /// A section that is there, or one of which every key has its default.
 pub(super) struct Section<'a> {
     text: &'a str,

@@ -3,6 +3,7 @@
 pub mod changed_file;
 pub mod operations;
 pub mod parameters;
+pub mod recovery;
 pub mod scene;
 pub mod status;
 pub mod values;

@@ -17,6 +17,8 @@ pub enum AfterSave {
     Open,
     /// Open this file.
     OpenPath(PathBuf),
+    /// Go on with what a window left in this slot.
+    Restore(usize),
     /// Close the window.
     Quit,
 }
@@ -111,6 +113,10 @@ pub struct FileFlow {
     pub theirs: Option<Theirs>,
     /// What has been said about the file, and is not said again.
     pub(in crate::gui) decided: Option<Theirs>,
+    /// What a window left in this slot is wanted now.
+    pub(in crate::gui) restore: Option<usize>,
+    /// The figure's file is to be looked at in the next frame.
+    pub(in crate::gui) look: bool,
     pub(in crate::gui) watch: Watch,
     pub(in crate::gui) asking: Option<(Purpose, OpenFileDialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,

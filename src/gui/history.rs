@@ -1,0 +1,204 @@
+//! Undo and redo: snapshots of the figure, which share the scenes that have not changed.
+
+use std::sync::Arc;
+
+use crate::appearance::Style;
+use crate::camera::{Camera, ImageSize, Parameters, Viewport};
+use crate::figure::{Figure, Observers, Reveal};
+use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
+use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape};
+
+/// What one undo step brings back: everything but the observers.
+#[derive(Clone, Debug)]
+struct Snapshot {
+    scene: Arc<SceneSpec>,
+    image: ImageSize,
+    viewport: Option<Viewport>,
+    style: Style,
+    reveal: Reveal,
+    /// With what it knows beyond the `f64`s of its parameters.
+    camera: Camera,
+    draft: Parameters,
+}
+
+/// What is being edited, as undo and redo see it.
+#[derive(Clone, Debug)]
+pub(super) struct Moment {
+    pub(super) figure: Figure,
+    pub(super) camera: Camera,
+    pub(super) draft: Parameters,
+}
+
+impl Snapshot {
+    /// `before`: whose scene is shared where it is the same.
+    fn new(figure: &Figure, camera: &Camera, draft: &Parameters, before: Option<&Self>) -> Self {
+        let Figure { camera: _, image, viewport, scene, style, reveal, observers: _ } = figure;
+        let shared = before.map(|before| &before.scene).filter(|before| ***before == *scene);
+        Self {
+            scene: shared.map_or_else(|| Arc::new(scene.clone()), Arc::clone),
+            image: *image,
+            viewport: *viewport,
+            style: *style,
+            reveal: *reveal,
+            camera: camera.clone(),
+            draft: *draft,
+        }
+    }
+
+    fn is_of(&self, figure: &Figure, camera: &Camera, draft: &Parameters) -> bool {
+        let Figure { camera: _, image, viewport, scene, style, reveal, observers: _ } = figure;
+        (&self.image, &self.viewport, &self.style, &self.reveal) == (image, viewport, style, reveal)
+            && (&self.camera, &self.draft) == (camera, draft)
+            && *self.scene == *scene
+    }
+
+    fn moment(&self, observers: Observers) -> Moment {
+        let Self { scene, image, viewport, style, reveal, camera, draft } = self.clone();
+        let scene = Arc::unwrap_or_clone(scene);
+        let figure = Figure { camera: *camera.parameters(), image, viewport, scene, style, reveal, observers };
+        Moment { figure, camera, draft }
+    }
+}
+
+/// The steps.
+#[derive(Clone, Debug)]
+pub(super) struct History {
+    now: Snapshot,
+    past: Vec<Snapshot>,
+    future: Vec<Snapshot>,
+}
+
+impl History {
+    pub(super) fn new(figure: &Figure, camera: &Camera) -> Self {
+        let now = Snapshot::new(figure, camera, &figure.camera, None);
+        Self { now, past: Vec::new(), future: Vec::new() }
+    }
+
+    /// Makes a step of what has changed since the last one.
+    pub(super) fn commit(&mut self, figure: &Figure, camera: &Camera, draft: &Parameters) {
+        if self.now.is_of(figure, camera, draft) {
+            return;
+        }
+        let now = Snapshot::new(figure, camera, draft, Some(&self.now));
+        self.past.push(std::mem::replace(&mut self.now, now));
+        self.future.clear();
+        let steps = self.affordable();
+        self.past.drain(..self.past.len() - steps);
+    }
+
+    /// How many of the last steps are within the bounds; one always is.
+    fn affordable(&self) -> usize {
+        let mut newer = &self.now;
+        let mut bytes = 0_usize;
+        let mut steps = 0;
+        for step in self.past.iter().rev().take(MAX_UNDO_STEPS) {
+            if !Arc::ptr_eq(&step.scene, &newer.scene) {
+                bytes = bytes.saturating_add(bytes_of(&step.scene));
+            }
+            if bytes > MAX_UNDO_BYTES && steps > 0 {
+                break;
+            }
+            steps += 1;
+            newer = step;
+        }
+        steps
+    }
+
+    pub(super) fn can_undo(&self) -> bool {
+        !self.past.is_empty()
+    }
+
+    pub(super) fn can_redo(&self) -> bool {
+        !self.future.is_empty()
+    }
+
+    /// One step back; what is there then, seen by these observers.
+    pub(super) fn undo(&mut self, observers: Observers) -> Option<Moment> {
+        let earlier = self.past.pop()?;
+        self.future.push(std::mem::replace(&mut self.now, earlier));
+        Some(self.now.moment(observers))
+    }
+
+    /// One step forward.
+    pub(super) fn redo(&mut self, observers: Observers) -> Option<Moment> {
+        let later = self.future.pop()?;
+        self.past.push(std::mem::replace(&mut self.now, later));
+        Some(self.now.moment(observers))
+    }
+}
+
+/// The memory of a scene, nearly: that of its objects, their names and their points.
+fn bytes_of(scene: &SceneSpec) -> usize {
+    let object = |object: &ObjectSpec| {
+        let names = object.name.len() + object.parent.as_ref().map_or(0, String::len);
+        size_of::<ObjectSpec>() + names + object.shape.as_ref().map_or(0, data_of)
+    };
+    scene.objects.iter().map(object).sum::<usize>() + size_of_val(&scene.lights[..]) + size_of::<LightSpec>()
+}
+
+fn data_of(shape: &Shape) -> usize {
+    match shape {
+        Shape::Points(points) => size_of_val(&points[..]),
+        Shape::Segments(segments) => size_of_val(&segments[..]),
+        Shape::Mesh { path } => path.len(),
+        Shape::Box
+        | Shape::Prism
+        | Shape::Pyramid
+        | Shape::Sphere
+        | Shape::Ellipsoid
+        | Shape::Cylinder
+        | Shape::Cone
+        | Shape::Torus
+        | Shape::Grid => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+
+    fn history(objects: usize) -> (History, Figure, Camera) {
+        let mut figure = Figure::default();
+        figure.scene.objects = (0..objects).map(|i| ObjectSpec::new(format!("object {i}"), Shape::Box)).collect();
+        let camera = Camera::new(&figure.camera).unwrap();
+        (History::new(&figure, &camera), figure, camera)
+    }
+
+    #[test]
+    fn a_scene_that_stays_is_not_copied() {
+        let (mut history, mut figure, camera) = history(1000);
+        for width in 1..=2 * u32::try_from(MAX_UNDO_STEPS).unwrap() {
+            figure.image.width = width;
+            history.commit(&figure, &camera, &figure.camera);
+        }
+        assert_eq!(history.past.len(), MAX_UNDO_STEPS);
+        assert!(history.past.iter().all(|step| Arc::ptr_eq(&step.scene, &history.now.scene)));
+        assert_eq!(Arc::strong_count(&history.now.scene), MAX_UNDO_STEPS + 1);
+    }
+
+    #[test]
+    fn scenes_that_change_have_a_budget_and_the_oldest_go() {
+        let (mut history, mut figure, camera) = history(20_000);
+        let scene = bytes_of(&figure.scene);
+        assert!(scene > 20_000 * size_of::<ObjectSpec>());
+        for x in 1..=60 {
+            figure.scene.objects[7].translate.x = f64::from(x);
+            history.commit(&figure, &camera, &figure.camera);
+        }
+        assert_eq!(history.past.len(), MAX_UNDO_BYTES / scene);
+        assert!(history.past.len() < 60 && history.past.len() >= 5);
+        let last = history.undo(Observers::default()).unwrap().figure;
+        assert_eq!(last.scene.objects[7].translate.x, 59.0);
+        // One step is always there, however large the scene.
+        let (mut history, mut figure, camera) = self::history(1);
+        let points = MAX_UNDO_BYTES / size_of::<glam::DVec3>() + 1;
+        figure.scene.objects[0].shape = Some(Shape::Points(vec![glam::DVec3::ZERO; points]));
+        history.commit(&figure, &camera, &figure.camera);
+        figure.scene.objects[0].name.push('!');
+        history.commit(&figure, &camera, &figure.camera);
+        assert_eq!(history.past.len(), 1);
+        assert_eq!(history.undo(Observers::default()).unwrap().figure.scene.objects[0].name, "object 0");
+    }
+}

@@ -1,0 +1,61 @@
+//! The list of what windows have left that did not close, until the user has decided.
+
+use eframe::egui::{self, Align, Label, Layout, RichText, ScrollArea};
+
+use crate::foreign;
+use crate::gui::session::LeftOver;
+use crate::i18n::Lang;
+use crate::i18n::sessions::ago;
+use crate::i18n::window;
+
+/// What the user has decided about a slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decision {
+    /// It is to go on in this window.
+    Restore(usize),
+    /// It is not wanted.
+    Discard(usize),
+}
+
+/// Rows that are seen at once.
+const ROWS: f32 = 4.0;
+
+/// Shows the list, where there is one.
+pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision> {
+    if left.is_empty() {
+        return None;
+    }
+    let t = window::texts(lang);
+    let mut decision = None;
+    egui::Panel::top("recovery").show(ui, |ui| {
+        ui.label(RichText::new(t.recovery_title).strong());
+        let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+        ScrollArea::vertical().max_height(ROWS * row).auto_shrink([false, true]).show(ui, |ui| {
+            for left in left {
+                ui.push_id(left.slot, |ui| {
+                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                        if ui.button(t.discard).on_hover_text(t.discard_hint).clicked() {
+                            decision = Some(Decision::Discard(left.slot));
+                        }
+                        if ui.button(t.restore).on_hover_text(t.restore_hint).clicked() {
+                            decision = Some(Decision::Restore(left.slot));
+                        }
+                        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                            ui.add(Label::new(described(lang, left)).truncate());
+                        });
+                    });
+                });
+            }
+        });
+    });
+    decision
+}
+
+/// Which figure, when, and whether it is dangerous.
+fn described(lang: Lang, left: &LeftOver) -> String {
+    let t = window::texts(lang);
+    let name = left.path.as_deref().map_or_else(|| t.untitled.to_owned(), foreign::path);
+    let age = left.written.and_then(|written| written.elapsed().ok()).map(|age| format!(" · {}", ago(lang, age)));
+    let fatal = if left.did_not_survive { format!(" · ⚠ {}", t.did_not_survive) } else { String::new() };
+    format!("{name}{}{fatal}", age.unwrap_or_default())
+}

@@ -1,0 +1,288 @@
+//! What is left of a window that did not close: the figure is written down after every change, and taken up again at the next
+//! start, or offered in a list.
+//!
+//! Each window has a slot of its own, marked by a lock on a file, which the system takes away when the program ends, however
+//! it ends. What is restored is noted before: what did not survive that is not restored again by itself. What cannot be
+//! understood is put aside, not removed.
+
+mod kept;
+mod writer;
+
+use std::fs::{self, File, OpenOptions};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+use eframe::egui;
+
+use super::document::Document;
+use crate::clock;
+use crate::files::{self, FileError, Overwrite};
+use crate::limits::MAX_SESSIONS;
+use kept::{Kept, Restored};
+use writer::Writer;
+
+/// A figure that the window has shown for so long does not keep the program from starting.
+const SURVIVED: Duration = Duration::from_secs(60);
+
+/// After so long writing is tried again.
+const RETRY: Duration = Duration::from_secs(5);
+
+/// What a window left that did not close.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOver {
+    /// Its slot.
+    pub slot: usize,
+    /// The file of its figure, if it has one.
+    pub path: Option<PathBuf>,
+    /// When it was written down.
+    pub written: Option<SystemTime>,
+    /// The program ended while, or soon after, it was being restored.
+    pub did_not_survive: bool,
+}
+
+/// What there is to say about sessions; each is said once.
+#[derive(Debug)]
+pub enum News {
+    /// What was left is back.
+    Restored,
+    /// It is back without these keys of the figure, which are not known here; the whole is kept in this file.
+    RestoredInPart(Vec<String>, PathBuf),
+    /// What was left cannot be understood, and is kept in this file.
+    Damaged(PathBuf),
+    /// What was left in this file cannot be read.
+    Unreadable(PathBuf, FileError),
+    /// Another window has taken it up, or removed it.
+    Taken,
+    /// What this window shows cannot be written down at this path.
+    NotWritten(PathBuf, FileError),
+    /// Too many windows have left something: this one has no slot.
+    NoSlot,
+}
+
+/// The sessions of this user: that of this window, and what others have left.
+#[derive(Debug)]
+pub struct Sessions {
+    folder: PathBuf,
+    own: Option<Writer>,
+    left: Vec<LeftOver>,
+    news: Vec<News>,
+    /// When the figure of this window was restored, while it is not known to be survived.
+    restored_at: Option<Duration>,
+    /// When writing failed last.
+    failed_at: Option<Duration>,
+    /// It has been said that there is no slot, or that writing fails.
+    told: bool,
+}
+
+impl Sessions {
+    /// Looks for what is left in `folder`. With `restore`, the latest of what can be restored without asking comes back.
+    #[must_use]
+    pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Document>) {
+        let mut sessions = Self {
+            folder: folder.to_owned(),
+            own: None,
+            left: Vec::new(),
+            news: Vec::new(),
+            restored_at: None,
+            failed_at: None,
+            told: false,
+        };
+        sessions.look();
+        let safe = sessions.left.iter().filter(|left| !left.did_not_survive);
+        let latest = safe.max_by_key(|left| left.written).map(|left| left.slot).filter(|_| restore);
+        let document = latest.and_then(|slot| sessions.take_up(slot, false));
+        if sessions.own.is_none() {
+            sessions.take_slot();
+        }
+        (sessions, document)
+    }
+
+    /// What other windows have left, and nobody has decided about.
+    #[must_use]
+    pub fn left(&self) -> &[LeftOver] {
+        &self.left
+    }
+
+    /// What there is to say, once.
+    pub fn news(&mut self) -> Vec<News> {
+        std::mem::take(&mut self.news)
+    }
+
+    /// Goes on with what is left in a slot: the user wants it.
+    pub fn restore(&mut self, slot: usize) -> Option<Document> {
+        self.take_up(slot, true)
+    }
+
+    /// Removes what is left in a slot: the user does not want it.
+    pub fn discard(&mut self, slot: usize) {
+        self.left.retain(|left| left.slot != slot);
+        if self.lock(slot).is_some() {
+            let _ = fs::remove_file(self.file(slot));
+        }
+        // There may be a slot for this window now.
+        if self.own.is_none() {
+            self.failed_at = None;
+        }
+    }
+
+    /// Writes down what has changed; nothing where nothing would be lost. Call it when no pointer or key is held.
+    pub fn keep(&mut self, ctx: &egui::Context, document: &Document) {
+        let now = clock::now();
+        match self.own.as_mut().and_then(Writer::take) {
+            Some(Ok(())) => (self.failed_at, self.told) = (None, false),
+            Some(Err(error)) => self.fail(error),
+            None => {}
+        }
+        let due = self.failed_at.is_none_or(|failed| now.saturating_sub(failed) >= RETRY);
+        if self.own.is_none() && due && document.is_changed() {
+            self.take_slot();
+        }
+        if self.restored_at.is_some_and(|at| now.saturating_sub(at) >= SURVIVED) {
+            self.restored_at = None;
+        }
+        let restoring = self.restored_at.is_some();
+        if let Some(at) = self.restored_at {
+            ctx.request_repaint_after(SURVIVED.saturating_sub(now.saturating_sub(at)));
+        }
+        let Some(own) = &mut self.own else { return };
+        if !own.is_up_to_date(document, restoring) || (self.failed_at.is_some() && due) {
+            self.failed_at = None;
+            own.ask(ctx, document, restoring);
+        } else if let Some(failed) = self.failed_at {
+            ctx.request_repaint_after(RETRY.saturating_sub(now.saturating_sub(failed)));
+        }
+    }
+
+    /// Removes what was written down of this window: it has been saved, or is not wanted.
+    pub fn forget(&mut self) {
+        if let Some(own) = self.own.take() {
+            own.forget();
+        }
+    }
+
+    fn file(&self, slot: usize) -> PathBuf {
+        self.folder.join(format!("session-{slot}.json"))
+    }
+
+    /// The lock of a slot, unless a window has it.
+    fn lock(&self, slot: usize) -> Option<File> {
+        let path = self.folder.join(format!("session-{slot}.lock"));
+        let lock = OpenOptions::new().create(true).truncate(false).write(true).open(path).ok()?;
+        lock.try_lock().ok()?;
+        Some(lock)
+    }
+
+    fn look(&mut self) {
+        for slot in 0..MAX_SESSIONS {
+            let file = self.file(slot);
+            // Without a file the slot is not even touched.
+            if !file.exists() || self.lock(slot).is_none() {
+                continue;
+            }
+            let written = fs::metadata(&file).and_then(|meta| meta.modified()).ok();
+            let kept = match files::read_file(&file) {
+                Ok(bytes) => Kept::read(&bytes),
+                Err(error) => {
+                    self.news.push(News::Unreadable(file, error));
+                    continue;
+                }
+            };
+            match kept {
+                Some(kept) => {
+                    let left = LeftOver { slot, path: kept.path(), written, did_not_survive: kept.restoring };
+                    self.left.push(left);
+                }
+                None => self.put_aside(&file),
+            }
+        }
+    }
+
+    /// Takes the first slot in which nothing is left.
+    fn take_slot(&mut self) {
+        if let Err(error) = fs::create_dir_all(&self.folder) {
+            return self.fail(FileError::Write(error));
+        }
+        for slot in 0..MAX_SESSIONS {
+            let file = self.file(slot);
+            if !file.exists()
+                && let Some(lock) = self.lock(slot)
+            {
+                self.own = Some(Writer::new(file, lock));
+                return;
+            }
+        }
+        self.failed_at = Some(clock::now());
+        if !std::mem::replace(&mut self.told, true) {
+            self.news.push(News::NoSlot);
+        }
+    }
+
+    fn fail(&mut self, error: FileError) {
+        self.failed_at = Some(clock::now());
+        if !std::mem::replace(&mut self.told, true) {
+            self.news.push(News::NotWritten(self.folder.clone(), error));
+        }
+    }
+
+    /// Makes what is left in a slot the session of this window. Without being `asked` for, only where that can be noted first.
+    fn take_up(&mut self, slot: usize, asked: bool) -> Option<Document> {
+        let file = self.file(slot);
+        let lock = self.lock(slot).filter(|_| file.exists());
+        let Some(lock) = lock else {
+            self.left.retain(|left| left.slot != slot);
+            self.news.push(News::Taken);
+            return None;
+        };
+        let bytes = match files::read_file(&file) {
+            Ok(bytes) => bytes,
+            Err(error) => {
+                self.news.push(News::Unreadable(file, error));
+                return None;
+            }
+        };
+        if let Some(noted) = Kept::noted(&bytes)
+            && let Err(error) = files::save(&file, &noted, Overwrite::Writable)
+            && !asked
+        {
+            self.fail(error);
+            return None;
+        }
+        self.left.retain(|left| left.slot != slot);
+        let Some(Restored { document, unknown }) = Kept::read(&bytes).and_then(|kept| kept.restore()) else {
+            self.put_aside(&file);
+            return None;
+        };
+        self.news.push(if unknown.is_empty() {
+            News::Restored
+        } else {
+            let aside = aside(&file);
+            match fs::write(&aside, &bytes) {
+                Ok(()) => News::RestoredInPart(unknown, aside),
+                Err(error) => News::NotWritten(aside, FileError::Write(error)),
+            }
+        });
+        self.forget();
+        self.own = Some(Writer::new(file, lock));
+        self.restored_at = Some(clock::now());
+        Some(document)
+    }
+
+    fn put_aside(&mut self, file: &Path) {
+        let aside = aside(file);
+        self.news.push(match fs::rename(file, &aside) {
+            Ok(()) => News::Damaged(aside),
+            Err(_) => News::Damaged(file.to_owned()),
+        });
+    }
+}
+
+/// The name under which a session is put aside: one that no file has.
+fn aside(file: &Path) -> PathBuf {
+    let first = file.with_extension("damaged");
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let others = (1_u32..).map(|number| file.with_file_name(format!("{stem}-{number}.damaged")));
+    std::iter::once(first.clone()).chain(others).find(|path| !path.exists()).unwrap_or(first)
+}
+
+#[cfg(test)]
+mod tests;

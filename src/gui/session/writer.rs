@@ -1,0 +1,121 @@
+//! Writes a window's figure down, beside the window's thread.
+
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::kept::{Kept, Place};
+use crate::clock;
+use crate::figure::Figure;
+use crate::files::{self, FileError, Overwrite};
+use crate::gui::document::Document;
+use crate::gui::worker::Worker;
+
+/// How long is waited for what is being written before the window closes.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// What is to be written down.
+#[derive(Clone, Debug, PartialEq)]
+struct Note {
+    place: Place,
+    source: String,
+    figure: Figure,
+    restoring: bool,
+}
+
+impl Note {
+    fn is_of(&self, document: &Document, restoring: bool) -> bool {
+        self.restoring == restoring
+            && self.place == Place::of(document)
+            && self.source == document.source()
+            && self.figure == *document.figure()
+    }
+}
+
+/// What the slot is to hold; `None`: nothing.
+struct Job {
+    file: PathBuf,
+    note: Option<Note>,
+    /// The slot belongs to this window until the job is done, also where the window is gone before.
+    _lock: Arc<File>,
+}
+
+impl Job {
+    fn run(self) -> Result<(), FileError> {
+        let Some(Note { place, source, figure, restoring }) = self.note else {
+            return remove(&self.file).map_err(FileError::Write);
+        };
+        let kept = Kept::new(&place, source, &figure, restoring);
+        let text = serde_json::to_vec(&kept).map_err(|error| FileError::Write(error.into()))?;
+        files::save(&self.file, &text, Overwrite::Writable)
+    }
+}
+
+fn remove(file: &Path) -> std::io::Result<()> {
+    match fs::remove_file(file) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// The slot of this window, and what is written there.
+#[derive(Debug)]
+pub(super) struct Writer {
+    file: PathBuf,
+    lock: Arc<File>,
+    worker: Worker<Job, Result<(), FileError>>,
+    /// What was asked for last; `None` before anything was.
+    asked: Option<Option<Note>>,
+}
+
+impl Writer {
+    pub(super) fn new(file: PathBuf, lock: File) -> Self {
+        let worker = Worker::new("session", clock::now, || Box::new(Job::run));
+        Self { file, lock: Arc::new(lock), worker, asked: None }
+    }
+
+    /// True where what was asked for last is still what is wanted.
+    pub(super) fn is_up_to_date(&self, document: &Document, restoring: bool) -> bool {
+        match &self.asked {
+            Some(Some(note)) => document.is_changed() && note.is_of(document, restoring),
+            Some(None) => !document.is_changed(),
+            None => false,
+        }
+    }
+
+    /// Writes the document down; where nothing would be lost with it, removes what was written down before.
+    pub(super) fn ask(&mut self, ctx: &egui::Context, document: &Document, restoring: bool) {
+        let note = document.is_changed().then(|| Note {
+            place: Place::of(document),
+            source: document.source().to_owned(),
+            figure: document.figure().clone(),
+            restoring,
+        });
+        self.asked = Some(note.clone());
+        self.worker.ask(ctx, 0, Job { file: self.file.clone(), note, _lock: Arc::clone(&self.lock) });
+    }
+
+    /// What came of it, once.
+    pub(super) fn take(&mut self) -> Option<Result<(), FileError>> {
+        let [done] = self.worker.take(Duration::ZERO);
+        Some(done?.outcome.unwrap_or_else(|| Err(FileError::Write(std::io::Error::other("a fault of this program")))))
+    }
+
+    /// Waits until nothing is being written any more.
+    #[cfg(test)]
+    pub(super) fn wait(&self) {
+        while self.worker.is_pending(0) {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
+    /// Waits for what is being written, and removes it: it has been saved, or is not wanted.
+    pub(super) fn forget(mut self) {
+        self.worker.take(PATIENCE);
+        // The window closes, or goes on with another slot: nothing more can be done.
+        let _ = remove(&self.file);
+    }
+}

@@ -1,0 +1,78 @@
+//! What is said about windows that did not close, in both languages.
+
+use std::time::Duration;
+
+use super::Lang;
+
+/// What was left is in the file at `path`, and cannot be understood.
+#[must_use]
+pub fn damaged(lang: Lang, path: &str) -> String {
+    match lang {
+        Lang::En => format!("What a window left that did not close cannot be understood. It is kept in {path}"),
+        Lang::PtBr => format!("O que uma janela que não fechou deixou não pode ser entendido. Está guardado em {path}"),
+    }
+}
+
+/// The last session is back without some keys of its figure; the whole is in the file at `path`.
+#[must_use]
+pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
+    match lang {
+        Lang::En => format!(
+            "The last session is back, but this version does not know {keys}. All of it is kept in {path}; saving asks for another file."
+        ),
+        Lang::PtBr => format!(
+            "A última sessão voltou, mas esta versão não conhece {keys}. Tudo está guardado em {path}; salvar pede outro arquivo."
+        ),
+    }
+}
+
+/// What this window shows is not written down; `why` is a sentence with the name of the file.
+#[must_use]
+pub fn not_written(lang: Lang, why: &str) -> String {
+    match lang {
+        Lang::En => format!("Changes of this window would be lost in a crash: {why}. It is tried again."),
+        Lang::PtBr => format!("Mudanças desta janela se perderiam em uma queda: {why}. Tenta-se de novo."),
+    }
+}
+
+/// All slots hold what other windows have left.
+#[must_use]
+pub fn no_slot(lang: Lang, slots: usize) -> String {
+    match lang {
+        Lang::En => format!(
+            "Changes of this window would be lost in a crash: there are {slots} unsaved windows already. Restore or discard what is listed."
+        ),
+        Lang::PtBr => format!(
+            "Mudanças desta janela se perderiam em uma queda: já há {slots} janelas não salvas. Restaure ou descarte o que está na lista."
+        ),
+    }
+}
+
+/// How long ago something was.
+#[must_use]
+pub fn ago(lang: Lang, age: Duration) -> String {
+    let minutes = age.as_secs() / 60;
+    let (number, en, pt) = match minutes {
+        0..60 => (minutes, "min", "min"),
+        60..2880 => (minutes / 60, "h", "h"),
+        _ => (minutes / 1440, "days", "dias"),
+    };
+    match lang {
+        Lang::En => format!("{number} {en} ago"),
+        Lang::PtBr => format!("há {number} {pt}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ages_are_told_in_the_unit_that_fits() {
+        let told =
+            |seconds| (ago(Lang::En, Duration::from_secs(seconds)), ago(Lang::PtBr, Duration::from_secs(seconds)));
+        assert_eq!(told(59), ("0 min ago".to_owned(), "há 0 min".to_owned()));
+        assert_eq!(told(7199), ("1 h ago".to_owned(), "há 1 h".to_owned()));
+        assert_eq!(told(172_800), ("2 days ago".to_owned(), "há 2 dias".to_owned()));
+    }
+}

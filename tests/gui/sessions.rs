@@ -1,0 +1,143 @@
+//! Windows that did not close: what they left is back, or offered in a list until the user has decided.
+
+use std::fs;
+use std::path::Path;
+
+use camera_lab::i18n::Lang;
+use eframe::egui::Key;
+use egui_kittest::kittest::Queryable;
+
+use super::files::Folder;
+use super::window::Window;
+
+const MINE: &str = "# Mine.\n[camera]\nfar = 50.0\n\n[scene]\npreset = \"empty\"\n";
+
+/// What the sessions in this folder hold.
+fn written(folder: &Path) -> String {
+    let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    files
+        .filter(|path| path.extension().is_some_and(|e| e == "json"))
+        .filter_map(|p| fs::read_to_string(p).ok())
+        .collect()
+}
+
+impl Window {
+    /// The window ends as in a crash, once what was typed has been written down.
+    fn crash(mut self, folder: &Path, typed: &str) {
+        self.wait(|_| written(folder).contains(typed));
+    }
+}
+
+/// A window that edits a file, and does not close.
+fn leave(folder: &Folder, file: &str, far: &str) {
+    let path = folder.file(file);
+    if !path.exists() {
+        fs::write(&path, MINE).expect("written");
+    }
+    let mut window = Window::opened(&path);
+    window.app_mut().keep_session(&folder.file("sessions"), false);
+    window.run();
+    window.enter("B", far);
+    window.crash(&folder.file("sessions"), &format!("far = {far}"));
+}
+
+#[test]
+fn a_crashed_session_is_back_at_the_next_start() {
+    let folder = Folder::new("session");
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.0, true);
+    window.enter("C x", "1.25");
+    window.crash(&folder.0, "1.25");
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.0, true);
+    window.run();
+    assert_eq!(window.state().document.draft().position.x, 1.25);
+    assert!(window.says("The last session is back"));
+    assert!(window.state().document.is_changed());
+}
+
+#[test]
+fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
+    let folder = Folder::new("newer");
+    leave(&folder, "a.toml", "75.0");
+    let newer = MINE.replace("50.0", "61.0");
+    fs::write(folder.file("a.toml"), &newer).expect("written");
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    window.wait(|window| window.state().file_flow.theirs.is_some());
+    assert_eq!(window.state().document.figure().camera.far, 75.0);
+    assert!(window.says("a.toml was changed by another program; this window has changes too."));
+    window.command_key(Key::S);
+    assert!(window.says("The file has been changed"));
+    assert_eq!(fs::read_to_string(folder.file("a.toml")).expect("there"), newer);
+    window.click("Replace");
+    let text = fs::read_to_string(folder.file("a.toml")).expect("there");
+    assert!(text.contains("# Mine.") && text.contains("far = 75.0"));
+    // Saved: nothing is left.
+    window.wait(|_| written(&folder.file("sessions")).is_empty());
+}
+
+#[test]
+fn a_start_with_a_file_lists_what_was_left() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let folder = Folder::new("listed");
+        leave(&folder, "a.toml", "75.0");
+        leave(&folder, "b.toml", "76.0");
+        let mut window = Window::opened(&folder.file("b.toml"));
+        window.app_mut().state.settings.lang = lang;
+        window.app_mut().keep_session(&folder.file("sessions"), false);
+        window.run();
+        let [title, restore, discard, unsaved, without] = match lang {
+            Lang::En => ["Windows that did not close", "Restore", "Discard", "Save the changes?", "Don't save"],
+            Lang::PtBr => ["Janelas que não fecharam", "Restaurar", "Descartar", "Salvar as mudanças?", "Não salvar"],
+        };
+        let ago = if lang == Lang::En { "0 min ago" } else { "há 0 min" };
+        assert!(window.says(title) && window.says("a.toml") && window.says(ago));
+        // It stays, whatever else is done, and what is unsaved here is asked about.
+        window.enter("B", "51");
+        assert!(window.says(title));
+        let press = |window: &mut Window, label: &str| {
+            let buttons = window.harness.query_all_by_label(label);
+            buttons.min_by(|a, b| a.rect().top().total_cmp(&b.rect().top())).expect("a button").click();
+            window.run();
+        };
+        press(&mut window, restore);
+        assert!(window.says(unsaved));
+        window.click(without);
+        window.wait(|window| window.state().document.figure().camera.far == 75.0);
+        assert_eq!(window.state().document.name().as_deref(), Some("a.toml"));
+        assert!(window.state().document.is_changed() && window.says(title));
+        press(&mut window, discard);
+        assert!(!window.says(title));
+        assert!(!written(&folder.file("sessions")).contains("76.0"));
+    }
+}
+
+#[test]
+fn a_figure_that_did_not_survive_is_offered_and_not_restored() {
+    let folder = Folder::new("fatal");
+    leave(&folder, "a.toml", "75.0");
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    assert_eq!(window.state().document.figure().camera.far, 75.0);
+    // The program ends at once.
+    drop(window);
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    window.run();
+    assert_ne!(window.state().document.figure().camera.far, 75.0);
+    assert!(window.says("the program ended while it was being restored"));
+    window.click("Restore");
+    window.wait(|window| window.state().document.figure().camera.far == 75.0);
+}
+
+#[test]
+fn what_cannot_be_understood_is_said_with_its_place() {
+    let folder = Folder::new("not-understood");
+    fs::create_dir_all(folder.file("sessions")).expect("made");
+    fs::write(folder.file("sessions/session-0.json"), "?").expect("written");
+    let mut window = Window::new(Lang::PtBr);
+    window.app_mut().keep_session(&folder.file("sessions"), true);
+    window.run();
+    assert!(window.says("não pode ser entendido") && window.says("session-0.damaged"));
+}
