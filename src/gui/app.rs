@@ -79,7 +79,7 @@ impl App {
         self.tell_news();
     }
 
-    /// Says what there is to say about sessions, each in a line.
+    /// Says what there is to say about sessions, each once.
     fn tell_news(&mut self) {
         let news = self.sessions.as_mut().map(Sessions::news).unwrap_or_default();
         let lang = self.state.settings.lang;
@@ -107,7 +107,7 @@ impl App {
         if matches!(news[..], [News::Restored]) {
             self.state.say(lines.concat());
         } else {
-            self.state.say_error(lines.join("\n"));
+            self.state.say_error(lines.join(" · "));
         }
     }
 
