@@ -181,7 +181,8 @@ fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
     let height = (ui.ctx().content_rect().height() - 280.0).max(80.0);
     let line = ui.text_style_height(&egui::TextStyle::Monospace);
     ui.spacing_mut().item_spacing.y = 1.0;
-    let area = egui::ScrollArea::both().max_height(height).auto_shrink([false, true]);
+    // As high at once as it is going to be, as in the help.
+    let area = egui::ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
     area.show_rows(ui, line, comparison.lines.len(), |ui, rows| {
         for (whose, text) in comparison.lines.get(rows).unwrap_or_default() {
             let (sign, color) = match whose {

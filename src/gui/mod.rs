@@ -69,6 +69,10 @@ pub fn fresh() -> Figure {
     Figure::of_preset(Preset::default())
 }
 
+/// The window at first, in points: with title bar and task bar it fits a screen of 1280 × 720, so that what is said at its bottom
+/// is seen.
+const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
+
 /// Opens the window and returns when it is closed.
 ///
 /// # Errors
@@ -80,7 +84,7 @@ pub fn run(start: Start) -> Result<(), GuiError> {
         viewport: eframe::egui::ViewportBuilder::default()
             .with_title("Camera Lab")
             .with_app_id("camera-lab")
-            .with_inner_size([1280.0, 720.0])
+            .with_inner_size(DEFAULT_SIZE)
             .with_min_inner_size([640.0, 400.0]),
         system_font_fallback: false,
         ..Default::default()

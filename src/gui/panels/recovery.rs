@@ -29,11 +29,12 @@ pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision
     let mut decision = None;
     egui::Panel::top("recovery").show(ui, |ui| {
         ui.label(RichText::new(t.recovery_title).strong());
-        let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+        let line = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+        let row = line.y + ui.spacing().item_spacing.y;
         ScrollArea::vertical().max_height(ROWS * row).auto_shrink([false, true]).show(ui, |ui| {
             for left in left {
                 ui.push_id(left.slot, |ui| {
-                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
                         if ui.button(t.discard).on_hover_text(t.discard_hint).clicked() {
                             decision = Some(Decision::Discard(left.slot));
                         }
