@@ -71,7 +71,7 @@ pub fn fresh() -> Figure {
 
 /// The window at first, in points: with title bar and task bar it fits a screen of 1280 × 720, so that what is said at its bottom
 /// is seen.
-const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
+pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 
 /// Opens the window and returns when it is closed.
 ///

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use camera_lab::gui::{self, Start, State};
 use camera_lab::i18n::Lang;
+use camera_lab::views::View;
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable;
 
@@ -140,4 +142,16 @@ fn what_cannot_be_understood_is_said_with_its_place() {
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.run();
     assert!(window.says("não pode ser entendido") && window.says("session-0.damaged"));
+}
+
+#[test]
+fn the_first_window_shows_on_a_small_screen_what_is_said_at_its_bottom() {
+    // What title bars and task bars take of a screen of 720 lines, generously.
+    const BARS: f32 = 76.0;
+    let mut state = State::new(Start::default()).expect("a camera");
+    state.layout.maximized = Some(View::Image);
+    state.say_error("It could not be saved");
+    let window = Window::with_state(state, gui::DEFAULT_SIZE);
+    let error = window.harness.get_by_label_contains("It could not be saved").rect();
+    assert!(error.bottom() <= 720.0 - BARS && error.right() <= 1280.0, "{error}");
 }

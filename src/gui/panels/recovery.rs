@@ -31,7 +31,8 @@ pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision
         ui.label(RichText::new(t.recovery_title).strong());
         let line = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
         let row = line.y + ui.spacing().item_spacing.y;
-        ScrollArea::vertical().max_height(ROWS * row).auto_shrink([false, true]).show(ui, |ui| {
+        let area = ScrollArea::vertical().max_height(ROWS * row).min_scrolled_height(ROWS * row);
+        area.auto_shrink([false, true]).show(ui, |ui| {
             for left in left {
                 ui.push_id(left.slot, |ui| {
                     ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {

@@ -141,15 +141,17 @@ impl Sessions {
             self.restored_at = None;
         }
         let restoring = self.restored_at.is_some();
-        if let Some(at) = self.restored_at {
-            ctx.request_repaint_after(SURVIVED.saturating_sub(now.saturating_sub(at)));
-        }
-        let Some(own) = &mut self.own else { return };
-        if !own.is_up_to_date(document, restoring) || (self.failed_at.is_some() && due) {
+        if let Some(own) = &mut self.own
+            && (!own.is_up_to_date(document, restoring) || (self.failed_at.is_some() && due))
+        {
             self.failed_at = None;
             own.ask(ctx, document, restoring);
-        } else if let Some(failed) = self.failed_at {
-            ctx.request_repaint_after(RETRY.saturating_sub(now.saturating_sub(failed)));
+        }
+        // Nothing else may call for the frame in which it is time.
+        for (since, length) in [(self.restored_at, SURVIVED), (self.failed_at, RETRY)] {
+            if let Some(since) = since.filter(|_| document.is_changed()) {
+                ctx.request_repaint_after(length.saturating_sub(now.saturating_sub(since)));
+            }
         }
     }
 
