@@ -2,7 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{Camera, Changes, Convention, Operation, OperationError, Projection, ViewWindow};
+use camera_lab::camera::{
+    Camera, CameraError, Changes, Convention, Derived, Operation, OperationError, Projection, ViewWindow,
+};
 use camera_lab::geometry::Angle;
 use glam::DVec3;
 
@@ -298,4 +300,15 @@ fn impossible_values_and_results_are_errors() {
     ] {
         assert!(operation.apply(&camera, Convention::RightHand).is_err(), "{operation}");
     }
+}
+
+#[test]
+fn a_camera_of_which_one_end_leaves_the_numbers_cannot_be_panned_there() {
+    let start = camera(|p| {
+        p.focal_point = DVec3::new(1.4e308, 0.0, 0.0);
+        p.position = DVec3::new(1.5e308, 0.0, 1e307);
+    });
+    // u lies halfway between x and −z.
+    let found = Operation::Pan { dx: 4.5e307, dy: 0.0 }.apply(&start, Convention::RightHand);
+    assert!(matches!(found, Err(CameraError::Overflow { quantity: Derived::Distance, .. })), "{found:?}");
 }
