@@ -9,7 +9,8 @@ use glam::DVec3;
 
 use super::Failure;
 use crate::appearance;
-use crate::camera::{Convention, ImageSize, Operation};
+use crate::camera::{Amount, Convention, ImageSize, OPERATIONS, Operation};
+use crate::export::format::PictureFormat;
 use crate::expression::{self, Dimension};
 use crate::foreign::shown;
 use crate::i18n::{Lang, command_line as texts, messages};
@@ -85,8 +86,8 @@ pub(super) struct RenderArgs {
     /// Run every stage of the pipeline, needed or not; the picture is the same
     #[arg(long)]
     pub(super) force_all_stages: bool,
-    /// The file to write; its ending says the format: .png
-    #[arg(short, long, value_name = "OUT")]
+    // The endings stand in `PictureFormat`.
+    #[arg(short, long, value_name = "OUT", help = output_help())]
     pub(super) output: PathBuf,
 }
 
@@ -136,9 +137,8 @@ pub(super) struct BenchArgs {
 /// What every command that takes a figure understands.
 #[derive(Debug, Args)]
 pub(super) struct FigureArgs {
-    /// An operation on the camera, in the order given: elevation, azimuth, roll, yaw, pitch (degrees), zoom, dolly (factor),
-    /// pan (DX,DY)
-    #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    // The words stand in `OPERATIONS`.
+    #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true, help = operations_help())]
     operations: Vec<String>,
     /// Signs of the rotations: by the right-hand rule, or as VTK has them (elevation and roll the other way)
     #[arg(long, value_enum, default_value_t)]
@@ -336,6 +336,23 @@ fn size(text: Option<&str>, lang: Lang) -> Result<Option<ImageSize>, Failure> {
     text.split_once(['x', 'X', '×'])
         .and_then(|(width, height)| Some(Some(ImageSize { width: side(width)?, height: side(height)? })))
         .ok_or_else(|| Failure::BadInput(texts::size(lang, text)))
+}
+
+fn operations_help() -> String {
+    let words = |amount: Amount, unit: &str| {
+        let mut words: Vec<_> = OPERATIONS.iter().filter(|row| row.amount == amount).map(|row| row.word).collect();
+        words.dedup();
+        format!("{} ({unit})", words.join(", "))
+    };
+    let [turns, factors, lengths] = [(Amount::Angle, "degrees"), (Amount::Factor, "factor"), (Amount::Length, "DX,DY")]
+        .map(|(a, unit)| words(a, unit));
+    format!("An operation on the camera, in the order given: {turns}, {factors}, {lengths}")
+}
+
+fn output_help() -> String {
+    let endings: Vec<_> =
+        PictureFormat::ALL.iter().flat_map(|format| format.endings()).map(|e| format!(".{e}")).collect();
+    format!("The file to write; its ending says the format: {}", endings.join(", "))
 }
 
 #[cfg(test)]

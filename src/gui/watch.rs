@@ -11,7 +11,7 @@ use crate::clock;
 use crate::files::{Found, Stamp, look};
 
 /// What is looked at.
-struct Look {
+struct Watched {
     path: PathBuf,
     source: String,
     stamp: Option<Stamp>,
@@ -20,7 +20,7 @@ struct Look {
 /// Looks at the figure's file whenever it is asked to.
 #[derive(Debug)]
 pub(in crate::gui) struct Watch {
-    worker: Worker<Look, (PathBuf, String, Found)>,
+    worker: Worker<Watched, (PathBuf, String, Found)>,
     /// The file as it was when it last held what the window had read or saved.
     same: Option<(PathBuf, String, Stamp)>,
 }
@@ -28,7 +28,7 @@ pub(in crate::gui) struct Watch {
 impl Default for Watch {
     fn default() -> Self {
         let worker = Worker::new("watch", clock::now, || {
-            Box::new(|Look { path, source, stamp }| {
+            Box::new(|Watched { path, source, stamp }| {
                 let found = look(&path, source.as_bytes(), stamp);
                 (path, source, found)
             })
@@ -44,7 +44,7 @@ impl Watch {
         let source = document.source().to_owned();
         let same = self.same.as_ref().filter(|(was, text, _)| *was == path && *text == source);
         let stamp = same.map(|(_, _, stamp)| *stamp);
-        self.worker.ask(ctx, 0, Look { path, source, stamp });
+        self.worker.ask(ctx, 0, Watched { path, source, stamp });
     }
 
     /// What was found, once, where the document is still what it was when one looked.

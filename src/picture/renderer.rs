@@ -77,6 +77,13 @@ impl Renderer {
         }
     }
 
+    /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: what [`pixels`](Self::pixels)
+    /// paints, or what is asked for by [`Output`](crate::pipeline::Output) in the request. `None` where there is no memory for
+    /// the image on the window.
+    pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
+        self.timed_drawing(request).map(|(frame, _)| frame)
+    }
+
     /// The drawing of a picture, and the time that the image on the window took, if one was drawn for it.
     fn timed_drawing(&mut self, request: &Request) -> Option<(Frame, Option<Duration>)> {
         let (on_window, time) = match request.view {

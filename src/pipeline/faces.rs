@@ -22,7 +22,7 @@ struct Crossing {
 
 /// What culling found out about a stretch of [`CHUNK`] triangles.
 #[derive(Debug, Default)]
-struct Stretch {
+struct CulledChunk {
     crossing: Vec<Crossing>,
     kept: usize,
     back: usize,
@@ -48,7 +48,7 @@ pub(super) struct Faces {
     pub(super) turned_over: usize,
     /// A bit for each triangle of the mesh that is left and crosses no plane, the first in the lowest bit.
     kept: Vec<u8>,
-    stretches: Vec<Stretch>,
+    stretches: Vec<CulledChunk>,
     clipper: Clipper,
 }
 
@@ -84,7 +84,7 @@ impl Faces {
         self.used.resize_with(groups, AtomicBool::default);
         self.used.iter_mut().for_each(|used| *used.get_mut() = false);
         self.kept.resize(triangles.len().div_ceil(8), 0);
-        self.stretches.resize_with(triangles.len().div_ceil(CHUNK), Stretch::default);
+        self.stretches.resize_with(triangles.len().div_ceil(CHUNK), CulledChunk::default);
 
         let culling = Culling { image: &self.image, vertices, used: &self.used, task };
         let stretches = self.stretches.iter_mut().zip(triangles.chunks(CHUNK)).zip(self.kept.chunks_mut(CHUNK / 8));
@@ -114,8 +114,8 @@ impl Faces {
             sources = rest;
             (first, triangles, kept, out, source)
         });
-        type Stretch<'a> = (u32, &'a [[u32; 3]], &'a [u8], &'a mut [[u32; 3]], &'a mut [u32]);
-        let gather = |(first, triangles, kept, out, source): Stretch| {
+        type ChunkOutput<'a> = (u32, &'a [[u32; 3]], &'a [u8], &'a mut [[u32; 3]], &'a mut [u32]);
+        let gather = |(first, triangles, kept, out, source): ChunkOutput| {
             let mut next = 0;
             for (k, &byte) in kept.iter().enumerate() {
                 let mut bits = byte;
@@ -184,8 +184,8 @@ struct Culling<'a> {
 
 impl Culling<'_> {
     /// Sets the bits of triangles that are left and cross no plane.
-    fn stretch(&self, stretch: &mut Stretch, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
-        *stretch = Stretch { crossing: std::mem::take(&mut stretch.crossing), ..Stretch::default() };
+    fn stretch(&self, stretch: &mut CulledChunk, triangles: &[[u32; 3]], kept: &mut [u8], first: u32) {
+        *stretch = CulledChunk { crossing: std::mem::take(&mut stretch.crossing), ..CulledChunk::default() };
         stretch.crossing.clear();
         for ((k, byte), eight) in (first..).step_by(8).zip(kept).zip(triangles.chunks(8)) {
             let mut bits = 0;
@@ -268,7 +268,7 @@ impl Culling<'_> {
     }
 
     /// The same for any triangle: false for one that crosses a plane, which is put aside.
-    fn judge(&self, stretch: &mut Stretch, source: u32, triangle: [u32; 3]) -> bool {
+    fn judge(&self, stretch: &mut CulledChunk, source: u32, triangle: [u32; 3]) -> bool {
         let Vertices { projector, view_from_object, .. } = *self.vertices;
         let [a, b, c] = [triangle[0] as usize, triangle[1] as usize, triangle[2] as usize];
         if a.max(b).max(c) >= self.image.positions.len() {

@@ -52,7 +52,7 @@ pub(super) struct OnImage {
 pub(super) const CHUNK: usize = 4096;
 
 /// Some vertices on their way; the last two are empty where nobody wants them.
-struct Stretch<'a> {
+struct VertexChunk<'a> {
     given: &'a [DVec3],
     positions: &'a mut [[f32; 3]],
     inverse_w: &'a mut [f32],
@@ -70,13 +70,13 @@ impl OnImage {
         self.outcodes.resize(if crosses { n } else { 0 }, 0);
         let (mut inverse_w, mut outcodes) = (self.inverse_w.chunks_mut(CHUNK), self.outcodes.chunks_mut(CHUNK));
         let stretches = vertices.positions.chunks(CHUNK).zip(self.positions.chunks_mut(CHUNK));
-        let stretches = stretches.map(|(given, positions)| Stretch {
+        let stretches = stretches.map(|(given, positions)| VertexChunk {
             given,
             positions,
             inverse_w: inverse_w.next().unwrap_or_default(),
             outcodes: outcodes.next().unwrap_or_default(),
         });
-        let fill = |mut stretch: Stretch| with_vectors!(_simd => stretch.fill(vertices, screen));
+        let fill = |mut stretch: VertexChunk| with_vectors!(_simd => stretch.fill(vertices, screen));
         let either = |a: PlaneSet, b: PlaneSet| a | b;
         self.outside = if n > 2 * CHUNK {
             stretches.collect::<Vec<_>>().into_par_iter().map(fill).reduce(|| 0, either)
@@ -89,7 +89,7 @@ impl OnImage {
     }
 }
 
-impl Stretch<'_> {
+impl VertexChunk<'_> {
     /// Returns the planes that any vertex is outside of.
     #[inline(always)]
     fn fill(&mut self, vertices: &Vertices, screen: &Screen) -> PlaneSet {

@@ -5,12 +5,13 @@ use camera_lab::camera::{Camera, Parameters};
 use camera_lab::drawing::{Drawing, StrokeSet, Surface};
 use camera_lab::figure::read::parse;
 use camera_lab::i18n::{Lang, pictures};
+use camera_lab::picture::Renderer;
 use camera_lab::pipeline::stroke_order::painted_runs;
 use camera_lab::pipeline::stroke_runs::{Run, hidden_places, stroke_runs};
 use camera_lab::pipeline::{Output, Reason, Stage, Target, draw};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Line, Object, Scene, no_files, primitives};
-use camera_lab::views::{self, Request, SharedScene, Size, TimedPipeline, View, scene_of};
+use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3};
 
 use super::pipeline::{cube, object, shading};
@@ -189,7 +190,8 @@ fn a_drawing_for_vectors_needs_no_depth_buffer() {
         let size = Size { width: 320, height: 240, scale: 1.0 };
         let pixels = Request::of(&figure, view, &camera, &scene, pictures::labels(Lang::En), size);
         let vectors = Request { output: Output::Vectors, ..pixels.clone() };
-        let frame = |request: &Request| views::frame(request, None, &mut TimedPipeline::default());
+        let mut renderer = Renderer::default();
+        let mut frame = |request: &Request| renderer.drawing(request).expect("a drawing");
         let (pixels, vectors) = (frame(&pixels), frame(&vectors));
         assert_eq!(vectors.plan.stage(Stage::HiddenSurfaces).reason, Reason::NoDepthBuffer);
         assert!(vectors.drawing.painted_in_order && !pixels.drawing.painted_in_order);
@@ -236,7 +238,7 @@ fn vectors_are_split_unless_the_painter_is_asked_for() {
     ] {
         let mut request = Request { output: Output::Vectors, ..request.clone() };
         request.look.style.visibility = visibility;
-        let frame = views::frame(&request, None, &mut TimedPipeline::default());
+        let frame = Renderer::default().drawing(&request).expect("a drawing");
         assert_eq!(frame.plan.stage(Stage::HiddenSurfaces).reason, reason);
         assert!(frame.drawing.painted_in_order);
     }
