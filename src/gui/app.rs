@@ -9,6 +9,7 @@ use super::command::Command;
 use super::document::Document;
 use super::export::Export;
 use super::file_flow;
+use super::held_key::HeldKey;
 use super::panels::recovery::Decision;
 use super::session::{News, Sessions};
 use super::state::{AfterSave, Dialog, Purpose, Side, State};
@@ -26,6 +27,7 @@ pub struct App {
     /// The pictures.
     pub canvas: Canvas,
     sessions: Option<Sessions>,
+    held_key: HeldKey,
     title: String,
 }
 
@@ -41,7 +43,13 @@ impl App {
     pub fn new(ctx: &egui::Context, state: State) -> Self {
         theme::install_fonts(ctx);
         theme::install_style(ctx);
-        let app = Self { state, canvas: Canvas::default(), sessions: None, title: String::new() };
+        let app = Self {
+            state,
+            canvas: Canvas::default(),
+            sessions: None,
+            held_key: HeldKey::default(),
+            title: String::new(),
+        };
         app.apply_settings(ctx);
         app
     }
@@ -114,6 +122,9 @@ impl App {
     /// One frame; `ui` is the whole window.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
+        if ctx.input(|input| self.held_key.follow(input)) {
+            self.state.document.commit();
+        }
         file_flow::poll(&ctx, &mut self.state);
         if self.state.file_flow.dialog.is_none()
             && let Some(command) = self.keyboard(&ctx)
@@ -148,7 +159,7 @@ impl App {
         drop_hint(&ctx, &self.state);
         self.apply_settings(&ctx);
         self.update_title(&ctx);
-        if ctx.input(|i| !i.pointer.any_down() && i.keys_down.is_empty()) {
+        if !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
             self.state.document.commit();
             if let Some(sessions) = &mut self.sessions {
                 sessions.keep(&ctx, &self.state.document);

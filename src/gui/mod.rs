@@ -17,6 +17,7 @@ pub mod document;
 pub mod export;
 pub mod file_flow;
 mod handle_drag;
+mod held_key;
 mod highlight;
 mod history;
 pub mod menu;

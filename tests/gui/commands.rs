@@ -7,9 +7,83 @@ use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
 use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
-use eframe::egui::{self, Key, Modifiers};
+use eframe::egui::{self, Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable;
 
 use super::window::Window;
+
+impl Window {
+    /// The image has the keyboard.
+    fn focus_image(&mut self) {
+        self.harness.get_by_label_contains("Image: what the camera sees").focus();
+        self.run();
+    }
+
+    /// A key goes down, or up.
+    pub(crate) fn key_event(&mut self, key: Key, pressed: bool, modifiers: Modifiers) {
+        self.harness.event(Event::Key { key, physical_key: None, pressed, repeat: false, modifiers });
+        self.harness.step();
+    }
+
+    /// As on most keyboards, where + is Shift and =, and Shift is let go first.
+    pub(crate) fn plus_that_comes_up_as_equals(&mut self) {
+        self.key_event(Key::Plus, true, Modifiers::SHIFT);
+        self.key_event(Key::Equals, false, Modifiers::NONE);
+    }
+}
+
+#[test]
+fn turns_after_a_plus_are_undone_one_by_one() {
+    let mut window = Window::new(Lang::En);
+    window.focus_image();
+    let camera = |window: &Window| *window.state().document.camera().parameters();
+    let mut cameras = vec![camera(&window)];
+    window.plus_that_comes_up_as_equals();
+    cameras.push(camera(&window));
+    for key in [Key::ArrowRight, Key::ArrowRight, Key::ArrowUp] {
+        window.key(key);
+        cameras.push(camera(&window));
+    }
+    for (i, before) in cameras.iter().enumerate().rev().skip(1) {
+        assert_ne!(camera(&window), *before, "step {i} does something");
+        window.command_key(Key::Z);
+        assert_eq!(camera(&window), *before, "step {i} is taken back alone");
+    }
+    assert!(!window.state().document.can_undo());
+}
+
+#[test]
+fn what_a_held_key_repeats_is_one_step() {
+    let mut window = Window::new(Lang::En);
+    window.focus_image();
+    let camera = |window: &Window| *window.state().document.camera().parameters();
+    let before = camera(&window);
+    for _ in 0..10 {
+        window.key_event(Key::ArrowRight, true, Modifiers::NONE);
+    }
+    let turned = camera(&window);
+    // Another key, while the first one is still down.
+    for _ in 0..3 {
+        window.key_event(Key::ArrowUp, true, Modifiers::NONE);
+    }
+    window.key_event(Key::ArrowUp, false, Modifiers::NONE);
+    window.key_event(Key::ArrowRight, false, Modifiers::NONE);
+    window.command_key(Key::Z);
+    assert_eq!(camera(&window), turned);
+    window.command_key(Key::Z);
+    assert_eq!(camera(&window), before);
+    assert!(!window.state().document.can_undo());
+}
+
+#[test]
+fn a_key_that_never_comes_up_is_not_held_for_ever() {
+    let mut window = Window::new(Lang::En);
+    window.focus_image();
+    window.key_event(Key::ArrowRight, true, Modifiers::NONE);
+    assert!(!window.state().document.can_undo(), "it may repeat yet");
+    window.harness.run_steps(6);
+    assert!(window.state().document.can_undo());
+}
 
 #[test]
 fn every_command_stands_in_a_menu_with_its_keys() {

@@ -68,6 +68,25 @@ impl Window {
 }
 
 #[test]
+fn what_is_added_by_the_keyboard_closes_the_menu() {
+    let mut window = Window::new(Lang::En);
+    window.key(Key::F6);
+    for (what, names) in [("sphere", &["sphere"][..]), ("group", &["sphere", "group"])] {
+        window.harness.get_by_role_and_label(Role::Button, "Add").focus();
+        window.run();
+        window.key(Key::Enter);
+        let entry = |window: &Window| window.harness.query_all_by_role_and_label(Role::Button, "torus").count();
+        assert_eq!(entry(&window), 1, "the menu is open");
+        window.harness.get_by_role_and_label(Role::Button, what).focus();
+        window.run();
+        window.key(Key::Enter);
+        window.run();
+        assert_eq!(window.names(), names);
+        assert_eq!(entry(&window), 0, "the menu is closed");
+    }
+}
+
+#[test]
 fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
     let mut window = Window::scene(Lang::En);
     window.add("Add", "box");

@@ -59,6 +59,16 @@ fn a_crashed_session_is_back_at_the_next_start() {
 }
 
 #[test]
+fn a_session_is_kept_after_a_plus() {
+    let folder = Folder::new("plus");
+    let mut window = Window::new(Lang::En);
+    window.app_mut().keep_session(&folder.0, false);
+    window.plus_that_comes_up_as_equals();
+    window.enter("C x", "1.25");
+    window.crash(&folder.0, "1.25");
+}
+
+#[test]
 fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
     let folder = Folder::new("newer");
     leave(&folder, "a.toml", "75.0");

@@ -31,21 +31,21 @@ fn entries(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let flat = [Shape::Grid, Shape::Points(vec![DVec3::ZERO]), Shape::Segments(vec![[DVec3::ZERO, DVec3::X]])];
     ui.set_min_width(170.0);
     for shape in solids {
-        if ui.button(t.shape(Some(&shape))).clicked() {
+        if chosen(ui, t.shape(Some(&shape))) {
             add(state, ObjectSpec::new(t.shape(Some(&shape)), shape));
         }
     }
     ui.separator();
     for shape in flat {
-        if ui.button(t.shape(Some(&shape))).clicked() {
+        if chosen(ui, t.shape(Some(&shape))) {
             add(state, ObjectSpec::new(t.shape(Some(&shape)), shape));
         }
     }
-    if ui.button(t.shape_mesh_file).clicked() {
+    if chosen(ui, t.shape_mesh_file) {
         file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::New));
     }
     ui.separator();
-    if ui.button(t.group).clicked() {
+    if chosen(ui, t.group) {
         add(state, ObjectSpec { scale: DVec3::ONE, ..ObjectSpec::group(t.group) });
     }
     ui.separator();
@@ -53,10 +53,19 @@ fn entries(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         (t.directional_light, LightSpec::Directional(crate::scene::DEFAULT_LIGHT)),
         (t.point_light, LightSpec::Point(DVec3::ZERO)),
     ] {
-        if ui.button(name).clicked() {
+        if chosen(ui, name) {
             add_light(state, light);
         }
     }
+}
+
+/// An entry; where it is chosen, by the pointer or the keyboard, the menu closes.
+fn chosen(ui: &mut egui::Ui, name: &str) -> bool {
+    let clicked = ui.button(name).clicked();
+    if clicked {
+        ui.close();
+    }
+    clicked
 }
 
 /// Adds an object where the camera looks, in a size that suits what it sees.

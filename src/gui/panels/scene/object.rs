@@ -420,9 +420,11 @@ fn delete(ui: &mut egui::Ui, form: &Form, name: &str) -> Option<Edit> {
     let button = ui.menu_button(format!("{} ▾", t.delete), |ui| {
         if ui.button(format!("{} (+ {below})", t.delete_all)).clicked() {
             asked = remove(Children::Removed);
+            ui.close();
         }
         if ui.button(t.delete_alone).clicked() {
             asked = remove(Children::HungHigher);
+            ui.close();
         }
     });
     button.response.on_hover_text(t.delete_hint).accessible_name(t.delete);
