@@ -18,6 +18,7 @@ use camera_lab::figure::Figure;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::{Picture, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Stage, Target};
+use camera_lab::progress::Progress;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
@@ -163,7 +164,9 @@ fn main() {
         }
     }
     let figure = Figure::default();
-    let (Ok(camera), Ok(scene)) = (Camera::new(&figure.camera), scene_of(&figure, &mut |_| Ok(Vec::new()))) else {
+    let (Ok(camera), Ok(scene)) =
+        (Camera::new(&figure.camera), scene_of(&figure, &mut |_| Ok(Vec::new()), &Progress::default()))
+    else {
         return;
     };
     let labels = pictures::labels(Lang::En);

@@ -34,6 +34,7 @@ pub mod limits;
 pub mod numbers;
 pub mod picture;
 pub mod pipeline;
+pub mod progress;
 pub mod raster;
 pub mod scene;
 mod simd;

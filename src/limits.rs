@@ -24,6 +24,9 @@ pub const MAX_MERIDIANS: u32 = 16;
 /// No mesh has more vertices than this: they are counted with 32 bits, with room for those that cutting makes.
 pub const MAX_VERTICES: usize = 1 << 31;
 
+/// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be told apart.
+pub const MAX_LIGHTS: usize = 1024;
+
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;
 
@@ -36,6 +39,17 @@ pub const MAX_SCENE_BYTES: usize = 512 << 20;
 
 /// The most items of sparse accessors that are 0 because no bytes stand behind them: a line of JSON can ask for billions.
 pub const MAX_ZEROS: usize = 1 << 20;
+
+/// The most pieces into which faces are split to be put in order: what crosses one another makes pieces by the cube. So many take
+/// two seconds and 350 MiB; 400 plates that all cross would take eight million, half a minute and 5 GiB.
+pub const MAX_PIECES: usize = 1 << 19;
+
+/// The most bytes that the corners of these pieces take: there is no bound to how many corners a piece can have.
+pub const MAX_PIECE_BYTES: usize = 256 << 20;
+
+/// The most steps in which strokes are held against faces and one another, for outputs without a depth buffer: so many take some
+/// seconds. What is kept counts as several steps, so that it takes some hundred MiB at most.
+pub const MAX_STROKE_STEPS: usize = 1 << 28;
 
 /// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper ones
 /// would need more of the stack.

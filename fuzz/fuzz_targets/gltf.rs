@@ -1,12 +1,13 @@
 //! A mesh file gives parts whose numbers are finite and whose indices are in range, or an error.
 #![no_main]
 
+use camera_lab::progress::Progress;
 use camera_lab::scene::import::import;
 use camera_lab::scene::no_files;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    let Ok(parts) = import("m.gltf", bytes, &mut no_files) else { return };
+    let Ok(parts) = import("m.gltf", bytes, &mut no_files, &Progress::default()) else { return };
     for part in parts {
         let points = part.mesh.positions.len();
         assert!(part.mesh.positions.iter().all(|p| p.is_finite()));

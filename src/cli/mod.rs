@@ -8,6 +8,7 @@ mod bench;
 mod explain;
 mod inspect;
 mod opening;
+mod progress;
 mod render;
 
 use std::ffi::OsString;
@@ -24,6 +25,7 @@ use crate::files::{self, FigureFiles, FileError, Opened, Reach, SourceFile};
 use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::inspect::{InspectError, camera_after};
+use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
 use args::{Command, CommandLine, FigureArgs, LangArg};
@@ -136,7 +138,8 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
 fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<Scene, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut files = FigureFiles::new(folder, Reach::of(opened.from_picture, args.allow_files));
-    let scene = scene_of(&opened.figure, &mut |wanted| files.read(wanted)).map_err(|error| {
+    let read = |progress: &Progress| scene_of(&opened.figure, &mut |wanted| files.read(wanted), progress);
+    let scene = progress::watched(lang, read).map_err(|error| {
         let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
         Failure::BadInput(texts::in_file(lang, &foreign::path(path), line, &messages::scene(lang, &error)))
     })?;

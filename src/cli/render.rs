@@ -1,14 +1,14 @@
 //! `camera-lab render`: a picture of a figure.
 
 use super::args::{LangArg, RenderArgs};
-use super::{Failure, open, scene};
+use super::{Failure, open, progress, say, scene};
 use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
 use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
-use crate::picture::{self, PictureError, gap, requests};
+use crate::picture::{self, PictureError, PictureFile, gap, requests};
 use crate::views::{Request, SharedScene, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
@@ -29,11 +29,17 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let request = Request::of(figure, View::Image, &camera, &scene, labels, size);
     let request = Request { force_all_stages: args.force_all_stages, ..request };
     let requests = requests(args.view, &request, &figure.observers).ok_or_else(too_large)?;
-    let bytes =
-        picture::file(format, &requests, &update(&opened.text, &opened.figure)).map_err(|error| match error {
-            PictureError::TooLarge => too_large(),
-            PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
-        })?;
+    let text = update(&opened.text, &opened.figure);
+    let made = progress::watched(lang, |progress| picture::file(format, &requests, &text, progress));
+    let PictureFile { bytes, too_much } = made.map_err(|error| match error {
+        PictureError::TooLarge => too_large(),
+        // Nobody cancels it: whoever wants to ends the program.
+        PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
+        PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
+    })?;
+    if let Some(too_much) = too_much {
+        say(&format!("{}: {}", foreign::path(&args.figure), messages::too_much(lang, &too_much)));
+    }
     files::save(&args.output, &bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }

@@ -1,16 +1,21 @@
 //! A picture as PNG, with the figure file that it shows inside: whoever has the picture has the figure.
 
 use std::borrow::Cow;
-use std::io::Cursor;
+use std::io::{Cursor, Write as _};
 
 use png::{BitDepth, ColorType, Compression, DecodeOptions, Decoder, DecodingError, Encoder};
 use tiny_skia::Pixmap;
+
+use crate::progress::{Doing, Progress};
 
 /// The keyword of the iTXt chunk that holds the figure file.
 pub const KEYWORD: &str = "camera-lab-figure";
 
 /// The first bytes of every PNG.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+/// How many bytes of packed pixels stand together.
+const CHUNK: usize = 1 << 20;
 
 /// Why a picture cannot be written or read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -65,8 +70,8 @@ impl From<DecodingError> for PngError {
 /// *Guarantees*: the same picture and text give the same bytes.
 ///
 /// # Errors
-/// [`PngError::Encode`] when the encoder fails.
-pub fn encode(pixmap: Pixmap, figure: &str) -> Result<Vec<u8>, PngError> {
+/// [`PngError::Encode`] when the encoder fails or the work is cancelled.
+pub fn encode(pixmap: Pixmap, figure: &str, progress: &Progress) -> Result<Vec<u8>, PngError> {
     let error = |e: png::EncodingError| PngError::Encode(e.to_string());
     let (width, height) = (pixmap.width(), pixmap.height());
     let opaque = pixmap.pixels().iter().all(|p| p.alpha() == u8::MAX);
@@ -83,7 +88,16 @@ pub fn encode(pixmap: Pixmap, figure: &str) -> Result<Vec<u8>, PngError> {
     encoder.set_compression(Compression::Balanced);
     encoder.add_itxt_chunk(KEYWORD.to_owned(), figure.to_owned()).map_err(error)?;
     let mut writer = encoder.write_header().map_err(error)?;
-    writer.write_image_data(&data).map_err(error)?;
+    progress.begin(Doing::Encoding, height as usize);
+    let mut stream = writer.stream_writer_with_size(CHUNK).map_err(error)?;
+    for row in data.chunks(data.len() / height as usize) {
+        if progress.is_cancelled() {
+            return Err(PngError::Encode("cancelled".to_owned()));
+        }
+        stream.write_all(row).map_err(|e| PngError::Encode(e.to_string()))?;
+        progress.advance(1);
+    }
+    stream.finish().map_err(error)?;
     writer.finish().map_err(error)?;
     Ok(bytes)
 }
@@ -179,7 +193,7 @@ mod tests {
     #[test]
     fn the_figure_comes_back_with_accents_and_line_ends() {
         let text = "[camera] # câmera θ\nnear = 1\r\n";
-        let bytes = encode(picture(255), text).unwrap();
+        let bytes = encode(picture(255), text, &Progress::default()).unwrap();
         assert_eq!(figure_text(&bytes, LIMIT).unwrap().as_deref(), Some(text));
         assert_eq!(figure_bytes(&bytes, LIMIT).unwrap().as_ref(), text.as_bytes());
         assert_eq!(figure_bytes(text.as_bytes(), LIMIT).unwrap().as_ref(), text.as_bytes());
@@ -187,15 +201,15 @@ mod tests {
 
     #[test]
     fn opaque_pictures_are_rgb_and_others_have_straight_alpha() {
-        let (color, data) = pixels(&encode(picture(255), "").unwrap());
+        let (color, data) = pixels(&encode(picture(255), "", &Progress::default()).unwrap());
         assert_eq!((color, &data[..6]), (ColorType::Rgb, &[200, 100, 50, 127, 0, 255][..]));
-        let (color, data) = pixels(&encode(picture(128), "").unwrap());
+        let (color, data) = pixels(&encode(picture(128), "", &Progress::default()).unwrap());
         assert_eq!((color, &data[..8]), (ColorType::Rgba, &[200, 100, 50, 255, 128, 0, 255, 128][..]));
     }
 
     #[test]
     fn a_figure_behind_the_pixels_is_found() {
-        let with = encode(picture(255), "near the end").unwrap();
+        let with = encode(picture(255), "near the end", &Progress::default()).unwrap();
         let start = with.windows(4).position(|w| w == b"iTXt").unwrap() - 4;
         let length = 12 + u32::from_be_bytes(with[start..start + 4].try_into().unwrap()) as usize;
         let mut moved = with.clone();
@@ -212,7 +226,7 @@ mod tests {
         encoder.set_color(ColorType::Grayscale);
         encoder.write_header().unwrap().write_image_data(&[7]).unwrap();
         assert_eq!(figure_bytes(&bytes, LIMIT), Err(PngError::NoFigure));
-        let whole = encode(picture(255), "text").unwrap();
+        let whole = encode(picture(255), "text", &Progress::default()).unwrap();
         for end in [8, 20, 40, 60] {
             assert!(matches!(figure_bytes(&whole[..end], LIMIT), Err(PngError::Damaged(_))), "{end}");
         }
@@ -234,13 +248,13 @@ mod tests {
         assert!(bytes.len() < LIMIT);
         assert_eq!(figure_text(&bytes, LIMIT), Err(PngError::TooLong { limit: LIMIT }));
         assert_eq!(figure_text(&bytes, 16 << 20).unwrap().map(|text| text.len()), Some(16 << 20));
-        let whole = encode(picture(255), "text").unwrap();
+        let whole = encode(picture(255), "text", &Progress::default()).unwrap();
         assert_eq!(figure_text(&whole, 3), Err(PngError::TooLong { limit: 3 }));
     }
 
     #[test]
     fn a_figure_whose_checksum_does_not_fit_is_damage() {
-        let mut bytes = encode(picture(255), "near = 1").unwrap();
+        let mut bytes = encode(picture(255), "near = 1", &Progress::default()).unwrap();
         let at = bytes.windows(8).position(|w| w == b"near = 1").unwrap();
         bytes[at] ^= 1;
         assert_eq!(figure_text(&bytes, LIMIT), Err(PngError::Damaged(Damage::Checksum)));
@@ -249,7 +263,7 @@ mod tests {
 
     #[test]
     fn a_damaged_text_of_another_program_does_not_hide_the_figure() {
-        let with = encode(picture(255), "mine").unwrap();
+        let with = encode(picture(255), "mine", &Progress::default()).unwrap();
         let other = with_chunk(*b"tEXt", b"Comment\0theirs");
         let start = other.windows(4).position(|w| w == b"tEXt").unwrap() - 4;
         let length = 12 + u32::from_be_bytes(other[start..start + 4].try_into().unwrap()) as usize;

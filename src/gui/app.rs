@@ -126,6 +126,7 @@ impl App {
             self.state.document.commit();
         }
         file_flow::poll(&ctx, &mut self.state);
+        self.canvas.listen_for_cancel(&ctx, &mut self.state);
         if self.state.file_flow.dialog.is_none()
             && let Some(command) = self.keyboard(&ctx)
         {

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
-use super::worker::{Work, Worker};
+use super::worker::{Running, Work, Worker};
 use crate::appearance::Theme;
 use crate::camera::{Camera, CameraError};
 use crate::clock;
@@ -15,7 +15,9 @@ use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, FigureFiles, FileError, Overwrite, Reach};
 use crate::i18n::{Lang, messages, pictures, window};
-use crate::picture::{self, PictureError, requests};
+use crate::picture::{self, PictureError, PictureFile, requests};
+use crate::pipeline::TooMuch;
+use crate::progress::Progress;
 use crate::scene::SceneError;
 use crate::views::{Request, SharedScene, Size, View, Views, scene_of};
 
@@ -82,10 +84,16 @@ pub(super) enum ExportError {
     Picture(#[from] PictureError),
     #[error(transparent)]
     File(#[from] FileError),
+    /// The user does not want it any more.
+    #[error("cancelled")]
+    Cancelled,
     /// What draws and writes has panicked.
     #[error("a fault of this program")]
     Panic,
 }
+
+/// What came of it: what could not be done as it was asked for, or why nothing was written.
+pub(super) type Exported = Result<Option<TooMuch>, ExportError>;
 
 impl ExportError {
     /// Why the picture `name` was not written.
@@ -94,6 +102,7 @@ impl ExportError {
         match self {
             Self::Camera(error) => messages::camera(lang, error),
             Self::Scene(error) => messages::scene(lang, error),
+            Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
             Self::Picture(PictureError::TooLarge) => t.picture_too_large.to_owned(),
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::File(error) => messages::file(lang, name, error),
@@ -106,7 +115,7 @@ impl ExportError {
 #[derive(Debug)]
 pub(super) struct Exporting {
     path: PathBuf,
-    worker: Worker<Task, Result<(), ExportError>>,
+    worker: Worker<Task, Exported>,
 }
 
 /// Everything that a picture in a file depends on.
@@ -142,7 +151,7 @@ impl Exporting {
         lang: Lang,
         export: Export,
         (path, overwrite): (PathBuf, Overwrite),
-        make: fn() -> Work<Task, Result<(), ExportError>>,
+        make: fn() -> Work<Task, Exported>,
     ) -> Self {
         let mut figure = document.figure().clone();
         figure.style.theme = export.theme;
@@ -168,29 +177,49 @@ impl Exporting {
         Self { path, worker }
     }
 
+    /// Where it will be.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// What is being done for it.
+    pub(super) fn running(&self) -> Option<Running> {
+        self.worker.running()
+    }
+
+    /// Gives it up; it still comes to its end, but soon.
+    pub(super) fn cancel(&self) {
+        self.worker.cancel();
+    }
+
     /// What came of it and where, once it has come to an end.
-    pub(super) fn take(&mut self) -> Option<(PathBuf, Result<(), ExportError>)> {
+    pub(super) fn take(&mut self) -> Option<(PathBuf, Exported)> {
         let [done] = self.worker.take(Duration::ZERO);
         Some((self.path.clone(), done?.outcome.unwrap_or(Err(ExportError::Panic))))
     }
 }
 
 impl Task {
-    fn run(self) -> Result<(), ExportError> {
-        Ok(files::save(&self.path, &self.bytes()?, self.overwrite)?)
+    fn run(self, progress: &Progress) -> Exported {
+        let PictureFile { bytes, too_much } = self.file(progress).map_err(|error| match error {
+            _ if progress.is_cancelled() => ExportError::Cancelled,
+            error => error,
+        })?;
+        files::save(&self.path, &bytes, self.overwrite)?;
+        Ok(too_much)
     }
 
-    /// The bytes of the file, with the figure file in it.
-    fn bytes(&self) -> Result<Vec<u8>, ExportError> {
+    /// The file, with the figure file in it.
+    fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
         let Self { figure, source, folder, reach, lang, export, format, .. } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
-        let scene = scene_of(figure, &mut |wanted| files.read(wanted))?;
+        let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
         let size = Size { width: export.width, height: export.height, scale: export.scale };
         let labels = pictures::labels(*lang);
         let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
         let requests = requests(export.what, &request, &figure.observers).ok_or(PictureError::TooLarge)?;
-        Ok(picture::file(*format, &requests, &update(source, figure))?)
+        Ok(picture::file(*format, &requests, &update(source, figure), progress)?)
     }
 }
 

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
-use super::export::Exporting;
+use super::export::{ExportError, Exporting};
 use super::mesh_paths::{for_folder, named_in_figure};
 use super::native::{FileAnswer, FileQuestion, OpenFileDialog};
 use super::state::{AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Purpose, State, Tab, Theirs};
@@ -330,7 +330,12 @@ fn take_exports(ctx: &egui::Context, state: &mut State) {
     for (path, result) in state.file_flow.exported() {
         let (lang, name) = (state.settings.lang, foreign::path(&path));
         match result {
-            Ok(()) => state.say(format!("{} {name}", window::texts(lang).saved)),
+            Ok(None) => state.say(format!("{} {name}", window::texts(lang).saved)),
+            Ok(Some(too_much)) => {
+                let why = messages::too_much(lang, &too_much);
+                state.say_error(format!("{} {name}; {why}", window::texts(lang).saved));
+            }
+            Err(ExportError::Cancelled) => state.say(ExportError::Cancelled.text(lang, &name)),
             Err(error) => {
                 failed = true;
                 state.say_error(error.text(lang, &name));
@@ -353,12 +358,12 @@ mod tests {
 
     use super::*;
     use crate::files::Overwrite;
-    use crate::gui::export::{Export, ExportError, Task};
+    use crate::gui::export::{Export, Exported, Task};
     use crate::gui::worker::Work;
     use crate::i18n::Lang;
 
     /// The window as it is while a picture is being written by `make`, and frames of it.
-    fn exporting(make: fn() -> Work<Task, Result<(), ExportError>>) -> (egui::Context, State) {
+    fn exporting(make: fn() -> Work<Task, Exported>) -> (egui::Context, State) {
         let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
         let export = Export::new([[4, 3]; 3], 1.0);
         let exporting = Exporting::with(
@@ -398,7 +403,7 @@ mod tests {
 
     #[test]
     fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
-        let (ctx, mut state) = exporting(|| Box::new(|_| panic!("as a fault would")));
+        let (ctx, mut state) = exporting(|| Box::new(|_, _| panic!("as a fault would")));
         until_done(&ctx, &mut state);
         let message = state.message.expect("said");
         assert!(message.is_error && message.text.contains("fault of this program") && message.text.contains("a.png"));
@@ -407,10 +412,10 @@ mod tests {
     #[test]
     fn a_window_that_is_closed_waits_for_its_pictures() {
         static HELD: Mutex<()> = Mutex::new(());
-        fn make() -> Work<Task, Result<(), ExportError>> {
-            Box::new(|_| {
+        fn make() -> Work<Task, Exported> {
+            Box::new(|_, _| {
                 let _wait = HELD.lock();
-                Ok(())
+                Ok(None)
             })
         }
         let held = HELD.lock();
@@ -424,7 +429,7 @@ mod tests {
         assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
 
         // One that could not be written is told, by a window that stays.
-        let (ctx, mut state) = exporting(|| Box::new(|_| Err(ExportError::Panic)));
+        let (ctx, mut state) = exporting(|| Box::new(|_, _| Err(ExportError::Panic)));
         go_on(&ctx, &mut state, AfterSave::Quit);
         assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
         assert!(state.message.is_some_and(|message| message.is_error) && state.file_flow.dialog.is_none());

@@ -61,7 +61,7 @@ impl OpenFileDialog {
         // The future is made here: some systems insist on the main thread for that.
         let chosen: Chosen = if question.save { Box::pin(dialog.save_file()) } else { Box::pin(dialog.pick_file()) };
         let mut worker = Worker::new("dialog", clock::now, || {
-            Box::new(|chosen: Chosen| pollster::block_on(chosen).map(|file| file.path().to_owned()))
+            Box::new(|chosen: Chosen, _| pollster::block_on(chosen).map(|file| file.path().to_owned()))
         });
         worker.ask(ctx, 0, chosen);
         Self { worker }

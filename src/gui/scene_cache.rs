@@ -9,10 +9,11 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
-use super::worker::Worker;
+use super::worker::{Running, Worker};
 use crate::appearance::{HiddenLines, Theme};
 use crate::clock;
 use crate::files::{FigureFiles, Reach};
+use crate::progress::Progress;
 use crate::scene::import::{Part, read};
 use crate::scene::{self, MeshError, MeshFiles, Preset, ReadError, SceneError, SceneSpec, Shape};
 use crate::views::SharedScene;
@@ -73,9 +74,9 @@ struct MeshFile {
 }
 
 impl MeshFile {
-    fn read(&self) -> Outcome {
+    fn read(&self, progress: &Progress) -> Outcome {
         let mut files = FigureFiles::new(&self.folder, self.reach).after(self.spent);
-        let parts = read(&self.path, &mut |wanted| files.read(wanted));
+        let parts = read(&self.path, &mut |wanted| files.read(wanted), progress);
         Outcome { parts, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
     }
 }
@@ -94,8 +95,8 @@ struct Reader {
 impl Default for Reader {
     fn default() -> Self {
         let worker = Worker::new("meshes", clock::now, || {
-            Box::new(|file: MeshFile| {
-                let outcome = file.read();
+            Box::new(|file: MeshFile, progress| {
+                let outcome = file.read(progress);
                 (file, outcome)
             })
         });
@@ -167,6 +168,17 @@ impl SceneCache {
     #[must_use]
     pub fn loading(&self) -> Vec<&str> {
         self.reader.reading.iter().chain(&self.reader.waiting).map(|file| file.path.as_str()).collect()
+    }
+
+    /// The file that is being read, and how far that has come.
+    pub(in crate::gui) fn running(&self) -> Option<(&str, Running)> {
+        Some((self.reader.reading.as_ref()?.path.as_str(), self.reader.worker.running()?))
+    }
+
+    /// Gives up reading. The files count as such that cannot be read.
+    pub(in crate::gui) fn cancel(&mut self) {
+        self.reader.worker.cancel();
+        self.broken.extend(self.reader.waiting.drain(..).map(|file| (file.path, MeshError::Cancelled)));
     }
 
     /// Why the file of an object cannot be used.

@@ -28,7 +28,7 @@ pub(in crate::gui) struct Watch {
 impl Default for Watch {
     fn default() -> Self {
         let worker = Worker::new("watch", clock::now, || {
-            Box::new(|Watched { path, source, stamp }| {
+            Box::new(|Watched { path, source, stamp }, _| {
                 let found = look(&path, source.as_bytes(), stamp);
                 (path, source, found)
             })

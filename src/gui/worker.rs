@@ -7,8 +7,10 @@ use std::time::Duration;
 
 use eframe::egui;
 
+use crate::progress::{Doing, Progress};
+
 /// What does the jobs, with what it keeps from one to the next.
-pub(super) type Work<Job, Outcome> = Box<dyn FnMut(Job) -> Outcome>;
+pub(super) type Work<Job, Outcome> = Box<dyn FnMut(Job, &Progress) -> Outcome>;
 
 /// Does one job after the other. Of each slot the latest job wins: one that has not been begun is forgotten when the next comes.
 /// Every slot that waits gets the same share of the time: a light job is not as late as a heavy one, and none starves.
@@ -38,7 +40,18 @@ pub(super) struct Done<Outcome> {
     pub(super) time: Duration,
 }
 
+/// A job that is being done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Running {
+    pub(super) slot: usize,
+    /// For how long.
+    pub(super) time: Duration,
+    /// What is being done for it, and which share of that is done, where that is known.
+    pub(super) now: Option<(Doing, Option<f32>)>,
+}
+
 struct Shared<Job, Outcome, const SLOTS: usize> {
+    progress: Progress,
     mailbox: Mutex<Mailbox<Job, Outcome, SLOTS>>,
     wake: Condvar,
     done: Condvar,
@@ -46,7 +59,10 @@ struct Shared<Job, Outcome, const SLOTS: usize> {
 
 struct Mailbox<Job, Outcome, const SLOTS: usize> {
     wanted: [Option<Job>; SLOTS],
-    busy: Option<usize>,
+    /// The slot whose job is being done, and since when.
+    busy: Option<(usize, Duration)>,
+    /// Slots whose jobs are not wanted any more, but for what comes of that.
+    cancelled: [bool; SLOTS],
     finished: [Option<Done<Outcome>>; SLOTS],
     /// The window waits for `done`, and needs no other call.
     waited_for: bool,
@@ -62,7 +78,7 @@ impl<Job, Outcome, const SLOTS: usize> Shared<Job, Outcome, SLOTS> {
 
 impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
     fn is_pending(&self, slot: usize) -> bool {
-        self.busy == Some(slot) || self.wanted[slot].is_some()
+        self.busy.is_some_and(|(busy, _)| busy == slot) || self.wanted[slot].is_some()
     }
 
     fn any_pending(&self) -> bool {
@@ -76,11 +92,17 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         let mailbox = Mailbox {
             wanted: std::array::from_fn(|_| None),
             busy: None,
+            cancelled: [false; SLOTS],
             finished: std::array::from_fn(|_| None),
             waited_for: false,
             quit: false,
         };
-        let shared = Arc::new(Shared { mailbox: Mutex::new(mailbox), wake: Condvar::new(), done: Condvar::new() });
+        let shared = Arc::new(Shared {
+            progress: Progress::default(),
+            mailbox: Mutex::new(mailbox),
+            wake: Condvar::new(),
+            done: Condvar::new(),
+        });
         Self { shared, place: Place::Nowhere, name, make, clock }
     }
 
@@ -101,7 +123,10 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
                 Err(_) => Place::Here(make()),
             };
         }
-        self.shared.mailbox().wanted[slot] = Some(job);
+        let mut mailbox = self.shared.mailbox();
+        mailbox.wanted[slot] = Some(job);
+        mailbox.cancelled[slot] = false;
+        drop(mailbox);
         self.shared.wake.notify_one();
         if matches!(self.place, Place::Here(_)) {
             // It is done in the next frame: nothing else may call for one.
@@ -112,6 +137,21 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
     /// True where the job that was asked for last has not been done.
     pub(super) fn is_pending(&self, slot: usize) -> bool {
         self.shared.mailbox().is_pending(slot)
+    }
+
+    /// The job that is being done, if any.
+    pub(super) fn running(&self) -> Option<Running> {
+        let (slot, since) = self.shared.mailbox().busy?;
+        Some(Running { slot, time: (self.clock)().saturating_sub(since), now: self.shared.progress.now() })
+    }
+
+    /// Says of all that has been asked for that it is not wanted any more. Each job still comes to its end, but soon.
+    pub(super) fn cancel(&self) {
+        let mut mailbox = self.shared.mailbox();
+        mailbox.cancelled = std::array::from_fn(|slot| mailbox.wanted[slot].is_some());
+        if mailbox.busy.is_some() {
+            self.shared.progress.cancel();
+        }
     }
 
     /// Takes what has been done. Waits up to `patience` until all is.
@@ -132,7 +172,8 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             Place::Here(work) => {
                 for slot in 0..SLOTS {
                     if let Some(job) = mailbox.wanted[slot].take() {
-                        mailbox.finished[slot] = Some(carry_out(work, job, self.make, self.clock));
+                        let progress = &self.shared.progress;
+                        mailbox.finished[slot] = Some(carry_out(work, job, progress, self.make, self.clock));
                     }
                 }
             }
@@ -144,6 +185,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
 impl<Job, Outcome, const SLOTS: usize> Drop for Worker<Job, Outcome, SLOTS> {
     fn drop(&mut self) {
         self.shared.mailbox().quit = true;
+        self.shared.progress.cancel();
         self.shared.wake.notify_one();
     }
 }
@@ -175,10 +217,15 @@ fn work<Job, Outcome, const SLOTS: usize>(
             }
             mailbox = shared.wake.wait(mailbox).unwrap_or_else(PoisonError::into_inner);
         };
-        mailbox.busy = Some(slot);
+        mailbox.busy = Some((slot, clock()));
+        // While the mailbox is held, so that whoever cancels means this job.
+        shared.progress.begin_anew();
+        if std::mem::take(&mut mailbox.cancelled[slot]) {
+            shared.progress.cancel();
+        }
         drop(mailbox);
 
-        let done = carry_out(&mut work, job, make, clock);
+        let done = carry_out(&mut work, job, &shared.progress, make, clock);
         shares.book(slot, done.time);
 
         let mut mailbox = shared.mailbox();
@@ -197,11 +244,12 @@ fn work<Job, Outcome, const SLOTS: usize>(
 fn carry_out<Job, Outcome>(
     work: &mut Work<Job, Outcome>,
     job: Job,
+    progress: &Progress,
     make: fn() -> Work<Job, Outcome>,
     clock: fn() -> Duration,
 ) -> Done<Outcome> {
     let start = clock();
-    let outcome = catch_unwind(AssertUnwindSafe(|| work(job))).ok();
+    let outcome = catch_unwind(AssertUnwindSafe(|| work(job, progress))).ok();
     if outcome.is_none() {
         *work = make();
     }
@@ -249,7 +297,7 @@ mod tests {
     fn doubling<const SLOTS: usize>() -> Worker<u32, (u32, u32), SLOTS> {
         Worker::new("doubling", clock::now, || {
             let mut count = 0;
-            Box::new(move |n| {
+            Box::new(move |n, _| {
                 count += 1;
                 assert_ne!(n, 0, "as the test wants it");
                 (2 * n, count)
@@ -285,6 +333,32 @@ mod tests {
         let done = worker.take(Duration::ZERO).map(|done| done.and_then(|done| done.outcome));
         assert_eq!(done, [Some((4, 1)), None, Some((6, 2))]);
         assert!(worker.take(Duration::ZERO).iter().all(Option::is_none));
+    }
+
+    #[test]
+    fn what_is_given_up_ends_soon_and_what_is_asked_for_then_is_done() {
+        let mut worker: Worker<bool, bool, 2> = Worker::new("waiting", clock::now, || {
+            Box::new(|waits, progress| {
+                while waits && !progress.is_cancelled() {
+                    std::thread::yield_now();
+                }
+                progress.is_cancelled()
+            })
+        });
+        let ctx = egui::Context::default();
+        worker.ask(&ctx, 0, true);
+        worker.ask(&ctx, 1, true);
+        let start = clock::now();
+        while worker.running().is_none() && clock::now() - start < LONG {
+            std::thread::yield_now();
+        }
+        assert!(worker.running().is_some());
+        worker.cancel();
+        let given_up = worker.take(LONG).map(|done| done.unwrap().outcome);
+        assert_eq!(given_up, [Some(true), Some(true)]);
+        worker.ask(&ctx, 0, false);
+        assert_eq!(worker.take(LONG)[0].as_ref().unwrap().outcome, Some(false));
+        assert_eq!(worker.running(), None);
     }
 
     #[test]

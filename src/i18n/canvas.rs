@@ -82,6 +82,7 @@ texts! {
     // Before the reason why a handle does not go on.
     stopped: "Stopped:", "Parado:";
     // Where a picture could not be drawn.
+    given_up: "Cancelled; this picture is drawn again when the figure changes.", "Cancelada; esta imagem é desenhada de novo quando a figura mudar.";
     not_drawn: "This picture could not be drawn.", "Esta imagem não pôde ser desenhada.";
     // Where nothing is pointed at.
     probe_hint: "Point at a vertex or at a pixel of the image: its coordinates in every space stand here.", "Aponte para um vértice ou para um pixel da imagem: suas coordenadas em cada espaço aparecem aqui.";

@@ -12,6 +12,7 @@ pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
         (Lang::PtBr, MeshError::Format) => {
             "o formato não é conhecido; permitido: um nome que termine com .obj, .gltf ou .glb".to_owned()
         }
+        (Lang::PtBr, MeshError::Cancelled) => "a leitura foi cancelada".to_owned(),
         (Lang::PtBr, MeshError::Empty) => "não há nenhuma face nele".to_owned(),
         (Lang::PtBr, MeshError::TooLarge) => "ele tem vértices demais".to_owned(),
         (Lang::PtBr, MeshError::Obj { line, fault }) => format!("linha {line}: {}", obj_in_portuguese(fault)),

@@ -4,5 +4,6 @@ pub use super::cameras::{camera, inspect, operation, warning};
 pub use super::expressions::{expression, not_whole, outside};
 pub use super::figure_files::figure;
 pub use super::files::{file, png};
+pub use super::progress::too_much;
 pub use super::scene_errors::scene;
 pub use super::unreadable::without_colors;

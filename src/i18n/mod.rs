@@ -44,6 +44,7 @@ mod meshes;
 pub mod messages;
 pub mod pictures;
 pub mod pipeline;
+pub mod progress;
 pub mod reasons;
 mod scene_errors;
 pub mod scenes;

@@ -19,6 +19,7 @@ texts! {
     divided_first: "divided before clipping", "dividido antes do recorte";
     wrong: "wrong", "errado";
     no_difference: "nothing wrong falls into the volume", "nada de errado cai no volume";
+    not_split: "too many pieces for BSP: depth buffer instead", "pedaços demais para o BSP: usa o buffer de profundidade";
     // The planes, outside of which an object is.
     plane_left: "left", "esquerda";
     plane_right: "right", "direita";
@@ -57,6 +58,7 @@ const fn of(t: &Texts) -> Labels {
         divided_first: t.divided_first,
         wrong: t.wrong,
         no_difference: t.no_difference,
+        not_split: t.not_split,
         planes: [t.plane_left, t.plane_right, t.plane_bottom, t.plane_top, t.plane_near, t.plane_far],
     }
 }

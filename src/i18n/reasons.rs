@@ -148,6 +148,14 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::PaintedByCentroid => t.painted_by_centroid.to_owned(),
         Reason::PaintedBySplitting => t.painted_by_splitting.to_owned(),
         Reason::NoDepthBuffer => t.no_depth_buffer.to_owned(),
+        Reason::TooManyPieces { pieces } => match lang {
+            Lang::En => {
+                format!("depth buffer instead of BSP: splitting stopped at {pieces} pieces, which are too many")
+            }
+            Lang::PtBr => {
+                format!("buffer de profundidade em vez de BSP: a divisão parou em {pieces} pedaços, que são demais")
+            }
+        },
         Reason::NoTexture => t.no_texture.to_owned(),
         Reason::Textured { objects: n } => match lang {
             Lang::En => format!("a picture on {}", objects(n)),

@@ -4,7 +4,7 @@ use super::Lang;
 use super::meshes::mesh;
 use super::wording::Wording;
 use crate::foreign::shown;
-use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::scene::{SceneError, chain_text};
 
 /// Why the objects and lights of a figure make no scene; names the object and the key.
@@ -18,6 +18,7 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
         | SceneError::NotFinite { name, .. }
         | SceneError::ZeroScale { name }
         | SceneError::Segments { name, .. } => format!("[[scene.objects]] \"{}\": {key} {why}", shown(name)),
+        SceneError::TooManyLights { .. } => format!("[scene] {key} {why}"),
         SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
     }
 }
@@ -70,6 +71,11 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             let (path, why) = (shown(path), mesh(lang, error));
             Wording::new(format!("\"{path}\": {why}"), format!("{path}: {why}"))
         }
+        (Lang::En, SceneError::TooManyLights { .. }) => english(&format!("at most {MAX_LIGHTS} lights")),
+        (Lang::PtBr, SceneError::TooManyLights { found }) => Wording::new(
+            format!("são {found}; permitido: no máximo {MAX_LIGHTS}"),
+            format!("no máximo {MAX_LIGHTS} luzes"),
+        ),
         (Lang::En, SceneError::Light { key: "direction", .. }) => english("the direction must not be 0"),
         (Lang::En, SceneError::Light { .. }) => english("a finite position is needed"),
         (Lang::PtBr, SceneError::Light { key, .. }) => Wording::new(

@@ -237,6 +237,7 @@ texts! {
     closing_title: "A picture is still being written", "Uma imagem ainda está sendo gravada";
     closing_text: "The window closes when it is there.", "A janela fecha quando ela estiver pronta.";
     close_now: "Close without it", "Fechar sem ela";
+    export_cancelled: "Cancelled; nothing was written to", "Cancelado; nada foi gravado em";
     picture_failed: "A fault of this program kept the picture from being written:", "Uma falha deste programa impediu que a imagem fosse gravada:";
     picture_too_large: "There is no memory for a picture of this size.", "Não há memória para uma imagem deste tamanho.";
     export_heading: "Export pictures", "Exportar imagens";

@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use crate::drawing::{Drawing, Paint, Surface};
-use crate::pipeline::{Frame, ObjectReport, Stage, StageReport};
+use crate::pipeline::{Frame, ObjectReport, Stage, StageReport, TooMuch};
 use crate::raster::Work;
 
-/// How a picture came about; empty without a clock.
+/// How a picture came about; without a clock there is only what could not be done.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Account {
     /// Every stage, in order. Their times add up to the total.
@@ -15,6 +15,8 @@ pub struct Account {
     pub objects: Vec<ObjectReport>,
     /// From the scene to the last pixel.
     pub total: Duration,
+    /// What could not be done as it was asked for; also without a clock.
+    pub too_much: Option<TooMuch>,
 }
 
 impl Account {
@@ -30,7 +32,7 @@ impl Account {
         if let Some(traversal) = stages.iter_mut().find(|report| report.stage == Stage::Traverse) {
             traversal.time = Some(traversal.time.unwrap_or_default() + total.saturating_sub(known));
         }
-        Self { stages, objects: frame.objects.clone(), total }
+        Self { stages, objects: frame.objects.clone(), total, too_much: frame.too_much.clone() }
     }
 }
 

@@ -3,6 +3,8 @@
 use super::Renderer;
 use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
+use crate::pipeline::TooMuch;
+use crate::progress::Progress;
 use crate::views::Request;
 
 /// Why there is no picture file.
@@ -11,22 +13,43 @@ pub enum PictureError {
     /// A side is 0, or there is no memory for so many pixels.
     #[error("there is no memory for a picture of this size")]
     TooLarge,
+    /// It is not wanted any more.
+    #[error("cancelled")]
+    Cancelled,
     /// It cannot be written as PNG.
     #[error(transparent)]
     Png(#[from] PngError),
 }
 
-/// The bytes of the file that shows `requests` side by side, with a figure file in it.
+/// A picture as a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PictureFile {
+    /// What is written.
+    pub bytes: Vec<u8>,
+    /// What could not be done as it was asked for.
+    pub too_much: Option<TooMuch>,
+}
+
+/// The file that shows `requests` side by side, with a figure file in it.
 ///
 /// *Guarantees*: the same requests and text give the same bytes.
 ///
 /// # Errors
 /// [`PictureError`].
-pub fn file(format: PictureFormat, requests: &[Request], figure: &str) -> Result<Vec<u8>, PictureError> {
+pub fn file(
+    format: PictureFormat,
+    requests: &[Request],
+    figure: &str,
+    progress: &Progress,
+) -> Result<PictureFile, PictureError> {
+    let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
     match format {
         PictureFormat::Png => {
-            let picture = Renderer::default().sheet(requests).ok_or(PictureError::TooLarge)?;
-            Ok(picture.into_png(figure)?)
+            let mut renderer = Renderer::default();
+            renderer.watch(progress);
+            let (picture, too_much) = renderer.sheet(requests).ok_or(PictureError::TooLarge).map_err(or_cancelled)?;
+            let bytes = picture.into_png(figure, progress).map_err(|error| or_cancelled(error.into()))?;
+            Ok(PictureFile { bytes, too_much })
         }
     }
 }

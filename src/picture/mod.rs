@@ -11,8 +11,9 @@ use tiny_skia::{IntSize, Pixmap};
 use crate::appearance::{Rgba, Texture};
 use crate::export::png::{self, PngError};
 use crate::export::sheet::side_by_side;
+use crate::progress::Progress;
 pub use account::Account;
-pub use file::{PictureError, file};
+pub use file::{PictureError, PictureFile, file};
 pub use renderer::Renderer;
 pub use sheet::{gap, requests, widths};
 
@@ -48,10 +49,10 @@ impl Picture {
     /// *Guarantees*: the same picture and text give the same bytes.
     ///
     /// # Errors
-    /// [`PngError::Encode`] for a picture without pixels, and when the encoder fails.
-    pub fn into_png(mut self, figure: &str) -> Result<Vec<u8>, PngError> {
+    /// [`PngError::Encode`] for a picture without pixels, and when the encoder fails or the work is cancelled.
+    pub fn into_png(mut self, figure: &str, progress: &Progress) -> Result<Vec<u8>, PngError> {
         let pixmap = self.take_pixmap().ok_or_else(|| PngError::Encode("no pixels".to_owned()))?;
-        png::encode(pixmap, figure)
+        png::encode(pixmap, figure, progress)
     }
 
     /// Pictures side by side on a ground. `None` where that would be empty or too large for memory.

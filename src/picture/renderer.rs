@@ -8,7 +8,8 @@ use tiny_skia::Pixmap;
 use super::sheet::gap;
 use super::{Account, Picture};
 use crate::appearance::Texture;
-use crate::pipeline::Frame;
+use crate::pipeline::{Frame, TooMuch};
+use crate::progress::Progress;
 use crate::raster::Rasterizer;
 use crate::views::{self, Palette, Request, TimedPipeline, View};
 
@@ -24,6 +25,7 @@ pub struct Renderer {
     rasterizer: Rasterizer,
     on_window: Option<(Request, Arc<Texture>)>,
     clock: Option<fn() -> Duration>,
+    progress: Progress,
 }
 
 impl Renderer {
@@ -32,12 +34,21 @@ impl Renderer {
         self.clock = clock;
     }
 
+    /// Says from now on how far a picture has come. There is no picture where that is cancelled.
+    pub fn watch(&mut self, progress: &Progress) {
+        self.progress = progress.clone();
+        self.rasterizer.watch(progress);
+        for pipeline in self.pipelines.iter_mut().chain([&mut self.window_pipeline]) {
+            pipeline.stages.watch(progress);
+        }
+    }
+
     /// Forgets pictures that were kept: the next one is made from scratch, in the same memory.
     pub fn forget(&mut self) {
         self.on_window = None;
     }
 
-    /// A picture. `None` where a side is 0, or there is no memory for so many pixels.
+    /// A picture. `None` where a side is 0, there is no memory for so many pixels, or it was cancelled.
     pub fn pixels(&mut self, request: &Request) -> Option<Picture> {
         let mut picture = Picture::default();
         self.pixels_into(request, &mut picture).map(|_| picture)
@@ -49,32 +60,42 @@ impl Renderer {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
         let (frame, on_window) = self.timed_drawing(request)?;
+        if self.progress.is_cancelled() {
+            return None;
+        }
         let mut pixmap = picture.take_pixmap().or_else(|| Pixmap::new(1, 1))?;
         self.rasterizer.measure(self.clock);
-        if !self.rasterizer.paint_into(&frame.drawing, &mut pixmap) {
+        if !self.rasterizer.paint_into(&frame.drawing, &mut pixmap) || self.progress.is_cancelled() {
             return None;
         }
         *picture = pixmap.into();
         let total = now().saturating_sub(start);
         let account = match self.clock {
             Some(_) => Account::of(&frame, self.rasterizer.work(), on_window, total),
-            None => Account::default(),
+            None => Account { too_much: frame.too_much, ..Account::default() },
         };
         self.pipelines[request.view.index()].stages.recycle(frame.drawing);
         Some(account)
     }
 
-    /// Pictures side by side; of one, the picture itself. `None` as for [`pixels`](Self::pixels), and without requests.
-    pub fn sheet(&mut self, requests: &[Request]) -> Option<Picture> {
-        match requests {
-            [] => None,
-            [one] => self.pixels(one),
-            [first, ..] => {
-                let pictures: Option<Vec<Picture>> = requests.iter().map(|request| self.pixels(request)).collect();
-                let ground = Palette::of(first.look.style.theme).surround;
-                Picture::side_by_side(pictures?, gap(first.size.scale), ground)
-            }
+    /// Pictures side by side; of one, the picture itself; and what could not be done in any of them as it was asked for. `None` as
+    /// for [`pixels`](Self::pixels), and without requests.
+    pub fn sheet(&mut self, requests: &[Request]) -> Option<(Picture, Option<TooMuch>)> {
+        let first = requests.first()?;
+        let (mut pictures, mut too_much) = (Vec::new(), None);
+        for request in requests {
+            let mut picture = Picture::default();
+            let account = self.pixels_into(request, &mut picture)?;
+            too_much = too_much.or(account.too_much);
+            pictures.push(picture);
         }
+        let picture = if pictures.len() == 1 {
+            pictures.pop()
+        } else {
+            let ground = Palette::of(first.look.style.theme).surround;
+            Picture::side_by_side(pictures, gap(first.size.scale), ground)
+        };
+        Some((picture?, too_much))
     }
 
     /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: what [`pixels`](Self::pixels)
@@ -110,10 +131,104 @@ impl Renderer {
         let start = now();
         self.rasterizer.measure(None);
         let frame = views::frame(&image, None, &mut self.window_pipeline);
-        let picture = Picture::from(self.rasterizer.paint(&frame.drawing)?);
+        let picture = Picture::from(self.rasterizer.paint(&frame.drawing).filter(|_| !self.progress.is_cancelled())?);
         self.window_pipeline.stages.recycle(frame.drawing);
         let texture = Arc::new(picture.into_texture());
         self.on_window = Some((image, Arc::clone(&texture)));
         Some((texture, Some(now().saturating_sub(start))))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::camera::Camera;
+    use crate::clock;
+    use crate::figure::read::parse;
+    use crate::i18n::{Lang, pictures};
+    use crate::pipeline::{Output, Reason, Stage};
+    use crate::scene::no_files;
+    use crate::views::{Overlays, SharedScene, Size};
+
+    /// Three boxes through one another, with some glass: a BSP tree splits them into more than fifty pieces.
+    fn request(view: View, visibility: &str) -> Request {
+        let object = |name: &str, color: &str, rotate: &str| {
+            format!(
+                "[[scene.objects]]\nname = \"{name}\"\nshape = \"box\"\ncolor = \"{color}\"\nrotate = {rotate}\nscale = [2, 0.4, 2]\n"
+            )
+        };
+        let text = format!(
+            "{}{}{}[style]\nantialias = 1\nvisibility = \"{visibility}\"\n",
+            object("one", "#4477aa", "[0, 0, 0]"),
+            object("two", "#ee886680", "[70, 10, 0]"),
+            object("three", "#228833", "[10, 0, 80]"),
+        );
+        let figure = parse(&text).unwrap();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let scene = SharedScene::new(views::scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
+        let size = Size { width: 320, height: 240, scale: 1.0 };
+        Request::of(&figure, view, &camera, &scene, pictures::labels(Lang::En), size)
+    }
+
+    fn with_few_pieces() -> Renderer {
+        let mut renderer = Renderer::default();
+        for pipeline in renderer.pipelines.iter_mut().chain([&mut renderer.window_pipeline]) {
+            pipeline.stages.max_pieces = 40;
+        }
+        renderer
+    }
+
+    #[test]
+    fn what_is_too_much_to_be_split_is_left_to_the_depth_buffer_and_said() {
+        for view in View::ALL {
+            let (split, tested) = (request(view, "bsp"), request(view, "depth-buffer"));
+            let bare = |request: &Request| Request {
+                overlays: Overlays { bare: true, ..Overlays::default() },
+                ..request.clone()
+            };
+            let mut renderer = with_few_pieces();
+            renderer.measure(Some(clock::now));
+            let mut picture = Picture::default();
+            let account = renderer.pixels_into(&split, &mut picture).unwrap();
+            let TooMuch::Pieces { objects } = account.too_much.unwrap() else { panic!("pieces") };
+            let mut names = objects.clone();
+            names.sort();
+            assert_eq!(names, ["one", "three", "two"]);
+            let report = account.stages.iter().find(|report| report.stage == Stage::HiddenSurfaces).unwrap();
+            assert!(matches!(report.reason, Reason::TooManyPieces { pieces: 41.. }), "{report:?}");
+            // The note is in it, and nothing else is otherwise.
+            assert_ne!(Some(&picture), renderer.pixels(&bare(&split)).as_ref());
+            assert_eq!(renderer.pixels(&bare(&split)), Renderer::default().pixels(&bare(&tested)));
+
+            let mut picture = Picture::default();
+            let account = Renderer::default().pixels_into(&split, &mut picture).unwrap();
+            assert_eq!(account.too_much, None);
+        }
+    }
+
+    #[test]
+    fn a_drawing_for_vectors_that_is_not_in_order_says_so() {
+        let request = Request { output: Output::Vectors, ..request(View::Image, "depth-buffer") };
+        let mut pipeline = TimedPipeline::default();
+        assert!(views::frame(&request, None, &mut pipeline).too_much.is_none());
+        pipeline.stages.max_pieces = 40;
+        let frame = views::frame(&request, None, &mut pipeline);
+        assert!(frame.too_much.is_some() && !frame.drawing.painted_in_order);
+    }
+
+    #[test]
+    fn a_picture_that_is_cancelled_is_none_and_the_next_one_is_whole() {
+        let progress = Progress::default();
+        let mut renderer = Renderer::default();
+        renderer.watch(&progress);
+        for view in View::ALL {
+            let request = request(view, "bsp");
+            progress.cancel();
+            assert_eq!(renderer.pixels(&request), None);
+            progress.begin_anew();
+            assert_eq!(renderer.pixels(&request), Renderer::default().pixels(&request));
+        }
     }
 }

@@ -44,12 +44,15 @@ mod stages;
 pub mod stroke_order;
 pub mod stroke_runs;
 mod survey;
+pub mod too_much;
 mod transform;
 mod visibility;
 
 use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, Surface};
+use crate::limits::MAX_PIECES;
+use crate::progress::Progress;
 use crate::scene::Scene;
 use bounding_tree::BoundingTree;
 pub use cull::Containment;
@@ -67,7 +70,9 @@ use shade::Shaded;
 use stages::LitAt;
 pub use stages::{FacesDone, ObjectReport};
 use survey::Survey;
+pub use too_much::TooMuch;
 use transform::{Screen, Vertices};
+use visibility::{Layer, TooManyPieces};
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,11 +95,26 @@ pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Dr
 }
 
 /// Draws pictures one after the other; keeps its buffers, and what it found out about meshes.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Pipeline {
     faces: Faces,
     pool: Pool,
     tree: BoundingTree,
+    progress: Progress,
+    /// [`MAX_PIECES`]; tests have fewer.
+    pub(crate) max_pieces: usize,
+}
+
+impl Default for Pipeline {
+    fn default() -> Self {
+        Self {
+            faces: Faces::default(),
+            pool: Pool::default(),
+            tree: BoundingTree::default(),
+            progress: Progress::default(),
+            max_pieces: MAX_PIECES,
+        }
+    }
 }
 
 /// A clone begins with empty buffers.
@@ -105,6 +125,11 @@ impl Clone for Pipeline {
 }
 
 impl Pipeline {
+    /// Says from now on how far a drawing has come. One that is cancelled ends early, and is not whole.
+    pub fn watch(&mut self, progress: &Progress) {
+        self.progress = progress.clone();
+    }
+
     /// Draws as [`draw`] does, and tells what was done.
     #[must_use]
     pub fn frame(&mut self, scene: &Scene, camera: &Camera, target: Target, style: &Style, options: Options) -> Frame {
@@ -117,11 +142,14 @@ impl Pipeline {
         let mut strokes = Strokes::new(&projector, &screen, target);
         let (faces, pool) = (&mut self.faces, &mut self.pool);
         let mut done: Vec<ObjectReport> = plan.objects.iter().map(ObjectReport::new).collect();
-        let (mut surfaces, mut layers) = (Vec::new(), Vec::new());
+        let (mut surfaces, mut layers, mut of_object) = (Vec::new(), Vec::new(), Vec::new());
         meter.lap(Stage::Traverse);
 
         let objects = scene.objects.iter().zip(&plan.objects).zip(&mut done);
         for ((object, todo), done) in objects.filter(|((_, todo), _)| todo.drawn) {
+            if self.progress.is_cancelled() {
+                break;
+            }
             let view_from_object = projector.view_from_object(object.world_from_object);
             let mesh = &object.mesh;
             let vertices =
@@ -167,6 +195,7 @@ impl Pipeline {
                 } else {
                     let never_hides_itself = mesh.convex && mesh.closed && cull_back && faces.turned_over == 0;
                     layers.extend(shaded.layers(faces, pool, never_hides_itself));
+                    of_object.resize(layers.len(), object);
                 }
                 meter.lap(Stage::Light);
             }
@@ -176,16 +205,33 @@ impl Pipeline {
             }
             meter.lap(Stage::Lines);
         }
+        let mut too_many: Option<TooManyPieces> = None;
         match plan.order {
             // Forced to be made, but only edges were asked for.
             _ if style.shading == Shading::Wireframe => surfaces.clear(),
             Visibility::DepthBuffer => {}
             order @ (Visibility::Painter | Visibility::Bsp) => {
                 let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
-                let sort = if order == Visibility::Bsp { visibility::by_splitting } else { visibility::by_centroid };
-                let (sorted, pieces) = sort(&layers, &projector, &screen);
-                surfaces = sorted;
-                meter.pieces = Some((faces, pieces));
+                let sorted = match order {
+                    Visibility::Bsp => {
+                        visibility::by_splitting(&layers, &projector, &screen, self.max_pieces, &self.progress)
+                    }
+                    Visibility::Painter | Visibility::DepthBuffer => {
+                        Ok(visibility::by_centroid(&layers, &projector, &screen))
+                    }
+                };
+                match sorted {
+                    Ok((sorted, pieces)) => {
+                        surfaces = sorted;
+                        meter.pieces = Some((faces, pieces));
+                    }
+                    Err(error) => {
+                        // A depth buffer decides what no order can be found for.
+                        let tested = |layer: Layer| Surface { depth_test: true, ..layer.surface };
+                        surfaces = std::mem::take(&mut layers).into_iter().map(tested).collect();
+                        too_many = Some(error);
+                    }
+                }
             }
         }
         meter.lap(Stage::HiddenSurfaces);
@@ -201,7 +247,8 @@ impl Pipeline {
             background: target.background,
             antialias: style.antialias,
             // Without faces any order is right.
-            painted_in_order: plan.order != Visibility::DepthBuffer || options.output == Output::Vectors,
+            painted_in_order: too_many.is_none()
+                && (plan.order != Visibility::DepthBuffer || options.output == Output::Vectors),
             surfaces,
             strokes: strokes.sets,
             areas: Vec::new(),
@@ -209,7 +256,12 @@ impl Pipeline {
             labels,
         };
         let report = meter.report(&plan, &Survey::of_done(scene, &plan.objects, &done, style), style);
-        Frame { drawing, report, plan, objects: done }
+        let mut frame = Frame { drawing, report, plan, objects: done, too_much: None };
+        if let Some(TooManyPieces { pieces, of_layer }) = too_many {
+            frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
+            frame.too_much = Some(TooMuch::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));
+        }
+        frame
     }
 
     /// Takes back a drawing that is no longer needed: the next one is made in its memory.

@@ -6,6 +6,7 @@ use super::faces::Faces;
 use super::plan::{Options, Plan};
 use super::stages::{LitAt, ObjectReport, Reason, Stage};
 use super::survey::Survey;
+use super::too_much::TooMuch;
 use super::transform::Vertices;
 use crate::appearance::{Style, Visibility};
 use crate::drawing::Drawing;
@@ -22,6 +23,8 @@ pub struct Frame {
     pub report: Vec<StageReport>,
     /// What was done, by object of the scene.
     pub objects: Vec<ObjectReport>,
+    /// What could not be done as the plan has it: the drawing is for an output with a depth buffer then, whatever was asked for.
+    pub too_much: Option<TooMuch>,
 }
 
 impl Frame {

@@ -264,6 +264,11 @@ pub enum Reason {
     PaintedBySplitting,
     /// Runs: the same, because the output has no depth buffer.
     NoDepthBuffer,
+    /// A depth buffer decides, because splitting would have made more pieces than there may be.
+    TooManyPieces {
+        /// That had been made until then.
+        pieces: usize,
+    },
 
     /// Left out: no object has a picture on it.
     NoTexture,

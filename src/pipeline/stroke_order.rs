@@ -11,7 +11,8 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-use super::stroke_runs::{Run, SQUARE, stroke_runs};
+use super::stroke_runs::{KEPT, LISTED, Run, SQUARE, Steps, runs_within};
+use super::too_much::TooMuch;
 use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::Drawing;
@@ -23,26 +24,33 @@ use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 /// Exceptions: three or more that touch at one place and do not agree on an order there, and where a run passes another twice
 /// within the sum of their widths. Of what is split, the parts follow one another along the polyline without a gap; a part's
 /// [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
-#[must_use]
-pub fn painted_runs(drawing: &Drawing) -> Vec<Run> {
-    let painted =
-        stroke_runs(drawing).into_iter().filter_map(|run| run.style(drawing).map(|style| Painted { run, style }));
+///
+/// # Errors
+/// [`TooMuch::Strokes`].
+pub fn painted_runs(drawing: &Drawing) -> Result<Vec<Run>, TooMuch> {
+    runs_in_order(drawing, &mut Steps::default())
+}
+
+fn runs_in_order(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, TooMuch> {
+    let painted = runs_within(drawing, steps)?
+        .into_iter()
+        .filter_map(|run| run.style(drawing).map(|style| Painted { run, style }));
     let (on_top, mut tested): (Vec<Painted>, Vec<Painted>) =
         painted.partition(|painted| painted.style.hidden == HiddenLines::Shown);
     // Of what is equal, the hidden runs of a set come before its visible ones.
     tested.sort_by_key(Painted::layer);
-    let contacts = find_contacts(&tested, drawing);
+    let contacts = find_contacts(&tested, drawing, steps)?;
     let cycles = in_cycles(tested.len(), &contacts);
     let order = if cycles.contains(&true) {
         tested = split(tested, &cycles, &contacts);
-        let contacts = find_contacts(&tested, drawing);
+        let contacts = find_contacts(&tested, drawing, steps)?;
         back_to_front(tested.len(), &contacts)
     } else {
         back_to_front(tested.len(), &contacts)
     };
     let mut tested: Vec<Option<Run>> = tested.into_iter().map(|painted| Some(painted.run)).collect();
     let sorted = order.into_iter().filter_map(|k| tested[k].take());
-    sorted.chain(on_top.into_iter().map(|painted| painted.run)).collect()
+    Ok(sorted.chain(on_top.into_iter().map(|painted| painted.run)).collect())
 }
 
 /// A run with the style in which it is painted.
@@ -268,17 +276,23 @@ fn square(v: f64, count: usize) -> usize {
 }
 
 /// Where runs of different layers touch, each place once.
-fn find_contacts(all: &[Painted], drawing: &Drawing) -> Vec<Contact> {
+fn find_contacts(all: &[Painted], drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Contact>, TooMuch> {
     let segments = segments(all, drawing);
     let count = |side: u32| square(f64::from(side), usize::MAX) + 1;
     let (columns, rows) = (count(drawing.width), count(drawing.height));
     let mut squares: Vec<Vec<usize>> = vec![Vec::new(); columns * rows];
     for (k, segment) in segments.iter().enumerate() {
-        for_squares(segment, columns, rows, |square| squares[square].push(k));
+        let mut listed = 0;
+        for_squares(segment, columns, rows, |square| {
+            squares[square].push(k);
+            listed += LISTED;
+        });
+        steps.take(listed)?;
     }
     let mut found = Vec::new();
     for (index, members) in squares.iter().enumerate() {
         for (k, &first) in members.iter().enumerate() {
+            steps.take(members.len() - k)?;
             for &second in &members[k + 1..] {
                 let (first, second) = (&segments[first], &segments[second]);
                 if first.layer == second.layer {
@@ -287,12 +301,14 @@ fn find_contacts(all: &[Painted], drawing: &Drawing) -> Vec<Contact> {
                 // Several squares may list both; the one in which they touch speaks.
                 let touches = first.places(second).into_iter().flatten().map(|place| first.contact(second, place));
                 let here = touches.filter(|(_, [x, y])| square(*y, rows) * columns + square(*x, columns) == index);
+                let before = found.len();
                 found.extend(here.map(|(contact, _)| contact));
+                steps.take(KEPT * (found.len() - before))?;
             }
         }
     }
     let radius: Vec<f64> = all.iter().map(|painted| 0.5 * f64::from(painted.style.width)).collect();
-    one_each(found, |contact| extent(radius[contact.runs[0]], radius[contact.runs[1]]))
+    Ok(one_each(found, |contact| extent(radius[contact.runs[0]], radius[contact.runs[1]])))
 }
 
 /// Calls `visit` for the squares that a segment touches with its width.

@@ -6,10 +6,12 @@
 
 use std::ops::Range;
 
+use super::too_much::TooMuch;
 use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::order::on_a_face;
 use crate::drawing::{Drawing, StrokeSet};
+use crate::limits::MAX_STROKE_STEPS;
 
 /// A part of a polyline that can be seen, or that faces hide, throughout.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,26 +44,61 @@ impl Run {
 ///
 /// *Guarantees*: the runs of a polyline follow one another and make it up; a stroke on a face is visible. What is
 /// [`Shown`](HiddenLines::Shown) although hidden is one visible run.
-#[must_use]
-pub fn stroke_runs(drawing: &Drawing) -> Vec<Run> {
-    let faces = Faces::new(drawing);
+///
+/// # Errors
+/// [`TooMuch::Strokes`].
+pub fn stroke_runs(drawing: &Drawing) -> Result<Vec<Run>, TooMuch> {
+    runs_within(drawing, &mut Steps::default())
+}
+
+pub(super) fn runs_within(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, TooMuch> {
+    let faces = Faces::new(drawing, steps)?;
     let mut runs = Vec::new();
     for (set, strokes) in drawing.strokes.iter().enumerate() {
         for polyline in 0..strokes.polylines.len() {
             let Some(points) = points(strokes, polyline) else { continue };
             let hides = strokes.style.hidden != HiddenLines::Shown;
-            split(points, if hides { Some(&faces) } else { None }, |part| {
+            split(points, if hides { Some(&faces) } else { None }, steps, |part| {
                 runs.push(Run { set, polyline, ..part });
-            });
+            })?;
         }
     }
-    runs
+    Ok(runs)
 }
 
+/// How many steps may still be done.
+pub(super) struct Steps(usize);
+
+impl Default for Steps {
+    fn default() -> Self {
+        Self(MAX_STROKE_STEPS)
+    }
+}
+
+impl Steps {
+    pub(super) fn take(&mut self, steps: usize) -> Result<(), TooMuch> {
+        self.0 = self.0.checked_sub(steps).ok_or(TooMuch::Strokes)?;
+        Ok(())
+    }
+
+    /// For tests, which have no minute to wait.
+    #[cfg(test)]
+    pub(super) fn few(steps: usize) -> Self {
+        Self(steps)
+    }
+}
+
+/// What is listed in a square counts as so many steps, and a run or a place where two touch as so many.
+pub(super) const LISTED: usize = 8;
+pub(super) const KEPT: usize = 64;
+
 /// Of places in a drawing, those that a face hides: of marks and labels, which are painted faintly there where they say so.
-pub fn hidden_places(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Vec<bool> {
-    let faces = Faces::new(drawing);
-    places.into_iter().map(|place| faces.hide(place.map(f64::from))).collect()
+///
+/// # Errors
+/// [`TooMuch::Strokes`].
+pub fn hidden_places(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Result<Vec<bool>, TooMuch> {
+    let faces = Faces::new(drawing, &mut Steps::default())?;
+    Ok(places.into_iter().map(|place| faces.hide(place.map(f64::from))).collect())
 }
 
 fn points(strokes: &StrokeSet, polyline: usize) -> Option<&[[f32; 3]]> {
@@ -74,7 +111,12 @@ fn points(strokes: &StrokeSet, polyline: usize) -> Option<&[[f32; 3]]> {
 const SHORTEST: f64 = 0.02;
 
 /// Calls `found` for each run of a polyline; its set and its index are left to the caller.
-fn split(points: &[[f32; 3]], faces: Option<&Faces>, mut found: impl FnMut(Run)) {
+fn split(
+    points: &[[f32; 3]],
+    faces: Option<&Faces>,
+    steps: &mut Steps,
+    mut found: impl FnMut(Run),
+) -> Result<(), TooMuch> {
     let mut run: Option<Run> = None;
     let mut arc = 0.0;
     let mut hidden = Vec::new();
@@ -82,8 +124,9 @@ fn split(points: &[[f32; 3]], faces: Option<&Faces>, mut found: impl FnMut(Run))
         let segment = Segment::new(pair[0], pair[1]);
         hidden.clear();
         if let Some(faces) = faces {
-            faces.hidden_parts(&segment, &mut hidden);
+            faces.hidden_parts(&segment, steps, &mut hidden)?;
         }
+        steps.take(KEPT * (1 + hidden.len()))?;
         let mut part = |range: Range<f64>, visible: bool| {
             let ends = [segment.at(range.start), segment.at(range.end)];
             match run.as_mut().filter(|run| run.visible == visible) {
@@ -113,6 +156,7 @@ fn split(points: &[[f32; 3]], faces: Option<&Faces>, mut found: impl FnMut(Run))
     if let Some(last) = run {
         found(Run { has_end: true, ..last });
     }
+    Ok(())
 }
 
 /// From one point of a polyline to the next.
@@ -160,7 +204,7 @@ fn square_count(side: u32) -> usize {
 }
 
 impl Faces {
-    fn new(drawing: &Drawing) -> Self {
+    fn new(drawing: &Drawing, steps: &mut Steps) -> Result<Self, TooMuch> {
         let (columns, rows) = (square_count(drawing.width), square_count(drawing.height));
         let mut all = Self { faces: Vec::new(), columns, rows, squares: vec![Vec::new(); columns * rows] };
         // What leaves no depth hides nothing, as in a depth buffer.
@@ -168,18 +212,18 @@ impl Faces {
             for triangle in &surface.triangles {
                 let corners = triangle.map(|i| surface.positions.get(i as usize).map(|p| p.map(f64::from)));
                 if let [Some(a), Some(b), Some(c)] = corners {
-                    all.add([a, b, c]);
+                    all.add([a, b, c], steps)?;
                 }
             }
         }
-        all
+        Ok(all)
     }
 
-    fn add(&mut self, [a, b, c]: [[f64; 3]; 3]) {
+    fn add(&mut self, [a, b, c]: [[f64; 3]; 3], steps: &mut Steps) -> Result<(), TooMuch> {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         // Also for what is not a number.
         if !(area.abs() > 0.0 && area.is_finite()) {
-            return;
+            return Ok(());
         }
         let edge = |p: [f64; 3], q: [f64; 3]| {
             let [a, b] = [(p[1] - q[1]) * area.signum(), (q[0] - p[0]) * area.signum()];
@@ -191,6 +235,7 @@ impl Faces {
         let least = |k: usize| a[k].min(b[k]).min(c[k]);
         let most = |k: usize| a[k].max(b[k]).max(c[k]);
         let (columns, rows) = (self.columns(least(0), most(0)), self.rows(least(1), most(1)));
+        steps.take(KEPT + LISTED * rows.len() * columns.len())?;
         for row in rows {
             for column in columns.clone() {
                 self.squares[row * self.columns + column].push(index);
@@ -198,6 +243,7 @@ impl Faces {
         }
         let edges = [edge(a, b), edge(b, c), edge(c, a)];
         self.faces.push(Face { edges, depth: [dx, dy, a[2] - dx * a[0] - dy * a[1]] });
+        Ok(())
     }
 
     fn columns(&self, from: f64, to: f64) -> Range<usize> {
@@ -219,7 +265,7 @@ impl Faces {
     }
 
     /// The parts of a segment that faces hide, as shares of the way: in order, apart from one another.
-    fn hidden_parts(&self, segment: &Segment, hidden: &mut Vec<Range<f64>>) {
+    fn hidden_parts(&self, segment: &Segment, steps: &mut Steps, hidden: &mut Vec<Range<f64>>) -> Result<(), TooMuch> {
         let [x, y, _] = segment.from;
         let [dx, dy, _] = segment.along;
         let mut near: Vec<u32> = Vec::new();
@@ -231,7 +277,9 @@ impl Faces {
             let (y0, y1) = (y + t0 * dy, y + t1 * dy);
             // A little more, for rounding.
             for row in self.rows(y0.min(y1) - 1e-3, y0.max(y1) + 1e-3) {
-                near.extend_from_slice(&self.squares[row * self.columns + column]);
+                let square = &self.squares[row * self.columns + column];
+                steps.take(1 + square.len())?;
+                near.extend_from_slice(square);
             }
         }
         near.sort_unstable();
@@ -253,6 +301,7 @@ impl Faces {
         if let Some(last) = hidden.last_mut().filter(|last| last.end > 1.0 - shortest) {
             last.end = 1.0;
         }
+        Ok(())
     }
 }
 
@@ -312,6 +361,8 @@ impl Face {
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
     use super::*;
     use crate::appearance::{Dash, Rgba};
     use crate::drawing::{Paint, Surface};
@@ -344,7 +395,7 @@ mod tests {
 
     /// Start and end of each run on the x axis, and whether it is visible.
     fn found(points: &[[f32; 3]]) -> Vec<(f32, f32, bool)> {
-        let runs = stroke_runs(&drawing(points, HiddenLines::Dashed));
+        let runs = stroke_runs(&drawing(points, HiddenLines::Dashed)).unwrap();
         let x = |p: Option<&[f32; 3]>| p.map_or(f32::NAN, |p| (p[0] * 1000.0).round() / 1000.0);
         runs.iter().map(|run| (x(run.points.first()), x(run.points.last()), run.visible)).collect()
     }
@@ -353,7 +404,7 @@ mod tests {
     fn a_line_behind_a_wall_is_hidden_between_its_borders() {
         let behind = [[0.0, 30.0, 0.2], [90.0, 30.0, 0.2]];
         assert_eq!(found(&behind), [(0.0, 20.0, true), (20.0, 60.0, false), (60.0, 90.0, true)]);
-        let runs = stroke_runs(&drawing(&behind, HiddenLines::Dashed));
+        let runs = stroke_runs(&drawing(&behind, HiddenLines::Dashed)).unwrap();
         assert_eq!(runs.iter().map(|run| run.start.round()).collect::<Vec<_>>(), [0.0, 20.0, 60.0]);
         assert_eq!(runs.iter().map(|run| run.has_end).collect::<Vec<_>>(), [false, false, true]);
     }
@@ -382,7 +433,7 @@ mod tests {
     #[test]
     fn runs_go_on_round_corners_and_make_up_the_line() {
         let line = [[0.0, 30.0, 0.2], [40.0, 30.0, 0.2], [40.0, 60.0, 0.2], [40.0, 65.0, 0.2]];
-        let runs = stroke_runs(&drawing(&line, HiddenLines::Hidden));
+        let runs = stroke_runs(&drawing(&line, HiddenLines::Hidden)).unwrap();
         assert_eq!(runs.iter().map(|run| run.points.len()).collect::<Vec<_>>(), [2, 3, 3]);
         let joined = runs.windows(2).all(|pair| pair[0].points.last() == pair[1].points.first());
         assert!(joined && runs.iter().map(|run| run.visible).eq([true, false, true]));
@@ -401,12 +452,12 @@ mod tests {
             [70.0, 30.0, 0.2],
             [-400.0, 30.0, 0.2],
         ];
-        assert_eq!(hidden_places(&drawing, places), [true, true, false, false, false, false]);
+        assert_eq!(hidden_places(&drawing, places).unwrap(), [true, true, false, false, false, false]);
     }
 
     #[test]
     fn what_is_shown_although_hidden_is_one_run() {
-        let runs = stroke_runs(&drawing(&[[0.0, 30.0, 0.2], [90.0, 30.0, 0.2]], HiddenLines::Shown));
+        let runs = stroke_runs(&drawing(&[[0.0, 30.0, 0.2], [90.0, 30.0, 0.2]], HiddenLines::Shown)).unwrap();
         assert!(runs.len() == 1 && runs[0].visible && runs[0].has_end);
     }
 
@@ -415,5 +466,14 @@ mod tests {
         assert_eq!(found(&[[0.0, f32::NAN, 0.2], [90.0, 30.0, 0.2]]), []);
         // A point, seen end on, is one run.
         assert_eq!(found(&[[30.0, 30.0, 0.9], [30.0, 30.0, 0.8]]), [(30.0, 30.0, true)]);
+    }
+
+    #[test]
+    fn what_takes_too_many_steps_is_given_up() {
+        let drawing = drawing(&[[0.0, 30.0, 0.2], [90.0, 30.0, 0.2]], HiddenLines::Hidden);
+        let steps = |few| runs_within(&drawing, &mut Steps::few(few)).map(|runs| runs.len());
+        assert_eq!(steps(2000), Ok(3));
+        // For the faces alone, and for what the stroke meets.
+        assert_eq!([steps(100), steps(300)], [Err(TooMuch::Strokes), Err(TooMuch::Strokes)]);
     }
 }

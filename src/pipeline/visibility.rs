@@ -12,6 +12,8 @@ use super::projector::Projector;
 use super::resample::{VertexOrigin, append, empty_like};
 use super::transform::{Screen, on_grid};
 use crate::drawing::{Paint, Surface};
+use crate::limits::MAX_PIECE_BYTES;
+use crate::progress::{Doing, Progress};
 
 /// A surface with what its order is found by.
 #[derive(Clone, Debug)]
@@ -121,12 +123,34 @@ pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Scre
     (painter.surfaces, pieces.len())
 }
 
+/// What there is too much of to be put in order by splitting: pieces of the faces of these layers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct TooManyPieces {
+    /// How many had been made.
+    pub(super) pieces: usize,
+    /// How many were of each layer.
+    pub(super) of_layer: Vec<usize>,
+}
+
 /// In an order that is right for each two faces: a tree of planes of faces; what crosses a plane is split (Fuchs, Kedem and
 /// Naylor 1980).
-pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Screen) -> (Vec<Surface>, usize) {
+///
+/// # Errors
+/// [`TooManyPieces`] where there would be more than `max_pieces`, or they would take more than [`MAX_PIECE_BYTES`].
+pub(super) fn by_splitting(
+    layers: &[Layer],
+    projector: &Projector,
+    screen: &Screen,
+    max_pieces: usize,
+    progress: &Progress,
+) -> Result<(Vec<Surface>, usize), TooManyPieces> {
     enum Task {
         Order(Vec<Piece>),
         Paint(Vec<Piece>),
+    }
+    let mut made = Made::of(layers, max_pieces);
+    if made.is_too_much() {
+        return Err(made.into_error());
     }
     let (all, mut sides) = pieces(layers);
     let extent = all.iter().flat_map(|p| &p.corners).fold(0.0, |most: f64, c| most.max(c.view.abs().max_element()));
@@ -134,7 +158,8 @@ pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Scr
     let mut ordered: Vec<Piece> = Vec::new();
     // A tree that is one long branch must not exhaust the stack: the tasks wait here, the next at the end.
     let mut tasks = vec![Task::Order(all)];
-    while let Some(task) = tasks.pop() {
+    progress.begin(Doing::Ordering, 0);
+    while let Some(task) = tasks.pop().filter(|_| !progress.is_cancelled()) {
         match task {
             // Of faces in one plane the first listed is painted last: it stays, as in a depth buffer.
             Task::Paint(pieces) => ordered.extend(pieces.into_iter().rev()),
@@ -147,7 +172,10 @@ pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Scr
                     tasks.push(Task::Paint(set));
                     continue;
                 };
-                let parts = plane.divide(set, tolerance, &mut sides);
+                let parts = plane.divide(set, tolerance, &mut sides, &mut made);
+                if made.is_too_much() {
+                    return Err(made.into_error());
+                }
                 let (near, far) =
                     if plane.faces_eye(projector) { (parts.front, parts.back) } else { (parts.back, parts.front) };
                 tasks.extend([Task::Order(near), Task::Paint(parts.on), Task::Order(far)]);
@@ -158,7 +186,44 @@ pub(super) fn by_splitting(layers: &[Layer], projector: &Projector, screen: &Scr
     for piece in &ordered {
         painter.paint(piece, &sides.complete(piece));
     }
-    (painter.surfaces, ordered.len())
+    Ok((painter.surfaces, ordered.len()))
+}
+
+/// How much splitting has made.
+struct Made {
+    of_layer: Vec<usize>,
+    pieces: usize,
+    bytes: usize,
+    max_pieces: usize,
+}
+
+impl Made {
+    /// Before anything is split.
+    fn of(layers: &[Layer], max_pieces: usize) -> Self {
+        let of_layer: Vec<usize> = layers.iter().map(|layer| layer.surface.triangles.len()).collect();
+        let pieces = of_layer.iter().sum();
+        Self { of_layer, pieces, bytes: pieces * bytes(3), max_pieces }
+    }
+
+    /// A piece with so many corners has become two, with so many.
+    fn split(&mut self, layer: usize, whole: usize, [front, back]: [usize; 2]) {
+        self.of_layer[layer] += 1;
+        self.pieces += 1;
+        self.bytes = self.bytes + bytes(front) + bytes(back) - bytes(whole);
+    }
+
+    fn is_too_much(&self) -> bool {
+        self.pieces > self.max_pieces || self.bytes > MAX_PIECE_BYTES
+    }
+
+    fn into_error(self) -> TooManyPieces {
+        TooManyPieces { pieces: self.pieces, of_layer: self.of_layer }
+    }
+}
+
+/// What a piece with so many corners takes in memory.
+fn bytes(corners: usize) -> usize {
+    size_of::<Piece>() + corners * size_of::<Corner>()
 }
 
 fn pieces(layers: &[Layer]) -> (Vec<Piece>, Sides) {
@@ -235,7 +300,7 @@ impl SplitPlane {
         })
     }
 
-    fn divide(&self, set: Vec<Piece>, tolerance: f64, sides: &mut Sides) -> Divided {
+    fn divide(&self, set: Vec<Piece>, tolerance: f64, sides: &mut Sides, made: &mut Made) -> Divided {
         let mut parts = Divided::default();
         for piece in set {
             match self.sides(&piece, tolerance) {
@@ -244,6 +309,7 @@ impl SplitPlane {
                 (false, true) => parts.back.push(piece),
                 (true, true) => {
                     let (front, back) = self.split(&piece, tolerance, sides);
+                    made.split(piece.layer, piece.corners.len(), [front.corners.len(), back.corners.len()]);
                     parts.front.push(front);
                     parts.back.push(back);
                 }

@@ -10,6 +10,7 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::{Drawing, StrokeSet};
+use crate::progress::{Doing, Progress};
 
 use super::coverage::{Coverage, LayerDepth, Point};
 use super::depth::DepthBuffer;
@@ -67,7 +68,7 @@ struct Polyline {
 
 impl Strokes {
     /// Draws all strokes of a drawing over its surfaces, from back to front.
-    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, depth: &DepthBuffer, drawing: &Drawing) {
+    pub(super) fn draw(&mut self, pixmap: &mut Pixmap, depth: &DepthBuffer, drawing: &Drawing, progress: &Progress) {
         let sets = &drawing.strokes;
         let mut used = 0;
         for (set, polylines) in sets.iter().map(|s| s.polylines.len()).enumerate() {
@@ -83,7 +84,13 @@ impl Strokes {
             return;
         }
         let threads = if count < FEW { 1 } else { rayon::current_num_threads() };
-        let split = |chunk: &mut Chunk| chunk.split(&sets[chunk.set], depth);
+        progress.begin(Doing::Painting, 0);
+        let split = |chunk: &mut Chunk| {
+            chunk.runs.clear();
+            if !progress.is_cancelled() {
+                chunk.split(&sets[chunk.set], depth);
+            }
+        };
         if threads > 1 {
             chunks.par_iter_mut().for_each(split);
         } else {
@@ -96,7 +103,7 @@ impl Strokes {
         let pixels = pixmap.data_mut().as_chunks_mut::<4>().0;
         let work = |(k, (strip, pixels)): (usize, (&mut Strip, &mut [[u8; 4]]))| {
             strip.coverage.fit(width, k * rows..k * rows + pixels.len() / width);
-            strip.draw(pixels, sets, chunks);
+            strip.draw(pixels, sets, chunks, progress);
         };
         if threads > 1 {
             self.strips.par_iter_mut().zip(pixels.par_chunks_mut(rows * width)).enumerate().for_each(work);
@@ -115,9 +122,8 @@ fn points<'a>(set: &'a StrokeSet, polyline: usize, line: &mut Polyline) -> Optio
 }
 
 impl Chunk {
-    /// Finds the visible and the hidden parts of the chunk's polylines.
+    /// Finds the visible and the hidden parts of the chunk's polylines, whose runs are empty before.
     fn split(&mut self, set: &StrokeSet, depth: &DepthBuffer) {
-        self.runs.clear();
         let test = set.style.hidden != HiddenLines::Shown && !depth.is_empty();
         for polyline in self.polylines.clone() {
             let Some(points) = points(set, polyline, &mut self.line) else { continue };
@@ -135,8 +141,11 @@ impl Chunk {
 }
 
 impl Strip {
-    fn draw(&mut self, pixels: &mut [[u8; 4]], sets: &[StrokeSet], chunks: &[Chunk]) {
+    fn draw(&mut self, pixels: &mut [[u8; 4]], sets: &[StrokeSet], chunks: &[Chunk], progress: &Progress) {
         for (index, set) in sets.iter().enumerate() {
+            if progress.is_cancelled() {
+                break;
+            }
             let first = chunks.partition_point(|c| c.set < index);
             let chunks = &chunks[first..][..chunks[first..].partition_point(|c| c.set == index)];
             let on_top = set.style.hidden == HiddenLines::Shown;

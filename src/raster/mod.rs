@@ -24,6 +24,7 @@ use tiny_skia::{Color, Pixmap};
 use crate::appearance::Rgba;
 use crate::drawing::Drawing;
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
+use crate::progress::Progress;
 pub use depth::DepthBuffer;
 
 /// Draws pictures; keeps its buffers from one to the next.
@@ -34,6 +35,7 @@ pub struct Rasterizer {
     strokes: line::Strokes,
     clock: Option<fn() -> Duration>,
     work: Work,
+    progress: Progress,
 }
 
 /// What was done for a picture.
@@ -78,6 +80,11 @@ impl Rasterizer {
         self.clock = clock;
     }
 
+    /// Says from now on how far a picture has come. One that is cancelled ends early, and is not whole.
+    pub fn watch(&mut self, progress: &Progress) {
+        self.progress = progress.clone();
+    }
+
     /// What was done for the last picture: the counts do not depend on the number of threads.
     #[must_use]
     pub fn work(&self) -> Work {
@@ -93,9 +100,9 @@ impl Rasterizer {
     fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
-        self.surfaces.paint(drawing, pixmap, &mut self.depth, self.clock.is_some());
+        self.surfaces.paint(drawing, pixmap, &mut self.depth, self.clock.is_some(), &self.progress);
         let middle = now();
-        self.strokes.draw(pixmap, &self.depth, drawing);
+        self.strokes.draw(pixmap, &self.depth, drawing, &self.progress);
         for area in &drawing.areas {
             label::area(pixmap, area);
         }

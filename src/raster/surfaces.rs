@@ -5,6 +5,7 @@ use std::sync::Mutex;
 use tiny_skia::Pixmap;
 
 use crate::drawing::Drawing;
+use crate::progress::{Doing, Progress};
 use crate::simd::with_vectors;
 
 use super::bins::Bins;
@@ -60,7 +61,14 @@ struct Frame<'a> {
 impl Surfaces {
     /// Paints background and surfaces over all of `pixmap`, and remembers their depth; and counts what is done if that is
     /// wanted.
-    pub(super) fn paint(&mut self, drawing: &Drawing, pixmap: &mut Pixmap, depth: &mut DepthBuffer, want_counts: bool) {
+    pub(super) fn paint(
+        &mut self,
+        drawing: &Drawing,
+        pixmap: &mut Pixmap,
+        depth: &mut DepthBuffer,
+        want_counts: bool,
+        progress: &Progress,
+    ) {
         let per_pixel = match drawing.antialias {
             0..=1 => 1,
             2..=4 => 4,
@@ -96,6 +104,7 @@ impl Surfaces {
             .zip(depth.bands_mut())
             .enumerate()
             .map(|(band, (pixels, depth))| Job { band, pixels, depth });
+        progress.begin(Doing::Painting, bands);
         let threads = rayon::current_num_threads().min(bands);
         self.scratch.resize_with(threads.max(self.scratch.len()), Scratch::default);
         for scratch in &mut self.scratch {
@@ -108,14 +117,19 @@ impl Surfaces {
                     let (queue, frame) = (&queue, &frame);
                     scope.spawn(move |_| {
                         while let Some(job) = queue.lock().ok().and_then(|mut jobs| jobs.next()) {
+                            if progress.is_cancelled() {
+                                return;
+                            }
                             scratch.paint(frame, job);
+                            progress.advance(1);
                         }
                     });
                 }
             });
         } else if let Some(scratch) = self.scratch.first_mut() {
-            for job in jobs {
+            for job in jobs.take_while(|_| !progress.is_cancelled()) {
                 scratch.paint(&frame, job);
+                progress.advance(1);
             }
         }
     }

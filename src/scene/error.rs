@@ -2,7 +2,7 @@
 
 use super::MeshError;
 use crate::foreign::shown;
-use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
 
 /// Why a specification is not a scene. Displayed, it says what is wrong with [`key`](Self::key) of [`object`](Self::object), which
 /// come before it.
@@ -69,6 +69,12 @@ pub enum SceneError {
         /// `direction` or `position`.
         key: &'static str,
     },
+    /// There are more lights than there may be.
+    #[error("are {found}; allowed: at most {MAX_LIGHTS}")]
+    TooManyLights {
+        /// How many there are.
+        found: usize,
+    },
 }
 
 /// The names of a chain of objects, of a long one those at its ends.
@@ -94,7 +100,7 @@ impl SceneError {
             | Self::Segments { name, .. }
             | Self::Mesh { name, .. } => Some(name),
             Self::Cycle { chain } => chain.first().map(String::as_str),
-            Self::Light { .. } => None,
+            Self::Light { .. } | Self::TooManyLights { .. } => None,
         }
     }
 
@@ -107,6 +113,7 @@ impl SceneError {
             Self::ZeroScale { .. } => "scale",
             Self::Segments { .. } => "segments",
             Self::Mesh { .. } => "path",
+            Self::TooManyLights { .. } => "lights",
             Self::NotFinite { key, .. } | Self::Light { key, .. } => key,
         }
     }

@@ -25,12 +25,14 @@ use super::{GlbFault, GltfFault, JsonFault, MeshError};
 use crate::appearance::Rgba;
 use crate::foreign::{self, shown};
 use crate::limits::{MAX_SCENE_BYTES, MAX_ZEROS};
+use crate::progress::{Doing, Progress};
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
 ///
 /// # Errors
-/// [`MeshError::Json`] and [`MeshError::Gltf`].
-pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>) -> Result<Vec<Part>, MeshError> {
+/// [`MeshError::Json`], [`MeshError::Gltf`] and [`MeshError::Cancelled`].
+pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Vec<Part>, MeshError> {
+    progress.begin(Doing::Reading, 0);
     let Gltf { document, blob } = parse(bytes)?;
     let buffers = buffers(&document, blob, read_file)?;
     let reader = Reader { buffers, left: Cell::new(MAX_SCENE_BYTES), zeros_left: Cell::new(MAX_ZEROS) };
@@ -40,6 +42,9 @@ pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>) -> Result<Vec<Part>
         let Some(mesh) = node.mesh() else { continue };
         let name = node.name().or(mesh.name()).unwrap_or_default();
         for primitive in mesh.primitives() {
+            if progress.is_cancelled() {
+                return Err(MeshError::Cancelled);
+            }
             let key = (mesh.index(), primitive.index());
             let surface = match meshes.get(&key) {
                 Some(known) => known.clone(),

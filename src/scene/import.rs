@@ -5,18 +5,24 @@ use std::sync::Arc;
 
 pub use super::part::Part;
 use super::{Mesh, MeshError, ReadFile, Wanted, gltf, obj};
+use crate::progress::Progress;
 
 /// The parts of the mesh file with this path and these bytes. `read_file` gives the files beside it (MTL, BIN); a material
 /// library that cannot be read is left out, its materials have no colour then.
 ///
 /// # Errors
 /// [`MeshError`].
-pub fn import(path: &str, bytes: &[u8], read_file: &mut ReadFile<'_>) -> Result<Vec<Part>, MeshError> {
+pub fn import(
+    path: &str,
+    bytes: &[u8],
+    read_file: &mut ReadFile<'_>,
+    progress: &Progress,
+) -> Result<Vec<Part>, MeshError> {
     let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let mut beside = |name: &str| read_file(Wanted { path: &companion(path, name), named_by: Some(path) });
     let parts = match ending.as_deref() {
-        Some("obj") => obj::read(bytes, &mut beside)?,
-        Some("gltf" | "glb") => gltf::read(bytes, &mut beside)?,
+        Some("obj") => obj::read(bytes, &mut beside, progress)?,
+        Some("gltf" | "glb") => gltf::read(bytes, &mut beside, progress)?,
         _ => return Err(MeshError::Format),
     };
     if parts.iter().all(|p| p.mesh.triangles.is_empty()) { Err(MeshError::Empty) } else { Ok(parts) }
@@ -38,6 +44,7 @@ pub struct MeshFiles {
     known: BTreeMap<String, Arc<Vec<Part>>>,
     /// By the name of the shape and its segments.
     pub(super) primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
+    progress: Progress,
 }
 
 impl MeshFiles {
@@ -49,9 +56,15 @@ impl MeshFiles {
         if let Some(parts) = self.known.get(path) {
             return Ok(Arc::clone(parts));
         }
-        let parts = read(path, read_file)?;
+        let parts = read(path, read_file, &self.progress)?;
         self.insert(path, Arc::clone(&parts));
         Ok(parts)
+    }
+
+    /// None yet; `progress` says how far reading them has come.
+    #[must_use]
+    pub fn watched(progress: &Progress) -> Self {
+        Self { progress: progress.clone(), ..Self::default() }
     }
 
     /// True for a file that has been read.
@@ -75,9 +88,9 @@ impl MeshFiles {
 ///
 /// # Errors
 /// [`MeshError`].
-pub fn read(path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Vec<Part>>, MeshError> {
+pub fn read(path: &str, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Arc<Vec<Part>>, MeshError> {
     let bytes = read_file(Wanted { path, named_by: None }).map_err(|error| MeshError::Unreadable(Box::new(error)))?;
-    Ok(Arc::new(import(path, &bytes, read_file)?))
+    Ok(Arc::new(import(path, &bytes, read_file, progress)?))
 }
 
 #[cfg(test)]
@@ -90,5 +103,19 @@ mod tests {
         assert_eq!(companion("cow.obj", "mtl\\cow.mtl"), "mtl/cow.mtl");
         assert_eq!(companion("C:\\x\\cow.obj", "cow.mtl"), "C:\\x\\cow.mtl");
         assert_eq!(companion("meshes/cow.obj", "/abs/cow.mtl"), "/abs/cow.mtl");
+    }
+
+    #[test]
+    fn reading_that_is_cancelled_ends_early() {
+        let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        let text = triangle.repeat(40_000);
+        let progress = Progress::default();
+        let read = |progress: &Progress| import("m.obj", text.as_bytes(), &mut crate::scene::no_files, progress);
+        progress.cancel();
+        assert_eq!(read(&progress).err(), Some(MeshError::Cancelled));
+        let (_, share) = progress.now().unwrap_or((crate::progress::Doing::Encoding, None));
+        assert!(share.is_some_and(|share| share > 0.0 && share < 0.2), "{share:?}");
+        progress.begin_anew();
+        assert!(read(&progress).is_ok());
     }
 }

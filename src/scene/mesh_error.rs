@@ -12,6 +12,9 @@ pub enum MeshError {
     /// The ending of its name says nothing.
     #[error("the format is not known; allowed: a name that ends with .obj, .gltf or .glb")]
     Format,
+    /// It is not wanted any more.
+    #[error("reading was cancelled")]
+    Cancelled,
     /// It has no faces.
     #[error("there is no face in it")]
     Empty,
@@ -52,9 +55,13 @@ impl MeshError {
     pub fn is_outside(&self) -> bool {
         match self {
             Self::Unreadable(error) | Self::Gltf { fault: GltfFault::File { error, .. }, .. } => error.is_outside(),
-            Self::Format | Self::Empty | Self::TooLarge | Self::Obj { .. } | Self::Json { .. } | Self::Gltf { .. } => {
-                false
-            }
+            Self::Format
+            | Self::Cancelled
+            | Self::Empty
+            | Self::TooLarge
+            | Self::Obj { .. }
+            | Self::Json { .. }
+            | Self::Gltf { .. } => false,
         }
     }
 }

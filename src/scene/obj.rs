@@ -13,15 +13,28 @@ use super::soup::Soup;
 use super::{MeshError, ObjFault};
 use crate::appearance::Rgba;
 use crate::foreign::shown;
+use crate::progress::{Doing, Progress};
+
+/// So many bytes are read before the work is asked whether it is still wanted.
+const STRETCH: usize = 1 << 16;
 
 /// The objects of an OBJ file; one that has several materials comes in several parts.
 ///
 /// # Errors
-/// [`MeshError::Obj`] with the line.
-pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>) -> Result<Vec<Part>, MeshError> {
+/// [`MeshError::Obj`] with the line, and [`MeshError::Cancelled`].
+pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Vec<Part>, MeshError> {
     let mut file = ObjFile::default();
     let mut lines = Lines { rest: bytes, number: 0 };
+    progress.begin(Doing::Reading, bytes.len());
+    let mut told = bytes.len();
     while let Some(line) = lines.next() {
+        if told - lines.rest.len() >= STRETCH {
+            progress.advance(told - lines.rest.len());
+            told = lines.rest.len();
+            if progress.is_cancelled() {
+                return Err(MeshError::Cancelled);
+            }
+        }
         let number = lines.number;
         file.read_line(&line, number, read_file).map_err(|fault| MeshError::Obj { line: number, fault })?;
     }
@@ -31,6 +44,9 @@ pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>) -> Result<Vec<Part>
     file.end_part();
     let parts = std::mem::take(&mut file.parts);
     let parts = parts.into_iter().map(|part| {
+        if progress.is_cancelled() {
+            return Err(MeshError::Cancelled);
+        }
         let color = part.material.and_then(|index| file.materials.get(index)).map(|material| material.color());
         let mesh = file.soup(&part).into_mesh()?;
         let two_sided = !mesh.closed;

@@ -8,7 +8,7 @@ use super::palette::SceneColors;
 use super::{Light, LightSpec, ObjectSpec, SceneError, SceneSpec, Shape, presets};
 use crate::appearance::{Rgba, Theme};
 use crate::geometry::{Angle, try_unit};
-use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
 
 /// Where the default light goes: it comes from above, behind the usual viewer at (3, 4, 5) and a little to his left, so that
 /// the three sides that he sees of a box differ and none is black.
@@ -132,6 +132,9 @@ pub(super) fn place<'a>(specs: &'a [ObjectSpec], others: &[Placed<'_>]) -> Resul
 pub(super) fn lights(specs: &[LightSpec]) -> Result<Vec<Light>, SceneError> {
     if specs.is_empty() {
         return Ok(vec![Light::Directional { direction: DEFAULT_LIGHT }]);
+    }
+    if specs.len() > MAX_LIGHTS {
+        return Err(SceneError::TooManyLights { found: specs.len() });
     }
     specs
         .iter()

@@ -80,6 +80,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     probe::in_canonical(&mut builder, request, palette);
     cube(&mut builder, request, palette);
     let mut drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
+    revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
     placing::settle(&mut drawn.drawing, &[], revealed_scene::room(legend.as_ref()));
     revealed_scene::explain(&mut drawn.drawing, legend.as_ref());

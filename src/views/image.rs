@@ -58,6 +58,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         greys.paint(&mut drawn);
         rows.extend(greys.legend(request, palette));
     }
+    rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
     placing::settle(&mut drawn.drawing, &[], None);
     if rect != PixelRect::whole(request.size) {
         drawn.drawing = mounted(drawn.drawing, rect, request.size, palette);

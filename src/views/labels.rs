@@ -35,4 +35,6 @@ pub struct Labels {
     pub wrong: &'static str,
     /// What comes of it otherwise.
     pub no_difference: &'static str,
+    /// Too many pieces to be put in order.
+    pub not_split: &'static str,
 }

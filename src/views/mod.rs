@@ -37,12 +37,14 @@ mod view;
 mod world;
 mod world_framing;
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::appearance::Texture;
 use crate::figure::{Figure, Observer};
 use crate::pipeline::Frame;
-use crate::scene::{self, ReadFile, Scene, SceneError};
+use crate::progress::Progress;
+use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use labels::Labels;
 use observer::Viewpoint;
 pub use overlays::{Arrows, Ghost, Handle, Overlays, Probe};
@@ -56,19 +58,25 @@ pub use view::{View, Views};
 /// [`Request::image_on_window`] as pixels; without it the window is plain.
 #[must_use]
 pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
-    match request.view {
+    let mut frame = match request.view {
         View::World => world::frame_of(request, on_window, pipeline),
         View::Canonical => canonical::frame_of(request, pipeline),
         View::Image => image::frame_of(request, pipeline),
+    };
+    if let Some(too_much) = &mut frame.too_much {
+        let of_scene: BTreeSet<&str> = request.scene.objects.iter().map(|object| object.name.as_str()).collect();
+        too_much.name_only(|name| of_scene.contains(name));
     }
+    frame
 }
 
-/// The scene of a figure in the colours of its theme, with hidden edges as its style wants them.
+/// The scene of a figure in the colours of its theme, with hidden edges as its style wants them; `progress` says how far reading
+/// its meshes has come.
 ///
 /// # Errors
 /// [`SceneError`] names the object and what is wrong with it.
-pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>) -> Result<Scene, SceneError> {
-    scene::build(&figure.scene, &figure.style, read_file)
+pub fn scene_of(figure: &Figure, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Scene, SceneError> {
+    scene::build_with(&figure.scene, &figure.style, read_file, &mut MeshFiles::watched(progress))
 }
 
 impl Request {

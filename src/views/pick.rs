@@ -151,7 +151,8 @@ mod tests {
             color: None,
             segments: 32,
         });
-        let scene = crate::views::scene_of(&figure, &mut crate::scene::no_files).unwrap();
+        let scene = crate::views::scene_of(&figure, &mut crate::scene::no_files, &crate::progress::Progress::default())
+            .unwrap();
         let camera = Camera::new(&parameters).unwrap();
         let (scene, size) = (SharedScene::new(scene), Size { width: 600, height: 450, scale: 1.0 });
         test(&Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size));

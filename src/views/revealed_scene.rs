@@ -12,7 +12,7 @@ use crate::pipeline::clip_parts::{Parts, clip_parts};
 use crate::pipeline::cull_result::{CullResult, cull_result};
 use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
 use crate::pipeline::project::{clipped_scene, displayed_ndc};
-use crate::pipeline::{NEAR, PlaneSet, Target, with_triangles};
+use crate::pipeline::{Frame, NEAR, PlaneSet, Target, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
@@ -76,6 +76,11 @@ impl Revealed {
 pub(super) fn legend(request: &Request, rows: Vec<Row>, target: &Target, palette: Palette) -> Option<Legend> {
     let size = [request.size.width, request.size.height];
     Legend::new(rows, size, target.scale, palette).filter(|_| !request.overlays.bare)
+}
+
+/// What a drawing shows otherwise than it was asked to.
+pub(super) fn exception(drawn: &Frame, labels: &Labels, palette: Palette) -> Option<Row> {
+    drawn.too_much.is_some().then(|| Row::Title(labels.not_split.to_owned(), palette.wrong))
 }
 
 /// Where it lies, and the drawing of it.

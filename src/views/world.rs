@@ -41,6 +41,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     probe::in_world(&mut world.builder, request, palette);
     arrows::in_world(&mut world.builder, request, palette);
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
+    revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
     placing::settle(&mut drawn.drawing, &[palette.grid], revealed_scene::room(legend.as_ref()));
     revealed_scene::explain(&mut drawn.drawing, legend.as_ref());

@@ -211,7 +211,12 @@ fn a_picture_is_never_replaced_by_text_whatever_its_name_says() {
     let folder = Folder::new("picture-by-another-name");
     let path = folder.file("view.toml");
     let pixmap = tiny_skia::Pixmap::new(2, 2).expect("two by two");
-    let picture = png::encode(pixmap, "[camera]\nnear = 0.5\n\n[scene]\npreset = \"empty\"\n").expect("encoded");
+    let picture = png::encode(
+        pixmap,
+        "[camera]\nnear = 0.5\n\n[scene]\npreset = \"empty\"\n",
+        &camera_lab::progress::Progress::default(),
+    )
+    .expect("encoded");
     fs::write(&path, &picture).expect("written");
     for mut window in [Window::opened(&path), Window::new(Lang::En)] {
         window.command_key(Key::O);

@@ -237,3 +237,55 @@ fn numbers_may_be_expressions() {
         assert!(run.refused(2).contains(part), "{part}: {}", run.err);
     }
 }
+
+#[test]
+fn faces_that_are_too_many_to_be_split_are_drawn_with_the_depth_buffer_and_named() {
+    let bench = bench("too-many-pieces");
+    let ball = |name: &str| {
+        format!("[[scene.objects]]\nname = \"{name}\"\nshape = \"sphere\"\nsegments = 512\ncolor = \"#4477aa80\"\n")
+    };
+    let figure = |visibility: &str| {
+        let style = format!("[style]\nvisibility = \"{visibility}\"\nshading = \"flat\"\nantialias = 1\n");
+        format!("[scene]\npreset = \"empty\"\n{}{}{}{style}", ball("one"), ball("other"), ball("third"))
+    };
+    bench.write("bsp.toml", figure("bsp"));
+    bench.write("depth.toml", figure("depth-buffer"));
+    let run = Run::of(&mut bench.command(&["render", "bsp.toml", "--size", "24x18", "-o", "bsp.png"]));
+    assert_eq!(run.status, Some(0));
+    for word in ["bsp.toml", "\"one\"", "\"other\"", "524288 pieces", "depth buffer"] {
+        assert!(run.err.contains(word), "{}", run.err);
+    }
+    bench.run(&["render", "depth.toml", "--size", "24x18", "-o", "depth.png"]).done();
+    // So small a picture has no room for the note.
+    assert!(pixels(&bench.read("bsp.png")) == pixels(&bench.read("depth.png")));
+}
+
+#[test]
+fn there_are_not_more_lights_than_may_be() {
+    let bench = bench("lights");
+    let light = "[[scene.lights]]\nkind = \"point\"\nposition = [1, 2, 3]\n";
+    for (count, status) in [(1024, Some(0)), (1025, Some(2))] {
+        bench.write("lights.toml", format!("[scene]\npreset = \"cube\"\n{}", light.repeat(count)));
+        let run = Run::of(&mut bench.command(&["render", "lights.toml", "--size", "8x6", "-o", "a.png"]));
+        assert_eq!(run.status, status, "{}", run.err);
+        assert_eq!(run.err.contains("1025; allowed: at most 1024"), count > 1024, "{}", run.err);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_command_leaves_the_file_as_it_was_and_nothing_else() {
+    let bench = bench("interrupted");
+    bench.write("out.png", "old");
+    let before = bench.names();
+    for pause in [50, 400, 900] {
+        let mut command = bench.command(&["render", "figure.toml", "--size", "12000x8000", "-o", "out.png"]);
+        let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(pause));
+        let interrupt = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        assert!(interrupt.unwrap().success());
+        assert!(!child.wait().unwrap().success());
+        assert_eq!(bench.read("out.png"), b"old");
+        assert_eq!(bench.names(), before);
+    }
+}

@@ -73,7 +73,12 @@ fn a_lamp_hangs_on_the_table_of_the_primitives() {
     let lamp = "[scene]\npreset = \"primitives\"\n[[scene.objects]]\nname = \"lamp\"\nshape = \"cone\"\n\
                 parent = \"table\"\ntranslate = [0.0, 1.0, 0.0]\n";
     let figure = read::parse(lamp).unwrap();
-    let scene = camera_lab::views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
+    let scene = camera_lab::views::scene_of(
+        &figure,
+        &mut camera_lab::scene::no_files,
+        &camera_lab::progress::Progress::default(),
+    )
+    .unwrap();
     let lamp = scene.objects.iter().find(|object| object.name == "lamp").unwrap();
     assert_eq!(lamp.world_from_object, glam::DMat4::from_translation(glam::DVec3::Y));
 }

@@ -7,13 +7,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Leaves that everybody may import.
-const LEAVES: &[&str] = &["appearance", "foreign", "limits"];
+const LEAVES: &[&str] = &["appearance", "foreign", "limits", "progress"];
 
 /// Each module with the modules that it may import, besides [`LEAVES`].
 const TABLE: &[(&str, &[&str])] = &[
     ("appearance", &[]),
     ("foreign", &[]),
     ("limits", &[]),
+    ("progress", &[]),
     ("geometry", &[]),
     ("numbers", &[]),
     // The sine of whole degrees is exact there.

@@ -317,7 +317,8 @@ fn the_two_parts_are_the_whole_and_each_is_on_its_side() {
         let camera = Camera::new(&parameters).unwrap();
         let mut figure = Figure::default();
         figure.scene.preset = scene;
-        let whole = scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
+        let whole =
+            scene_of(&figure, &mut camera_lab::scene::no_files, &camera_lab::progress::Progress::default()).unwrap();
         let parts = clip_parts::clip_parts(&whole, &camera, false);
         let (area_inside, area_outside) = (area(&parts.inside), area(&parts.outside));
         assert!(area_outside > 0.1, "{scene:?}");
@@ -434,7 +435,8 @@ fn what_is_divided_first_carries_what_its_vertices_carry() {
 #[test]
 fn culling_says_what_it_drops_and_why() {
     let figure = preset(ScenePreset::Cube, Reveal::default());
-    let scene = scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
+    let scene =
+        scene_of(&figure, &mut camera_lab::scene::no_files, &camera_lab::progress::Progress::default()).unwrap();
     let cube = scene.objects.iter().find(|o| o.mesh.convex).unwrap();
     let camera = |position: DVec3, focal_point: DVec3| {
         Camera::new(&Parameters { position, focal_point, near: 0.5, far: 20.0, ..Parameters::default() }).unwrap()

@@ -18,7 +18,8 @@ const LIGHT: &str = "[[scene.lights]]\nkind = \"directional\"\ndirection = [-1, 
 fn assert_stage(name: &str, figure: &str) {
     let figure = parse(figure).unwrap();
     let camera = Camera::new(&figure.camera).unwrap();
-    let scene = scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
+    let scene =
+        scene_of(&figure, &mut camera_lab::scene::no_files, &camera_lab::progress::Progress::default()).unwrap();
     let (scene, labels) = (SharedScene::new(scene), pictures::labels(Lang::En));
     let planned = Request::of(&figure, View::Image, &camera, &scene, labels, SIZE);
     let forced = Request { force_all_stages: true, ..planned.clone() };

@@ -1,5 +1,7 @@
 //! Runs of strokes that are found exactly, against those that the depth buffer shows.
 
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Visibility};
 use camera_lab::camera::{Camera, Parameters};
 use camera_lab::drawing::{Drawing, StrokeSet, Surface};
@@ -71,7 +73,7 @@ fn with_runs<'a>(drawing: &Drawing, runs: impl IntoIterator<Item = &'a Run>) -> 
 fn exact_runs_look_as_the_depth_buffer_shows_strokes() {
     let (mut ink, mut apart) = (0_usize, 0_usize);
     for drawing in views(&solids()) {
-        let runs = stroke_runs(&drawing);
+        let runs = stroke_runs(&drawing).unwrap();
         assert!(runs.iter().any(|run| !run.visible) && runs.iter().any(|run| run.visible));
         let ends: Vec<[f32; 3]> =
             runs.iter().flat_map(|run| [run.points[0], run.points[run.points.len() - 1]]).collect();
@@ -92,7 +94,7 @@ fn exact_runs_look_as_the_depth_buffer_shows_strokes() {
 #[test]
 fn runs_make_up_each_polyline() {
     for drawing in views(&solids()) {
-        let runs = stroke_runs(&drawing);
+        let runs = stroke_runs(&drawing).unwrap();
         let polylines: usize = drawing.strokes.iter().map(|set| set.polylines.len()).sum();
         assert_eq!(runs.iter().filter(|run| run.has_end).count(), polylines);
         for pair in runs.windows(2).filter(|pair| !pair[0].has_end) {
@@ -130,10 +132,10 @@ fn crossings() -> Scene {
 /// are listed; near ends of what faces hide none are counted.
 fn disagreement(drawing: &Drawing) -> [usize; 3] {
     let paint = |drawing: &Drawing| Rasterizer::default().paint(drawing).expect("a picture");
-    let listed = stroke_runs(drawing);
+    let listed = stroke_runs(drawing).unwrap();
     let split = |pair: &[Run]| (!pair[0].has_end).then(|| pair[1].points[0]);
     let ends: Vec<[f32; 3]> = listed.windows(2).filter_map(split).collect();
-    let ordered = painted_runs(drawing);
+    let ordered = painted_runs(drawing).unwrap();
     let pictures = [with_runs(drawing, &ordered), with_runs(drawing, &listed)].map(|drawing| paint(&drawing));
     let (tested, bare) = (paint(drawing), paint(&Drawing { strokes: Vec::new(), ..drawing.clone() }));
     let mut counts = [0; 3];
@@ -185,7 +187,9 @@ fn figure() -> String {
 fn a_drawing_for_vectors_needs_no_depth_buffer() {
     let figure = parse(&figure()).expect("a figure");
     let camera = Camera::new(&figure.camera).expect("a camera");
-    let scene = SharedScene::new(scene_of(&figure, &mut no_files).expect("a scene"));
+    let scene = SharedScene::new(
+        scene_of(&figure, &mut no_files, &camera_lab::progress::Progress::default()).expect("a scene"),
+    );
     for view in [View::World, View::Canonical, View::Image] {
         let size = Size { width: 320, height: 240, scale: 1.0 };
         let pixels = Request::of(&figure, view, &camera, &scene, pictures::labels(Lang::En), size);
@@ -199,7 +203,7 @@ fn a_drawing_for_vectors_needs_no_depth_buffer() {
         assert_eq!(vectors.drawing.labels, pixels.drawing.labels);
         // Whether marks and labels are hidden is found without pixels.
         let places = vectors.drawing.labels.iter().map(|label| label.position);
-        assert_eq!(hidden_places(&vectors.drawing, places).len(), pixels.drawing.labels.len());
+        assert_eq!(hidden_places(&vectors.drawing, places).unwrap().len(), pixels.drawing.labels.len());
 
         // Without any depth: the faces as they are listed, then the runs.
         let plain = |drawing: &Drawing| Drawing { marks: Vec::new(), labels: Vec::new(), ..drawing.clone() };
@@ -209,7 +213,7 @@ fn a_drawing_for_vectors_needs_no_depth_buffer() {
             depth_test: false,
             ..surface.clone()
         };
-        let painted = with_runs(&drawing, &painted_runs(&drawing));
+        let painted = with_runs(&drawing, &painted_runs(&drawing).unwrap());
         let painted = Drawing { surfaces: drawing.surfaces.iter().map(flat).collect(), ..painted };
         let paint = |drawing: &Drawing| Rasterizer::default().paint(drawing).expect("a picture");
         let (tested, painted) = (paint(&plain(&pixels.drawing)), paint(&painted));
@@ -228,7 +232,9 @@ fn a_drawing_for_vectors_needs_no_depth_buffer() {
 fn vectors_are_split_unless_the_painter_is_asked_for() {
     let figure = parse(&figure()).expect("a figure");
     let camera = Camera::new(&figure.camera).expect("a camera");
-    let scene = SharedScene::new(scene_of(&figure, &mut no_files).expect("a scene"));
+    let scene = SharedScene::new(
+        scene_of(&figure, &mut no_files, &camera_lab::progress::Progress::default()).expect("a scene"),
+    );
     let size = Size { width: 80, height: 60, scale: 1.0 };
     let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size);
     for (visibility, reason) in [

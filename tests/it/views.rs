@@ -23,7 +23,9 @@ impl Pictured {
     /// The picture of a figure at 320 × 240.
     pub(crate) fn of(figure: Figure) -> Self {
         let camera = Camera::new(&figure.camera).unwrap();
-        let scene = views::scene_of(&figure, &mut camera_lab::scene::no_files).unwrap();
+        let scene =
+            views::scene_of(&figure, &mut camera_lab::scene::no_files, &camera_lab::progress::Progress::default())
+                .unwrap();
         let size = Size { width: 320, height: 240, scale: 1.0 };
         let labels = pictures::labels(Lang::En);
         let request = Request::of(&figure, View::Image, &camera, &SharedScene::new(scene), labels, size);

@@ -5,6 +5,7 @@ use crate::appearance::{HiddenLines, Rgba, Style, Theme};
 use crate::camera::{ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{PRESETS, SHADINGS, VISIBILITIES};
 use crate::figure::{Depth, Observer, Observers, Outside, Reveal};
+use crate::limits::MAX_LIGHTS;
 use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 use glam::DVec3;
 use proptest::prelude::*;
@@ -308,8 +309,9 @@ fn one_of_very_many_objects_is_edited_in_the_time_of_reading_them() {
     let mut moved = figure.clone();
     moved.scene.objects[4000].translate.x = 1.0;
     let mut lights = figure.clone();
-    lights.scene.lights =
-        (1..=MANY).map(|i| LightSpec::Point(DVec3::new(f64::from(u32::try_from(i).unwrap()), 0.0, 0.0))).collect();
+    lights.scene.lights = (1..=MAX_LIGHTS)
+        .map(|i| LightSpec::Point(DVec3::new(f64::from(u32::try_from(i).unwrap()), 0.0, 0.0)))
+        .collect();
     let lit = to_toml(&lights);
     let mut relit = lights.clone();
     relit.scene.lights.reverse();

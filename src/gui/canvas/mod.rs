@@ -6,6 +6,7 @@
 mod arrange;
 mod icons;
 mod interaction;
+mod long_work;
 mod orbit;
 mod picking;
 mod readout;
@@ -24,9 +25,10 @@ use eframe::egui::{
 
 use self::arrange::{Axis, Shares, arrange};
 use self::interaction::Drag;
+use self::long_work::LongWork;
 use self::orbit::Auto;
 use self::picking::{PickRequest, Picker, What};
-use self::rendering::{Job, Rendering};
+use self::rendering::{Job, Missing, Rendering};
 use self::status::{Status, StatusAction};
 use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
@@ -37,14 +39,17 @@ use crate::gui::handle_drag::point;
 use crate::gui::highlight::{Highlight, Movable};
 use crate::gui::state::{ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
+use crate::i18n::messages;
 use crate::i18n::pictures::labels;
 use crate::picture::Account;
-use crate::pipeline::Output;
+use crate::pipeline::{Output, TooMuch};
 use crate::views::image_frame;
 use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, observer_in};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
+/// How often it is told anew how far long work has come.
+const TELL: Duration = Duration::from_millis(100);
 
 /// Draws the pictures and keeps what belongs to them from one frame to the next.
 pub struct Canvas {
@@ -54,6 +59,9 @@ pub struct Canvas {
     textures: [PictureTexture; 3],
     /// How the pictures on the screen came about.
     accounts: [Option<Account>; 3],
+    /// Why there is none, and what could not be done in it, by picture.
+    missing: [Option<Missing>; 3],
+    too_much: [Option<TooMuch>; 3],
     shares: Shares,
     /// From where each picture is seen where the figure does not say, and in this frame; the image from nowhere.
     autos: [Auto; 3],
@@ -78,6 +86,8 @@ impl Default for Canvas {
             rendering: Rendering::default(),
             textures: Default::default(),
             accounts: Default::default(),
+            missing: [None; 3],
+            too_much: Default::default(),
             shares: Shares::default(),
             autos: Default::default(),
             seen: [None; 3],
@@ -140,7 +150,7 @@ impl Canvas {
             ctx.request_repaint();
         }
         if let Err(error) = state.scene_cache.update(&ctx, &state.document, self.patience) {
-            state.say_error(crate::i18n::messages::scene(state.settings.lang, &error));
+            state.say_error(messages::scene(state.settings.lang, &error));
         }
         self.overlays.ghost = state.ghost.clone();
         self.overlays.arrows = Movable::selected(state).and_then(|movable| movable.arrows(None));
@@ -164,6 +174,10 @@ impl Canvas {
         let loading = loading(state);
         if !loading.is_empty() {
             status.message = loading;
+        }
+        status.work = LongWork::of(self, state);
+        if self.rendering.running().is_some() || state.runs() {
+            ctx.request_repaint_after(TELL);
         }
         status.hidden = if state.layout.maximized.is_none() {
             View::ALL.into_iter().filter(|p| !state.layout.shown[p.index()]).collect()
@@ -271,25 +285,32 @@ impl Canvas {
     }
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
-    fn draw(&mut self, ui: &Ui, state: &State, panes: &[Pane]) {
+    fn draw(&mut self, ui: &Ui, state: &mut State, panes: &[Pane]) {
         let ctx = ui.ctx();
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
-        let figure = state.document.figure();
+        let style = state.document.figure().style;
         let scene = self.highlight.scene(state);
         for pane in panes.iter().filter(|pane| pane.rect.size.width > 0 && pane.rect.size.height > 0) {
             let request = Request { scene: scene.clone(), ..self.request(state, pane.view, pane.rect.size) };
-            let heavy = figure.style.antialias > 1 && self.rendering.is_heavy(pane.view, self.patience);
+            let heavy = style.antialias > 1 && self.rendering.is_heavy(pane.view, self.patience);
             let accounted = state.layout.strip && state.layout.strip_of == pane.view;
             self.rendering.ask(ctx, Job { request, draft: moving && heavy, max_side, accounted });
         }
         for (view, done) in View::ALL.into_iter().zip(self.rendering.collect(self.patience)) {
-            if let Some(rendered) = done {
-                let (tiles, account) = rendered.map_or((None, None), |r| (Some(r.tiles), r.account));
-                self.accounts[view.index()] = account;
-                self.textures[view.index()].set(ctx, words::texts(state.settings.lang).view(view), tiles);
+            let Some(rendered) = done else { continue };
+            let i = view.index();
+            self.missing[i] = rendered.as_ref().err().copied();
+            let (tiles, account, too_much) =
+                rendered.map_or((None, None, None), |r| (Some(r.tiles), r.account, r.too_much));
+            self.accounts[i] = account;
+            self.textures[i].set(ctx, words::texts(state.settings.lang).view(view), tiles);
+            // Said when it comes up; as long as it is so, a note stands in the picture.
+            if let Some(too_much) = too_much.as_ref().filter(|_| !self.too_much.contains(&too_much)) {
+                state.say_error(messages::too_much(state.settings.lang, too_much));
             }
+            self.too_much[i] = too_much;
         }
-        let palette = Palette::of(figure.style.theme);
+        let palette = Palette::of(style.theme);
         for pane in panes {
             let ground = if pane.view == View::Image { palette.surround } else { palette.paper };
             let Rgba { r, g, b, .. } = ground;
@@ -308,7 +329,9 @@ impl Canvas {
                 let ring = Stroke::new(2.0, ui.visuals().hyperlink_color);
                 ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
             }
-            if self.textures[pane.view.index()].failed() {
+            if self.missing[pane.view.index()] == Some(Missing::Cancelled) {
+                note(ui, rect, texts.given_up);
+            } else if self.textures[pane.view.index()].failed() {
                 let font = TextStyle::Body.resolve(ui.style());
                 let color = ui.visuals().error_fg_color;
                 ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);

@@ -110,7 +110,7 @@ pub(super) struct Picker {
 impl Default for Picker {
     fn default() -> Self {
         let worker = Worker::new("pointer", clock::now, || {
-            Box::new(|pick: PickRequest| {
+            Box::new(|pick: PickRequest, _| {
                 let found = pick.find();
                 (pick, found)
             })

@@ -6,14 +6,16 @@ use eframe::egui;
 
 use super::texture::Tiles;
 use crate::clock;
-use crate::gui::worker::{Work, Worker};
+use crate::gui::worker::{Running, Work, Worker};
 use crate::picture::{Account, Picture, Renderer};
-use crate::views::View;
+use crate::pipeline::TooMuch;
+use crate::progress::Progress;
+use crate::views::{Overlays, Request, View};
 
 /// A picture to draw. Two equal jobs make the same pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Job {
-    pub(super) request: crate::views::Request,
+    pub(super) request: Request,
     /// One sample per pixel, whatever the style says.
     pub(super) draft: bool,
     /// The greatest side of a texture, pixels.
@@ -27,11 +29,28 @@ pub(super) struct Rendered {
     pub(super) tiles: Tiles,
     /// How it came about, where that was asked for.
     pub(super) account: Option<Account>,
+    /// What could not be done as it was asked for.
+    pub(super) too_much: Option<TooMuch>,
 }
 
-/// What came of a job; without a picture, it has no size, or no memory is left for it.
+/// Why there is no picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Missing {
+    /// The user gave it up.
+    Cancelled,
+    /// It has no size, no memory is left for it, or what draws has panicked.
+    NotDrawn,
+}
+
+impl Missing {
+    fn of(progress: &Progress) -> Self {
+        if progress.is_cancelled() { Self::Cancelled } else { Self::NotDrawn }
+    }
+}
+
+/// What came of a job.
 struct Outcome {
-    rendered: Option<Rendered>,
+    rendered: Result<Rendered, Missing>,
     draft: bool,
 }
 
@@ -40,6 +59,8 @@ pub(super) struct Rendering {
     worker: Worker<Job, Outcome, 3>,
     /// What was asked for last, by picture.
     asked: [Option<Job>; 3],
+    /// What the user gave up, by picture.
+    given_up: [Option<Job>; 3],
     /// How many pictures have been drawn, by picture.
     drawn: [u64; 3],
     /// What the last drawing of each picture took, and the last one that was not a draft.
@@ -52,6 +73,7 @@ impl Default for Rendering {
         Self {
             worker: Worker::new("pictures", clock::now, work),
             asked: Default::default(),
+            given_up: Default::default(),
             drawn: [0; 3],
             cost: [Duration::ZERO; 3],
             full_cost: [Duration::ZERO; 3],
@@ -62,18 +84,28 @@ impl Default for Rendering {
 fn work() -> Work<Job, Outcome> {
     let mut renderer = Renderer::default();
     let mut pictures: [Picture; 3] = Default::default();
-    Box::new(move |job| {
+    Box::new(move |job, progress| {
         let Job { mut request, draft, max_side, accounted } = job;
         if draft {
             request.look.style.antialias = 1;
         }
         renderer.measure(accounted.then_some(clock::now));
+        renderer.watch(progress);
         let picture = &mut pictures[request.view.index()];
         let account = renderer.pixels_into(&request, picture);
-        let rendered = account
-            .map(|account| Rendered { tiles: Tiles::of(picture, max_side), account: accounted.then_some(account) });
-        Outcome { rendered, draft }
+        let rendered = account.map(|account| Rendered {
+            tiles: Tiles::of(picture, max_side),
+            too_much: account.too_much.clone(),
+            account: accounted.then_some(account),
+        });
+        Outcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft }
     })
+}
+
+/// True for pictures that differ at most in what is pointed at.
+fn same_but_overlays(one: &Request, other: &Request) -> bool {
+    let bare = |request: &Request| Request { overlays: Overlays::default(), ..request.clone() };
+    bare(one) == bare(other)
 }
 
 impl Rendering {
@@ -98,23 +130,42 @@ impl Rendering {
                 && last.max_side == job.max_side
                 && last.request == job.request
         };
+        let is_given_up = |up: &Job| same_but_overlays(&up.request, &job.request);
+        if self.given_up[i].as_ref().is_some_and(is_given_up) {
+            return;
+        }
+        self.given_up[i] = None;
         if !self.asked[i].as_ref().is_some_and(is_as_good) {
             self.worker.ask(ctx, i, job.clone());
             self.asked[i] = Some(job);
         }
     }
 
-    /// The pictures that are done; `None` within: it could not be drawn. Waits for them up to `patience`, so that a light scene is
+    /// What is being drawn.
+    pub(super) fn running(&self) -> Option<(View, Running)> {
+        let running = self.worker.running()?;
+        Some((View::ALL[running.slot], running))
+    }
+
+    /// Gives up all pictures that are being drawn. What is pointed at does not begin them anew, only what they show.
+    pub(super) fn cancel(&mut self) {
+        for i in (0..3).filter(|&i| self.worker.is_pending(i)) {
+            self.given_up[i].clone_from(&self.asked[i]);
+        }
+        self.worker.cancel();
+    }
+
+    /// The pictures that are done. Waits for them up to `patience`, so that a light scene is
     /// never a frame late; where the last drawings took longer than that, it does not wait at all, and the window gets a frame
     /// of its own when they are done.
-    pub(super) fn collect(&mut self, patience: Duration) -> [Option<Option<Rendered>>; 3] {
+    pub(super) fn collect(&mut self, patience: Duration) -> [Option<Result<Rendered, Missing>>; 3] {
         let expected: Duration = (0..3).filter(|&i| self.worker.is_pending(i)).map(|i| self.cost[i]).sum();
         let mut done = self.worker.take(if expected <= patience { patience } else { Duration::ZERO });
         std::array::from_fn(|i| {
             let done = done[i].take()?;
             self.drawn[i] += 1;
             self.cost[i] = done.time;
-            let outcome = done.outcome?;
+            let Some(outcome) = done.outcome else { return Some(Err(Missing::NotDrawn)) };
             if !outcome.draft {
                 self.full_cost[i] = done.time;
             }
@@ -131,7 +182,7 @@ mod tests {
     use crate::camera::Camera;
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
-    use crate::views::{Request, SharedScene, Size};
+    use crate::views::{SharedScene, Size};
 
     fn job(side: u32) -> Job {
         let figure = Figure::default();
@@ -184,6 +235,40 @@ mod tests {
     }
 
     #[test]
+    fn what_was_given_up_is_begun_anew_by_another_picture_and_not_by_what_is_pointed_at() {
+        let waiting = || -> Work<Job, Outcome> {
+            Box::new(|job, progress| {
+                while !progress.is_cancelled() {
+                    std::thread::yield_now();
+                }
+                Outcome { rendered: Err(Missing::of(progress)), draft: job.draft }
+            })
+        };
+        let ctx = egui::Context::default();
+        let worker = Worker::new("pictures", clock::now, waiting);
+        let mut rendering = Rendering { worker, ..Rendering::default() };
+        rendering.ask(&ctx, job(30));
+        while rendering.running().is_none() {
+            std::thread::yield_now();
+        }
+        assert_eq!(rendering.running().unwrap().0, View::Image);
+        rendering.cancel();
+        assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(Err(Missing::Cancelled))));
+        let pointed_at = Overlays { probe: Some(crate::views::Probe::Point(glam::DVec3::ZERO)), ..Overlays::default() };
+        let same = Job { request: Request { overlays: pointed_at, ..job(30).request }, ..job(30) };
+        let same = Job {
+            request: Request { scene: rendering.asked[2].as_ref().unwrap().request.scene.clone(), ..same.request },
+            ..same
+        };
+        rendering.ask(&ctx, same);
+        assert!(!rendering.worker.is_pending(2));
+        rendering.ask(&ctx, job(31));
+        assert!(rendering.worker.is_pending(2));
+        rendering.cancel();
+        rendering.collect(Duration::from_secs(60));
+    }
+
+    #[test]
     fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
         let worker = Worker::new("pictures", clock::now, work).without_thread();
         let mut rendering = Rendering { worker, ..Rendering::default() };
@@ -196,6 +281,6 @@ mod tests {
     fn a_picture_without_pixels_is_said_to_be_none() {
         let mut rendering = Rendering::default();
         rendering.ask(&egui::Context::default(), job(0));
-        assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(None)));
+        assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(Err(Missing::NotDrawn))));
     }
 }

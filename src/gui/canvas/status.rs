@@ -5,6 +5,7 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
+use super::long_work::LongWork;
 use super::readout::Cell;
 use crate::gui::state::Arrangement;
 use crate::i18n::canvas::CanvasTexts;
@@ -12,6 +13,9 @@ use crate::views::View;
 
 /// A cell is as wide as its space's name and three numbers of four digits, in heights of a line.
 const CELL_WIDTH: f32 = 11.5;
+
+/// The width of the bar that shows how far long work has come.
+const BAR: f32 = 120.0;
 
 /// What the buttons under the pictures ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +33,8 @@ pub(super) enum StatusAction {
 pub(super) struct Status {
     /// The first line.
     pub(super) message: String,
+    /// What takes long stands instead of the message.
+    pub(super) work: Option<LongWork>,
     /// The message says why something is not possible.
     pub(super) warning: bool,
     /// At the right end of the first line.
@@ -114,6 +120,13 @@ impl Status {
                 ui.add(Label::new(RichText::new(texts.hidden).small()).selectable(false));
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                if let Some(work) = &self.work {
+                    if let Some(share) = work.share {
+                        ui.add(egui::ProgressBar::new(share).desired_width(BAR).desired_height(8.0));
+                    }
+                    ui.add(Label::new(RichText::new(&work.text).small().strong()).truncate().selectable(false));
+                    return;
+                }
                 let mut text = RichText::new(&self.message).small();
                 if self.warning {
                     text = text.color(ui.visuals().warn_fg_color).strong();

@@ -73,7 +73,7 @@ pub(super) struct Writer {
 
 impl Writer {
     pub(super) fn new(file: PathBuf, lock: File) -> Self {
-        let worker = Worker::new("session", clock::now, || Box::new(Job::run));
+        let worker = Worker::new("session", clock::now, || Box::new(|job: Job, _| job.run()));
         Self { file, lock: Arc::new(lock), worker, asked: None }
     }
 

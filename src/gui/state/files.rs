@@ -1,12 +1,13 @@
 //! What is asked about files, and what is going on with them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::files::Overwrite;
 use crate::gui::comparison::Comparison;
-use crate::gui::export::{Export, ExportError, Exporting};
+use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::native::OpenFileDialog;
 use crate::gui::watch::Watch;
+use crate::gui::worker::Running;
 
 /// What is to be done once nothing can be lost any more.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -129,8 +130,18 @@ impl FileFlow {
         Self { native, ..Self::default() }
     }
 
+    /// The pictures that are being written, and how far that has come.
+    pub(in crate::gui) fn running(&self) -> impl Iterator<Item = (&Path, Running)> {
+        self.exporting.iter().filter_map(|exporting| Some((exporting.path(), exporting.running()?)))
+    }
+
+    /// Gives up those of the pictures that are being written of which `which` says so.
+    pub(in crate::gui) fn cancel(&self, which: impl Fn(Running) -> bool) {
+        self.exporting.iter().filter(|exporting| exporting.running().is_some_and(&which)).for_each(Exporting::cancel);
+    }
+
     /// The exports that have come to an end.
-    pub(in crate::gui) fn exported(&mut self) -> Vec<(PathBuf, Result<(), ExportError>)> {
+    pub(in crate::gui) fn exported(&mut self) -> Vec<(PathBuf, Exported)> {
         let mut done = Vec::new();
         self.exporting.retain_mut(|exporting| {
             let before = done.len();

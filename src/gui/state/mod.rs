@@ -187,6 +187,11 @@ impl State {
         }
     }
 
+    /// True while meshes are read or pictures written.
+    pub(in crate::gui) fn runs(&self) -> bool {
+        self.scene_cache.running().is_some() || self.file_flow.running().next().is_some()
+    }
+
     /// Says something at the bottom of the window.
     pub fn say(&mut self, text: impl Into<String>) {
         self.message = Some(Message { text: foreign::printable(&text.into()), is_error: false });

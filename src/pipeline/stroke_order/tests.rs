@@ -1,3 +1,5 @@
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use super::*;
 use crate::appearance::{Dash, Rgba};
 use crate::drawing::StrokeSet;
@@ -33,7 +35,7 @@ fn drawing(strokes: &[(&[[f32; 3]], LineStyle)]) -> Drawing {
 
 /// The sets of the runs in the order in which they are painted.
 fn order(strokes: &[(&[[f32; 3]], LineStyle)]) -> Vec<usize> {
-    painted_runs(&drawing(strokes)).iter().map(|run| run.set).collect()
+    painted_runs(&drawing(strokes)).unwrap().iter().map(|run| run.set).collect()
 }
 
 fn level(y: f32, depth: f32) -> [[f32; 3]; 2] {
@@ -88,7 +90,7 @@ fn a_run_that_is_before_and_behind_another_is_split_between() {
     let leaning = [[50.0, 5.0, 0.9], [50.0, 95.0, 0.1]];
     let around = [[20.0, 20.0, 0.5], [80.0, 20.0, 0.5], [80.0, 80.0, 0.5], [20.0, 80.0, 0.5]];
     let drawing = drawing(&[(&around, tested(2.0)), (&leaning, tested(2.0))]);
-    let runs = painted_runs(&drawing);
+    let runs = painted_runs(&drawing).unwrap();
     let at = |set: usize, y: f32| {
         let here = |run: &Run| run.points.windows(2).any(|p| p[0][1].min(p[1][1]) <= y && y <= p[0][1].max(p[1][1]));
         runs.iter().position(|run| run.set == set && here(run))
@@ -112,7 +114,8 @@ fn three_in_a_cycle_are_each_over_the_next() {
         [point(-0.2, 0.9), point(1.2, 0.1)]
     };
     let sides = [side(0), side(1), side(2)];
-    let runs = painted_runs(&drawing(&[(&sides[0], tested(3.0)), (&sides[1], tested(3.0)), (&sides[2], tested(3.0))]));
+    let runs = painted_runs(&drawing(&[(&sides[0], tested(3.0)), (&sides[1], tested(3.0)), (&sides[2], tested(3.0))]))
+        .unwrap();
     assert!(runs.len() > 3);
     // At the corner where side k begins it is over the side before.
     for (k, end) in ends.iter().enumerate() {
@@ -148,7 +151,7 @@ fn two_that_go_along_each_other_and_change_their_order_are_cut_there() {
     let level = [[5.0, 50.0, 0.5], [95.0, 50.0, 0.5]];
     let leaning = [[5.0, 49.5, 0.9], [95.0, 50.5, 0.1]];
     for (first, second) in [(&level, &leaning), (&leaning, &level)] {
-        let runs = painted_runs(&drawing(&[(first, tested(2.0)), (second, tested(2.0))]));
+        let runs = painted_runs(&drawing(&[(first, tested(2.0)), (second, tested(2.0))])).unwrap();
         let set_of = |line: &[[f32; 3]; 2]| usize::from(line != first);
         let painted = |set: usize, x: f32| {
             let here = |run: &Run| run.points[0][0] <= x && x <= run.points[run.points.len() - 1][0];
@@ -160,4 +163,13 @@ fn two_that_go_along_each_other_and_change_their_order_are_cut_there() {
             assert_eq!(lean > flat, x < 50.0, "{x}: {runs:?}");
         }
     }
+}
+
+#[test]
+fn strokes_that_touch_too_often_are_given_up() {
+    let (one, other) = (level(50.0, 0.8), upright(50.0, 0.3));
+    let drawing = drawing(&[(&one, tested(2.0)), (&other, tested(2.0))]);
+    let steps = |few| runs_in_order(&drawing, &mut Steps::few(few)).map(|runs| runs.len());
+    assert_eq!(steps(1000), Ok(2));
+    assert_eq!([steps(64), steps(200)], [Err(TooMuch::Strokes), Err(TooMuch::Strokes)]);
 }

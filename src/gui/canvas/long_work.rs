@@ -1,0 +1,134 @@
+//! What takes longer than half a second: told under the pictures, and given up with Esc.
+
+use std::time::Duration;
+
+use eframe::egui::{self, Key, Modifiers};
+
+use super::Canvas;
+use crate::foreign;
+use crate::gui::state::State;
+use crate::gui::worker::Running;
+use crate::i18n::canvas as words;
+use crate::i18n::{progress, scenes, window};
+
+/// What is done sooner is not told.
+const PATIENCE: Duration = Duration::from_millis(500);
+
+/// Work that takes long.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LongWork {
+    /// What is being done, how to give it up, and what it is for.
+    pub(super) text: String,
+    /// How much of what is being done has been, where that is known.
+    pub(super) share: Option<f32>,
+}
+
+impl LongWork {
+    /// The work that has been going on for longest, of what takes long.
+    pub(super) fn of(canvas: &Canvas, state: &State) -> Option<Self> {
+        let lang = state.settings.lang;
+        let mesh = state
+            .scene_cache
+            .running()
+            .map(|(path, running)| (format!("{} {}", scenes::texts(lang).loading, foreign::shown(path)), running));
+        let picture =
+            canvas.rendering.running().map(|(view, running)| (words::texts(lang).view(view).to_owned(), running));
+        let exports = state
+            .file_flow
+            .running()
+            .map(|(path, running)| (format!("{} {}", window::texts(lang).exporting, foreign::path(path)), running));
+        let all = exports.chain(mesh).chain(picture).filter(|(_, running)| running.time >= PATIENCE);
+        let (what, Running { now, .. }) = all.max_by_key(|(_, running)| running.time)?;
+        // The name, which may be long, stands where it may be cut off.
+        let doing = now.map(|(doing, share)| format!("{} · ", progress::progress(lang, doing, share)));
+        let text = format!("{}{} · {what}", doing.unwrap_or_default(), progress::texts(lang).cancel);
+        Some(Self { text, share: now.and_then(|(_, share)| share) })
+    }
+}
+
+impl Canvas {
+    /// Gives up what takes long where Esc is pressed and means nothing else.
+    pub fn listen_for_cancel(&mut self, ctx: &egui::Context, state: &mut State) {
+        let busy = ctx.text_edit_focused() || ctx.input(|input| input.pointer.any_down());
+        if state.file_flow.dialog.is_some() || busy || LongWork::of(self, state).is_none() {
+            return;
+        }
+        if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+            let is_long = |running: Running| running.time >= PATIENCE;
+            if self.rendering.running().is_some_and(|(_, running)| is_long(running)) {
+                self.rendering.cancel();
+            }
+            if state.scene_cache.running().is_some_and(|(_, running)| is_long(running)) {
+                state.scene_cache.cancel();
+            }
+            state.file_flow.cancel(is_long);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
+    use std::path::PathBuf;
+
+    use super::*;
+    use crate::files::Overwrite;
+    use crate::gui::Start;
+    use crate::gui::export::{Export, ExportError, Exported, Exporting, Task};
+    use crate::gui::worker::Work;
+    use crate::i18n::Lang;
+    use crate::progress::Doing;
+
+    /// Paints, and does not come to an end by itself.
+    fn endless() -> Work<Task, Exported> {
+        Box::new(|_, progress| {
+            progress.begin(Doing::Painting, 4);
+            progress.advance(3);
+            while !progress.is_cancelled() {
+                std::thread::yield_now();
+            }
+            Err(ExportError::Cancelled)
+        })
+    }
+
+    #[test]
+    fn long_work_is_told_after_half_a_second_and_given_up_with_escape() {
+        let (ctx, mut state) = (egui::Context::default(), State::new(Start::default()).expect("a camera"));
+        let mut canvas = Canvas::default();
+        let path = PathBuf::from("a.png");
+        let export = Export::new([[4, 3]; 3], 1.0);
+        let exporting =
+            Exporting::with(&ctx, &state.document, Lang::En, export, (path.clone(), Overwrite::Writable), endless);
+        state.file_flow.exporting.push(exporting);
+        let mut press = |state: &mut State| {
+            let key = egui::Event::Key {
+                key: Key::Escape,
+                physical_key: None,
+                pressed: true,
+                repeat: false,
+                modifiers: Modifiers::NONE,
+            };
+            let input = egui::RawInput { events: vec![key], ..egui::RawInput::default() };
+            let mut output = ctx.run_ui(input, |ui| canvas.listen_for_cancel(ui.ctx(), state));
+            output.textures_delta.clear();
+        };
+        // Too early: nothing is told, and Escape means something else.
+        press(&mut state);
+        std::thread::sleep(PATIENCE + Duration::from_millis(100));
+        let told = LongWork::of(&Canvas::default(), &state).expect("told");
+        assert_eq!(told.share, Some(0.75));
+        assert!(told.text.contains("a.png") && told.text.contains("painting… 75 %"), "{}", told.text);
+        assert!(told.text.contains("Esc cancels"), "{}", told.text);
+        press(&mut state);
+        let since = std::time::Instant::now();
+        let done = loop {
+            if let Some(done) = state.file_flow.exported().pop() {
+                break done;
+            }
+            assert!(since.elapsed().as_secs() < 60);
+        };
+        assert!(done.0 == path && matches!(done.1, Err(ExportError::Cancelled)));
+        assert_eq!(LongWork::of(&Canvas::default(), &state), None);
+    }
+}

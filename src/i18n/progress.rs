@@ -1,0 +1,45 @@
+//! What takes long, and that it was too much.
+
+use super::Lang;
+use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
+use crate::pipeline::too_much::{TooMuch, names};
+use crate::progress::Doing;
+
+texts! {
+    reading: "reading a mesh", "lendo uma malha";
+    ordering: "putting faces in order", "ordenando as faces";
+    painting: "painting", "pintando";
+    encoding: "packing the file", "compactando o arquivo";
+    cancel: "Esc cancels", "Esc cancela";
+}
+
+/// What is being done, and which share of it has been, where that is known.
+#[must_use]
+pub fn progress(lang: Lang, doing: Doing, share: Option<f32>) -> String {
+    let t = texts(lang);
+    let doing = match doing {
+        Doing::Reading => t.reading,
+        Doing::Ordering => t.ordering,
+        Doing::Painting => t.painting,
+        Doing::Encoding => t.encoding,
+    };
+    match share {
+        Some(share) => format!("{doing}… {:.0} %", (100.0 * share).floor()),
+        None => format!("{doing}…"),
+    }
+}
+
+/// What there is too much of. In English it is the error's own words.
+#[must_use]
+pub fn too_much(lang: Lang, too_much: &TooMuch) -> String {
+    match (lang, too_much) {
+        (Lang::En, too_much) => too_much.to_string(),
+        (Lang::PtBr, TooMuch::Pieces { objects }) => format!(
+            "as faces de {} se cruzam demais para serem divididas (mais de {MAX_PIECES} pedaços), e o buffer de profundidade decide; permitido: menos faces, ou visibility = \"depth-buffer\"",
+            names(objects, "e outros")
+        ),
+        (Lang::PtBr, TooMuch::Strokes) => format!(
+            "os traços encontram faces demais, ou uns aos outros vezes demais, para serem desenhados sem buffer de profundidade (mais de {MAX_STROKE_STEPS} passos); permitido: menos arestas e linhas"
+        ),
+    }
+}
