@@ -41,7 +41,7 @@ pub const MAX_SCENE_BYTES: usize = 512 << 20;
 pub const MAX_ZEROS: usize = 1 << 20;
 
 /// The most pieces into which faces are split to be put in order: what crosses one another makes pieces by the cube. So many take
-/// two seconds and 350 MiB; 400 plates that all cross would take eight million, half a minute and 5 GiB.
+/// more than a second and 260 MiB; 400 plates that all cross would take eight million, half a minute and 5 GiB.
 pub const MAX_PIECES: usize = 1 << 19;
 
 /// The most bytes that the corners of these pieces take: there is no bound to how many corners a piece can have.
