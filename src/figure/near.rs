@@ -180,4 +180,19 @@ mod tests {
         assert_eq!(key("", CAMERA), None);
         assert_eq!(key(&"near".repeat(100_000), CAMERA), None);
     }
+
+    #[test]
+    fn a_word_may_differ_by_less_than_half_of_its_letters_and_by_two() {
+        let near = |typed: &str, known: &'static str| by_letters(typed, [known].into_iter()).is_some();
+        assert!(near("abcde", "abxye") && near("abc", "abx"), "two of five, one of three");
+        assert!(!near("abcd", "xycd") && !near("ab", "ax"), "half");
+        assert!(!near("abcdefghij", "xyzdefghij"), "three");
+        let long = "a".repeat(64);
+        assert_eq!(
+            by_letters(&long, [&long[1..]].into_iter()).as_deref(),
+            Some(&long[1..]),
+            "the longest that is looked at"
+        );
+        assert_eq!(by_letters(&"a".repeat(65), [long.as_str()].into_iter()), None);
+    }
 }

@@ -138,6 +138,8 @@ mod tests {
         let front = before.axes()[2];
         let seen = ndc(&before.orbit(5.0, 5.0).camera(None, 1.0).unwrap(), front);
         assert!(seen.x > 0.0 && seen.y < 0.0, "{seen}");
+        assert_eq!(before.orbit(0.0, 5.0).elevation, before.elevation + 5.0);
+        assert_eq!(before.orbit(0.0, -500.0).elevation, -90.0);
         let top = before.orbit(0.0, 500.0);
         assert_eq!(top.elevation, 90.0);
         assert!(top.camera(None, 1.0).is_ok());

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use camera_lab::appearance::{HiddenLines, Rgba, Style, Theme};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::write::to_toml;
-use camera_lab::figure::{read, recommended_camera};
+use camera_lab::figure::{Figure, read, recommended_camera};
 use camera_lab::files::{FigureFiles, Reach, open_figure};
 use camera_lab::geometry::Aabb;
 use camera_lab::scene::{
@@ -425,6 +425,8 @@ fn each_preset_has_an_example_figure_with_its_recommended_camera() {
             Projection::Parallel => Parameters { view_angle: 0.0, ..p },
         };
         assert_eq!(used(figure.camera), used(recommended_camera(preset)), "{preset}");
+        let made = Figure::of_preset(preset);
+        assert_eq!((made.scene.preset, made.camera), (preset, recommended_camera(preset)), "{preset}");
         let camera = Camera::new(&figure.camera).unwrap();
         let [image_aspect, aspect] =
             [f64::from(figure.image.width) / f64::from(figure.image.height), camera.window().aspect()];
