@@ -36,7 +36,12 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             Dialog::Help => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
             Dialog::Changed(_) => 480.0,
-            _ => 380.0_f32,
+            Dialog::Unsaved(_)
+            | Dialog::Path(..)
+            | Dialog::Overwrite(..)
+            | Dialog::ReadOnly(..)
+            | Dialog::Export(_)
+            | Dialog::Closing => 380.0_f32,
         };
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
@@ -318,7 +323,8 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         ui.spacing_mut().interact_size.y = 0.0;
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
             for command in Command::all() {
-                ui.monospace(ui.ctx().format_shortcut(&command.shortcut()));
+                let keys = [Some(command.shortcut()), command.second_shortcut()].into_iter().flatten();
+                ui.monospace(keys.map(|keys| ui.ctx().format_shortcut(&keys)).collect::<Vec<_>>().join(", "));
                 ui.label(command.label(t)).on_hover_text(command.hint(t));
                 ui.end_row();
             }

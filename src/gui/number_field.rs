@@ -317,13 +317,13 @@ impl<'a> NumberField<'a> {
             match self.evaluate(&state.text) {
                 Ok(v) if state.text.trim().parse() != Ok(v) => {
                     let preview = numbers::significant(v, numbers::EXACT_DIGITS);
-                    response.show_tooltip_text(format!("= {preview}{}", self.unit));
+                    say_below(&response, format!("= {preview}{}", self.unit));
                 }
                 Ok(_) => {}
                 Err(FieldError::Expression(
                     ExpressionProblem::Empty | ExpressionProblem::Unfinished | ExpressionProblem::MissingParenthesis,
                 )) => {}
-                Err(error) => response.show_tooltip_text(error.text(texts.lang)),
+                Err(error) => say_below(&response, error.text(texts.lang)),
             }
         }
         response
@@ -403,4 +403,12 @@ impl<'a> NumberField<'a> {
             node.set_value(format!("{}{}", numbers::significant(value, numbers::EXACT_DIGITS), self.unit));
         });
     }
+}
+
+/// A hint below a field while it is edited. It has the room of every hint: egui's own has that of the hint before, and breaks numbers.
+fn say_below(response: &egui::Response, text: String) {
+    response.show_tooltip_ui(|ui| {
+        ui.set_max_width(ui.spacing().tooltip_width);
+        ui.label(text);
+    });
 }

@@ -4,6 +4,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Lang;
 use super::expressions::in_expression;
+use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
 use crate::expression::ExpressionError;
 use crate::foreign::{self, shown};
@@ -131,6 +132,21 @@ pub fn pixel(lang: Lang, text: &str) -> String {
     match lang {
         Lang::En => format!("--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0"),
         Lang::PtBr => format!("--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
+    }
+}
+
+/// A pixel that the image does not have. It has a ray all the same.
+#[must_use]
+pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {
+    let ImageSize { width, height } = image;
+    let (right, bottom) = (i64::from(width) - 1, i64::from(height) - 1);
+    match lang {
+        Lang::En => format!(
+            "--pixel {i},{j} lies outside of the image, which has columns 0 to {right} and rows 0 to {bottom}; its ray is given all the same"
+        ),
+        Lang::PtBr => format!(
+            "--pixel {i},{j} fica fora da imagem, que tem colunas de 0 a {right} e linhas de 0 a {bottom}; o raio é dado assim mesmo"
+        ),
     }
 }
 

@@ -4,6 +4,7 @@ use super::Lang;
 use super::cameras::camera;
 use super::expressions::in_expression;
 use super::scene_errors::scene_wording;
+use super::toml_complaints;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
 use crate::foreign::shown;
@@ -20,8 +21,18 @@ pub fn figure(lang: Lang, error: &FigureError) -> String {
     match problem {
         // These name the keys themselves.
         Problem::Camera(_) => format!("{line}: [camera] {what}"),
-        _ if key.is_empty() => format!("{line}: {what}"),
-        _ => format!("{line}: {key} {what}"),
+        Problem::NotUtf8 { .. }
+        | Problem::TooLarge { .. }
+        | Problem::Syntax { .. }
+        | Problem::Duplicate
+        | Problem::UnknownKey { .. }
+        | Problem::Value { .. }
+        | Problem::Expression { .. }
+        | Problem::Missing { .. }
+        | Problem::Scene { .. } => {
+            let key = if key.is_empty() { String::new() } else { format!("{key} ") };
+            format!("{line}: {key}{what}")
+        }
     }
 }
 
@@ -86,26 +97,10 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
 
 /// The TOML parser speaks English; its common complaints are known, others stay as they are.
 fn toml_in_portuguese(detail: &str) -> &str {
-    const COMPLAINTS: &[(&str, &str)] = &[
-        ("string values must be quoted", "textos precisam de aspas"),
-        ("unexpected key or value", "há algo a mais depois do valor"),
-        ("key with no value", "chave sem valor"),
-        ("unclosed array", "falta fechar uma lista com ]"),
-        ("unclosed table", "falta fechar uma seção com ]"),
-        ("unclosed inline table", "falta fechar uma tabela com }"),
-        ("missing comma between array elements", "falta uma vírgula entre os elementos da lista"),
-        ("extra comma in array", "há uma vírgula a mais na lista"),
-        ("integer number overflowed", "inteiro grande demais"),
-        ("floating-point number overflowed", "número grande demais"),
-        ("unexpected leading zero", "zero a mais no começo do número"),
-        ("invalid float", "número inválido"),
-        ("invalid integer", "inteiro inválido"),
-        ("invalid mantissa", "falta um dígito antes do ponto"),
-        ("invalid fraction", "falta um dígito depois do ponto"),
-        ("invalid basic string", "falta fechar um texto com aspas"),
-        ("cannot recurse further", "aninhamento profundo demais"),
-    ];
-    COMPLAINTS.iter().find(|(english, _)| detail.starts_with(english)).map_or(detail, |(_, portuguese)| portuguese)
+    let portuguese = toml_complaints::texts(Lang::PtBr).entries();
+    let both = toml_complaints::texts(Lang::En).entries().into_iter().zip(portuguese);
+    let mut known = both.map(|((_, english), (_, portuguese))| (english, portuguese));
+    known.find(|(english, _)| detail.starts_with(english)).map_or(detail, |(_, portuguese)| portuguese)
 }
 
 fn meant(lang: Lang, near: Option<&str>) -> String {

@@ -49,6 +49,7 @@ pub mod reasons;
 mod scene_errors;
 pub mod scenes;
 pub mod sessions;
+pub mod toml_complaints;
 mod unreadable;
 pub mod window;
 mod wording;

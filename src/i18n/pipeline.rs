@@ -168,7 +168,7 @@ pub fn object(lang: Lang, report: &ObjectReport) -> String {
             let names = planes(lang, outside);
             return match lang {
                 Lang::En => format!("outside: beyond {names}, dropped whole"),
-                Lang::PtBr => format!("fora: além de {names}, descartado por inteiro"),
+                Lang::PtBr => format!("fora: além d{names}, descartado por inteiro"),
             };
         }
         Containment::Crosses(0) => match lang {
@@ -211,7 +211,8 @@ mod tests {
     #[test]
     fn planes_are_named_in_their_order() {
         assert_eq!(planes(Lang::En, 0b01_0001), "left and near");
-        assert_eq!(planes(Lang::PtBr, 0b11_1110), "direita, baixo, cima, frente e fundo");
+        assert_eq!(planes(Lang::PtBr, 0b11_1110), "os planos da direita, de baixo, de cima, da frente e de fundo");
+        assert_eq!(planes(Lang::PtBr, 0b01_0000), "o plano da frente");
         assert_eq!(planes(Lang::En, 0b10_0000), "far");
     }
 

@@ -178,25 +178,21 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
     }
 }
 
-/// The names of planes: "left and near".
+/// The names of planes: "left and near", "os planos da esquerda e da frente".
 #[must_use]
 pub fn planes(lang: Lang, planes: PlaneSet) -> String {
     let names = match lang {
         Lang::En => ["left", "right", "bottom", "top", "near", "far"],
-        Lang::PtBr => ["esquerda", "direita", "baixo", "cima", "frente", "fundo"],
+        Lang::PtBr => ["da esquerda", "da direita", "de baixo", "de cima", "da frente", "de fundo"],
     };
     let names: Vec<&str> =
         names.into_iter().enumerate().filter(|(i, _)| planes & (1 << i) != 0).map(|(_, name)| name).collect();
-    match names.as_slice() {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [first @ .., last] => format!(
-            "{}{}{last}",
-            first.join(", "),
-            match lang {
-                Lang::En => " and ",
-                Lang::PtBr => " e ",
-            }
-        ),
+    let [first @ .., last] = names.as_slice() else { return String::new() };
+    let first = first.join(", ");
+    match (lang, first.as_str()) {
+        (Lang::En, "") => (*last).to_owned(),
+        (Lang::En, first) => format!("{first} and {last}"),
+        (Lang::PtBr, "") => format!("o plano {last}"),
+        (Lang::PtBr, first) => format!("os planos {first} e {last}"),
     }
 }

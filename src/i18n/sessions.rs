@@ -52,14 +52,14 @@ pub fn no_slot(lang: Lang, slots: usize) -> String {
 #[must_use]
 pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
-    let (number, en, pt) = match minutes {
-        0..60 => (minutes, "min", "min"),
-        60..2880 => (minutes / 60, "h", "h"),
-        _ => (minutes / 1440, "days", "dias"),
-    };
-    match lang {
-        Lang::En => format!("{number} {en} ago"),
-        Lang::PtBr => format!("há {number} {pt}"),
+    let (hours, days) = (minutes / 60, minutes / 1440);
+    match (lang, minutes) {
+        (Lang::En, 0..60) => format!("{minutes} min ago"),
+        (Lang::En, 60..2880) => format!("{hours} h ago"),
+        (Lang::En, _) => format!("{days} days ago"),
+        (Lang::PtBr, 0..60) => format!("há {minutes} min"),
+        (Lang::PtBr, 60..2880) => format!("há {hours} h"),
+        (Lang::PtBr, _) => format!("há {days} dias"),
     }
 }
 

@@ -81,7 +81,7 @@ texts! {
     unchanged_hint: "Everything is saved", "Tudo está salvo";
 
     panel_width: "Width of the panel", "Largura do painel";
-    presentation_keys: "F8: parameters · F9: operations and numbers · F10: pipeline · F11: leave the presentation", "F8: parâmetros · F9: operações e números · F10: pipeline · F11: sair da apresentação";
+    presentation_keys: "F11: leave the presentation · F8: parameters · F9: operations and numbers · F10: pipeline", "F11: sair da apresentação · F8: parâmetros · F9: operações e números · F10: pipeline";
 
     // The parameters.
     camera: "Camera", "Câmera";

@@ -117,6 +117,19 @@ fn presentation_enlarges_everything_and_gives_the_room_to_the_pictures() {
 }
 
 #[test]
+fn the_way_out_of_a_presentation_can_be_read_on_a_small_screen() {
+    for (lang, way) in [(Lang::En, "F11: leave the presentation ·"), (Lang::PtBr, "F11: sair da apresentação ·")] {
+        let mut window = Window::new(lang);
+        window.harness.set_size([1280.0, 720.0].into());
+        window.key(Key::F11);
+        // The size of the window is in points, which are larger now.
+        window.harness.set_size(egui::vec2(1280.0, 720.0) / window.harness.ctx.zoom_factor());
+        window.run();
+        assert!(window.written().iter().any(|(line, _)| line.contains(way)), "{lang:?}: {:?}", window.written());
+    }
+}
+
+#[test]
 fn the_interface_grows_and_shrinks() {
     let mut window = Window::new(Lang::En);
     window.command_key(Key::Plus);
@@ -198,6 +211,7 @@ fn help_lists_the_keys() {
     let mut window = Window::new(Lang::PtBr);
     window.key(Key::F1);
     assert!(window.says("Mouse e teclado") && window.says("Ctrl+Shift+S"));
+    assert!(window.says("Ctrl+Shift+Z, Ctrl+Y"), "every key of a command is named");
     window.click("Fechar");
     assert_eq!(window.state().file_flow.dialog, None);
     assert!(!window.says("Ctrl+Shift+S"));

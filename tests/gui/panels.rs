@@ -2,7 +2,7 @@
 
 use camera_lab::camera::{Projection, ViewWindow};
 use camera_lab::i18n::Lang;
-use eframe::egui::{Key, vec2};
+use eframe::egui::{Event, Key, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::window::Window;
@@ -24,7 +24,7 @@ fn tab_goes_from_field_to_field_and_commits() {
     window.type_into("C x", "1");
     for text in ["2", "6"] {
         window.key(Key::Tab);
-        window.harness.event(eframe::egui::Event::Text(text.to_owned()));
+        window.harness.event(Event::Text(text.to_owned()));
         window.run();
     }
     window.key(Key::Enter);
@@ -37,7 +37,7 @@ fn a_complaint_does_not_take_the_focus_away() {
     window.type_into("F", "20");
     window.key(Key::Tab);
     assert!(window.says("F must be less than B"));
-    window.harness.event(eframe::egui::Event::Text("30".to_owned()));
+    window.harness.event(Event::Text("30".to_owned()));
     window.run();
     window.key(Key::Enter);
     assert_eq!((window.state().document.draft().near, window.state().document.draft().far), (20.0, 30.0));
@@ -94,11 +94,23 @@ fn a_faulty_text_stays_with_its_reason_until_it_is_mended() {
     window.field("F").click();
     window.run();
     window.key(Key::End);
-    window.harness.event(eframe::egui::Event::Text(".5".to_owned()));
+    window.harness.event(Event::Text(".5".to_owned()));
     window.run();
     window.key(Key::Enter);
     assert_eq!(window.state().document.draft().near, 2.0);
     assert!(!window.says("the result is not a finite number"));
+}
+
+#[test]
+fn what_an_expression_is_worth_stands_on_one_line() {
+    let mut window = Window::new(Lang::En);
+    // As it is typed: the hint is a short one before, and a sentence later.
+    window.type_into("θ", "1/2");
+    for (typed, hint) in [("7", "= 0.037037037037037035°"), ("*x", "unknown name “x”")] {
+        window.harness.event(Event::Text(typed.to_owned()));
+        window.run();
+        assert!(window.written().iter().any(|(line, _)| line == hint), "{hint}: {:?}", window.written());
+    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The strip under the pictures: every stage of the pipeline, and why it was left out.
 
+use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::views::View;
 use eframe::egui::Key;
@@ -42,6 +43,34 @@ fn the_divide_is_left_out_in_parallel_projection_and_says_why() {
     assert!(said >= 2, "{said}");
     window.command_key(Key::Z);
     assert!(!window.stage("divide by w: left out"));
+}
+
+#[test]
+fn nothing_in_the_strip_lies_over_another_text() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let mut figure = camera_lab::gui::fresh();
+        figure.style.antialias = 1;
+        let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).expect("a camera");
+        state.layout.strip = true;
+        let mut window = Window::with_state(state, [1280.0, 720.0]);
+        window.run();
+        let cells: Vec<_> = window.harness.query_all_by_role(Role::ListItem).map(|cell| cell.rect()).collect();
+        assert!(cells.len() > 10);
+        let written = window.written();
+        let mut timed = 0;
+        for cell in cells {
+            let inside: Vec<_> =
+                written.iter().filter(|(text, at)| cell.contains(at.center()) && !text.is_empty()).collect();
+            timed += inside.len().saturating_sub(2);
+            for (i, (text, at)) in inside.iter().enumerate() {
+                for (other, there) in &inside[..i] {
+                    let both = at.intersect(*there);
+                    assert!(both.width() <= 0.0 || both.height() <= 2.0, "{lang:?}: {text} over {other}");
+                }
+            }
+        }
+        assert!(timed > 3, "most times have room: {timed}");
+    }
 }
 
 #[test]

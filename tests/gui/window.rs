@@ -7,7 +7,7 @@ use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers, Pos2, Ui, UiBuilder, Vec2};
+use eframe::egui::{Event, Key, Modifiers, Pos2, Rect, Shape, Ui, UiBuilder, Vec2};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, Node};
 
@@ -160,6 +160,27 @@ impl Window {
         held(self);
         self.harness.drop_at(from + way);
         self.run();
+    }
+
+    /// Every text as it was drawn in the last frame, one for each of its lines (what was cut off is not there), and where.
+    pub(crate) fn written(&self) -> Vec<(String, Rect)> {
+        fn collect(shape: &Shape, clip: Rect, written: &mut Vec<(String, Rect)>) {
+            match shape {
+                Shape::Text(text) => written.extend(
+                    text.galley
+                        .rows
+                        .iter()
+                        .map(|row| (row.text(), row.rect().translate(text.pos.to_vec2()).intersect(clip))),
+                ),
+                Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, clip, written)),
+                _ => {}
+            }
+        }
+        let mut written = Vec::new();
+        for clipped in &self.harness.output().shapes {
+            collect(&clipped.shape, clipped.clip_rect, &mut written);
+        }
+        written
     }
 
     /// True where some label contains this text.

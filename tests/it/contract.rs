@@ -67,7 +67,7 @@ fn the_numbers_are_those_of_high_precision() {
 #[test]
 fn a_report_has_every_key_of_the_contract() {
     let bench = Bench::new("keys");
-    let report = inspect(&bench, "", &["--point", "-1,-2e0,.5", "--pixel", "-3,4"]).json();
+    let report = inspect(&bench, "", &["--point", "-1,-2e0,.5", "--pixel", "3,4"]).json();
     let keys: Vec<&str> = report.as_object().unwrap().keys().map(String::as_str).collect();
     let expected = "camera dop distance basis window view_matrix projection_matrix view_projection_matrix \
                     inverse_view_matrix inverse_projection_matrix volume_corners points rays warnings";
@@ -75,8 +75,30 @@ fn a_report_has_every_key_of_the_contract() {
     let point: Vec<&str> = report["points"][0].as_object().unwrap().keys().map(String::as_str).collect();
     assert_eq!(point, ["world", "view", "clip", "ndc", "window", "pixel", "viewport", "inside"]);
     assert_eq!(report["points"][0]["world"], serde_json::json!([-1.0, -2.0, 0.5]));
-    assert_eq!(report["rays"][0]["pixel"], serde_json::json!([-3, 4]));
+    assert_eq!(report["rays"][0]["pixel"], serde_json::json!([3, 4]));
     assert_eq!(report["camera"]["position"], serde_json::json!([3.0, 4.0, 5.0]));
+}
+
+#[test]
+fn a_pixel_outside_of_the_image_has_a_ray_and_a_warning_beside_it() {
+    let bench = Bench::new("outside-pixel");
+    let figure = "[image]\nwidth = 20\nheight = 15\n";
+    for (pixel, outside) in
+        [("-1,0", true), ("0,-1", true), ("20,14", true), ("19,15", true), ("0,0", false), ("19,14", false)]
+    {
+        let run = inspect(&bench, figure, &["--pixel", pixel]);
+        let report: Value = serde_json::from_slice(&run.out).unwrap();
+        assert_eq!(run.status, Some(0));
+        assert_eq!(report["rays"][0]["direction"].as_array().unwrap().len(), 3, "{pixel}");
+        assert_eq!(report["warnings"], serde_json::json!([]), "the report is as ever");
+        let warning = format!(
+            "camera-lab: --pixel {pixel} lies outside of the image, which has columns 0 to 19 and rows 0 to 14; its ray is \
+             given all the same\n"
+        );
+        assert_eq!(run.err, if outside { warning.as_str() } else { "" }, "{pixel}");
+    }
+    let told = inspect(&bench, figure, &["--pixel", "5000,5000", "--lang", "pt-BR"]).err;
+    assert!(told.contains("fica fora da imagem, que tem colunas de 0 a 19 e linhas de 0 a 14"), "{told}");
 }
 
 #[test]

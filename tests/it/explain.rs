@@ -138,7 +138,7 @@ fn each_object_is_told_what_becomes_of_it() {
 
     let table = String::from_utf8(bench.run(&["explain", "figure.toml", "--lang", "pt-BR"]).done().to_vec()).unwrap();
     assert!(table.contains("half"), "{table}");
-    assert!(table.contains("fora: além de direita"), "{table}");
+    assert!(table.contains("fora: além do plano da direita"), "{table}");
 }
 
 #[test]

@@ -71,27 +71,10 @@ fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {
             }
             painter.circle_filled(at(0.0, 0.0), 1.8 * unit, stroke.color);
         }
-        Icon::Front | Icon::Top | Icon::Side | Icon::Iso => {
-            let (hub, top, bottom) = (at(0.0, 0.0), at(0.0, -6.0), at(0.0, 6.0));
-            let (left_top, left_low) = (at(-5.2, -3.0), at(-5.2, 3.0));
-            let (right_top, right_low) = (at(5.2, -3.0), at(5.2, 3.0));
-            let face = match icon {
-                Icon::Front => Some([left_top, hub, bottom, left_low]),
-                Icon::Top => Some([top, right_top, hub, left_top]),
-                Icon::Side => Some([hub, right_top, right_low, bottom]),
-                _ => None,
-            };
-            if let Some(face) = face {
-                painter.add(Shape::convex_polygon(face.to_vec(), stroke.color, Stroke::NONE));
-            }
-            painter.add(Shape::closed_line(
-                vec![top, right_top, right_low, bottom, left_low, left_top],
-                Stroke { width: 0.8 * stroke.width, ..stroke },
-            ));
-            for corner in [left_top, right_top, bottom] {
-                painter.line_segment([hub, corner], Stroke { width: 0.8 * stroke.width, ..stroke });
-            }
-        }
+        Icon::Front => cube(painter, rect, stroke, Some(CubeFace::Front)),
+        Icon::Top => cube(painter, rect, stroke, Some(CubeFace::Top)),
+        Icon::Side => cube(painter, rect, stroke, Some(CubeFace::Right)),
+        Icon::Iso => cube(painter, rect, stroke, None),
         Icon::Link => {
             painter.circle_stroke(at(-2.4, 0.0), 3.4 * unit, stroke);
             painter.circle_stroke(at(2.4, 0.0), 3.4 * unit, stroke);
@@ -120,6 +103,36 @@ fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {
             painter.circle_filled(at(0.0, 0.0), 1.7 * unit, stroke.color);
             painter.line_segment([at(-5.0, 5.0), at(5.0, -5.0)], stroke);
         }
+    }
+}
+
+/// A face of a cube that is seen from one of its corners.
+#[derive(Clone, Copy)]
+enum CubeFace {
+    Front,
+    Top,
+    Right,
+}
+
+/// A cube, one of its faces filled.
+fn cube(painter: &Painter, rect: Rect, stroke: Stroke, filled: Option<CubeFace>) {
+    let unit = rect.width() / 18.0;
+    let at = |x: f32, y: f32| rect.center() + unit * vec2(x, y);
+    let (hub, top, bottom) = (at(0.0, 0.0), at(0.0, -6.0), at(0.0, 6.0));
+    let (left_top, left_low) = (at(-5.2, -3.0), at(-5.2, 3.0));
+    let (right_top, right_low) = (at(5.2, -3.0), at(5.2, 3.0));
+    if let Some(face) = filled {
+        let corners = match face {
+            CubeFace::Front => [left_top, hub, bottom, left_low],
+            CubeFace::Top => [top, right_top, hub, left_top],
+            CubeFace::Right => [hub, right_top, right_low, bottom],
+        };
+        painter.add(Shape::convex_polygon(corners.to_vec(), stroke.color, Stroke::NONE));
+    }
+    let thin = Stroke { width: 0.8 * stroke.width, ..stroke };
+    painter.add(Shape::closed_line(vec![top, right_top, right_low, bottom, left_low, left_top], thin));
+    for corner in [left_top, right_top, bottom] {
+        painter.line_segment([hub, corner], thin);
     }
 }
 

@@ -204,9 +204,11 @@ impl Strip<'_> {
             if let Some(time) = report.time {
                 let text = painter.layout_no_wrap(numbers::duration(time), font, ink);
                 let left = place.right() - 5.0 - text.size().x;
-                // Beside the counts, or above them where they take the room.
-                let row = if left > counted.right() + 3.0 || left < written.right() + 3.0 { 1.0 } else { 0.0 };
-                painter.galley(pos2(left, at(row).y), text, ink);
+                // Beside the counts, or above them where they take the room; where the name does too, the sentence tells it.
+                let rows = [(1.0, counted), (0.0, written)];
+                if let Some((row, _)) = rows.iter().find(|(_, beside)| left > beside.right() + 3.0) {
+                    painter.galley(pos2(left, at(*row).y), text, ink);
+                }
                 let share = time.as_secs_f32() / total.as_secs_f32().max(1e-9);
                 let bar = Rect::from_min_max(
                     pos2(place.left() + 1.0, place.bottom() - 3.0),
