@@ -11,14 +11,13 @@ use super::export::Export;
 use super::file_flow;
 use super::held_key::HeldKey;
 use super::panels::recovery::Decision;
-use super::session::{News, Sessions};
-use super::state::{AfterSave, Dialog, Purpose, Side, State};
+use super::session::Sessions;
+use super::state::{AfterSave, Dialog, Message, Purpose, Side, State};
 use super::{dialogs, menu, panels, theme};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::Lang;
-use crate::i18n::{messages, sessions, window};
-use crate::limits::MAX_SESSIONS;
+use crate::i18n::window;
 
 /// The window's program.
 pub struct App {
@@ -90,32 +89,8 @@ impl App {
     /// Says what there is to say about sessions, each once.
     fn tell_news(&mut self) {
         let news = self.sessions.as_mut().map(Sessions::news).unwrap_or_default();
-        let lang = self.state.settings.lang;
-        let t = window::texts(lang);
-        let lines: Vec<String> = news
-            .iter()
-            .map(|news| match news {
-                News::Restored => t.restored.to_owned(),
-                News::RestoredInPart(keys, path) => {
-                    let keys: Vec<String> = keys.iter().map(|key| foreign::shown(key)).collect();
-                    sessions::in_part(lang, &foreign::within(&keys.join(", "), 200), &foreign::path(path))
-                }
-                News::Damaged(path) => sessions::damaged(lang, &foreign::path(path)),
-                News::Unreadable(path, error) => messages::file(lang, &foreign::path(path), error),
-                News::Taken => t.taken.to_owned(),
-                News::NotWritten(path, error) => {
-                    sessions::not_written(lang, &messages::file(lang, &foreign::path(path), error))
-                }
-                News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
-            })
-            .collect();
-        if lines.is_empty() {
-            return;
-        }
-        if matches!(news[..], [News::Restored]) {
-            self.state.say(lines.concat());
-        } else {
-            self.state.say_error(lines.join(" · "));
+        if !news.is_empty() {
+            self.state.say(Message::Sessions(news));
         }
     }
 
@@ -216,7 +191,7 @@ impl App {
             Command::Reset => state.document.reset(),
             Command::CopyNumbers => {
                 ctx.copy_text(panels::values::copy(state));
-                state.say(window::texts(state.settings.lang).copied);
+                state.say(Message::NumbersCopied);
             }
             Command::Language => {
                 state.settings.lang = match state.settings.lang {
@@ -234,7 +209,7 @@ impl App {
                 ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
                 state.message = None;
                 if state.settings.presentation {
-                    state.say(window::texts(state.settings.lang).presentation_keys);
+                    state.say(Message::PresentationKeys);
                 }
             }
             Command::ZoomIn => state.settings.zoom = (state.settings.zoom + 0.1).min(3.0),

@@ -222,8 +222,8 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         response.request_focus();
     }
     let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-    if let Some(error) = state.message.as_ref().filter(|message| message.is_error) {
-        complaint(ui, &error.text);
+    if let Some(error) = state.message.as_ref().filter(|message| message.is_error()) {
+        complaint(ui, &error.text(state.settings.lang));
     }
     ui.add_space(10.0);
     let pressed = buttons(ui, t.cancel, &[action], None);
@@ -238,7 +238,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     state.message = None;
     file_flow::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
     // What went wrong is shown where it was typed.
-    if state.file_flow.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error) {
+    if state.file_flow.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error()) {
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
     }
 }

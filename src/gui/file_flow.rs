@@ -13,13 +13,14 @@ use super::document::Document;
 use super::export::{ExportError, Exporting};
 use super::mesh_paths::{for_folder, named_in_figure};
 use super::native::{FileAnswer, FileQuestion, OpenFileDialog};
-use super::state::{AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Purpose, State, Tab, Theirs};
+use super::state::{
+    AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab, Theirs,
+};
 use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Found};
-use crate::foreign;
+use crate::i18n::scenes;
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{messages, scenes};
 use crate::scene::Shape;
 
 /// Does what comes `next`, after asking about changes that would be lost.
@@ -171,7 +172,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
                 agreed.overwrite(),
             );
             state.file_flow.exporting.push(exporting);
-            state.say(window::texts(state.settings.lang).exporting);
+            state.say(Message::Exporting);
         }
     }
 }
@@ -190,20 +191,18 @@ fn mesh(state: &mut State, which: MeshFor, path: &Path) {
 }
 
 fn open(state: &mut State, path: &Path) {
-    let name = foreign::path(path);
-    let lang = state.settings.lang;
     match files::open_figure(path) {
         Ok(opened) => {
             let (figure, file) = opened.at(path);
             match Document::new(figure, Some(file)) {
                 Ok(document) => {
                     state.take_over(document);
-                    state.say(format!("{} {name}", window::texts(lang).opened));
+                    state.say(Message::Opened(path.to_owned()));
                 }
-                Err(error) => state.say_error(format!("{name}: {}", messages::camera(lang, &error))),
+                Err(error) => state.say(Message::NotOpened(path.to_owned(), error)),
             }
         }
-        Err(error) => state.say_error(messages::file(lang, &name, &error)),
+        Err(error) => state.say(Message::File(path.to_owned(), error)),
     }
 }
 
@@ -253,7 +252,6 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
     }
     let figure = for_folder(&state.document, path);
     let text = update(state.document.source(), &figure);
-    let name = foreign::path(path);
     match files::save(path, text.as_bytes(), agreed.overwrite()) {
         Ok(()) => {
             if figure.scene != state.document.figure().scene {
@@ -262,12 +260,12 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
             state.document.mark_saved(path.to_owned(), text);
             state.file_flow.theirs = None;
             state.file_flow.decided = None;
-            state.say(format!("{} {name}", window::texts(state.settings.lang).saved));
+            state.say(Message::Saved(path.to_owned()));
             if let Some(then) = then {
                 go_on(ctx, state, then);
             }
         }
-        Err(error) => state.say_error(messages::file(state.settings.lang, &name, &error)),
+        Err(error) => state.say(Message::File(path.to_owned(), error)),
     }
 }
 
@@ -328,19 +326,15 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
 fn take_exports(ctx: &egui::Context, state: &mut State) {
     let mut failed = false;
     for (path, result) in state.file_flow.exported() {
-        let (lang, name) = (state.settings.lang, foreign::path(&path));
-        match result {
-            Ok(None) => state.say(format!("{} {name}", window::texts(lang).saved)),
-            Ok(Some(too_much)) => {
-                let why = messages::too_much(lang, &too_much);
-                state.say_error(format!("{} {name}; {why}", window::texts(lang).saved));
-            }
-            Err(ExportError::Cancelled) => state.say(ExportError::Cancelled.text(lang, &name)),
+        let message = match result {
+            Ok(None) => Message::Saved(path),
+            Ok(Some(too_much)) => Message::SavedOtherwise(path, too_much),
             Err(error) => {
-                failed = true;
-                state.say_error(error.text(lang, &name));
+                failed |= !matches!(error, ExportError::Cancelled);
+                Message::NotExported(path, NotExported(error))
             }
-        }
+        };
+        state.say(message);
     }
     if state.file_flow.dialog == Some(Dialog::Closing) && (failed || state.file_flow.exporting.is_empty()) {
         state.file_flow.dialog = None;
@@ -406,7 +400,8 @@ mod tests {
         let (ctx, mut state) = exporting(|| Box::new(|_, _| panic!("as a fault would")));
         until_done(&ctx, &mut state);
         let message = state.message.expect("said");
-        assert!(message.is_error && message.text.contains("fault of this program") && message.text.contains("a.png"));
+        let text = message.text(Lang::En);
+        assert!(message.is_error() && text.contains("fault of this program") && text.contains("a.png"));
     }
 
     #[test]
@@ -432,7 +427,7 @@ mod tests {
         let (ctx, mut state) = exporting(|| Box::new(|_, _| Err(ExportError::Panic)));
         go_on(&ctx, &mut state, AfterSave::Quit);
         assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
-        assert!(state.message.is_some_and(|message| message.is_error) && state.file_flow.dialog.is_none());
+        assert!(state.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
     }
 
     #[test]

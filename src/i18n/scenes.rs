@@ -1,7 +1,7 @@
 //! The words of the scene: its tree, its objects and lights.
 
 use super::Lang;
-use crate::scene::{Beyond, LightSpec, Shape};
+use crate::scene::{Beyond, LightSpec, Preset, Shape};
 
 texts! {
     drawing: "Drawing", "Desenho";
@@ -139,6 +139,13 @@ impl Texts {
             LightSpec::Point(_) => self.point,
         }
     }
+}
+
+/// What the list of a named scene's objects cannot say, as a sentence; empty where it says everything.
+#[must_use]
+pub fn lost(lang: Lang, preset: Preset) -> String {
+    let lost = beyond(lang, preset.beyond_objects());
+    if lost.is_empty() { lost } else { format!("{} {lost}.", texts(lang).lost) }
 }
 
 /// What a list of objects cannot say, as a list.

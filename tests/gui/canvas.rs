@@ -500,6 +500,6 @@ fn a_key_that_can_do_nothing_says_why() {
         h.run();
         assert_eq!(parameters(&h), impossible, "what was typed stays");
         let message = h.state().state.message.as_ref().unwrap();
-        assert!(message.is_error && message.text.contains("F must be less than B"), "{message:?}");
+        assert!(message.is_error() && message.text(Lang::En).contains("F must be less than B"), "{message:?}");
     }
 }

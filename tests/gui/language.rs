@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use camera_lab::gui::state::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
-use eframe::egui::Key;
+use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::{By, NodeT, Queryable};
 
 use super::window::Window;
@@ -56,4 +57,25 @@ fn no_text_is_missing_and_few_are_the_same() {
     let names = ["pixels", "Viewport", "faces", "Gouraud", "Phong", "Zoom"];
     same.retain(|text| !names.contains(text) && !is_international(text, &BTreeSet::new()));
     assert_eq!(same, ["θ, vertical: H = 2 F tan(θ/2). [0] (5.5)", "m × n pixels. [0] (5.22)"]);
+}
+
+#[test]
+fn what_was_said_last_is_said_in_the_language_of_now() {
+    let mut window = Window::new(Lang::En);
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::C);
+    window.run();
+    let (en, pt) = (texts(Lang::En), texts(Lang::PtBr));
+    assert!(window.says(en.copied));
+    window.command_key(Key::L);
+    assert!(window.says(pt.copied) && !window.says(en.copied));
+    window.command_key(Key::L);
+
+    // Errors carry what went wrong, not the words for it.
+    window.app_mut().state.file_flow.dialog = Some(Dialog::Path(Purpose::Open, "/no such figure.toml".to_owned()));
+    window.run();
+    window.click("Open");
+    window.click("Cancel");
+    assert!(window.says("there is no such file or directory"));
+    window.command_key(Key::L);
+    assert!(window.says("o arquivo ou diretório não existe") && !window.says("there is no such file"));
 }

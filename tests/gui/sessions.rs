@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use camera_lab::files::FileError;
+use camera_lab::gui::state::Message;
 use camera_lab::gui::{self, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::views::View;
@@ -160,8 +162,8 @@ fn the_first_window_shows_on_a_small_screen_what_is_said_at_its_bottom() {
     const BARS: f32 = 76.0;
     let mut state = State::new(Start::default()).expect("a camera");
     state.layout.maximized = Some(View::Image);
-    state.say_error("It could not be saved");
+    state.say(Message::File("a.toml".into(), FileError::ReadOnly));
     let window = Window::with_state(state, gui::DEFAULT_SIZE);
-    let error = window.harness.get_by_label_contains("It could not be saved").rect();
+    let error = window.harness.get_by_label_contains("a.toml is read-only").rect();
     assert!(error.bottom() <= 720.0 - BARS && error.right() <= 1280.0, "{error}");
 }

@@ -37,9 +37,8 @@ use crate::appearance::Rgba;
 use crate::figure::{Depth, Observer};
 use crate::gui::handle_drag::point;
 use crate::gui::highlight::{Highlight, Movable};
-use crate::gui::state::{ObserverChange, State};
+use crate::gui::state::{Message, ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
-use crate::i18n::messages;
 use crate::i18n::pictures::labels;
 use crate::picture::Account;
 use crate::pipeline::{Output, TooMuch};
@@ -150,7 +149,7 @@ impl Canvas {
             ctx.request_repaint();
         }
         if let Err(error) = state.scene_cache.update(&ctx, &state.document, self.patience) {
-            state.say_error(messages::scene(state.settings.lang, &error));
+            state.say(Message::Scene(error));
         }
         self.overlays.ghost = state.ghost.clone();
         self.overlays.arrows = Movable::selected(state).and_then(|movable| movable.arrows(None));
@@ -306,7 +305,7 @@ impl Canvas {
             self.textures[i].set(ctx, words::texts(state.settings.lang).view(view), tiles);
             // Said when it comes up; as long as it is so, a note stands in the picture.
             if let Some(too_much) = too_much.as_ref().filter(|_| !self.too_much.contains(&too_much)) {
-                state.say_error(messages::too_much(state.settings.lang, too_much));
+                state.say(Message::TooMuch(too_much.clone()));
             }
             self.too_much[i] = too_much;
         }

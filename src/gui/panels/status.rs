@@ -14,9 +14,10 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
             let text = RichText::new(format!("⚠ {}", warnings.len())).color(ui.visuals().warn_fg_color);
             ui.label(text).on_hover_text(format!("{}:\n{}", t.warnings, warnings.join("\n")));
         }
-        if let Some(message) = state.message.as_ref().filter(|message| !message.is_error) {
-            let label = Label::new(RichText::new(&message.text).weak()).truncate().show_tooltip_when_elided(false);
-            ui.add(label).on_hover_text(&message.text);
+        if let Some(message) = state.message.as_ref().filter(|message| !message.is_error()) {
+            let text = message.text(state.settings.lang);
+            let label = Label::new(RichText::new(&text).weak()).truncate().show_tooltip_when_elided(false);
+            ui.add(label).on_hover_text(text);
         }
     });
 }
@@ -24,12 +25,14 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
 /// What went wrong, with a button that closes it.
 pub fn error(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
-    let Some(message) = state.message.as_ref().filter(|message| message.is_error) else { return };
+    let Some(message) = state.message.as_ref().filter(|message| message.is_error()) else { return };
     let mut closed = false;
     egui::Panel::bottom("error").show(ui, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             closed = ui.add(Button::new("✕")).on_hover_text(t.close).accessible_name(t.close).clicked();
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| super::complaint(ui, &message.text));
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                super::complaint(ui, &message.text(state.settings.lang));
+            });
         });
     });
     if closed {

@@ -3,18 +3,19 @@
 mod files;
 mod insert;
 mod layout;
+mod message;
 mod operations;
 mod scene_tree;
 
 use crate::camera::{CameraError, Operation};
 use crate::figure::Figure;
 use crate::files::{SourceFile, figure_from};
-use crate::foreign;
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Probe};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::rounded;
 pub use layout::{Arrangement, Layout, ObserverChange, Panels, Side, Tab};
+pub use message::{Message, NotExported};
 pub use operations::Operations;
 pub(super) use operations::Scrub;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
@@ -64,15 +65,6 @@ impl Settings {
     pub fn stroke_scale(&self) -> f32 {
         if self.presentation { 1.5 } else { 1.0 }
     }
-}
-
-/// A sentence at the bottom of the window.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Message {
-    /// The sentence.
-    pub text: String,
-    /// Something went wrong.
-    pub is_error: bool,
 }
 
 /// Everything the window knows.
@@ -183,7 +175,7 @@ impl State {
     /// Says at the bottom of the window why a camera is impossible.
     pub fn say_camera_error(&mut self, done: Result<(), CameraError>) {
         if let Err(error) = done {
-            self.say_error(faults::camera_error(self.settings.lang, &error));
+            self.say(Message::Camera(error));
         }
     }
 
@@ -193,13 +185,8 @@ impl State {
     }
 
     /// Says something at the bottom of the window.
-    pub fn say(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: foreign::printable(&text.into()), is_error: false });
-    }
-
-    /// Says at the bottom of the window what went wrong.
-    pub fn say_error(&mut self, text: impl Into<String>) {
-        self.message = Some(Message { text: foreign::printable(&text.into()), is_error: true });
+    pub fn say(&mut self, message: Message) {
+        self.message = Some(message);
     }
 
     /// What is possible, but probably not what was meant, in the language of the window.

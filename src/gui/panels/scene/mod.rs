@@ -8,9 +8,8 @@ mod tree;
 use eframe::egui::{self, RichText};
 
 use super::{choice, row, section};
-use crate::foreign::shown;
 use crate::gui::number_field::FieldOutput;
-use crate::gui::state::{Draft, Selected, State};
+use crate::gui::state::{Draft, Message, Selected, State};
 use crate::i18n::faults;
 use crate::i18n::scenes::{self, Texts};
 use crate::i18n::window;
@@ -40,7 +39,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         edits.extend(selected(ui, state, t));
     });
     for edit in edits {
-        perform(state, edit, t);
+        perform(state, edit);
     }
 }
 
@@ -93,9 +92,7 @@ fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     if preset == Preset::Empty {
         return;
     }
-    let lost = scenes::beyond(state.settings.lang, preset.beyond_objects());
-    let warning = if lost.is_empty() { String::new() } else { format!("{} {lost}.", t.lost) };
-    let hint = format!("{}. {warning}", t.edit_copy_hint);
+    let hint = format!("{}. {}", t.edit_copy_hint, scenes::lost(state.settings.lang, preset));
     if !ui.button(t.edit_copy).on_hover_text(hint.trim()).clicked() {
         return;
     }
@@ -104,7 +101,7 @@ fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     if let Some(Selected::OfPreset(name)) = state.tree.selected.clone() {
         state.tree.select(Some(Selected::Object(name)));
     }
-    state.say(format!("{} {warning}", t.copied).trim());
+    state.say(Message::WrittenOut(preset));
 }
 
 /// What is selected, with its fields; what its buttons ask for.
@@ -194,7 +191,7 @@ impl Form {
     }
 }
 
-fn perform(state: &mut State, edit: Edit, t: &Texts) {
+fn perform(state: &mut State, edit: Edit) {
     match edit {
         Edit::Hang { name, parent } => {
             let mut scene = state.document.figure().scene.clone();
@@ -203,7 +200,7 @@ fn perform(state: &mut State, edit: Edit, t: &Texts) {
             let Ok(stayed) = edit::hang(&mut scene, &name, parent.as_deref(), stay) else { return };
             state.document.edit(|figure| figure.scene = scene);
             if !stayed {
-                state.say(t.shear);
+                state.say(Message::Shear);
             }
             if let Some(parent) = parent {
                 state.tree.folded.remove(&parent);
@@ -218,9 +215,7 @@ fn perform(state: &mut State, edit: Edit, t: &Texts) {
             let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
             state.document.edit(|figure| figure.scene = scene);
             state.tree.select(selected.map(Selected::Object));
-            let others = if others > 1 { format!(" (+ {})", others - 1) } else { String::new() };
-            let shear = if stayed { "" } else { t.shear };
-            state.say(format!("{} {}{others}. {shear}", t.deleted, shown(&name)).trim());
+            state.say(Message::Deleted { name, others: others.saturating_sub(1), shear: !stayed });
         }
         Edit::RemoveLight(index) => {
             state.document.edit(|figure| {
@@ -229,7 +224,7 @@ fn perform(state: &mut State, edit: Edit, t: &Texts) {
                 }
             });
             state.tree.select(None);
-            state.say(format!("{} {} {}", t.deleted, t.light, index + 1));
+            state.say(Message::LightDeleted(index));
         }
     }
 }

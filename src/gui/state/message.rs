@@ -1,0 +1,139 @@
+//! What is said at the bottom of the window, as values: the words are made when they are shown, in the language of that moment.
+
+use std::path::PathBuf;
+
+use crate::camera::CameraError;
+use crate::files::FileError;
+use crate::foreign;
+use crate::gui::export::ExportError;
+use crate::gui::session::News;
+use crate::i18n::{Lang, faults, messages, scenes, sessions, window};
+use crate::limits::MAX_SESSIONS;
+use crate::pipeline::TooMuch;
+use crate::scene::{Preset, SceneError};
+
+/// What is said at the bottom of the window.
+#[derive(Debug)]
+pub enum Message {
+    /// The numbers are in the clipboard.
+    NumbersCopied,
+    /// The keys of a presentation.
+    PresentationKeys,
+    /// This file has been opened.
+    Opened(PathBuf),
+    /// This file has been written.
+    Saved(PathBuf),
+    /// This file cannot be read or written.
+    File(PathBuf, FileError),
+    /// The camera of the figure in this file is impossible.
+    NotOpened(PathBuf, CameraError),
+    /// An operation leads to no camera.
+    Camera(CameraError),
+    /// The scene cannot be built.
+    Scene(SceneError),
+    /// A picture is not as it was asked for.
+    TooMuch(TooMuch),
+    /// A picture is being written.
+    Exporting,
+    /// The picture in this file is written, and not as it was asked for.
+    SavedOtherwise(PathBuf, TooMuch),
+    /// No picture was written to this file.
+    NotExported(PathBuf, NotExported),
+    /// What there is to say about windows that did not close.
+    Sessions(Vec<News>),
+    /// A named scene is a list of objects now.
+    WrittenOut(Preset),
+    /// An object that hangs on another one now is sheared, and did not stay where it was.
+    Shear,
+    /// An object is deleted.
+    Deleted {
+        /// Its name.
+        name: String,
+        /// How many went with it.
+        others: usize,
+        /// What hung on it is sheared, and did not stay where it was.
+        shear: bool,
+    },
+    /// The light with this place in the list, from 0, is deleted.
+    LightDeleted(usize),
+}
+
+/// Why no picture was written.
+#[derive(Debug)]
+pub struct NotExported(pub(in crate::gui) ExportError);
+
+impl Message {
+    /// Something went wrong.
+    #[must_use]
+    pub fn is_error(&self) -> bool {
+        match self {
+            Self::NumbersCopied
+            | Self::PresentationKeys
+            | Self::Opened(_)
+            | Self::Saved(_)
+            | Self::Exporting
+            | Self::WrittenOut(_)
+            | Self::Shear
+            | Self::Deleted { .. }
+            | Self::LightDeleted(_) => false,
+            Self::NotExported(_, NotExported(error)) => !matches!(error, ExportError::Cancelled),
+            Self::Sessions(news) => !matches!(news[..], [News::Restored]),
+            Self::File(..)
+            | Self::NotOpened(..)
+            | Self::Camera(_)
+            | Self::Scene(_)
+            | Self::TooMuch(_)
+            | Self::SavedOtherwise(..) => true,
+        }
+    }
+
+    /// The sentence.
+    #[must_use]
+    pub fn text(&self, lang: Lang) -> String {
+        let (t, scene) = (window::texts(lang), scenes::texts(lang));
+        let text = match self {
+            Self::NumbersCopied => t.copied.to_owned(),
+            Self::PresentationKeys => t.presentation_keys.to_owned(),
+            Self::Opened(path) => format!("{} {}", t.opened, foreign::path(path)),
+            Self::Saved(path) => format!("{} {}", t.saved, foreign::path(path)),
+            Self::File(path, error) => messages::file(lang, &foreign::path(path), error),
+            Self::NotOpened(path, error) => format!("{}: {}", foreign::path(path), messages::camera(lang, error)),
+            Self::Camera(error) => faults::camera_error(lang, error),
+            Self::Scene(error) => messages::scene(lang, error),
+            Self::TooMuch(too_much) => messages::too_much(lang, too_much),
+            Self::Exporting => t.exporting.to_owned(),
+            Self::SavedOtherwise(path, too_much) => {
+                format!("{} {}; {}", t.saved, foreign::path(path), messages::too_much(lang, too_much))
+            }
+            Self::NotExported(path, NotExported(error)) => error.text(lang, &foreign::path(path)),
+            Self::Sessions(news) => news.iter().map(|news| about_session(lang, news)).collect::<Vec<_>>().join(" · "),
+            Self::WrittenOut(preset) => format!("{} {}", scene.copied, scenes::lost(lang, *preset)),
+            Self::Shear => scene.shear.to_owned(),
+            Self::Deleted { name, others, shear } => {
+                let others = if *others > 0 { format!(" (+ {others})") } else { String::new() };
+                let shear = if *shear { scene.shear } else { "" };
+                format!("{} {}{others}. {shear}", scene.deleted, foreign::shown(name))
+            }
+            Self::LightDeleted(index) => format!("{} {} {}", scene.deleted, scene.light, index + 1),
+        };
+        foreign::printable(text.trim())
+    }
+}
+
+fn about_session(lang: Lang, news: &News) -> String {
+    let t = window::texts(lang);
+    match news {
+        News::Restored => t.restored.to_owned(),
+        News::RestoredInPart(keys, path) => {
+            let keys: Vec<String> = keys.iter().map(|key| foreign::shown(key)).collect();
+            sessions::in_part(lang, &foreign::within(&keys.join(", "), 200), &foreign::path(path))
+        }
+        News::Damaged(path) => sessions::damaged(lang, &foreign::path(path)),
+        News::Unreadable(path, error) => messages::file(lang, &foreign::path(path), error),
+        News::Taken => t.taken.to_owned(),
+        News::NotWritten(path, error) => {
+            sessions::not_written(lang, &messages::file(lang, &foreign::path(path), error))
+        }
+        News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
+    }
+}
