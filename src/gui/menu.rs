@@ -5,6 +5,7 @@ use eframe::egui::{self, Align, Button, Layout, RichText};
 use super::command::Command;
 use super::panels;
 use super::state::State;
+use crate::foreign::shown;
 use crate::i18n::window::{self, Texts};
 
 /// Shows the bar; the chosen command, if any.
@@ -101,7 +102,7 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 }
 
 fn title(ui: &mut egui::Ui, t: &Texts, state: &State) {
-    let name = state.document.name().unwrap_or_else(|| t.untitled.to_owned());
+    let name = state.document.name().map_or_else(|| t.untitled.to_owned(), |name| shown(&name));
     let text = if state.document.is_changed() { format!("{name} •") } else { name };
     let label = egui::Label::new(RichText::new(text).weak()).truncate();
     let hint = if state.document.is_changed() { t.changed_hint } else { t.unchanged_hint };

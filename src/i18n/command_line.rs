@@ -13,7 +13,15 @@ use crate::limits::MAX_SIDE;
 /// Arguments that are at fault, in one paragraph.
 #[must_use]
 pub fn arguments(lang: Lang, error: &clap::Error) -> String {
+    let before_the_command =
+        error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
     let what = match lang {
+        Lang::En if before_the_command => {
+            "an option stands before the command; allowed: camera-lab COMMAND FIGURE OPTIONS".to_owned()
+        }
+        Lang::PtBr if before_the_command => {
+            "há uma opção antes do comando; permitido: camera-lab COMANDO FIGURA OPÇÕES".to_owned()
+        }
         Lang::En => english(error),
         Lang::PtBr => portuguese(error),
     };

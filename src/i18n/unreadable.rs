@@ -29,7 +29,7 @@ pub(super) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
                 NamedBy::Picture => "uma figura dentro de uma imagem",
             };
             format!(
-                "não foi lido, porque {who} o indica e ele está em outro lugar; permitido: arquivos em {folder} e abaixo, ou quaisquer com --allow-files"
+                "não foi lido, porque {who} o indica e ele está em outro lugar; permitido: arquivos em {folder} e abaixo, ou quaisquer com --allow-files (na janela: o botão ao lado do caminho)"
             )
         }
         (Lang::PtBr, ReadProblem::Budget) => {

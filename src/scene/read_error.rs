@@ -50,7 +50,7 @@ pub enum ReadProblem {
     NotRegular,
     /// It lies outside of the only folder that may be read.
     #[error(
-        "was not read, because {named_by} names it and it lies elsewhere; allowed: files in {folder} and below, or any with --allow-files"
+        "was not read, because {named_by} names it and it lies elsewhere; allowed: files in {folder} and below, or any with --allow-files (in the window: the button beside the path)"
     )]
     Outside {
         /// The folder, as it is shown.

@@ -297,3 +297,19 @@ fn an_interrupted_command_leaves_the_file_as_it_was_and_nothing_else() {
         assert_eq!(bench.names(), before);
     }
 }
+
+#[test]
+fn an_option_before_the_command_is_told_where_to_stand() {
+    let bench = bench("before");
+    for (arguments, found) in [
+        (
+            ["--allow-files", "render", "figure.toml"].as_slice(),
+            "an option stands before the command; allowed: camera-lab COMMAND",
+        ),
+        (&["--lang", "pt-BR", "render", "figure.toml"], "há uma opção antes do comando; permitido: camera-lab COMANDO"),
+    ] {
+        let run = Run::of(&mut bench.command(arguments));
+        assert_eq!(run.status, Some(2), "{}", run.err);
+        assert!(run.err.contains(found), "{}", run.err);
+    }
+}
