@@ -11,7 +11,7 @@ use super::export::Export;
 use super::file_flow;
 use super::held_key::HeldKey;
 use super::panels::recovery::Decision;
-use super::session::Sessions;
+use super::session::{News, Sessions};
 use super::state::{AfterSave, Dialog, Message, Purpose, Side, State};
 use super::{dialogs, menu, panels, theme};
 use crate::appearance::Theme;
@@ -86,11 +86,13 @@ impl App {
         self.tell_news();
     }
 
-    /// Says what there is to say about sessions, each once.
+    /// Says what there is to say about sessions, each until it is closed; that nothing is written, as long as that is so.
     fn tell_news(&mut self) {
-        let news = self.sessions.as_mut().map(Sessions::news).unwrap_or_default();
-        if !news.is_empty() {
-            self.state.say(Message::Sessions(news));
+        let Some(sessions) = &mut self.sessions else { return };
+        let shown = &mut self.state.file_flow.news;
+        shown.extend(sessions.news());
+        if !sessions.is_failing() {
+            shown.retain(|news| !matches!(news, News::NotWritten(..) | News::NoSlot));
         }
     }
 
@@ -111,6 +113,7 @@ impl App {
         let sides = *self.state.settings.panels();
         let bar = egui::Panel::top("menu").show(ui, |ui| menu::bar(ui, &self.state)).inner;
         self.recovery(ui);
+        panels::session_news::bar(ui, &mut self.state);
         panels::changed_file::bar(ui, &mut self.state);
         panels::status::error(ui, &mut self.state);
         if sides.is_shown(Side::Left) {

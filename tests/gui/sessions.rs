@@ -154,6 +154,13 @@ fn what_cannot_be_understood_is_said_with_its_place() {
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.run();
     assert!(window.says("não pode ser entendido") && window.says("session-0.damaged"));
+    // What is said at the bottom does not take its place: only the user does.
+    window.key(Key::F11);
+    window.key(Key::F11);
+    assert!(window.says("session-0.damaged"));
+    window.click("Fechar");
+    window.run();
+    assert!(!window.says("session-0.damaged"));
 }
 
 #[test]

@@ -5,6 +5,7 @@ pub mod operations;
 pub mod parameters;
 pub mod recovery;
 pub mod scene;
+pub mod session_news;
 pub mod status;
 pub mod values;
 

@@ -226,6 +226,11 @@ impl Sessions {
         }
     }
 
+    /// True while what this window shows cannot be written down.
+    pub fn is_failing(&self) -> bool {
+        self.told
+    }
+
     /// Makes what is left in a slot the session of this window. Without being `asked` for, only where that can be noted first.
     fn take_up(&mut self, slot: usize, asked: bool) -> Option<Document> {
         let file = self.file(slot);

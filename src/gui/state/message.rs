@@ -39,8 +39,6 @@ pub enum Message {
     SavedOtherwise(PathBuf, TooMuch),
     /// No picture was written to this file.
     NotExported(PathBuf, NotExported),
-    /// What there is to say about windows that did not close.
-    Sessions(Vec<News>),
     /// A named scene is a list of objects now.
     WrittenOut(Preset),
     /// An object that hangs on another one now is sheared, and did not stay where it was.
@@ -77,7 +75,6 @@ impl Message {
             | Self::Deleted { .. }
             | Self::LightDeleted(_) => false,
             Self::NotExported(_, NotExported(error)) => !matches!(error, ExportError::Cancelled),
-            Self::Sessions(news) => !matches!(news[..], [News::Restored]),
             Self::File(..)
             | Self::NotOpened(..)
             | Self::Camera(_)
@@ -106,7 +103,6 @@ impl Message {
                 format!("{} {}; {}", t.saved, foreign::path(path), messages::too_much(lang, too_much))
             }
             Self::NotExported(path, NotExported(error)) => error.text(lang, &foreign::path(path)),
-            Self::Sessions(news) => news.iter().map(|news| about_session(lang, news)).collect::<Vec<_>>().join(" · "),
             Self::WrittenOut(preset) => format!("{} {}", scene.copied, scenes::lost(lang, *preset)),
             Self::Shear => scene.shear.to_owned(),
             Self::Deleted { name, others, shear } => {
@@ -120,7 +116,8 @@ impl Message {
     }
 }
 
-fn about_session(lang: Lang, news: &News) -> String {
+/// What there is to say about a window that did not close, or about what is kept of this one.
+pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
     let t = window::texts(lang);
     match news {
         News::Restored => t.restored.to_owned(),

@@ -15,6 +15,7 @@ use crate::views::{Ghost, Probe};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::rounded;
 pub use layout::{Arrangement, Layout, ObserverChange, Panels, Side, Tab};
+pub(in crate::gui) use message::about_session;
 pub use message::{Message, NotExported};
 pub use operations::Operations;
 pub(super) use operations::Scrub;
