@@ -7,8 +7,8 @@ use camera_lab::scene::no_files;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    let Ok(parts) = import("m.gltf", bytes, &mut no_files, &Progress::default()) else { return };
-    for part in parts {
+    let Ok(imported) = import("m.gltf", bytes, &mut no_files, &Progress::default()) else { return };
+    for part in imported.parts {
         let points = part.mesh.positions.len();
         assert!(part.mesh.positions.iter().all(|p| p.is_finite()));
         assert!(part.mesh.triangles.iter().flatten().all(|&i| (i as usize) < points));

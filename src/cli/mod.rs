@@ -146,6 +146,9 @@ fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<
     for unread in files.unread() {
         say(&messages::without_colors(lang, unread));
     }
+    for (object, notice) in &scene.notices {
+        say(&format!("{}: {}", foreign::shown(object), messages::mesh_notice(lang, notice)));
+    }
     Ok(scene)
 }
 

@@ -14,7 +14,7 @@ use crate::appearance::{HiddenLines, Theme};
 use crate::clock;
 use crate::files::{FigureFiles, Reach};
 use crate::progress::Progress;
-use crate::scene::import::{Part, read};
+use crate::scene::import::{Imported, read};
 use crate::scene::{self, MeshError, MeshFiles, Preset, ReadError, SceneError, SceneSpec, Shape};
 use crate::views::SharedScene;
 
@@ -56,7 +56,7 @@ impl MadeFrom {
 /// What came of reading a file.
 #[derive(Debug)]
 struct Outcome {
-    parts: Result<Arc<Vec<Part>>, MeshError>,
+    imported: Result<Arc<Imported>, MeshError>,
     /// How many were read, in it and in what it names.
     bytes: usize,
     /// What it names and lacks.
@@ -76,8 +76,8 @@ struct MeshFile {
 impl MeshFile {
     fn read(&self, progress: &Progress) -> Outcome {
         let mut files = FigureFiles::new(&self.folder, self.reach).after(self.spent);
-        let parts = read(&self.path, &mut |wanted| files.read(wanted), progress);
-        Outcome { parts, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
+        let imported = read(&self.path, &mut |wanted| files.read(wanted), progress);
+        Outcome { imported, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
     }
 }
 
@@ -270,15 +270,16 @@ impl SceneCache {
     ) -> bool {
         let mut arrived = false;
         let end = clock::now() + patience;
-        while let Some((path, Outcome { parts, unread, .. })) = self.reader.take(ctx, end.saturating_sub(clock::now()))
+        while let Some((path, Outcome { imported, unread, .. })) =
+            self.reader.take(ctx, end.saturating_sub(clock::now()))
         {
             arrived = true;
             self.unread.remove(&path);
-            if !unread.is_empty() && parts.is_ok() {
+            if !unread.is_empty() && imported.is_ok() {
                 self.unread.insert(path.clone(), unread);
             }
-            match parts {
-                Ok(parts) => self.files.insert(&path, parts),
+            match imported {
+                Ok(imported) => self.files.insert(&path, imported),
                 Err(error) => {
                     let shape = Some(Shape::Mesh { path: path.clone() });
                     if let Some(object) = wanted.spec.objects.iter().find(|o| o.shape == shape) {

@@ -2,7 +2,7 @@
 
 use super::Lang;
 use super::unreadable::unreadable;
-use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, ObjFault};
+use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
 
 /// Why a mesh file cannot be used. In English it is the error's own words.
 pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
@@ -24,16 +24,36 @@ pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
     }
 }
 
+/// What of a mesh file was left out. In English it is the notice's own words.
+pub fn notice(lang: Lang, notice: &MeshNotice) -> String {
+    match (lang, notice) {
+        (Lang::En, notice) => notice.to_string(),
+        (Lang::PtBr, MeshNotice::IndexIgnored { line, found }) => format!(
+            "linha {line}: \"{found}\" indica uma normal ou coordenada de textura que não existe; índices assim são ignorados"
+        ),
+        (Lang::PtBr, MeshNotice::FacesSkipped { line, found, count }) => {
+            let left_out = if *count == 1 {
+                "ela fica de fora".to_owned()
+            } else {
+                format!("ela e outras {} ficam de fora", count - 1)
+            };
+            format!("linha {line}: uma face com {found} vértices; {left_out}")
+        }
+        (Lang::PtBr, MeshNotice::Invisible { material }) => {
+            format!("o material \"{material}\" é inteiramente transparente (Tr 1 ou d 0); é desenhado opaco")
+        }
+    }
+}
+
 fn obj_in_portuguese(fault: &ObjFault) -> String {
     match fault {
         ObjFault::Number { found } => format!("\"{found}\" não é um número finito"),
         ObjFault::Coordinates { found } => format!("há {found} coordenadas; são necessárias 3"),
-        ObjFault::Corners { found } => format!("uma face com {found} vértices; são necessários pelo menos 3"),
         ObjFault::Corner { found } => {
             format!("\"{found}\" não é um vértice de face; escreve-se v, v/vt, v//vn ou v/vt/vn com números inteiros")
         }
-        ObjFault::Index { found, points, normals } => {
-            format!("\"{found}\" indica um ponto ou uma normal que não existe; há {points} pontos e {normals} normais")
+        ObjFault::Index { found, points } => {
+            format!("\"{found}\" indica um ponto que não existe; há {points} pontos")
         }
     }
 }

@@ -44,6 +44,7 @@ pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene 
             .iter()
             .filter_map(|text| Some(Text { position: inside(text.position)?, ..text.clone() }))
             .collect(),
+        notices: Vec::new(),
     }
 }
 

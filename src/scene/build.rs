@@ -121,7 +121,9 @@ impl Maker<'_, '_> {
     fn mesh_file(&mut self, scene: &mut Scene, placed: &Placed<'_>, path: &str, color: Rgba) -> Result<(), SceneError> {
         let name = &placed.spec.name;
         let failed = |error| SceneError::Mesh { name: name.clone(), path: path.to_owned(), error };
-        let parts = self.files.get(path, self.read_file).map_err(failed)?;
+        let imported = self.files.get(path, self.read_file).map_err(failed)?;
+        scene.notices.extend(imported.notices.iter().map(|notice| (name.clone(), notice.clone())));
+        let parts = &imported.parts;
         for (k, part) in parts.iter().enumerate() {
             let world_from_object = placed.world_from_object * part.file_from_part;
             if !world_from_object.is_finite() {

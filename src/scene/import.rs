@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub use super::part::Part;
+pub use super::part::{Imported, Part};
 use super::{Mesh, MeshError, ReadFile, Wanted, gltf, obj};
 use crate::progress::Progress;
 
-/// The parts of the mesh file with this path and these bytes. `read_file` gives the files beside it (MTL, BIN); a material
+/// What is in the mesh file with this path and these bytes. `read_file` gives the files beside it (MTL, BIN); a material
 /// library that cannot be read is left out, its materials have no colour then.
 ///
 /// # Errors
@@ -17,15 +17,16 @@ pub fn import(
     bytes: &[u8],
     read_file: &mut ReadFile<'_>,
     progress: &Progress,
-) -> Result<Vec<Part>, MeshError> {
+) -> Result<Imported, MeshError> {
     let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let mut beside = |name: &str| read_file(Wanted { path: &companion(path, name), named_by: Some(path) });
-    let parts = match ending.as_deref() {
+    let imported = match ending.as_deref() {
         Some("obj") => obj::read(bytes, &mut beside, progress)?,
-        Some("gltf" | "glb") => gltf::read(bytes, &mut beside, progress)?,
+        Some("gltf" | "glb") => Imported { parts: gltf::read(bytes, &mut beside, progress)?, notices: Vec::new() },
         _ => return Err(MeshError::Format),
     };
-    if parts.iter().all(|p| p.mesh.triangles.is_empty()) { Err(MeshError::Empty) } else { Ok(parts) }
+    let is_empty = imported.parts.iter().all(|p| p.mesh.triangles.is_empty());
+    if is_empty { Err(MeshError::Empty) } else { Ok(imported) }
 }
 
 /// The path of a file that another one names: relative to the other one's folder.
@@ -41,24 +42,24 @@ fn companion(path: &str, name: &str) -> String {
 /// of this once. Whoever wants a file to be read anew starts with a new one.
 #[derive(Clone, Debug, Default)]
 pub struct MeshFiles {
-    known: BTreeMap<String, Arc<Vec<Part>>>,
+    known: BTreeMap<String, Arc<Imported>>,
     /// By the name of the shape and its segments.
     pub(super) primitives: BTreeMap<(&'static str, u32), Arc<Mesh>>,
     progress: Progress,
 }
 
 impl MeshFiles {
-    /// The parts of a file. What could not be read is tried anew each time.
+    /// What is in a file. What could not be read is tried anew each time.
     ///
     /// # Errors
     /// [`MeshError`].
-    pub(super) fn get(&mut self, path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Vec<Part>>, MeshError> {
-        if let Some(parts) = self.known.get(path) {
-            return Ok(Arc::clone(parts));
+    pub(super) fn get(&mut self, path: &str, read_file: &mut ReadFile<'_>) -> Result<Arc<Imported>, MeshError> {
+        if let Some(imported) = self.known.get(path) {
+            return Ok(Arc::clone(imported));
         }
-        let parts = read(path, read_file, &self.progress)?;
-        self.insert(path, Arc::clone(&parts));
-        Ok(parts)
+        let imported = read(path, read_file, &self.progress)?;
+        self.insert(path, Arc::clone(&imported));
+        Ok(imported)
     }
 
     /// None yet; `progress` says how far reading them has come.
@@ -74,8 +75,8 @@ impl MeshFiles {
     }
 
     /// Takes a file over that [`read`] has read elsewhere.
-    pub fn insert(&mut self, path: &str, parts: Arc<Vec<Part>>) {
-        self.known.insert(path.to_owned(), parts);
+    pub fn insert(&mut self, path: &str, imported: Arc<Imported>) {
+        self.known.insert(path.to_owned(), imported);
     }
 
     /// Forgets the files that `is_used` says no to.
@@ -88,7 +89,7 @@ impl MeshFiles {
 ///
 /// # Errors
 /// [`MeshError`].
-pub fn read(path: &str, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Arc<Vec<Part>>, MeshError> {
+pub fn read(path: &str, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Arc<Imported>, MeshError> {
     let bytes = read_file(Wanted { path, named_by: None }).map_err(|error| MeshError::Unreadable(Box::new(error)))?;
     Ok(Arc::new(import(path, &bytes, read_file, progress)?))
 }

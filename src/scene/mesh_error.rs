@@ -87,27 +87,51 @@ pub enum ObjFault {
         /// How many were found.
         found: usize,
     },
-    /// A face has fewer than three corners.
-    #[error("a face with {found} corners; it needs at least 3")]
-    Corners {
-        /// How many were found.
-        found: usize,
-    },
     /// A corner is not written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     #[error("\"{found}\" is not a corner of a face; it is written v, v/vt, v//vn or v/vt/vn with whole numbers")]
     Corner {
         /// What was found.
         found: String,
     },
-    /// A corner names a point or normal that is not there.
-    #[error("\"{found}\" names a point or normal that does not exist; there are {points} points and {normals} normals")]
+    /// A corner names a point that is not there.
+    #[error("\"{found}\" names a point that does not exist; there are {points} points")]
     Index {
         /// The corner.
         found: String,
         /// Points in the file (for a relative index: so far).
         points: usize,
-        /// Normals in the file (for a relative index: so far).
-        normals: usize,
+    },
+}
+
+/// What a mesh file has that was left out, or taken otherwise than it stands, because other programs write it so; the surface
+/// is the same.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MeshNotice {
+    /// Corners of faces name normals or texture coordinates that are not there; told of one of them.
+    #[error(
+        "line {line}: \"{found}\" names a normal or texture coordinate that does not exist; such indices are ignored"
+    )]
+    IndexIgnored {
+        /// From 1.
+        line: usize,
+        /// The corner.
+        found: String,
+    },
+    /// Faces have fewer than three corners.
+    #[error("line {line}: a face with {found} corners; {}", if *count == 1 { "it is left out".to_owned() } else { format!("it and {} others are left out", count - 1) })]
+    FacesSkipped {
+        /// The first one's, from 1.
+        line: usize,
+        /// How many corners the first one has.
+        found: usize,
+        /// How many such faces there are.
+        count: usize,
+    },
+    /// A material would make all that has it wholly invisible.
+    #[error("the material \"{material}\" is wholly transparent (Tr 1 or d 0); it is drawn opaque")]
+    Invisible {
+        /// Its name.
+        material: String,
     },
 }
 

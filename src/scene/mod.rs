@@ -29,7 +29,7 @@ pub use build::{build, build_with};
 pub use error::{SceneError, chain_text};
 pub use import::MeshFiles;
 pub use mesh::Mesh;
-pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, ObjFault};
+pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
 pub use presets::{Beyond, objects as preset_objects};
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, no_files, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
@@ -48,6 +48,8 @@ pub struct Scene {
     pub marks: Vec<PointMark>,
     /// Texts in the world.
     pub texts: Vec<Text>,
+    /// What of mesh files was left out, by the name of the object; nothing of it is drawn.
+    pub notices: Vec<(String, MeshNotice)>,
 }
 
 impl Scene {

@@ -1,5 +1,6 @@
-//! Wavefront OBJ: points, normals, faces, objects, and the colours of their materials. Texture coordinates are checked and left
-//! out, as is all that is neither point, normal, face, name nor material.
+//! Wavefront OBJ: points, normals, faces, objects, and the colours of their materials. Texture coordinates are counted and left
+//! out, as is all that is neither point, normal, face, name nor material. What other programs write wrong without harm to
+//! the surface is left out with a [`MeshNotice`].
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -7,10 +8,10 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 
 use super::mesh::index_u32;
-use super::part::Part;
+use super::part::{Imported, Part};
 use super::read_error::Beside;
 use super::soup::Soup;
-use super::{MeshError, ObjFault};
+use super::{MeshError, MeshNotice, ObjFault};
 use crate::appearance::Rgba;
 use crate::foreign::shown;
 use crate::progress::{Doing, Progress};
@@ -22,7 +23,7 @@ const STRETCH: usize = 1 << 16;
 ///
 /// # Errors
 /// [`MeshError::Obj`] with the line, and [`MeshError::Cancelled`].
-pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Vec<Part>, MeshError> {
+pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
     let mut file = ObjFile::default();
     let mut lines = Lines { rest: bytes, number: 0 };
     progress.begin(Doing::Reading, bytes.len());
@@ -38,21 +39,32 @@ pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress
         let number = lines.number;
         file.read_line(&line, number, read_file).map_err(|fault| MeshError::Obj { line: number, fault })?;
     }
-    if let Some((line, fault)) = file.missing() {
-        return Err(MeshError::Obj { line, fault });
+    if let Some((line, found)) = file.points_ahead.beyond(file.points.len()) {
+        return Err(MeshError::Obj { line, fault: file.no_such_point(&found) });
     }
     file.end_part();
-    let parts = std::mem::take(&mut file.parts);
-    let parts = parts.into_iter().map(|part| {
+    let mut notices = file.notices();
+    let mut parts = Vec::new();
+    for part in std::mem::take(&mut file.parts) {
         if progress.is_cancelled() {
             return Err(MeshError::Cancelled);
         }
-        let color = part.material.and_then(|index| file.materials.get(index)).map(|material| material.color());
         let mesh = file.soup(&part).into_mesh()?;
+        if mesh.triangles.is_empty() {
+            continue;
+        }
+        let material = part.material.and_then(|index| file.materials.get(index));
+        if let Some(invisible) = material.filter(|material| material.is_invisible()) {
+            let notice = MeshNotice::Invisible { material: shown(&invisible.name) };
+            if !notices.contains(&notice) {
+                notices.push(notice);
+            }
+        }
+        let color = material.map(Material::color);
         let two_sided = !mesh.closed;
-        Ok(Part { name: part.name, two_sided, mesh: Arc::new(mesh), file_from_part: DMat4::IDENTITY, color })
-    });
-    parts.filter(|part| !matches!(part, Ok(part) if part.mesh.triangles.is_empty())).collect()
+        parts.push(Part { name: part.name, two_sided, mesh: Arc::new(mesh), file_from_part: DMat4::IDENTITY, color });
+    }
+    Ok(Imported { parts, notices })
 }
 
 /// The lines of a file; one that ends with `\` goes on in the next.
@@ -91,10 +103,19 @@ impl Lines<'_> {
 struct ObjFile {
     points: Vec<DVec3>,
     normals: Vec<DVec3>,
+    /// How many texture coordinates there are.
+    texture_coordinates: usize,
     /// A corner came without a normal.
     normals_lack: bool,
-    /// The corner that names the point or normal farthest behind what was there: index (from 1), line, corner.
-    ahead: [Option<(usize, usize, String)>; 2],
+    /// The corners that name what is not there yet.
+    points_ahead: Ahead,
+    normals_ahead: Ahead,
+    texture_coordinates_ahead: Ahead,
+    /// The first corner whose normal or texture coordinate cannot be there: line, corner.
+    impossible: Option<(usize, String)>,
+    /// The first face with fewer than three corners (its line and their number), and how many such faces there are.
+    skipped: Option<(usize, usize)>,
+    skipped_count: usize,
     materials: Vec<Material>,
     material_of: HashMap<String, usize>,
     /// The material libraries that have been asked for.
@@ -102,6 +123,25 @@ struct ObjFile {
     parts: Vec<Faces>,
     /// The part that is being read.
     open: Faces,
+}
+
+/// Of the corners that name what comes later in the file: the one that looks farthest ahead.
+#[derive(Default)]
+struct Ahead(Option<(usize, usize, String)>);
+
+impl Ahead {
+    /// A corner on this line names number `from_one`, when there are `so_far`.
+    fn note(&mut self, from_one: usize, so_far: usize, corner: &str, line: usize) {
+        if from_one > so_far && self.0.as_ref().is_none_or(|(farthest, ..)| from_one > *farthest) {
+            self.0 = Some((from_one, line, corner.to_owned()));
+        }
+    }
+
+    /// Line and corner, where it names more than there are at the end.
+    fn beyond(&self, there: usize) -> Option<(usize, String)> {
+        let (_, line, corner) = self.0.as_ref().filter(|(farthest, ..)| *farthest > there)?;
+        Some((*line, corner.clone()))
+    }
 }
 
 /// The faces of an object that have one material.
@@ -116,22 +156,30 @@ struct Faces {
 }
 
 /// The colour of a material and its opacity.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Default)]
 struct Material {
+    name: String,
     diffuse: Option<[f64; 3]>,
     opacity: Option<f64>,
 }
 
 impl Material {
-    fn color(self) -> Rgba {
-        let byte = |share: f64| {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
-            let byte = (share.clamp(0.0, 1.0) * 255.0).round() as u8;
-            byte
-        };
-        let [r, g, b] = self.diffuse.unwrap_or([0.8; 3]).map(byte);
-        Rgba::rgba(r, g, b, byte(self.opacity.unwrap_or(1.0)))
+    /// Nothing of its objects would be seen. Several programs write `Tr 1` for what is opaque.
+    fn is_invisible(&self) -> bool {
+        byte(self.opacity.unwrap_or(1.0)) == 0
     }
+
+    fn color(&self) -> Rgba {
+        let [r, g, b] = self.diffuse.unwrap_or([0.8; 3]).map(byte);
+        let alpha = if self.is_invisible() { 255 } else { byte(self.opacity.unwrap_or(1.0)) };
+        Rgba::rgba(r, g, b, alpha)
+    }
+}
+
+fn byte(share: f64) -> u8 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+    let byte = (share.clamp(0.0, 1.0) * 255.0).round() as u8;
+    byte
 }
 
 impl ObjFile {
@@ -144,6 +192,7 @@ impl ObjFile {
         match keyword {
             "v" => self.points.push(point(numbers)?),
             "vn" => self.normals.push(vector(numbers)?),
+            "vt" => self.texture_coordinates += 1,
             "f" => self.face(numbers, number)?,
             "o" | "g" if !name.is_empty() => {
                 self.end_part();
@@ -184,7 +233,7 @@ impl ObjFile {
             let numbers: Vec<f64> = values.split_whitespace().map_while(|word| word.parse().ok()).collect();
             if keyword == "newmtl" && !values.trim().is_empty() {
                 self.material_of.insert(values.trim().to_owned(), self.materials.len());
-                self.materials.push(Material::default());
+                self.materials.push(Material { name: values.trim().to_owned(), ..Material::default() });
                 material = self.materials.len().checked_sub(1);
             }
             let Some(material) = material.and_then(|index| self.materials.get_mut(index)) else { continue };
@@ -200,46 +249,49 @@ impl ObjFile {
     fn face(&mut self, values: &str, line: usize) -> Result<(), ObjFault> {
         let found = values.split_whitespace().count();
         if found < 3 {
-            return Err(ObjFault::Corners { found });
+            self.skipped.get_or_insert((line, found));
+            self.skipped_count += 1;
+            return Ok(());
         }
-        for corner in values.split_whitespace() {
-            let (point, normal) = indices(corner).ok_or_else(|| ObjFault::Corner { found: shown(corner) })?;
-            let point = self.resolve(0, point, corner, line)?;
-            let normal = normal.map(|index| self.resolve(1, index, corner, line)).transpose()?;
+        for word in values.split_whitespace() {
+            let corner = Corner::read(word).ok_or_else(|| ObjFault::Corner { found: shown(word) })?;
+            let point = from_one(corner.point, self.points.len()).ok_or_else(|| self.no_such_point(word))?;
+            self.points_ahead.note(point, self.points.len(), word, line);
+            if let Some(index) = corner.texture_coordinate {
+                match from_one(index, self.texture_coordinates) {
+                    Some(i) => self.texture_coordinates_ahead.note(i, self.texture_coordinates, word, line),
+                    None => drop(self.impossible.get_or_insert_with(|| (line, word.to_owned()))),
+                }
+            }
+            let mut normal = None;
+            if let Some(index) = corner.normal {
+                normal = from_one(index, self.normals.len());
+                match normal {
+                    Some(i) => self.normals_ahead.note(i, self.normals.len(), word, line),
+                    None => drop(self.impossible.get_or_insert_with(|| (line, word.to_owned()))),
+                }
+            }
             self.normals_lack |= normal.is_none();
-            self.open.corners.push((point, normal));
+            self.open.corners.push((point - 1, normal.map(|i| i - 1)));
         }
         self.open.arities.push(index_u32(found));
         Ok(())
     }
 
-    /// The index of a point (`which` = 0) or normal (1), from 0; in the file they count from 1, and negative ones count back
-    /// from the last one so far.
-    fn resolve(&mut self, which: usize, index: i64, corner: &str, line: usize) -> Result<usize, ObjFault> {
-        let so_far = [self.points.len(), self.normals.len()][which];
-        let from_one = if index < 0 {
-            usize::try_from(index.unsigned_abs()).ok().and_then(|back| (so_far + 1).checked_sub(back))
-        } else {
-            usize::try_from(index).ok()
-        };
-        let from_one = from_one.filter(|&i| i > 0).ok_or_else(|| self.no_such_index(corner))?;
-        if from_one > so_far && self.ahead[which].as_ref().is_none_or(|ahead| from_one > ahead.0) {
-            self.ahead[which] = Some((from_one, line, corner.to_owned()));
-        }
-        Ok(from_one - 1)
+    fn no_such_point(&self, corner: &str) -> ObjFault {
+        ObjFault::Index { found: shown(corner), points: self.points.len() }
     }
 
-    fn no_such_index(&self, corner: &str) -> ObjFault {
-        ObjFault::Index { found: shown(corner), points: self.points.len(), normals: self.normals.len() }
-    }
-
-    /// A corner that names what did not come until the end of the file.
-    fn missing(&self) -> Option<(usize, ObjFault)> {
-        let there = [self.points.len(), self.normals.len()];
-        self.ahead.iter().zip(there).find_map(|(ahead, there)| {
-            let (_, line, corner) = ahead.as_ref().filter(|ahead| ahead.0 > there)?;
-            Some((*line, self.no_such_index(corner)))
-        })
+    /// What of the file was left out. Said at its end: a face may come before what it names.
+    fn notices(&mut self) -> Vec<MeshNotice> {
+        let no_normal = self.normals_ahead.beyond(self.normals.len());
+        self.normals_lack |= no_normal.is_some();
+        let lost = self.impossible.take().into_iter().chain(no_normal);
+        let lost = lost.chain(self.texture_coordinates_ahead.beyond(self.texture_coordinates));
+        let lost = lost.min().map(|(line, found)| MeshNotice::IndexIgnored { line, found: shown(&found) });
+        let count = self.skipped_count;
+        let skipped = self.skipped.map(|(line, found)| MeshNotice::FacesSkipped { line, found, count });
+        lost.into_iter().chain(skipped).collect()
     }
 
     /// A part with only those points and normals that it uses, in the order in which it does.
@@ -262,16 +314,34 @@ impl ObjFile {
     }
 }
 
-/// Point and normal of a corner as they are written: `v`, `v/vt`, `v//vn` or `v/vt/vn`.
-fn indices(corner: &str) -> Option<(i64, Option<i64>)> {
-    let fields: Vec<&str> = corner.split('/').collect();
-    let index = |field: &str| field.parse::<i64>().ok();
-    match fields[..] {
-        [v] => Some((index(v)?, None)),
-        [v, vt] => index(vt).and(Some((index(v)?, None))),
-        [v, "", vn] => Some((index(v)?, Some(index(vn)?))),
-        [v, vt, vn] => index(vt).and(Some((index(v)?, Some(index(vn)?)))),
-        _ => None,
+/// An index as it stands in the file, counted from 1: they begin with 1, and negative ones count back from the last one so
+/// far. `None` for what can never be there.
+fn from_one(index: i64, so_far: usize) -> Option<usize> {
+    let index = if index < 0 {
+        usize::try_from(index.unsigned_abs()).ok().and_then(|back| (so_far + 1).checked_sub(back))
+    } else {
+        usize::try_from(index).ok()
+    };
+    index.filter(|&i| i > 0)
+}
+
+/// The indices of a corner as they are written: `v`, `v/vt`, `v//vn` or `v/vt/vn`; what follows a `/` may be left out.
+struct Corner {
+    point: i64,
+    texture_coordinate: Option<i64>,
+    normal: Option<i64>,
+}
+
+impl Corner {
+    fn read(word: &str) -> Option<Self> {
+        let mut fields = word.split('/');
+        let point = fields.next()?.parse().ok()?;
+        let mut beside = || match fields.next() {
+            None | Some("") => Some(None),
+            Some(field) => field.parse().ok().map(Some),
+        };
+        let (texture_coordinate, normal) = (beside()?, beside()?);
+        fields.next().is_none().then_some(Self { point, texture_coordinate, normal })
     }
 }
 

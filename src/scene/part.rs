@@ -4,8 +4,17 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
-use super::Mesh;
+use super::{Mesh, MeshNotice};
 use crate::appearance::Rgba;
+
+/// A mesh file that has been read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Imported {
+    /// Its objects.
+    pub parts: Vec<Part>,
+    /// What of it was left out, or taken otherwise than it stands.
+    pub notices: Vec<MeshNotice>,
+}
 
 /// One object of a mesh file.
 #[derive(Clone, Debug, PartialEq)]

@@ -319,12 +319,14 @@ fn a_mesh_file_is_added_named_relative_to_the_figure_and_one_that_is_broken_says
     window.enter("translation z", "1");
     let scene = window.state().scene_cache.scene();
     assert_eq!((scene.objects.len(), scene.objects[0].world_from_object.w_axis.z), (1, 1.0));
-    std::fs::write(folder.file("torn.obj"), triangle).expect("written");
+    std::fs::write(folder.file("torn.obj"), format!("{triangle}f 1 2\n")).expect("written");
     window.select("torn");
     window.click("Read again");
     window.run();
     assert_eq!(window.state().scene_cache.scene().objects.len(), 2);
     assert!(!window.says("line 2"));
+    // What was left out of a mesh is said at its object.
+    assert!(window.says("line 5: a face with 2 corners; it is left out"));
 }
 
 #[test]

@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 use base64::Engine as _;
 use camera_lab::appearance::{Rgba, Style, Theme};
 use camera_lab::scene::{
-    GlbFault, GltfFault, JsonFault, Mesh, MeshError, MeshFiles, ObjFault, Object, ObjectPaint, ObjectSpec, Preset,
-    Scene, SceneError, SceneSpec, Shape, Wanted, build_with, no_files, primitives,
+    GlbFault, GltfFault, JsonFault, Mesh, MeshError, MeshFiles, MeshNotice, ObjFault, Object, ObjectPaint, ObjectSpec,
+    Preset, Scene, SceneError, SceneSpec, Shape, Wanted, build_with, no_files, primitives,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -175,14 +175,14 @@ fn broken_obj_files_are_refused_with_the_line() {
     assert_eq!(fault("v 0 0 0 0\n"), (1, number("0")));
     assert_eq!(fault("v 1 0 0 1e-320\n"), (1, number("1e-320")), "divided by it, the point is nowhere");
     assert_eq!(fault("v 0 0\n"), (1, ObjFault::Coordinates { found: 2 }));
-    assert_eq!(fault(&format!("{points}f 1 2\n")), (5, ObjFault::Corners { found: 2 }));
     assert_eq!(fault(&format!("{points}f 1 2 3.5\n")), (5, ObjFault::Corner { found: "3.5".into() }));
     assert_eq!(fault(&format!("{points}f 1 2 3/1/1/1\n")), (5, ObjFault::Corner { found: "3/1/1/1".into() }));
-    let index = |found: &str, points, normals| ObjFault::Index { found: found.to_owned(), points, normals };
-    assert_eq!(fault(&format!("{points}f 1 2 0\n")), (5, index("0", 3, 0)));
-    assert_eq!(fault(&format!("{points}f 1 2 -4\nv 1 1 1\n")), (5, index("-4", 3, 0)));
-    assert_eq!(fault(&format!("{points}f 1 2 9\nf 1 2 3\no x\n")), (5, index("9", 3, 0)));
-    assert_eq!(fault(&format!("{points}f 1//1 2//1 3//7\nvn 0 0 1\n")), (5, index("3//7", 3, 1)));
+    assert_eq!(fault(&format!("{points}f 1 2 3/x\n")), (5, ObjFault::Corner { found: "3/x".into() }));
+    assert_eq!(fault(&format!("{points}f 1 2 //3\n")), (5, ObjFault::Corner { found: "//3".into() }));
+    let index = |found: &str| ObjFault::Index { found: found.to_owned(), points: 3 };
+    assert_eq!(fault(&format!("{points}f 1 2 0\n")), (5, index("0")));
+    assert_eq!(fault(&format!("{points}f 1 2 -4\nv 1 1 1\n")), (5, ObjFault::Index { found: "-4".into(), points: 3 }));
+    assert_eq!(fault(&format!("{points}f 1 2 9\nf 1 2 3\no x\n")), (5, index("9")));
     assert_eq!(fault(&format!("{points}f 1 2 99999999999999999999\n")).0, 5);
 
     assert_eq!(obj(points), Err(MeshError::Empty));
@@ -192,6 +192,65 @@ fn broken_obj_files_are_refused_with_the_line() {
         load("gone.obj", &folder([])),
         Err(MeshError::Unreadable(Box::new(no_files(Wanted { path: "gone.obj", named_by: None }).unwrap_err())))
     );
+}
+
+/// What exporters write and readers take: the surface is read, and what was left out is said.
+#[test]
+fn what_other_programs_write_is_read_with_a_notice() {
+    let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let read = |rest: &str| {
+        let scene = obj(&format!("{triangle}{rest}")).unwrap();
+        let notices: Vec<MeshNotice> = scene
+            .notices
+            .iter()
+            .map(|(object, notice)| {
+                assert_eq!(object, "m");
+                notice.clone()
+            })
+            .collect();
+        (scene, notices)
+    };
+    for corners in ["f 1/ 2/ 3/", "f 1// 2// 3//", "vt 0 0\nf 1/1/ 2/1/ 3/1/", "vn 0 1 0\nf 1//1 2//1 3//1"] {
+        let (scene, notices) = read(corners);
+        assert_eq!((only(&scene).mesh.triangles.len(), notices), (1, vec![]), "{corners}");
+    }
+    assert_eq!(only(&read("vn 0 3 4\nf 1//1 2//1 3//1").0).mesh.normals, [DVec3::new(0.0, 0.6, 0.8); 3]);
+
+    let ignored = |line, found: &str| vec![MeshNotice::IndexIgnored { line, found: found.to_owned() }];
+    for (face, found) in [
+        ("f 1//1 2//1 3//7\nvn 0 3 4", "3//7"),
+        ("f 1//1 2//0 3//1\nvn 0 3 4", "2//0"),
+        ("f 1//-1 2//1 3//1\nvn 0 3 4", "1//-1"),
+        ("f 1/1 2/1 3/2\nvt 0 0", "3/2"),
+        ("f 1/0 2 3", "1/0"),
+    ] {
+        let (scene, notices) = read(face);
+        assert_eq!(notices, ignored(4, found), "{face}");
+        // Those of its triangle, where the file does not give all.
+        assert_eq!(only(&scene).mesh.normals, [DVec3::Z; 3], "{face}");
+    }
+    let (_, notices) = read("f 1//1 2//1 3//1\nvn 0 3 4");
+    assert_eq!(notices, [], "a face may come before its normals");
+
+    let (scene, notices) = read("f 1 2 3\nf 1 2\nf 3\nf");
+    assert_eq!(only(&scene).mesh.triangles.len(), 1);
+    assert_eq!(notices, [MeshNotice::FacesSkipped { line: 5, found: 2, count: 3 }]);
+    assert_eq!(obj(&format!("{triangle}f 1 2\n")), Err(MeshError::Empty));
+}
+
+#[test]
+fn a_material_that_hides_its_object_altogether_is_opaque_and_one_that_does_not_stays() {
+    let text = b"mtllib m.mtl\nusemtl glass\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let read = |opacity: &str| {
+        let library = format!("newmtl glass\nKd 1 0 0\n{opacity}\nnewmtl unused\nTr 1.0\n");
+        let scene = load("m.obj", &folder([("m.obj", &text[..]), ("m.mtl", library.as_bytes())])).unwrap();
+        (color(only(&scene)), scene.notices)
+    };
+    let invisible = vec![("m".to_owned(), MeshNotice::Invisible { material: "glass".to_owned() })];
+    assert_eq!(read("Tr 1.0"), (Rgba::rgb(255, 0, 0), invisible.clone()));
+    assert_eq!(read("d 0"), (Rgba::rgb(255, 0, 0), invisible));
+    assert_eq!(read("Tr 0.8"), (Rgba::rgba(255, 0, 0, 51), vec![]));
+    assert_eq!(read("d 1"), (Rgba::rgb(255, 0, 0), vec![]));
 }
 
 #[test]

@@ -293,7 +293,7 @@ pub(crate) fn any_scene() -> impl Strategy<Value = Scene> {
         proptest::collection::vec(line, 0..2),
         proptest::collection::vec(mark, 0..2),
     )
-        .prop_map(|(objects, lights, lines, marks)| Scene { objects, lights, lines, marks, texts: Vec::new() })
+        .prop_map(|(objects, lights, lines, marks)| Scene { objects, lights, lines, marks, ..Scene::default() })
 }
 
 pub(crate) fn any_camera() -> impl Strategy<Value = Camera> {

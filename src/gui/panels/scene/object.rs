@@ -388,6 +388,10 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     if let Some(error) = problem {
         complaint(ui, &faults::scene_error(state.settings.lang, &error));
     }
+    for (_, notice) in state.scene_cache.scene().notices.iter().filter(|(object, _)| object == owner) {
+        let words = format!("⚠ {}", messages::mesh_notice(state.settings.lang, notice));
+        ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
+    }
     if is_outside && ui.button(t.allow_files).on_hover_text(t.allow_files_hint).clicked() {
         state.document.allow_files();
         state.message = None;
