@@ -1,6 +1,7 @@
 //! What happens in a frame, in order.
 
 use std::path::Path;
+use std::time::Duration;
 
 use eframe::egui::{self, ViewportCommand};
 
@@ -104,13 +105,19 @@ impl App {
         }
         file_flow::poll(&ctx, &mut self.state);
         self.canvas.listen_for_cancel(&ctx, &mut self.state);
-        if self.state.file_flow.dialog.is_none()
+        // Each key press acts, in its turn. What comes after one that opens a dialog is for the dialog.
+        while self.state.file_flow.dialog.is_none()
             && let Some(command) = self.keyboard(&ctx)
         {
             self.perform(&ctx, command);
         }
+        // What is pointed at is said by the panels that are shown in this frame.
+        self.state.ghost = None;
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         let sides = *self.state.settings.panels();
+        if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
+            ctx.request_repaint_after(Duration::from_secs_f64(left));
+        }
         let bar = egui::Panel::top("menu").show(ui, |ui| menu::bar(ui, &self.state)).inner;
         self.recovery(ui);
         panels::session_news::bar(ui, &mut self.state);
@@ -161,10 +168,10 @@ impl App {
             .show(ui, |ui| panels::values::ui(ui, &mut self.state));
     }
 
-    /// The command whose keys were pressed.
+    /// Takes the first key press out of the input that calls a command, and gives the command.
     fn keyboard(&self, ctx: &egui::Context) -> Option<Command> {
         let typing = ctx.text_edit_focused();
-        let mut keys: Vec<_> = Command::all()
+        let mut shortcuts: Vec<_> = Command::all()
             .filter(|command| !(typing && command.is_for_text_too()) && command.is_enabled(&self.state))
             .flat_map(|command| {
                 [Some(command.shortcut()), command.second_shortcut()].map(|keys| Some((keys?, command)))
@@ -172,9 +179,19 @@ impl App {
             .flatten()
             .collect();
         // Ctrl+Shift+S is Ctrl+S as well: what needs more keys is asked first.
-        keys.sort_by_key(|(keys, _)| !keys.modifiers.shift);
-        let pressed = keys.iter().find(|(keys, _)| ctx.input_mut(|input| input.consume_shortcut(keys)));
-        pressed.map(|(_, command)| *command)
+        shortcuts.sort_by_key(|(keys, _)| !keys.modifiers.shift);
+        let called_by = |event: &egui::Event| match event {
+            egui::Event::Key { key, modifiers, pressed: true, .. } => shortcuts
+                .iter()
+                .find(|(keys, _)| keys.logical_key == *key && modifiers.matches_logically(keys.modifiers))
+                .map(|(_, command)| *command),
+            _ => None,
+        };
+        ctx.input_mut(|input| {
+            let (place, command) = input.events.iter().enumerate().find_map(|(i, e)| Some((i, called_by(e)?)))?;
+            input.events.remove(place);
+            Some(command)
+        })
     }
 
     /// Does what a menu or the keyboard asks for.

@@ -10,13 +10,14 @@ use super::comparison::{Comparison, Whose};
 use super::export::Export;
 use super::file_flow;
 use super::number_field::{FieldError, NumberField, Step};
-use super::panels::{choice, complaint, row};
+use super::panels::{choice, complaint, row, scene};
 use super::state::{Agreed, Changed, Dialog, Purpose, State};
 use crate::appearance::Theme;
 use crate::foreign;
-use crate::i18n::canvas;
 use crate::i18n::window::{self, Texts};
+use crate::i18n::{canvas, scenes};
 use crate::limits::MAX_SIDE;
+use crate::scene::edit::Children;
 use crate::views::{View, Views};
 
 /// Shows the question that is open, if any, and acts on the answer.
@@ -33,7 +34,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let modal = Modal::new(Id::unique("dialog").with(kind)).frame(frame).show(ctx, |ui| {
         let width = match &dialog {
-            Dialog::Help => 520.0,
+            Dialog::Help | Dialog::Delete { .. } => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
             Dialog::Changed(_) => 480.0,
             Dialog::Unsaved(_)
@@ -86,6 +87,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 }
             }
             Dialog::Help => help(ui, t, state, first),
+            Dialog::Delete { name, below } => ask_delete(ui, t, state, (name, below), first),
         }
     });
     if modal.should_close() {
@@ -140,6 +142,22 @@ fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usiz
         }
     });
     pressed
+}
+
+/// What is to become of what hangs on an object that is deleted.
+fn ask_delete(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, (name, below): (String, usize), first: bool) {
+    let words = scenes::texts(state.settings.lang);
+    text(ui, &format!("{} {}", words.delete, foreign::shown(&name)), &format!("{} {below}", words.delete_question));
+    let children = match buttons(ui, t.cancel, &[words.delete_alone, words.delete_all], first.then_some(CANCEL)) {
+        Pressed::Action(0) => Children::HungHigher,
+        Pressed::Action(_) => Children::Removed,
+        Pressed::Cancel => return,
+        Pressed::Nothing => {
+            state.file_flow.dialog = Some(Dialog::Delete { name, below });
+            return;
+        }
+    };
+    scene::remove(state, &name, children);
 }
 
 /// What is to become of what another program has written: the choice that loses nothing is the one most wanted.
@@ -209,7 +227,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         Purpose::Save(_) => (t.save_title, t.save_action),
         Purpose::Export(_) => (t.export_title, t.save_action),
         Purpose::Mesh(_) => {
-            let t = crate::i18n::scenes::texts(state.settings.lang);
+            let t = scenes::texts(state.settings.lang);
             (t.mesh_title, t.mesh_action)
         }
     };
@@ -222,7 +240,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         response.request_focus();
     }
     let enter = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-    if let Some(error) = state.message.as_ref().filter(|message| message.is_error()) {
+    if let Some(error) = &state.file_flow.refused {
         complaint(ui, &error.text(state.settings.lang));
     }
     ui.add_space(10.0);
@@ -235,11 +253,13 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
         return;
     }
-    state.message = None;
+    (state.message, state.file_flow.refused) = (None, None);
     file_flow::chosen(ui.ctx(), state, purpose.clone(), PathBuf::from(path.trim()));
-    // What went wrong is shown where it was typed.
+    // What went wrong is said where it was typed, and there alone.
     if state.file_flow.dialog.is_none() && state.message.as_ref().is_some_and(|message| message.is_error()) {
+        state.file_flow.refused = state.message.take();
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
+        response.request_focus();
     }
 }
 

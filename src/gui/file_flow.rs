@@ -71,6 +71,7 @@ pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
         state.file_flow.asking = Some((purpose, OpenFileDialog::start(ctx, question)));
     } else {
         let text = proposal(t, state, &purpose);
+        state.file_flow.refused = None;
         state.file_flow.dialog = Some(Dialog::Path(purpose, text));
     }
 }

@@ -68,6 +68,7 @@ texts! {
     delete_hint: "Takes it out of the scene", "Tira-o da cena";
     delete_all: "With what hangs on it", "Com o que pende dele";
     delete_alone: "Alone; its children go to its parent", "Sozinho; seus filhos vão para o pai";
+    delete_question: "Objects that hang on it:", "Objetos que pendem dele:";
     deleted: "Deleted:", "Excluído:";
     matrix: "World matrix", "Matriz no mundo";
     matrix_hint: "Object → world: the matrices of its ancestors times its own", "Objeto → mundo: as matrizes dos ancestrais vezes a sua";

@@ -216,3 +216,81 @@ fn help_lists_the_keys() {
     assert_eq!(window.state().file_flow.dialog, None);
     assert!(!window.says("Ctrl+Shift+S"));
 }
+
+/// Key presses that all come in one frame.
+fn in_one_frame(window: &mut Window, keys: &[(Modifiers, Key)]) {
+    for &(modifiers, key) in keys {
+        for pressed in [true, false] {
+            let event = Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+            window.harness.input_mut().events.push(event);
+        }
+    }
+    window.run();
+}
+
+#[test]
+fn every_key_of_a_frame_acts() {
+    let mut window = Window::new(Lang::En);
+    let x = |window: &Window| window.state().document.camera().position().x;
+    let start = x(&window);
+    for value in 1..=6 {
+        window.enter("C x", &(10 * value).to_string());
+    }
+    in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Z); 6]);
+    assert_eq!((x(&window), window.state().document.can_undo()), (start, false));
+    in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Y); 4]);
+    assert_eq!(x(&window), 40.0);
+    // In their order: two back, one forward.
+    let [undo, redo] = [(Modifiers::COMMAND, Key::Z), (Modifiers::COMMAND | Modifiers::SHIFT, Key::Z)];
+    in_one_frame(&mut window, &[undo, redo, undo, undo, redo]);
+    assert_eq!(x(&window), 30.0);
+    in_one_frame(&mut window, &[(Modifiers::NONE, Key::F10), (Modifiers::NONE, Key::F8), (Modifiers::NONE, Key::F9)]);
+    let shown = [Side::Left, Side::Right].map(|side| window.state().settings.panels().is_shown(side));
+    assert!(window.state().layout.strip && shown == [false, false]);
+    let before: Vec<bool> = View::ALL.map(|view| window.state().layout.is_shown(view)).into();
+    in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::Num2), (Modifiers::COMMAND, Key::Num3)]);
+    let after: Vec<bool> = View::ALL.map(|view| window.state().layout.is_shown(view)).into();
+    assert!(before[1] != after[1], "{before:?} {after:?}");
+}
+
+#[test]
+fn what_follows_the_key_of_a_dialog_is_not_for_the_window() {
+    let mut window = Window::new(Lang::En);
+    let theme = window.state().document.figure().style.theme;
+    in_one_frame(&mut window, &[(Modifiers::COMMAND, Key::E), (Modifiers::COMMAND, Key::T)]);
+    assert!(window.state().file_flow.dialog.is_some());
+    assert_eq!(window.state().document.figure().style.theme, theme);
+}
+
+#[test]
+fn the_arc_of_an_operation_goes_with_its_panel() {
+    let mut window = Window::new(Lang::En);
+    let at = window.harness.get_by_label("Elevation: slider").rect().center();
+    window.harness.hover_at(at);
+    window.run();
+    assert!(window.state().ghost.is_some());
+    window.key(Key::F9);
+    assert!(window.state().ghost.is_none());
+    window.key(Key::F9);
+    assert!(window.state().ghost.is_some(), "it is pointed at again");
+}
+
+#[test]
+fn news_go_when_they_have_been_read_and_errors_stay() {
+    let mut window = Window::new(Lang::En);
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::C);
+    window.run();
+    assert!(window.says("Copied"));
+    let pass = |window: &mut Window, seconds: f64| {
+        let steps = (seconds / f64::from(window.harness.input_mut().predicted_dt)).ceil();
+        window.harness.run_steps(steps as usize);
+    };
+    pass(&mut window, 5.0);
+    assert!(window.says("Copied"));
+    pass(&mut window, 6.0);
+    assert!(!window.says("Copied") && window.state().message.is_none());
+    let error = camera_lab::camera::CameraError::ViewUpZero;
+    window.app_mut().state.say(camera_lab::gui::state::Message::Camera(error));
+    pass(&mut window, 12.0);
+    assert!(window.state().message.is_some());
+}

@@ -5,6 +5,7 @@
 mod canvas;
 mod canvas_objects;
 mod commands;
+mod dialogs;
 mod files;
 mod language;
 mod other_programs;

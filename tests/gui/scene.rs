@@ -246,10 +246,28 @@ fn deleting_asks_what_becomes_of_the_children() {
     window.command_key(Key::Z);
     window.select("group");
     window.key(Key::Delete);
+    assert_eq!(window.names(), ["group", "box"], "the key asks too");
+    window.click("Cancel");
+    window.run();
+    assert_eq!(window.names(), ["group", "box"]);
+    window.select("group");
+    window.key(Key::Delete);
+    window.click("Alone; its children go to its parent");
+    window.run();
+    assert_eq!(window.names(), ["box"]);
+    window.command_key(Key::Z);
+    window.select("group");
+    window.key(Key::Delete);
+    window.click("With what hangs on it");
     window.run();
     assert!(window.names().is_empty());
     window.command_key(Key::Z);
     assert_eq!(window.names(), ["group", "box"]);
+    // Where nothing hangs on it there is nothing to ask.
+    window.select("box");
+    window.key(Key::Delete);
+    window.run();
+    assert_eq!(window.names(), ["group"]);
 }
 
 #[test]

@@ -129,10 +129,16 @@ pub(super) fn choice<T: PartialEq + Copy>(
 ) -> bool {
     let old = *value;
     let chosen = options.iter().find(|(option, _)| *option == old).map_or("", |(_, text)| *text);
+    let below = ui.layer_id();
     egui::ComboBox::from_id_salt(name)
         .selected_text(chosen)
         .width(116.0)
         .show_ui(ui, |ui| {
+            // A press brings a dialog to the front. Where the click that it begins opens a list in the same frame, only this puts
+            // the list before the dialog.
+            if below.order == ui.layer_id().order {
+                ui.ctx().set_sublayer(below, ui.layer_id());
+            }
             for (option, text) in options {
                 ui.selectable_value(value, *option, *text);
             }

@@ -56,7 +56,6 @@ fn effect(freedom: Freedom, t: &Texts) -> &'static str {
 /// Shows the operations.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
-    state.ghost = None;
     let possible = state.document.problem().is_none();
     section(ui, t.operations, "operations", true, |ui| {
         ui.spacing_mut().item_spacing.y = 2.0;

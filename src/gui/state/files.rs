@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::Message;
 use crate::files::Overwrite;
 use crate::gui::comparison::Comparison;
 use crate::gui::export::{Export, Exported, Exporting};
@@ -100,6 +101,13 @@ pub enum Dialog {
     Closing,
     /// What the pointer and the keys do.
     Help,
+    /// What becomes of what hangs on this object, which is to be deleted?
+    Delete {
+        /// Its name.
+        name: String,
+        /// How many objects hang on it.
+        below: usize,
+    },
 }
 
 /// What is going on with files.
@@ -107,6 +115,8 @@ pub enum Dialog {
 pub struct FileFlow {
     /// What is asked in the window now.
     pub dialog: Option<Dialog>,
+    /// Why the file that was typed last could not be opened or written; said in the dialog.
+    pub(in crate::gui) refused: Option<Message>,
     /// False: files are asked for with a field in the window, as where the system has no dialogs.
     pub native: bool,
     /// True from the moment when the window may close.

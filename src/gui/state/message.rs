@@ -84,6 +84,12 @@ impl Message {
         }
     }
 
+    /// True for what has been read soon; false for what went wrong, and for what is still so.
+    #[must_use]
+    pub fn passes(&self) -> bool {
+        !self.is_error() && !matches!(self, Self::PresentationKeys | Self::Exporting)
+    }
+
     /// The sentence.
     #[must_use]
     pub fn text(&self, lang: Lang) -> String {

@@ -26,6 +26,9 @@ use super::Start;
 use super::document::Document;
 use super::scene_cache::SceneCache;
 
+/// How long news are shown, in seconds: time to read two lines.
+const NEWS_SECONDS: f64 = 10.0;
+
 /// What belongs to the window and not to the figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -91,6 +94,8 @@ pub struct State {
     pub screen_scale: f32,
     /// What was said last at the bottom of the window.
     pub message: Option<Message>,
+    /// When the message was first shown, in seconds; `None`: not yet.
+    shown_since: Option<f64>,
     /// Asks the pictures to look from somewhere; they take it (`take()`) in the next frame. For both three-dimensional pictures.
     pub observer_change: Option<ObserverChange>,
     /// True where no field on the screen says what is wrong with the parameters (its section is closed).
@@ -146,6 +151,7 @@ impl State {
             picture_sizes: [[640, 480]; 3],
             screen_scale: 1.0,
             message: None,
+            shown_since: None,
             observer_change: None,
             problem_out_of_sight: false,
             ghost: None,
@@ -188,6 +194,19 @@ impl State {
     /// Says something at the bottom of the window.
     pub fn say(&mut self, message: Message) {
         self.message = Some(message);
+        self.shown_since = None;
+    }
+
+    /// Takes news back that have been shown for so many seconds (`now` is a time in seconds); gives how many are left until then.
+    /// What went wrong stays until it is closed, and what is still so as long as it is so.
+    pub(in crate::gui) fn forget_old_news(&mut self, now: f64) -> Option<f64> {
+        self.message.as_ref().filter(|message| message.passes())?;
+        let left = *self.shown_since.get_or_insert(now) + NEWS_SECONDS - now;
+        if left > 0.0 {
+            return Some(left);
+        }
+        self.message = None;
+        None
     }
 
     /// What is possible, but probably not what was meant, in the language of the window.

@@ -9,7 +9,7 @@ use eframe::egui::{self, RichText};
 
 use super::{choice, row, section};
 use crate::gui::number_field::FieldOutput;
-use crate::gui::state::{Draft, Message, Selected, State};
+use crate::gui::state::{Dialog, Draft, Message, Selected, State};
 use crate::i18n::faults;
 use crate::i18n::scenes::{self, Texts};
 use crate::i18n::window;
@@ -19,8 +19,16 @@ use crate::scene::{Preset, SceneError, SceneSpec, check};
 
 /// A change that the tree or a button asks for.
 enum Edit {
-    Hang { name: String, parent: Option<String> },
-    Remove { name: String, children: Children },
+    Hang {
+        name: String,
+        parent: Option<String>,
+    },
+    Remove {
+        name: String,
+        children: Children,
+    },
+    /// Asks what becomes of what hangs on it, where something does.
+    AskRemove(String),
     RemoveLight(usize),
 }
 
@@ -191,6 +199,19 @@ impl Form {
     }
 }
 
+/// Deletes an object, says so, and selects its parent.
+pub(in crate::gui) fn remove(state: &mut State, name: &str, children: Children) {
+    let mut scene = state.document.figure().scene.clone();
+    let before = scene.objects.len();
+    let next = scene.objects.iter().find(|o| o.name == name).and_then(|o| o.parent.clone());
+    let Ok(stayed) = edit::remove(&mut scene, name, children) else { return };
+    let others = before - scene.objects.len();
+    let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
+    state.document.edit(|figure| figure.scene = scene);
+    state.tree.select(selected.map(Selected::Object));
+    state.say(Message::Deleted { name: name.to_owned(), others: others.saturating_sub(1), shear: !stayed });
+}
+
 fn perform(state: &mut State, edit: Edit) {
     match edit {
         Edit::Hang { name, parent } => {
@@ -206,16 +227,14 @@ fn perform(state: &mut State, edit: Edit) {
                 state.tree.folded.remove(&parent);
             }
         }
-        Edit::Remove { name, children } => {
-            let mut scene = state.document.figure().scene.clone();
-            let before = scene.objects.len();
-            let next = scene.objects.iter().find(|o| o.name == name).and_then(|o| o.parent.clone());
-            let Ok(stayed) = edit::remove(&mut scene, &name, children) else { return };
-            let others = before - scene.objects.len();
-            let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
-            state.document.edit(|figure| figure.scene = scene);
-            state.tree.select(selected.map(Selected::Object));
-            state.say(Message::Deleted { name, others: others.saturating_sub(1), shear: !stayed });
+        Edit::Remove { name, children } => remove(state, &name, children),
+        Edit::AskRemove(name) => {
+            let below = edit::descendants(&state.document.figure().scene, &name).len();
+            if below == 0 {
+                remove(state, &name, Children::Removed);
+            } else {
+                state.file_flow.dialog = Some(Dialog::Delete { name, below });
+            }
         }
         Edit::RemoveLight(index) => {
             state.document.edit(|figure| {

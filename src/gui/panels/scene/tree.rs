@@ -13,7 +13,7 @@ use crate::appearance::Rgba;
 use crate::foreign::shown;
 use crate::gui::state::{Selected, State, preset_objects};
 use crate::i18n::scenes::Texts;
-use crate::scene::edit::{Children, descendants};
+use crate::scene::edit::descendants;
 use crate::scene::{LightSpec, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
 
 /// Width of a step of the tree, in points.
@@ -106,9 +106,7 @@ fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &Row, response: &Respo
     }
     if pressed(Key::Delete) {
         match &row.what {
-            Some(Selected::Object(name)) => {
-                edits.push(Edit::Remove { name: name.clone(), children: Children::Removed });
-            }
+            Some(Selected::Object(name)) => edits.push(Edit::AskRemove(name.clone())),
             Some(Selected::Light(index)) => edits.push(Edit::RemoveLight(*index)),
             Some(Selected::OfPreset(_)) | None => {}
         }

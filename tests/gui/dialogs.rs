@@ -1,0 +1,101 @@
+//! Dialogs: their lists, their focus, and what they ask.
+
+use std::fs;
+
+use camera_lab::appearance::Theme;
+use camera_lab::gui::state::Dialog;
+use camera_lab::i18n::Lang;
+use camera_lab::views::{View, Views};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2};
+use egui_kittest::kittest::Queryable;
+
+use super::files::Folder;
+use super::window::Window;
+
+impl Window {
+    /// Presses and lets go within one frame, as it happens where frames take long.
+    fn quick_click(&mut self, at: Pos2) {
+        self.harness.hover_at(at);
+        self.run();
+        for pressed in [true, false] {
+            let button = PointerButton::Primary;
+            let event = Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE };
+            self.harness.input_mut().events.push(event);
+        }
+        self.run();
+    }
+
+    /// Chooses from a list by two quick clicks.
+    fn quick_choice(&mut self, list: &str, entry: &str) {
+        let at = self.harness.get_by_role_and_label(Role::ComboBox, list).rect().center();
+        self.quick_click(at);
+        let at = self.harness.get_by_role_and_label(Role::Button, entry).rect().center();
+        self.quick_click(at);
+    }
+
+    fn export(&self) -> camera_lab::gui::export::Export {
+        match &self.state().file_flow.dialog {
+            Some(Dialog::Export(export)) => *export,
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn lists_of_the_export_dialog_open_before_it_every_time() {
+    let mut window = Window::new(Lang::En);
+    let views = [("World", View::World), ("Canonical volume", View::Canonical), ("Image", View::Image)];
+    let themes = [("light", Theme::Light), ("dark", Theme::Dark), ("print", Theme::Print)];
+    for opening in 0..5 {
+        window.command_key(Key::E);
+        let (name, view) = views[opening % 3];
+        window.quick_choice("pictures", name);
+        assert_eq!(window.export().what, Views::One(view), "opening {opening}");
+        let times = ["3 ×", "4 ×"][opening % 2];
+        window.quick_choice("size", times);
+        assert_eq!(window.export().times, Some(if opening % 2 == 0 { 3 } else { 4 }), "opening {opening}");
+        let (name, theme) = themes[opening % 2];
+        window.quick_choice("theme", name);
+        assert_eq!(window.export().theme, theme, "opening {opening}");
+        window.key(Key::Escape);
+        assert_eq!(window.state().file_flow.dialog, None);
+    }
+}
+
+#[test]
+fn after_a_failed_open_the_field_keeps_the_keyboard_and_says_why() {
+    let folder = Folder::new("refused");
+    fs::write(folder.file("broken.toml"), "[camera]\nnear = 5\nfar = 2\n").expect("written");
+    fs::write(folder.file("good.toml"), "[camera]\nfar = 50.0\n").expect("written");
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::O);
+    window.choose(&folder.file("broken.toml"));
+    assert!(window.harness.get_by_role_and_label(Role::TextInput, "file").is_focused());
+    assert!(window.says("near < far"));
+    assert!(window.state().message.is_none(), "it is said once");
+    // What is typed goes on where it was.
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.harness.event(Event::Text(folder.file("good.toml").display().to_string()));
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!(window.state().document.name().as_deref(), Some("good.toml"));
+    // The next dialog knows nothing of it.
+    window.command_key(Key::O);
+    assert!(!window.says("near < far"));
+}
+
+#[test]
+fn what_is_wrong_elsewhere_is_not_said_in_the_dialog_of_files() {
+    let mut window = Window::new(Lang::En);
+    let error = camera_lab::camera::CameraError::ViewUpZero;
+    window.app_mut().state.say(camera_lab::gui::state::Message::Camera(error));
+    window.run();
+    let said = window.state().message.as_ref().expect("a message").text(Lang::En);
+    let times = |window: &Window| window.harness.query_all_by_label_contains(&said).count();
+    assert_eq!(times(&window), 1);
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run();
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(..))));
+    assert_eq!(times(&window), 1, "in its bar, and there alone");
+}
