@@ -16,8 +16,8 @@ fn open(opening: cli::Opening) -> ExitCode {
     use camera_lab::gui::{self, GuiError, Start};
     use camera_lab::i18n::{command_line as texts, messages};
 
-    let cli::Opening { figure, file, allow_files, lang } = opening;
-    match gui::run(Start { figure, file, lang, allow_files }) {
+    let cli::Opening { figure, file, allow_files, lang, asked_lang } = opening;
+    match gui::run(Start { figure, file, lang, allow_files }, asked_lang) {
         Ok(()) => ExitCode::SUCCESS,
         Err(GuiError::NoWindow(why)) => cli::fail(1, &texts::no_window(lang, &why)),
         Err(GuiError::Camera(error)) => cli::fail(2, &messages::camera(lang, &error)),

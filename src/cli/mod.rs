@@ -59,8 +59,10 @@ pub struct Opening {
     pub file: Option<SourceFile>,
     /// The user lets the figure name any file.
     pub allow_files: bool,
-    /// The language of the window and of messages.
+    /// The language of messages, and of the window where nothing is remembered.
     pub lang: Lang,
+    /// The language that the arguments ask for.
+    pub asked_lang: Option<Lang>,
 }
 
 /// Runs the program with the arguments of a process (the program's name first), up to the window.

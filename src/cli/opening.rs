@@ -1,19 +1,20 @@
 //! No subcommand: what the window opens with.
 
-use super::args::WindowArgs;
+use super::args::{LangArg, WindowArgs};
 use super::{Failure, Opening};
 use crate::figure::Figure;
 use crate::i18n::{Lang, messages};
 use crate::scene::Preset;
 
 pub(super) fn opening(args: &WindowArgs, lang: Lang) -> Result<Opening, Failure> {
+    let (allow_files, asked_lang) = (args.common.allow_files, args.common.lang.map(LangArg::lang));
     if let Some(path) = &args.figure {
         let (opened, _) = super::open(path, &args.common, lang)?;
         let (figure, file) = opened.at(path);
-        return Ok(Opening { figure, file: Some(file), allow_files: args.common.allow_files, lang });
+        return Ok(Opening { figure, file: Some(file), allow_files, lang, asked_lang });
     }
     let mut figure = Figure::of_preset(Preset::default());
     super::operate(&mut figure, &args.common.operations(lang)?, args.common.convention())
         .map_err(|error| Failure::BadInput(messages::inspect(lang, &error)))?;
-    Ok(Opening { figure, file: None, allow_files: args.common.allow_files, lang })
+    Ok(Opening { figure, file: None, allow_files, lang, asked_lang })
 }

@@ -12,6 +12,7 @@ use super::export::Export;
 use super::file_flow;
 use super::held_key::HeldKey;
 use super::panels::recovery::Decision;
+use super::preferences::Preferences;
 use super::session::{News, Sessions};
 use super::state::{AfterSave, Dialog, Message, Purpose, Side, State};
 use super::{dialogs, menu, panels, theme};
@@ -27,6 +28,7 @@ pub struct App {
     /// The pictures.
     pub canvas: Canvas,
     sessions: Option<Sessions>,
+    preferences: Option<Preferences>,
     held_key: HeldKey,
     title: String,
 }
@@ -47,11 +49,18 @@ impl App {
             state,
             canvas: Canvas::default(),
             sessions: None,
+            preferences: None,
             held_key: HeldKey::default(),
             title: String::new(),
         };
         app.apply_settings(ctx);
         app
+    }
+
+    /// Remembers preferences in `folder` from now on, and sets the window up as they say; in the language that was `asked` for.
+    pub fn keep_preferences(&mut self, ctx: &egui::Context, folder: &Path, asked: Option<Lang>) {
+        self.preferences = Some(Preferences::begin(folder, &mut self.state, asked));
+        self.apply_settings(ctx);
     }
 
     /// Writes the session down in `folder` from now on. With `restore`, takes up what a window left that did not close.
@@ -87,10 +96,11 @@ impl App {
         self.tell_news();
     }
 
-    /// Says what there is to say about sessions, each until it is closed; that nothing is written, as long as that is so.
+    /// Says what there is to say about sessions and preferences, each until it is closed; that nothing is written, as long as that is so.
     fn tell_news(&mut self) {
-        let Some(sessions) = &mut self.sessions else { return };
         let shown = &mut self.state.file_flow.news;
+        shown.extend(self.preferences.iter_mut().flat_map(Preferences::news));
+        let Some(sessions) = &mut self.sessions else { return };
         shown.extend(sessions.news());
         if !sessions.is_failing() {
             shown.retain(|news| !matches!(news, News::NotWritten(..) | News::NoSlot));
@@ -149,6 +159,9 @@ impl App {
             self.state.document.commit();
             if let Some(sessions) = &mut self.sessions {
                 sessions.keep(&ctx, &self.state.document);
+            }
+            if let Some(preferences) = &mut self.preferences {
+                preferences.keep(&ctx, &mut self.state);
             }
         }
     }
@@ -220,10 +233,10 @@ impl App {
                 };
             }
             Command::Theme => {
-                state.document.edit(|figure| {
-                    figure.style.theme = if figure.style.theme == Theme::Dark { Theme::Light } else { Theme::Dark };
-                });
+                let theme = &mut state.settings.theme;
+                *theme = if *theme == Theme::Dark { Theme::Light } else { Theme::Dark };
             }
+            Command::ReduceMotion => state.settings.reduce_motion = !state.settings.reduce_motion,
             Command::Presentation => {
                 state.settings.presentation = !state.settings.presentation;
                 ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
@@ -264,7 +277,7 @@ impl App {
 
     /// Theme and zoom, as the settings say.
     fn apply_settings(&self, ctx: &egui::Context) {
-        let theme = match self.state.document.figure().style.theme {
+        let theme = match self.state.settings.theme {
             Theme::Dark => egui::Theme::Dark,
             Theme::Light | Theme::Print => egui::Theme::Light,
         };
@@ -305,6 +318,9 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        if let Some(preferences) = &mut self.preferences {
+            preferences.finish(&mut self.state);
+        }
         // Whoever closes the window has saved, or does not want to.
         if let Some(sessions) = &mut self.sessions {
             sessions.forget();

@@ -35,6 +35,8 @@ pub enum Command {
     Language,
     /// Light or dark.
     Theme,
+    /// What would move is at its end at once.
+    ReduceMotion,
     /// Large type and thick strokes.
     Presentation,
     /// A larger interface.
@@ -70,7 +72,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 21] = [
+    pub const VIEW: [Self; 22] = [
         Self::Show(View::World),
         Self::Show(View::Canonical),
         Self::Show(View::Image),
@@ -88,6 +90,7 @@ impl Command {
         Self::Pipeline,
         Self::Presentation,
         Self::Theme,
+        Self::ReduceMotion,
         Self::ZoomIn,
         Self::ZoomOut,
         Self::ZoomReset,
@@ -127,6 +130,7 @@ impl Command {
             Self::CopyNumbers => (t.copy_numbers, t.copy_numbers_hint),
             Self::Language => (t.language, t.language_hint),
             Self::Theme => (t.theme, t.theme_hint),
+            Self::ReduceMotion => (t.reduce_motion, t.reduce_motion_hint),
             Self::Presentation => (t.presentation, t.presentation_hint),
             Self::ZoomIn => (t.zoom_in, t.zoom_in_hint),
             Self::ZoomOut => (t.zoom_out, t.zoom_out_hint),
@@ -166,6 +170,7 @@ impl Command {
             Self::CopyNumbers => (COMMAND_SHIFT, Key::C),
             Self::Language => (Modifiers::COMMAND, Key::L),
             Self::Theme => (Modifiers::COMMAND, Key::T),
+            Self::ReduceMotion => (Modifiers::ALT, Key::M),
             Self::Presentation => (Modifiers::NONE, Key::F11),
             Self::ZoomIn => (Modifiers::COMMAND, Key::Plus),
             Self::ZoomOut => (Modifiers::COMMAND, Key::Minus),
@@ -208,6 +213,7 @@ impl Command {
             | Self::CopyNumbers
             | Self::Language
             | Self::Theme
+            | Self::ReduceMotion
             | Self::Presentation
             | Self::ZoomOut
             | Self::ZoomReset
@@ -238,6 +244,7 @@ impl Command {
             | Self::CopyNumbers
             | Self::Language
             | Self::Theme
+            | Self::ReduceMotion
             | Self::Presentation
             | Self::ZoomIn
             | Self::ZoomOut
@@ -257,7 +264,8 @@ impl Command {
     #[must_use]
     pub fn is_on(self, state: &State) -> Option<bool> {
         match self {
-            Self::Theme => Some(state.document.figure().style.theme == Theme::Dark),
+            Self::Theme => Some(state.settings.theme == Theme::Dark),
+            Self::ReduceMotion => Some(state.settings.reduce_motion),
             Self::Presentation => Some(state.settings.presentation),
             Self::ParametersPanel => Some(state.settings.panels().is_shown(Side::Left)),
             Self::NumbersPanel => Some(state.settings.panels().is_shown(Side::Right)),

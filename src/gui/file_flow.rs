@@ -198,6 +198,7 @@ fn open(state: &mut State, path: &Path) {
             match Document::new(figure, Some(file)) {
                 Ok(document) => {
                     state.take_over(document);
+                    state.recent.add(&files::whole(path));
                     state.say(Message::Opened(path.to_owned()));
                 }
                 Err(error) => state.say(Message::NotOpened(path.to_owned(), error)),
@@ -259,6 +260,7 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
                 state.document.edit(|own| own.scene = figure.scene);
             }
             state.document.mark_saved(path.to_owned(), text);
+            state.recent.add(path);
             state.file_flow.theirs = None;
             state.file_flow.decided = None;
             state.say(Message::Saved(path.to_owned()));

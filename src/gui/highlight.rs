@@ -38,7 +38,7 @@ impl Highlight {
             self.kept = None;
             return scene.clone();
         };
-        let theme = figure.style.theme;
+        let theme = state.settings.theme;
         let is_same = |kept: &&MarkedScene| kept.scene == *scene && kept.selected == *selected && kept.theme == theme;
         if let Some(kept) = self.kept.as_ref().filter(is_same) {
             return kept.marked.clone();

@@ -6,6 +6,7 @@
 //! | [`state`] | what the panels and the pictures share |
 //! | [`document`] | the figure that is being edited, its file, undo and redo |
 //! | [`scene_cache`] | the scene that the pictures show |
+//! | [`preferences`] | what is remembered from one time to the next |
 //! | [`canvas`] | the three pictures in the middle |
 
 pub mod app;
@@ -25,6 +26,7 @@ mod mesh_paths;
 pub mod native;
 pub mod number_field;
 pub mod panels;
+pub mod preferences;
 pub mod repair;
 pub mod scene_cache;
 pub mod session;
@@ -74,11 +76,12 @@ pub fn fresh() -> Figure {
 /// is seen.
 pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 
-/// Opens the window and returns when it is closed.
+/// Opens the window and returns when it is closed. Its language is the one that was `asked` for, else the one that is remembered, else that of
+/// `start`.
 ///
 /// # Errors
 /// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.
-pub fn run(start: Start) -> Result<(), GuiError> {
+pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
     let restore = start.file.is_none() && start.figure == fresh();
     let state = State::new(start)?;
     let options = eframe::NativeOptions {
@@ -96,6 +99,7 @@ pub fn run(start: Start) -> Result<(), GuiError> {
         Box::new(move |context| {
             let mut app = App::new(&context.egui_ctx, state);
             if let Some(folders) = directories::ProjectDirs::from("", "", "camera-lab") {
+                app.keep_preferences(&context.egui_ctx, folders.config_dir(), asked);
                 app.keep_session(folders.data_dir(), restore);
             }
             Ok(Box::new(app))

@@ -43,10 +43,10 @@ struct MadeFrom {
 }
 
 impl MadeFrom {
-    fn is_of(&self, document: &Document) -> bool {
+    fn is_of(&self, document: &Document, theme: Theme) -> bool {
         let figure = document.figure();
         self.spec == figure.scene
-            && self.theme == figure.style.theme
+            && self.theme == theme
             && self.hidden_lines == figure.style.hidden_lines
             && self.folder.as_deref() == document.folder()
             && self.reach == document.reach()
@@ -212,19 +212,25 @@ impl SceneCache {
         self.reader.bytes.clear();
     }
 
-    /// Makes the scene where the figure's has changed, or a mesh file has been read. Meshes are looked for beside the figure file.
+    /// Makes the scene, in the colours of `theme`, where the figure's has changed, or a mesh file has been read. Meshes are looked for beside the figure file.
     /// Waits up to `patience` for a file that is being begun; `ctx` is asked for a frame when one is read.
     ///
     /// # Errors
     /// What cannot be read or built. It is said once, not in each frame.
-    pub fn update(&mut self, ctx: &egui::Context, document: &Document, patience: Duration) -> Result<(), SceneError> {
+    pub fn update(
+        &mut self,
+        ctx: &egui::Context,
+        document: &Document,
+        theme: Theme,
+        patience: Duration,
+    ) -> Result<(), SceneError> {
         let figure = document.figure();
-        if !self.reader.is_busy() && self.made_from.as_ref().is_some_and(|made| made.is_of(document)) {
+        if !self.reader.is_busy() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme)) {
             return Ok(());
         }
         let wanted = MadeFrom {
             spec: figure.scene.clone(),
-            theme: figure.style.theme,
+            theme,
             hidden_lines: figure.style.hidden_lines,
             folder: document.folder().map(Path::to_owned),
             reach: document.reach(),

@@ -48,6 +48,26 @@ pub fn no_slot(lang: Lang, slots: usize) -> String {
     }
 }
 
+/// The preferences cannot be understood; they are in the file at `path` now.
+#[must_use]
+pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
+    match lang {
+        Lang::En => format!("The preferences cannot be understood. They are kept in {path}; new ones are begun."),
+        Lang::PtBr => {
+            format!("As preferências não podem ser entendidas. Estão guardadas em {path}; outras são começadas.")
+        }
+    }
+}
+
+/// The preferences are not written down; `why` is a sentence with the name of the file.
+#[must_use]
+pub fn preferences_not_written(lang: Lang, why: &str) -> String {
+    match lang {
+        Lang::En => format!("Preferences are not remembered: {why}"),
+        Lang::PtBr => format!("As preferências não são lembradas: {why}"),
+    }
+}
+
 /// How long ago something was.
 #[must_use]
 pub fn ago(lang: Lang, age: Duration) -> String {

@@ -29,7 +29,9 @@ texts! {
     language: "Português", "English";
     language_hint: "Mudar para português", "Switch to English";
     theme: "Dark theme", "Tema escuro";
-    theme_hint: "Light or dark ground", "Fundo claro ou escuro";
+    theme_hint: "Light or dark ground of the window; the figure stays as it is", "Fundo claro ou escuro da janela; a figura fica como está";
+    reduce_motion: "Reduce motion", "Reduzir movimento";
+    reduce_motion_hint: "What would move or fade is at its end at once", "O que se moveria ou sumiria aos poucos chega logo ao fim";
     presentation: "Presentation", "Apresentação";
     presentation_hint: "Large type and thick strokes, full screen, for a projector", "Letras grandes e traços grossos, tela cheia, para um projetor";
     zoom_in: "Larger interface", "Interface maior";
@@ -162,7 +164,8 @@ texts! {
     antialias: "samples", "amostras";
     antialias_hint: "Samples per pixel: more is smoother and slower", "Amostras por pixel: mais é mais suave e mais lento";
     theme_name: "theme", "tema";
-    theme_name_hint: "The ground of the pictures and of the window", "O fundo das imagens e da janela";
+    file_theme: "written in", "gravar em";
+    file_theme_hint: "The theme that the figure file asks for where its pictures are written by camera-lab render. The window has its own: View, Dark theme", "O tema que o arquivo da figura pede onde suas imagens são gravadas por camera-lab render. A janela tem o seu: Ver, Tema escuro";
     theme_light: "light", "claro";
     theme_dark: "dark", "escuro";
     theme_print: "print", "impressão";

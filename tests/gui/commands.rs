@@ -7,9 +7,11 @@ use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
 use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
+use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 
+use super::files::Folder;
 use super::window::Window;
 
 impl Window {
@@ -163,10 +165,50 @@ fn the_theme_is_that_of_the_pictures_and_of_the_window() {
     let mut window = Window::new(Lang::En);
     assert_eq!(window.harness.ctx.theme(), egui::Theme::Light);
     window.command_key(Key::T);
-    assert_eq!(window.state().document.figure().style.theme, Theme::Dark);
+    assert_eq!(window.state().settings.theme, Theme::Dark);
     assert_eq!(window.harness.ctx.theme(), egui::Theme::Dark);
-    window.command_key(Key::Z);
-    assert_eq!(window.harness.ctx.theme(), egui::Theme::Light);
+    // It is not the figure that has changed.
+    let document = &window.state().document;
+    assert!(!document.is_changed() && !document.can_undo());
+    assert_eq!(document.figure().style.theme, Theme::Light);
+    // Nor does another figure change it, not even one that was drawn for print.
+    let folder = Folder::new("theme");
+    let path = folder.file("print.toml");
+    std::fs::write(&path, "[scene]\npreset = \"empty\"\n[style]\ntheme = \"print\"\n").expect("written");
+    window.command_key(Key::O);
+    window.choose(&path);
+    assert_eq!(window.state().document.figure().style.theme, Theme::Print);
+    assert_eq!((window.state().settings.theme, window.harness.ctx.theme()), (Theme::Dark, egui::Theme::Dark));
+}
+
+#[test]
+fn what_is_changed_is_remembered_for_the_next_window() {
+    let folder = Folder::new("preferences");
+    let figure = folder.file("figure.toml");
+    std::fs::write(&figure, "[scene]\npreset = \"empty\"\n").expect("written");
+    let remembering = || {
+        let mut window = Window::new(Lang::En);
+        let ctx = window.harness.ctx.clone();
+        window.app_mut().keep_preferences(&ctx, &folder.file("config"), None);
+        window.run();
+        window
+    };
+    let mut window = remembering();
+    window.command_key(Key::T);
+    window.command_key(Key::L);
+    window.key(Key::F10);
+    window.command_key(Key::O);
+    window.harness.get_by_role_and_label(Role::TextInput, "arquivo").focus();
+    window.run();
+    window.harness.event(Event::Text(figure.display().to_string()));
+    window.run();
+    window.key(Key::Enter);
+    eframe::App::on_exit(window.app_mut(), None);
+    let next = remembering();
+    assert_eq!((next.state().settings.lang, next.state().settings.theme), (Lang::PtBr, Theme::Dark));
+    assert!(next.state().layout.strip && next.says("Arquivo"));
+    assert_eq!(next.harness.ctx.theme(), egui::Theme::Dark);
+    assert_eq!(next.state().recent.files, [figure]);
 }
 
 #[test]

@@ -45,8 +45,7 @@ fn assert_same_everywhere(view: View, scale: f32, figure: &str) {
     let exported = folder.file("exported.png");
     let (sizes, unit) = (window.state().picture_sizes, window.state().screen_scale);
     let mut export = Export::new(sizes, unit);
-    (export.what, export.times, export.theme) =
-        (Views::One(view), Some(1), window.state().document.figure().style.theme);
+    (export.what, export.times, export.theme) = (Views::One(view), Some(1), window.state().settings.theme);
     export.fit_screen(sizes, unit);
     window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
     window.run();

@@ -66,7 +66,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("egui", &["gui"]),
     ("rfd", &["gui"]),
     ("clap", &["cli", "i18n"]),
-    ("toml_edit", &["figure"]),
+    ("toml_edit", &["figure", "gui"]),
     ("fearless_simd", &["simd"]),
     ("skrifa", &["text"]),
     ("tiny_skia", &["raster", "export", "files", "picture"]),

@@ -121,7 +121,7 @@ impl Canvas {
         let document = &state.document;
         Request {
             view,
-            look: Look::of(document.figure()),
+            look: Look { style: state.style(), ..Look::of(document.figure()) },
             camera: document.camera().clone(),
             scene: state.scene_cache.scene().clone(),
             observer: self.seen[view.index()],
@@ -148,7 +148,7 @@ impl Canvas {
         if state.tree.settle() {
             ctx.request_repaint();
         }
-        if let Err(error) = state.scene_cache.update(&ctx, &state.document, self.patience) {
+        if let Err(error) = state.scene_cache.update(&ctx, &state.document, state.settings.theme, self.patience) {
             state.say(Message::Scene(error));
         }
         self.overlays.ghost = state.ghost.clone();
@@ -287,7 +287,7 @@ impl Canvas {
     fn draw(&mut self, ui: &Ui, state: &mut State, panes: &[Pane]) {
         let ctx = ui.ctx();
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
-        let style = state.document.figure().style;
+        let style = state.style();
         let scene = self.highlight.scene(state);
         for pane in panes.iter().filter(|pane| pane.rect.size.width > 0 && pane.rect.size.height > 0) {
             let request = Request { scene: scene.clone(), ..self.request(state, pane.view, pane.rect.size) };

@@ -31,7 +31,11 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
                             | News::Unreadable(..)
                             | News::Taken
                             | News::NotWritten(..)
-                            | News::NoSlot => RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color),
+                            | News::NoSlot
+                            | News::PreferencesSetAside(_)
+                            | News::PreferencesNotWritten(..) => {
+                                RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color)
+                            }
                         };
                         ui.add(Label::new(text).truncate());
                     });

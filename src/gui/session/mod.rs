@@ -40,7 +40,7 @@ pub struct LeftOver {
     pub did_not_survive: bool,
 }
 
-/// What there is to say about sessions; each is said once.
+/// What there is to say about what is kept of windows; each is said once.
 #[derive(Debug)]
 pub enum News {
     /// What was left is back.
@@ -57,6 +57,10 @@ pub enum News {
     NotWritten(PathBuf, FileError),
     /// Too many windows have left something: this one has no slot.
     NoSlot,
+    /// The preferences cannot be understood, and are kept in this file.
+    PreferencesSetAside(PathBuf),
+    /// The preferences cannot be written to this file.
+    PreferencesNotWritten(PathBuf, FileError),
 }
 
 /// The sessions of this user: that of this window, and what others have left.
@@ -283,8 +287,8 @@ impl Sessions {
     }
 }
 
-/// The name under which a session is put aside: one that no file has.
-fn aside(file: &Path) -> PathBuf {
+/// The name under which a file is put aside: one that no file has.
+pub(in crate::gui) fn aside(file: &Path) -> PathBuf {
     let first = file.with_extension("damaged");
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let others = (1_u32..).map(|number| file.with_file_name(format!("{stem}-{number}.damaged")));

@@ -138,5 +138,9 @@ pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
             sessions::not_written(lang, &messages::file(lang, &foreign::path(path), error))
         }
         News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
+        News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &foreign::path(path)),
+        News::PreferencesNotWritten(path, error) => {
+            sessions::preferences_not_written(lang, &messages::file(lang, &foreign::path(path), error))
+        }
     }
 }

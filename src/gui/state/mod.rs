@@ -5,8 +5,10 @@ mod insert;
 mod layout;
 mod message;
 mod operations;
+mod recent;
 mod scene_tree;
 
+use crate::appearance::{Style, Theme};
 use crate::camera::{CameraError, Operation};
 use crate::figure::Figure;
 use crate::files::{SourceFile, figure_from};
@@ -19,6 +21,8 @@ pub(in crate::gui) use message::about_session;
 pub use message::{Message, NotExported};
 pub use operations::Operations;
 pub(super) use operations::Scrub;
+pub use recent::Recent;
+pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
 pub use scene_tree::{SceneTree, Selected};
 
@@ -50,6 +54,10 @@ pub struct Settings {
     pub inverse: bool,
     /// Significant digits of the numbers, 2 … 17.
     pub digits: usize,
+    /// The ground of the window and of its pictures. What a figure file asks for counts where pictures are written.
+    pub theme: Theme,
+    /// What would move is at its end at once.
+    pub reduce_motion: bool,
 }
 
 impl Settings {
@@ -104,6 +112,8 @@ pub struct State {
     pub ghost: Option<Ghost>,
     /// What is pointed at; written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
+    /// The files that were opened or saved last.
+    pub recent: Recent,
 }
 
 /// The document at the start. What the command line has done to the camera is a change of the figure in the file: it can be
@@ -143,6 +153,8 @@ impl State {
                 aspect_follows_image: square,
                 inverse: false,
                 digits: 5,
+                theme: Theme::default(),
+                reduce_motion: false,
             },
             layout: Layout::default(),
             tree: SceneTree::default(),
@@ -156,6 +168,7 @@ impl State {
             problem_out_of_sight: false,
             ghost: None,
             probe: None,
+            recent: Recent::default(),
         })
     }
 
@@ -171,6 +184,12 @@ impl State {
         self.tree = SceneTree::default();
         self.probe = None;
         self.message = None;
+    }
+
+    /// How the pictures in the window are drawn: as the figure wants it, in the theme of the window.
+    #[must_use]
+    pub fn style(&self) -> Style {
+        Style { theme: self.settings.theme, ..self.document.figure().style }
     }
 
     /// Does an operation to the camera, by the signs that are chosen; where it cannot be done, says why.

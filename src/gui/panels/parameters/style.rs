@@ -44,8 +44,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             choice(ui, t.antialias, t.antialias_hint, &mut style.antialias, &samples)
         });
         let themes = [(Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark), (Theme::Print, t.theme_print)];
-        row(ui, "", t.theme_name, t.theme_name_hint, |ui| {
-            choice(ui, t.theme_name, t.theme_name_hint, &mut style.theme, &themes)
+        row(ui, "", t.file_theme, t.file_theme_hint, |ui| {
+            choice(ui, t.file_theme, t.file_theme_hint, &mut style.theme, &themes)
         });
     });
     if style != old {

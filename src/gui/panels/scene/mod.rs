@@ -104,7 +104,7 @@ fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     if !ui.button(t.edit_copy).on_hover_text(hint.trim()).clicked() {
         return;
     }
-    let theme = state.document.figure().style.theme;
+    let theme = state.settings.theme;
     state.document.edit(|figure| edit::write_out_preset(&mut figure.scene, theme));
     if let Some(Selected::OfPreset(name)) = state.tree.selected.clone() {
         state.tree.select(Some(Selected::Object(name)));

@@ -1,0 +1,230 @@
+//! What the window remembers from one time to the next, as a small TOML file in the user's configuration folder.
+//!
+//! Each window writes the keys that were changed in it and no others: of two windows that are open at once the last one wins, key
+//! by key, and keys of a later version stay.
+
+mod store;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use toml_edit::{DocumentMut, Value};
+
+use super::state::{Arrangement, State};
+use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS};
+use crate::figure::words::{self, THEMES, Words};
+use crate::i18n::Lang;
+use crate::numbers::EXACT_DIGITS;
+use crate::views::View;
+pub use store::Preferences;
+
+/// The languages, by the names that `--lang` has for them.
+const LANGUAGES: Words<Lang> = &[("en", Lang::En), ("pt-BR", Lang::PtBr)];
+
+/// How several pictures share the room.
+const LAYOUTS: Words<Option<Arrangement>> = &[
+    ("auto", None),
+    ("row", Some(Arrangement::Row)),
+    ("column", Some(Arrangement::Column)),
+    ("above", Some(Arrangement::Above)),
+    ("beside", Some(Arrangement::Beside)),
+];
+
+/// Whose signs the rotations have, by the names that `--convention` has for them.
+const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
+
+/// The key of the list of files that were opened or saved last.
+const RECENT: &str = "recent";
+
+/// A key of the file: its value in a window, and what it does to one; a value that it cannot have does nothing.
+struct Key {
+    name: &'static str,
+    of: fn(&State) -> Value,
+    apply: fn(&mut State, &Value),
+}
+
+/// Every key but the steps of operations and [`RECENT`].
+const KEYS: [Key; 11] = [
+    Key {
+        name: "language",
+        of: |state| words::name(LANGUAGES, state.settings.lang).into(),
+        apply: |state, value| put(&mut state.settings.lang, word(LANGUAGES, value)),
+    },
+    Key {
+        name: "theme",
+        of: |state| words::name(THEMES, state.settings.theme).into(),
+        apply: |state, value| put(&mut state.settings.theme, word(THEMES, value)),
+    },
+    Key {
+        name: "zoom",
+        of: |state| ((f64::from(state.settings.zoom) * 100.0).round() / 100.0).into(),
+        #[expect(clippy::cast_possible_truncation, reason = "at most 3")]
+        apply: |state, value| {
+            let zoom = number(value).filter(|zoom| (0.5..=3.0).contains(zoom));
+            put(&mut state.settings.zoom, zoom.map(|zoom| zoom as f32));
+        },
+    },
+    Key {
+        name: "parameters_panel",
+        of: |state| state.settings.panels.wanted[0].into(),
+        apply: |state, value| put(&mut state.settings.panels.wanted[0], value.as_bool()),
+    },
+    Key {
+        name: "numbers_panel",
+        of: |state| state.settings.panels.wanted[1].into(),
+        apply: |state, value| put(&mut state.settings.panels.wanted[1], value.as_bool()),
+    },
+    Key {
+        name: "layout",
+        of: |state| words::name(LAYOUTS, state.layout.arrangement).into(),
+        apply: |state, value| put(&mut state.layout.arrangement, word(LAYOUTS, value)),
+    },
+    Key {
+        name: "pictures",
+        of: |state| View::ALL.into_iter().filter(|view| state.layout.shown[view.index()]).map(View::name).collect(),
+        apply: |state, value| {
+            let names: Vec<&str> = value.as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+            let shown = View::ALL.map(|view| names.contains(&view.name()));
+            put(&mut state.layout.shown, Some(shown).filter(|shown| *shown != [false; 3]));
+        },
+    },
+    Key {
+        name: "pipeline",
+        of: |state| state.layout.strip.into(),
+        apply: |state, value| put(&mut state.layout.strip, value.as_bool()),
+    },
+    Key {
+        name: "digits",
+        of: |state| i64::try_from(state.settings.digits).unwrap_or_default().into(),
+        apply: |state, value| {
+            let digits = value.as_integer().and_then(|digits| usize::try_from(digits).ok());
+            put(&mut state.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
+        },
+    },
+    Key {
+        name: "reduce_motion",
+        of: |state| state.settings.reduce_motion.into(),
+        apply: |state, value| put(&mut state.settings.reduce_motion, value.as_bool()),
+    },
+    Key {
+        name: "convention",
+        of: |state| words::name(CONVENTIONS, state.operations.convention).into(),
+        apply: |state, value| put(&mut state.operations.convention, word(CONVENTIONS, value)),
+    },
+];
+
+fn put<T>(place: &mut T, value: Option<T>) {
+    if let Some(value) = value {
+        *place = value;
+    }
+}
+
+fn word<T: Clone>(words: Words<T>, value: &Value) -> Option<T> {
+    words::value(words, value.as_str()?)
+}
+
+/// A number, also one that was written without a point.
+fn number(value: &Value) -> Option<f64> {
+    #[expect(clippy::cast_precision_loss, reason = "what people write is far below 2⁵³")]
+    let whole = value.as_integer().map(|whole| whole as f64);
+    value.as_float().or(whole).filter(|number| number.is_finite())
+}
+
+/// The key of the step of an operation.
+fn step_key(descriptor: &Descriptor) -> String {
+    let axis = match descriptor.freedom {
+        Freedom::PanU => "_u",
+        Freedom::PanV => "_v",
+        Freedom::Elevation
+        | Freedom::Azimuth
+        | Freedom::Roll
+        | Freedom::Yaw
+        | Freedom::Pitch
+        | Freedom::Zoom
+        | Freedom::Dolly => "",
+    };
+    format!("{}{axis}_step", descriptor.word)
+}
+
+/// The preferences of a window: keys with their values as TOML.
+fn values(state: &State) -> BTreeMap<String, String> {
+    let steps = OPERATIONS.iter().map(|row| (step_key(row), Value::from(state.operations.steps[row.freedom as usize])));
+    let values = KEYS.iter().map(|key| (key.name.to_owned(), (key.of)(state))).chain(steps);
+    values.map(|(key, value)| (key, value.to_string())).collect()
+}
+
+/// Sets a window up as the file says. A value that a key cannot have counts as none.
+fn apply(document: &DocumentMut, state: &mut State) {
+    let value = |key: &str| document.get(key).and_then(|item| item.as_value());
+    for key in &KEYS {
+        if let Some(value) = value(key.name) {
+            (key.apply)(state, value);
+        }
+    }
+    for row in &OPERATIONS {
+        let possible = |step: &f64| *step > 0.0 && (row.amount != Amount::Factor || *step != 1.0);
+        if let Some(step) = value(&step_key(row)).and_then(number).filter(possible) {
+            state.operations.steps[row.freedom as usize] = step;
+        }
+    }
+    state.recent.files = recent(document);
+}
+
+/// The files that were opened or saved last, the latest first.
+fn recent(document: &DocumentMut) -> Vec<PathBuf> {
+    let list = document.get(RECENT).and_then(|item| item.as_array());
+    let paths = list.into_iter().flatten().filter_map(|value| value.as_str().map(PathBuf::from));
+    paths.filter(|path| path.is_absolute()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::appearance::Theme;
+    use crate::gui::Start;
+
+    fn state() -> State {
+        State::new(Start::default()).unwrap()
+    }
+
+    fn document(state: &State) -> DocumentMut {
+        let lines: Vec<String> = values(state).into_iter().map(|(key, value)| format!("{key} = {value}\n")).collect();
+        lines.concat().parse().unwrap()
+    }
+
+    #[test]
+    fn every_preference_comes_back() {
+        let mut changed = state();
+        let settings = &mut changed.settings;
+        (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
+        (settings.panels.wanted, settings.reduce_motion) = ([true, false], true);
+        changed.settings.panels.wanted = [false, false];
+        changed.layout.arrangement = Some(Arrangement::Beside);
+        (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
+        changed.operations.convention = Convention::Vtk;
+        changed.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
+        let plain = values(&state());
+        let told = values(&changed);
+        for (key, value) in &told {
+            assert_ne!(Some(value), plain.get(key), "{key} was not changed");
+        }
+        let mut back = state();
+        apply(&document(&changed), &mut back);
+        assert_eq!(values(&back), told);
+        assert_eq!((back.settings, back.layout), (changed.settings, changed.layout));
+    }
+
+    #[test]
+    fn values_that_make_no_sense_count_as_none() {
+        let text = "language = \"fr\"\ntheme = 3\nzoom = 99\npictures = []\ndigits = -1\nelevation_step = 0\nzoom_step = 1\n\
+                    roll_step = nan\npan_u_step = 2\nlayout = [1]\nrecent = [\"relative\", 3]\n";
+        let mut state = state();
+        let mut expected = values(&state);
+        apply(&text.parse().unwrap(), &mut state);
+        expected.insert("pan_u_step".to_owned(), "2.0".to_owned());
+        assert_eq!(values(&state), expected);
+        assert!(state.recent.files.is_empty());
+    }
+}

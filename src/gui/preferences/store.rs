@@ -1,0 +1,282 @@
+//! Where the preferences are kept, and how they get there.
+
+use std::collections::BTreeMap;
+use std::fs::{self, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui;
+use toml_edit::{Array, DocumentMut, Value};
+
+use super::{RECENT, apply, recent, values};
+use crate::clock;
+use crate::files::{self, FileError, Overwrite};
+use crate::gui::session::{News, aside};
+use crate::gui::state::{State, merged};
+use crate::gui::worker::Worker;
+use crate::i18n::Lang;
+
+/// How long is waited for what is being written before the window closes.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// What one window has changed.
+#[derive(Clone, Debug, PartialEq)]
+struct Job {
+    file: PathBuf,
+    /// Keys with their values as TOML.
+    changed: BTreeMap<String, String>,
+    /// The files that were opened in it, the latest first.
+    opened: Vec<PathBuf>,
+}
+
+/// What came of it.
+#[derive(Debug)]
+struct Written {
+    /// All files that are remembered now.
+    recent: Vec<PathBuf>,
+    /// Where the file went that could not be understood.
+    set_aside: Option<PathBuf>,
+}
+
+impl Job {
+    fn run(&self) -> Result<Written, FileError> {
+        let folder = self.file.parent().unwrap_or(Path::new(""));
+        fs::create_dir_all(folder).map_err(FileError::Write)?;
+        let lock = OpenOptions::new().create(true).truncate(false).write(true).open(self.file.with_extension("lock"));
+        // Where there are no locks, two windows that write in the same moment may lose a key.
+        let _lock = lock.map_err(FileError::Write)?.lock();
+        let (mut document, set_aside) = read(&self.file)?;
+        let before = document.to_string();
+        for (key, value) in &self.changed {
+            if let Ok(value) = value.parse::<Value>() {
+                document[key.as_str()] = value.into();
+            }
+        }
+        let recent = merged(&self.opened, &recent(&document));
+        if !self.opened.is_empty() {
+            let mut list = Array::new();
+            list.extend(recent.iter().filter_map(|path| path.to_str()));
+            document[RECENT] = list.into();
+        }
+        let text = document.to_string();
+        if text != before {
+            files::save(&self.file, text.as_bytes(), Overwrite::Writable)?;
+        }
+        Ok(Written { recent, set_aside })
+    }
+}
+
+/// The file as it is, empty where there is none; what cannot be understood is set aside under another name.
+fn read(file: &Path) -> Result<(DocumentMut, Option<PathBuf>), FileError> {
+    let bytes = match files::read_file(file) {
+        Err(FileError::Read(error)) if error.kind() == io::ErrorKind::NotFound => return Ok(Default::default()),
+        bytes => bytes?,
+    };
+    if let Some(document) = String::from_utf8(bytes).ok().and_then(|text| text.parse().ok()) {
+        return Ok((document, None));
+    }
+    let aside = aside(file);
+    fs::rename(file, &aside).map_err(FileError::Write)?;
+    Ok((DocumentMut::new(), Some(aside)))
+}
+
+/// The preferences of a window, and the file in which they are kept.
+pub struct Preferences {
+    file: PathBuf,
+    worker: Worker<Job, Result<Written, FileError>>,
+    /// The keys of this window as they are in the file, or were when it was read.
+    kept: BTreeMap<String, String>,
+    /// What is being written, or could not be.
+    asked: Option<Job>,
+    news: Vec<News>,
+    told: bool,
+}
+
+impl Preferences {
+    /// Sets a window up as the file in `folder` says. A language that was `asked` for is that of this window, and is not
+    /// remembered.
+    #[must_use]
+    pub fn begin(folder: &Path, state: &mut State, asked: Option<Lang>) -> Self {
+        let file = folder.join("preferences.toml");
+        let mut news = Vec::new();
+        match read(&file) {
+            Ok((document, set_aside)) => {
+                apply(&document, state);
+                news.extend(set_aside.map(News::PreferencesSetAside));
+            }
+            Err(error) => news.push(News::Unreadable(file.clone(), error)),
+        }
+        state.settings.lang = asked.unwrap_or(state.settings.lang);
+        let worker = Worker::new("preferences", clock::now, || Box::new(|job: Job, _| job.run()));
+        Self { file, worker, kept: values(state), asked: None, news, told: false }
+    }
+
+    /// Writes down what has changed, beside the window's thread. What cannot be written is tried again with the next change.
+    pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
+        self.take(state, Duration::ZERO);
+        if self.worker.is_pending(0) {
+            return;
+        }
+        let job = self.job(state);
+        let is_new = self.asked.as_ref() != Some(&job);
+        if is_new && !(job.changed.is_empty() && job.opened.is_empty()) {
+            self.worker.ask(ctx, 0, job.clone());
+            self.asked = Some(job);
+        }
+    }
+
+    /// Writes down what has not been yet, before the window closes.
+    pub fn finish(&mut self, state: &mut State) {
+        self.take(state, PATIENCE);
+        let job = self.job(state);
+        if !(job.changed.is_empty() && job.opened.is_empty()) {
+            // There is nobody left to be told.
+            let _ = job.run();
+        }
+    }
+
+    /// What there is to say about them, each once.
+    pub fn news(&mut self) -> Vec<News> {
+        std::mem::take(&mut self.news)
+    }
+
+    /// What is not in the file yet.
+    fn job(&self, state: &State) -> Job {
+        let mut changed = values(state);
+        changed.retain(|key, value| self.kept.get(key) != Some(value));
+        Job { file: self.file.clone(), changed, opened: state.recent.new.clone() }
+    }
+
+    /// Takes what came of writing.
+    fn take(&mut self, state: &mut State, patience: Duration) {
+        let [Some(done)] = self.worker.take(patience) else { return };
+        match done.outcome {
+            Some(Ok(Written { recent, set_aside })) => {
+                let Some(Job { changed, opened, .. }) = self.asked.take() else { return };
+                self.kept.extend(changed);
+                state.recent.new.retain(|path| !opened.contains(path));
+                state.recent.files = merged(&state.recent.new, &recent);
+                self.news.extend(set_aside.map(News::PreferencesSetAside));
+            }
+            Some(Err(error)) if !std::mem::replace(&mut self.told, true) => {
+                self.news.push(News::PreferencesNotWritten(self.file.clone(), error));
+            }
+            Some(Err(_)) | None => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use super::*;
+    use crate::appearance::Theme;
+    use crate::gui::Start;
+
+    struct Folder(PathBuf);
+
+    impl Folder {
+        fn new(name: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("camera-lab-preferences-{name}-{}", std::process::id()));
+            let _ = fs::remove_dir_all(&path);
+            Self(path)
+        }
+
+        fn text(&self) -> String {
+            fs::read_to_string(self.0.join("preferences.toml")).unwrap_or_default()
+        }
+
+        fn window(&self) -> (State, Preferences) {
+            let mut state = State::new(Start::default()).unwrap();
+            let preferences = Preferences::begin(&self.0, &mut state, None);
+            (state, preferences)
+        }
+    }
+
+    impl Drop for Folder {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    fn keep(preferences: &mut Preferences, state: &mut State) {
+        preferences.keep(&egui::Context::default(), state);
+        preferences.take(state, Duration::from_secs(60));
+    }
+
+    #[test]
+    fn nothing_is_written_before_something_is_changed_and_then_that_alone() {
+        let folder = Folder::new("alone");
+        let (mut state, mut preferences) = folder.window();
+        keep(&mut preferences, &mut state);
+        assert_eq!(folder.text(), "");
+        state.settings.theme = Theme::Dark;
+        keep(&mut preferences, &mut state);
+        assert_eq!(folder.text(), "theme = \"dark\"\n");
+        assert_eq!(folder.window().0.settings.theme, Theme::Dark);
+    }
+
+    #[test]
+    fn of_two_windows_the_last_one_wins_key_by_key_and_nothing_is_lost() {
+        let folder = Folder::new("two");
+        fs::create_dir_all(&folder.0).unwrap();
+        fs::write(folder.0.join("preferences.toml"), "# mine\nlater_key = [1, 2] # stays\ndigits = 7\n").unwrap();
+        let ((mut one, mut of_one), (mut two, mut of_two)) = (folder.window(), folder.window());
+        assert_eq!((one.settings.digits, two.settings.digits), (7, 7));
+        one.settings.theme = Theme::Dark;
+        one.settings.digits = 9;
+        one.recent.add(Path::new("/one.toml"));
+        keep(&mut of_one, &mut one);
+        two.settings.digits = 3;
+        two.layout.strip = true;
+        two.recent.add(Path::new("/two.toml"));
+        keep(&mut of_two, &mut two);
+        assert_eq!(two.recent.files, ["/two.toml", "/one.toml"].map(PathBuf::from));
+        let text = folder.text();
+        assert!(text.starts_with("# mine\nlater_key = [1, 2] # stays\n"), "{text}");
+        let (third, _) = folder.window();
+        assert_eq!((third.settings.theme, third.settings.digits, third.layout.strip), (Theme::Dark, 3, true));
+        assert_eq!(third.recent.files, two.recent.files);
+    }
+
+    #[test]
+    fn a_broken_file_is_set_aside_and_said() {
+        let folder = Folder::new("broken");
+        fs::create_dir_all(&folder.0).unwrap();
+        for bytes in [&b"theme = \"dark"[..], &[0xff, 0xfe, 0x00]] {
+            fs::write(folder.0.join("preferences.toml"), bytes).unwrap();
+            let (mut state, mut preferences) = folder.window();
+            let news = preferences.news();
+            let [News::PreferencesSetAside(aside)] = &news[..] else { panic!("{news:?}") };
+            assert_eq!(fs::read(aside).unwrap(), bytes);
+            state.settings.digits = 4;
+            preferences.finish(&mut state);
+            assert_eq!(folder.text(), "digits = 4\n");
+        }
+    }
+
+    #[test]
+    fn a_language_that_was_asked_for_is_not_remembered() {
+        let folder = Folder::new("language");
+        let mut state = State::new(Start::default()).unwrap();
+        let mut preferences = Preferences::begin(&folder.0, &mut state, Some(Lang::PtBr));
+        assert_eq!(state.settings.lang, Lang::PtBr);
+        preferences.finish(&mut state);
+        assert_eq!(folder.text(), "");
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_said_once() {
+        let folder = Folder::new("refused");
+        fs::create_dir_all(folder.0.join("preferences.toml")).unwrap();
+        let (mut state, mut preferences) = folder.window();
+        assert!(matches!(&preferences.news()[..], [News::Unreadable(..)]));
+        for digits in [3, 4] {
+            state.settings.digits = digits;
+            keep(&mut preferences, &mut state);
+        }
+        assert_eq!(preferences.news().len(), 1);
+    }
+}
