@@ -44,7 +44,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
         Outside::Tinted | Outside::Shown => BEYOND,
     };
     let points: Vec<_> = CUBE.corners().map(|p| p * beyond).into_iter().chain(tips).collect();
-    enclosing(&points, direction, request.size.aspect())
+    enclosing(&points, direction, request.size)
 }
 
 /// The observer's camera and its pixels; `None` for an observer that is not a camera.

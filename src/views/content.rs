@@ -2,12 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::camera::{Camera, Projection};
+use crate::camera::Camera;
 use crate::geometry::Aabb;
 use crate::numbers::nice_above;
 
 use super::Request;
 use super::observer::Direction;
+use super::volume::DrawnVolume;
 
 /// The boxes of what the world shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,8 +16,10 @@ pub(super) struct Content {
     scene: Option<Aabb>,
     /// Points that a picture should hold.
     pub(super) of_interest: Vec<DVec3>,
-    /// The box around them.
+    /// The box around scene, C and PF.
     pub(super) core: Aabb,
+    /// The view volume among them.
+    pub(super) volume: DrawnVolume,
 }
 
 impl Content {
@@ -36,8 +39,12 @@ impl Content {
             points.push(camera.focal_point());
         }
         let core = boxed(&points);
-        points.extend(volume_of_interest(camera, &core));
-        Self { scene, core: boxed(&points), of_interest: points }
+        let volume = DrawnVolume::of(camera, &core, &points);
+        points.extend(volume.of_interest(camera, &core));
+        let mut content = Self { scene, of_interest: points, core, volume };
+        let tips = content.axis_tips();
+        content.of_interest.extend(tips.into_iter().flatten());
+        content
     }
 
     /// How far the content extends.
@@ -45,17 +52,18 @@ impl Content {
         self.core.radius()
     }
 
-    /// The box around all that is drawn, the whole volume included.
-    pub(super) fn bounds(&self, camera: &Camera) -> Aabb {
-        Aabb::around(camera.volume_corners()).map_or(self.core, |volume| volume.union(self.core))
+    /// The box around all that is drawn.
+    pub(super) fn bounds(&self) -> Aabb {
+        Aabb::around(self.volume.all_corners()).map_or(self.core, |volume| volume.union(self.core))
     }
 
-    /// The length of the world's axes: a little longer than the scene is large; `None` where the origin is out of sight.
-    pub(super) fn axis_length(&self) -> Option<f64> {
+    /// Where the axes of the world end: each a little outside of the scene; `None` where the origin is out of sight.
+    pub(super) fn axis_tips(&self) -> Option<[DVec3; 3]> {
         let around = self.scene.unwrap_or(self.core);
         let largest = around.min.abs().max(around.max.abs()).max_element();
         let near_origin = self.core.center().length() < 8.0 * self.radius();
-        near_origin.then(|| (1.2 * largest).clamp(0.15 * self.radius(), 0.75 * self.radius()))
+        let length = |reach: f64| (1.2 * reach).max(0.5 * largest).clamp(0.15 * self.radius(), 0.75 * self.radius());
+        near_origin.then(|| DVec3::AXES.map(|axis| axis * length(around.max.dot(axis))))
     }
 
     /// The grid under the content; `None` where the ground is out of sight.
@@ -96,31 +104,10 @@ impl Ground {
     }
 }
 
-/// The part of the volume that shows its shape without making the rest small: its cut at the depth where the content ends,
-/// or its end, if that comes before.
-fn volume_of_interest(camera: &Camera, core: &Aabb) -> Vec<DVec3> {
-    let deepest = core.corners().iter().map(|&p| -camera.view_point(p).z).fold(0.0, f64::max);
-    let depth = (0.45 * deepest).clamp(camera.near(), camera.far());
-    if depth > 4.0 * deepest {
-        return Vec::new();
-    }
-    let w = camera.window();
-    let scale = match camera.projection() {
-        Projection::Perspective => depth / camera.near(),
-        Projection::Parallel => 1.0,
-    };
-    let limit = 1.5 * core.radius();
-    let at = |x: f64, y: f64| {
-        let across = (DVec2::new(x, y) * scale).clamp_length_max(limit);
-        camera.world_from_view().transform_point3(across.extend(-depth))
-    };
-    vec![at(w.left, w.bottom), at(w.right, w.bottom), at(w.right, w.top), at(w.left, w.top)]
-}
-
 /// Where the corner of [`Viewpoint::Iso`](super::observer::Viewpoint::Iso) is: to the side of the camera and a little behind it, so that its axis runs across
 /// the picture from left to right and the image on its window is not seen from the back.
 pub(super) fn iso_direction(camera: &Camera) -> Direction {
-    const ASIDE: f64 = 58.0;
+    const ASIDE: f64 = 60.0;
     let n = camera.basis().n;
     // A camera that looks straight down stands, as a map does, with **v** to the back.
     let flat = if n.x.hypot(n.z) > 0.1 { n } else { camera.basis().v * -n.y.signum() };

@@ -45,6 +45,19 @@ impl SceneBuilder<'_> {
         self.scene.lines.push(Line { points, style });
     }
 
+    /// The two strokes between which a line is left out.
+    pub(super) fn breaks(&mut self, from: DVec3, to: DVec3, color: Rgba) {
+        /// Half the length of a stroke, in pixels at scale 1.
+        const HALF: f64 = 6.0;
+        let (Some(a), Some(b)) = (self.screen.place(from), self.screen.place(to)) else { return };
+        let along = (b - a).normalize_or_zero();
+        let slanted = (along.perp() + 0.5 * along) * (HALF * self.screen.scale());
+        for p in [from, to] {
+            let shift = self.screen.moved(p, slanted) - p;
+            self.line(vec![p - shift, p + shift], color, 1.3, Dash::Solid);
+        }
+    }
+
     /// An arrow along a way, if there is one.
     pub(super) fn arrows(&mut self, way: Option<Vec<DVec3>>, color: Rgba) {
         if let Some(points) = way {

@@ -6,7 +6,9 @@ use crate::camera::Parameters;
 use crate::figure::Observer;
 use crate::geometry::{Ray, try_unit};
 
+use super::content::Content;
 use super::screen::Screen;
+use super::volume::DrawnVolume;
 use super::world_framing::{self, Gear};
 use super::{Handle, Request};
 
@@ -14,7 +16,8 @@ use super::{Handle, Request};
 #[must_use]
 pub fn handles(request: &Request) -> Vec<(Handle, DVec2)> {
     let Some(screen) = world_framing::screen(request) else { return Vec::new() };
-    on_screen(request, &screen).into_iter().filter_map(|(h, p)| Some((h, screen.place_inside(p)?))).collect()
+    let volume = Content::of(request).volume;
+    on_screen(request, &screen, &volume).into_iter().filter_map(|(h, p)| Some((h, screen.place_inside(p)?))).collect()
 }
 
 /// The handle at `pointer` (pixels), within `reach` pixels. Of two at the same place the one that comes first in [`Handle`].
@@ -29,20 +32,20 @@ pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle
 }
 
 /// Where the handles are in the world.
-pub(super) fn on_screen(request: &Request, screen: &Screen) -> Vec<(Handle, DVec3)> {
+pub(super) fn on_screen(request: &Request, screen: &Screen, volume: &DrawnVolume) -> Vec<(Handle, DVec3)> {
     let camera = &request.camera;
     let mut all = vec![
         (Handle::Position, camera.position()),
         (Handle::FocalPoint, camera.focal_point()),
         (Handle::ViewUp, Gear::new(screen, camera).view_up_tip(camera)),
     ];
-    all.extend(on_axis(request, screen, 20.0));
+    all.extend(on_axis(request, screen, volume, 20.0));
     all
 }
 
 /// The handles of the clipping planes on the axis of projection, but at least `clear` pixels (at scale 1) away from C, where a small F
-/// would hide its handle; none where the axis is seen end-on.
-pub(super) fn on_axis(request: &Request, screen: &Screen, clear: f64) -> Vec<(Handle, DVec3)> {
+/// would hide its handle; none where the axis is seen end-on. That of a broken volume's far plane is where it is drawn.
+pub(super) fn on_axis(request: &Request, screen: &Screen, volume: &DrawnVolume, clear: f64) -> Vec<(Handle, DVec3)> {
     let camera = &request.camera;
     let (c, dop) = (camera.position(), camera.direction_of_projection());
     let unit = screen.units_per_pixel(c);
@@ -54,14 +57,15 @@ pub(super) fn on_axis(request: &Request, screen: &Screen, clear: f64) -> Vec<(Ha
         return Vec::new();
     }
     let least = unit * clear * screen.scale() / pixels_per_step;
-    [(Handle::Near, camera.near()), (Handle::Far, camera.far())].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
+    [(Handle::Near, camera.near()), (Handle::Far, volume.end)].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
 }
 
 /// The camera parameters after `handle` was taken at `from` and is now at `to` (pixels), beginning with the camera of `request`,
 /// which must be the one at the time of taking.
 ///
 /// C and PF move on the plane y = their own height, or vertically; where that plane is seen from the edge they move in the
-/// plane of the picture. Near and far move along the axis of projection and stop at each other. The tip of VUP moves in the
+/// plane of the picture. Near and far move along the axis of projection and stop at each other; the far plane of a volume that is
+/// drawn broken moves in proportion: drawn half as far away, B is half as great. The tip of VUP moves in the
 /// plane of the picture; VUP keeps its length.
 ///
 /// # Guarantees
@@ -81,7 +85,10 @@ pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical:
             let least = (1e-3 * camera.distance()).min(camera.near());
             parameters.near = (camera.near() + along_axis()).clamp(least, (0.99 * camera.far()).max(camera.near()));
         }
-        Handle::Far => parameters.far = (camera.far() + along_axis()).max((1.01 * camera.near()).min(camera.far())),
+        Handle::Far => {
+            let far = Content::of(request).volume.far_moved(along_axis());
+            parameters.far = far.max((1.01 * camera.near()).min(camera.far()));
+        }
         Handle::ViewUp => {
             let tip = Gear::new(&screen, camera).view_up_tip(camera);
             let moved = tip + grip.in_picture(tip) - camera.position();
@@ -286,6 +293,22 @@ mod tests {
             assert!(handles(request).iter().all(|(h, _)| !matches!(h, Handle::Near | Handle::Far)));
             let moved = drag(request, Handle::Near, DVec2::new(300.0, 200.0), DVec2::new(350.0, 100.0), false);
             assert_eq!(moved, *request.camera.parameters());
+        });
+    }
+
+    #[test]
+    fn the_far_plane_of_a_broken_volume_is_taken_where_it_is_drawn_and_goes_in_proportion() {
+        with_picture(CORNER, |request, screen| {
+            let camera = Camera::new(&Parameters { far: 900.0, ..*request.camera.parameters() }).unwrap();
+            let request = Request { camera: camera.clone(), ..request.clone() };
+            let place = handles(&request).into_iter().find(|(handle, _)| *handle == Handle::Far).unwrap().1;
+            let on_axis = |d: f64| screen.place(camera.position() + camera.direction_of_projection() * d).unwrap();
+            let end = Content::of(&request).volume.end;
+            assert!(end < 30.0 && place.distance(on_axis(end)) < 1e-9, "{end}");
+            let moved = drag(&request, Handle::Far, place, on_axis(0.5 * end), false);
+            assert!((moved.far - 450.0).abs() < 1e-6, "{}", moved.far);
+            let stopped = drag(&request, Handle::Far, place, on_axis(-end), false);
+            assert!(Camera::new(&stopped).is_ok());
         });
     }
 

@@ -34,6 +34,7 @@ mod revealed_scene;
 mod screen;
 mod timed_pipeline;
 mod view;
+mod volume;
 mod world;
 mod world_framing;
 

@@ -1,13 +1,17 @@
 //! The sides from which a three-dimensional picture is seen, and the observer who has all of it in the picture.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::figure::Observer;
 use crate::figure::observer::VIEW_ANGLE;
 use crate::geometry::Aabb;
 
-/// The share of the picture's width and height that [`enclosing`] fills.
-const FILL: f64 = 0.86;
+use super::Size;
+
+/// The share of the picture's width and height that [`enclosing`] leaves free on each side, and the least that this is in
+/// pixels at scale 1: a label has room there.
+const MARGIN: f64 = 0.05;
+const LEAST_MARGIN: f64 = 26.0;
 
 /// A side to look from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -53,17 +57,25 @@ impl From<Observer> for Direction {
     }
 }
 
-/// The nearest observer in a direction that has all `points` in a picture of this aspect, with a margin. Points that are
+/// The share of the picture's width and height that [`enclosing`] fills; half at least.
+fn fill(size: Size) -> DVec2 {
+    let pixels = DVec2::new(f64::from(size.width), f64::from(size.height));
+    let margin = (LEAST_MARGIN * f64::from(size.scale) / pixels).max(DVec2::splat(MARGIN));
+    (1.0 - 2.0 * margin).max(DVec2::splat(0.5))
+}
+
+/// The nearest observer in a direction that has all `points` in a picture of this size, with a margin. Points that are
 /// not finite are left out; without any, the observer looks at the cube \[−1, 1\]³.
-pub(super) fn enclosing(points: &[DVec3], direction: Direction, aspect: f64) -> Observer {
+pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> Observer {
     let Direction { azimuth, elevation, parallel } = direction;
     let Some(bounds) = Aabb::around(points.iter().copied()) else {
-        return enclosing(&[DVec3::NEG_ONE, DVec3::ONE], direction, aspect);
+        return enclosing(&[DVec3::NEG_ONE, DVec3::ONE], direction, size);
     };
     let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-9).max(1e-9);
     let target = bounds.center();
     let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, parallel }.axes();
-    let tan = (VIEW_ANGLE.radians() / 2.0).tan() * FILL;
+    let tan = (VIEW_ANGLE.radians() / 2.0).tan();
+    let filled = fill(size);
     // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t · depth),
     // after `[0]` Eq. (5.9); opposite sides then meet in the eye.
     let support = |axis: DVec3, t: f64| {
@@ -75,7 +87,7 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, aspect: f64) -> 
             .map(|d| axis.dot(d) + slope * back.dot(d))
             .fold(f64::NEG_INFINITY, f64::max)
     };
-    let (tan_x, tan_y) = (tan * aspect, tan);
+    let (tan_x, tan_y) = (tan * size.aspect() * filled.x, tan * filled.y);
     let (r, l) = (support(right, tan_x), support(-right, tan_x));
     let (t, b) = (support(up, tan_y), support(-up, tan_y));
     let distance = ((r + l) / (2.0 * tan_x)).max((t + b) / (2.0 * tan_y)).max(least);
@@ -104,12 +116,17 @@ mod tests {
     #[test]
     fn enclosing_has_every_point_in_the_picture_and_touches_two_sides() {
         for viewpoint in [Viewpoint::Front, Viewpoint::Top, Viewpoint::Side, Viewpoint::Iso] {
-            for aspect in [0.5, 1.0, 2.0] {
-                let o = enclosing(&cloud(), viewpoint.direction(ISO), aspect);
-                let camera = o.camera(Aabb::around(cloud()), aspect).unwrap();
+            for (width, height) in [(300, 600), (800, 800), (1200, 600)] {
+                let size = Size { width, height, scale: 1.0 };
+                let o = enclosing(&cloud(), viewpoint.direction(ISO), size);
+                let camera = o.camera(Aabb::around(cloud()), size.aspect()).unwrap();
                 let points: Vec<_> = cloud().iter().map(|&p| ndc(&camera, p)).collect();
-                let widest = points.iter().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
-                assert!((widest - FILL).abs() < 1e-9, "{viewpoint:?} {aspect}: {widest}");
+                let margins = (f64::from(width) * 0.05).max(26.0) / f64::from(width);
+                let over = (f64::from(height) * 0.05).max(26.0) / f64::from(height);
+                let least_x = points.iter().map(|p| 0.5 - 0.5 * p.x.abs()).fold(1.0, f64::min);
+                let least_y = points.iter().map(|p| 0.5 - 0.5 * p.y.abs()).fold(1.0, f64::min);
+                let slack = (least_x - margins, least_y - over);
+                assert!(slack.0.min(slack.1).abs() < 1e-9 && slack.0.max(slack.1) > -1e-9, "{viewpoint:?} {slack:?}");
                 assert!(points.iter().all(|p| p.z.abs() < 1.0), "{viewpoint:?}: inside the clipping planes");
             }
         }
@@ -117,11 +134,12 @@ mod tests {
 
     #[test]
     fn viewpoints_look_from_their_side() {
-        let eye = |p: Viewpoint| enclosing(&cloud(), p.direction(ISO), 1.0).axes()[2];
+        let size = Size { width: 400, height: 400, scale: 1.0 };
+        let eye = |p: Viewpoint| enclosing(&cloud(), p.direction(ISO), size).axes()[2];
         assert!((eye(Viewpoint::Front) - DVec3::Z).length() < 1e-15);
         assert!((eye(Viewpoint::Top) - DVec3::Y).length() < 1e-15);
         assert!((eye(Viewpoint::Side) - DVec3::X).length() < 1e-15);
-        let top = enclosing(&cloud(), Viewpoint::Top.direction(ISO), 1.0);
+        let top = enclosing(&cloud(), Viewpoint::Top.direction(ISO), size);
         assert!((top.axes()[0] - DVec3::X).length() < 1e-15, "on a map, x goes to the right");
         assert!((top.axes()[1] + DVec3::Z).length() < 1e-15, "and z towards the reader");
     }

@@ -7,6 +7,7 @@ use crate::camera::Projection;
 use crate::pipeline::project::displayed_ndc;
 
 use super::gizmos::{SMALL_TYPE, SceneBuilder, TYPE};
+use super::volume::DrawnVolume;
 use super::{Palette, Probe, Request, hits};
 
 /// The ray of the probe from its origin O_R through its window point to the end of the volume, `[0]` Eqs. (5.17) to (5.21).
@@ -30,7 +31,7 @@ impl Pixel {
 }
 
 /// The ray from O_R through the window, or the point with its projector.
-pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette, volume: &DrawnVolume) {
     let color = palette.probe;
     match request.overlays.probe {
         None => {}
@@ -48,9 +49,11 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
         }
         Some(Probe::Window(point)) => {
             let pixel = Pixel::new(request, point);
-            builder.line(vec![pixel.origin, pixel.hit.unwrap_or(pixel.end)], color, 1.6, Dash::Solid);
+            let share = (volume.end - request.camera.near()) / (request.camera.far() - request.camera.near());
+            let end = pixel.window.lerp(pixel.end, share);
+            builder.line(vec![pixel.origin, pixel.hit.unwrap_or(end)], color, 1.6, Dash::Solid);
             if let Some(hit) = pixel.hit {
-                builder.line(vec![hit, pixel.end], color, 1.2, Dash::Dotted);
+                builder.line(vec![hit, end], color, 1.2, Dash::Dotted);
                 builder.mark(hit, MarkShape::Ring, 6.0, color);
                 builder.text(hit, "P", DVec2::new(0.8, -0.8), TYPE, color);
             }

@@ -89,6 +89,12 @@ impl Screen {
         }
     }
 
+    /// A point moved in the plane through it that is parallel to the picture, by pixels (y down).
+    pub(super) fn moved(&self, p: DVec3, by: DVec2) -> DVec3 {
+        let basis = self.camera.basis();
+        p + (basis.u * by.x - basis.v * by.y) * self.units_per_pixel(p)
+    }
+
     /// The length that one pixel spans at the depth of a point.
     pub(super) fn units_per_pixel(&self, p: DVec3) -> f64 {
         let at_window = self.camera.window().height() / self.extent.y.max(1.0);

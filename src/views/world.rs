@@ -6,6 +6,7 @@ use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
 use crate::camera::Projection;
+use crate::numbers::typeset;
 use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
@@ -38,7 +39,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     world.hot_handle();
     ghost::in_world(&mut world.builder, request, palette, world.gear);
     revealed.mark(&mut world.builder, palette);
-    probe::in_world(&mut world.builder, request, palette);
+    probe::in_world(&mut world.builder, request, palette, &world.content.volume);
     arrows::in_world(&mut world.builder, request, palette);
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
@@ -74,25 +75,36 @@ impl World<'_> {
 
     /// The view volume, from the corners that the matrices in use give.
     fn volume(&mut self) {
-        let c = self.request.camera.volume_corners();
-        let side = |i: usize| [c[i], c[(i + 1) % 4], c[4 + (i + 1) % 4], c[4 + i]];
-        let far = [c[4], c[5], c[6], c[7]];
-        let faces = [side(0), side(1), side(2), side(3), far];
-        self.builder.sheer("volume", &faces, self.palette.volume);
+        let volume = self.content.volume;
+        let far = volume.far_face();
+        let mut faces = vec![far];
         let color = self.palette.volume_edge;
-        for i in 0..4 {
-            self.builder.line(vec![c[i], c[4 + i]], color, 1.3, Dash::Solid);
+        for [from, to] in volume.parts() {
+            let (a, b) = (volume.section(from), volume.section(to));
+            faces.extend((0..4).map(|i| [a[i], a[(i + 1) % 4], b[(i + 1) % 4], b[i]]));
+            for (from, to) in a.into_iter().zip(b) {
+                self.builder.line(vec![from, to], color, 1.3, Dash::Solid);
+            }
+        }
+        self.builder.sheer("volume", &faces, self.palette.volume);
+        if let Some([from, to]) = volume.gap {
+            for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
+                self.builder.breaks(from, to, color);
+            }
         }
         self.builder.closed(&far, color, 1.5, Dash::Dashed);
-        let text = format!("{} (B)", self.request.labels.far);
+        let far_word = self.request.labels.far;
+        let text = match volume.gap {
+            None => format!("{far_word} (B)"),
+            Some(_) => format!("{far_word} (B = {})", typeset(self.request.camera.far(), 4)),
+        };
         self.name_face(&far, &text);
     }
 
     /// The window at distance F, with the image on it, and the rays through its corners.
     fn window(&mut self) {
         let camera = &self.request.camera;
-        let corners = camera.volume_corners();
-        let near = [corners[0], corners[1], corners[2], corners[3]];
+        let near = self.content.volume.window();
         if camera.projection() == Projection::Perspective {
             for corner in near {
                 self.builder.line(vec![camera.position(), corner], self.palette.volume_edge, 1.0, Dash::Solid);
@@ -154,9 +166,14 @@ impl World<'_> {
         let camera = &self.request.camera;
         let (c, pf, dop) = (camera.position(), camera.focal_point(), camera.direction_of_projection());
         self.builder.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
-        let end = c + dop * camera.far();
-        if camera.far() > camera.distance() {
-            self.builder.line(vec![pf, end], self.palette.soft, 0.8, Dash::DashDot);
+        for [from, to] in self.content.volume.parts() {
+            let from = from.max(camera.distance());
+            if from < to {
+                self.builder.line(vec![c + dop * from, c + dop * to], self.palette.soft, 0.8, Dash::DashDot);
+            }
+        }
+        if let Some([from, to]) = self.content.volume.gap {
+            self.builder.breaks(c + dop * from, c + dop * to, self.palette.soft);
         }
         self.builder.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);
         self.builder.text(pf, "PF", DVec2::new(0.7, 0.7), TYPE, self.palette.aim);
@@ -170,7 +187,7 @@ impl World<'_> {
             SMALL_TYPE,
             self.palette.aim,
         );
-        for (handle, place) in handles::on_axis(self.request, self.builder.screen, 0.0) {
+        for (handle, place) in handles::on_axis(self.request, self.builder.screen, &self.content.volume, 0.0) {
             if handle != Handle::Near || place.distance(c) > 0.3 * self.gear.axis {
                 self.builder.mark(place, MarkShape::Square, 2.6, self.palette.volume_edge);
             }
@@ -179,13 +196,9 @@ impl World<'_> {
 
     /// The axes of the world.
     fn axes(&mut self) {
-        let Some(length) = self.content.axis_length() else { return };
-        for (axis, color, name) in [
-            (DVec3::X, self.palette.axes[0], "x"),
-            (DVec3::Y, self.palette.axes[1], "y"),
-            (DVec3::Z, self.palette.axes[2], "z"),
-        ] {
-            self.builder.vector(DVec3::ZERO, axis * length, color, 1.5, name);
+        let Some(tips) = self.content.axis_tips() else { return };
+        for ((tip, color), name) in tips.into_iter().zip(self.palette.axes).zip(["x", "y", "z"]) {
+            self.builder.vector(DVec3::ZERO, tip, color, 1.5, name);
         }
     }
 
@@ -205,7 +218,9 @@ impl World<'_> {
     /// A ring around the handle under the pointer.
     fn hot_handle(&mut self) {
         let Some(hot) = self.request.overlays.hot else { return };
-        if let Some((_, p)) = handles::on_screen(self.request, self.builder.screen).into_iter().find(|(h, _)| *h == hot)
+        if let Some((_, p)) = handles::on_screen(self.request, self.builder.screen, &self.content.volume)
+            .into_iter()
+            .find(|(h, _)| *h == hot)
         {
             self.builder.mark_above(p, MarkShape::Ring, 9.0, self.palette.probe);
         }

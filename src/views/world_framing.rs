@@ -20,16 +20,18 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
     framing(request, Direction::from(*observer))
 }
 
-/// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a first framing only.
+/// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a framing only, and each next
+/// one knows it better.
 fn framing(request: &Request, direction: Direction) -> Observer {
-    let aspect = request.size.aspect();
     let content = Content::of(request);
-    let first = enclosing(&content.of_interest, direction, aspect);
-    let mut points = content.of_interest.clone();
-    if let Some(screen) = screen_of(request, &first, &content) {
+    let mut observer = enclosing(&content.of_interest, direction, request.size);
+    for _ in 0..3 {
+        let Some(screen) = screen_of(request, &observer, &content) else { break };
+        let mut points = content.of_interest.clone();
         points.extend(Gear::new(&screen, &request.camera).room(&request.camera));
+        observer = enclosing(&points, direction, request.size);
     }
-    enclosing(&points, direction, aspect)
+    observer
 }
 
 /// From where the world is seen.
@@ -43,7 +45,7 @@ pub(super) fn screen(request: &Request) -> Option<Screen> {
 }
 
 pub(super) fn screen_of(request: &Request, observer: &Observer, content: &Content) -> Option<Screen> {
-    let camera = observer.camera(Some(content.bounds(&request.camera)), request.size.aspect()).ok()?;
+    let camera = observer.camera(Some(content.bounds()), request.size.aspect()).ok()?;
     Some(Screen::new(camera, PixelRect::whole(request.size), request.size.scale))
 }
 

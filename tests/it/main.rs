@@ -10,6 +10,7 @@ mod camera_parameters;
 mod camera_pixels;
 mod camera_properties;
 mod cli;
+mod composition;
 mod contract;
 mod explain;
 mod export;

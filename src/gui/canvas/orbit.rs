@@ -28,27 +28,27 @@ struct FittedObserver {
     camera: Camera,
     scene: SharedScene,
     subject: u64,
-    aspect: f64,
+    size: Size,
     outside: Outside,
 }
 
 impl Auto {
     /// The observer for a picture; `None` for the image. With `steady` (while something is dragged) it does not move, except to fit
-    /// a picture of another shape. It looks in the same direction until there is another `subject`: a scene that has nothing to
+    /// a picture of another size. It looks in the same direction until there is another `subject`: a scene that has nothing to
     /// do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, steady: bool) -> Option<Observer> {
-        let (camera, scene, aspect) = (&request.camera, &request.scene, request.size.aspect());
+        let (camera, scene, size) = (&request.camera, &request.scene, request.size);
         let outside = request.look.reveal.outside;
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let fitted = request.observer_from(Viewpoint::default())?;
             let (camera, scene) = (camera.clone(), scene.clone());
-            self.kept = Some(FittedObserver { observer: fitted, fitted, camera, scene, subject, aspect, outside });
+            self.kept = Some(FittedObserver { observer: fitted, fitted, camera, scene, subject, size, outside });
             return Some(fitted);
         };
-        // What lies outside the canonical volume needs room.
-        let reshaped = kept.aspect != aspect || (request.view == View::Canonical && kept.outside != outside);
+        // Gear and letters have sizes of their own, in pixels; what lies outside the canonical volume needs room.
+        let reshaped = kept.size != size || (request.view == View::Canonical && kept.outside != outside);
         if reshaped || kept.camera != *camera || kept.scene != *scene {
-            (kept.aspect, kept.outside) = (aspect, outside);
+            (kept.size, kept.outside) = (size, outside);
             kept.camera = camera.clone();
             kept.scene = scene.clone();
             kept.fitted = request.fitted(&kept.observer)?;
@@ -69,7 +69,7 @@ impl Auto {
 fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
     let offset = observer.target.distance(fitted.target) / (2.0 * (VIEW_ANGLE.radians() / 2.0).tan());
     let needed = fitted.distance + 2.0 * offset;
-    needed <= 1.3 * observer.distance && fitted.distance >= 0.4 * observer.distance
+    needed <= 1.08 * observer.distance && fitted.distance >= 0.4 * observer.distance
 }
 
 /// What a button of the toolbar or a key asks for, from where one looks now. `None`: the figure says nothing any more, and
@@ -146,8 +146,8 @@ mod tests {
         let fits = |fitted: Observer| still_fits(&observer(), &fitted);
         assert!(fits(observer()));
         assert!(fits(Observer { distance: 12.0, ..observer() }));
-        assert!(fits(Observer { distance: 24.0, ..observer() }));
-        assert!(!fits(Observer { distance: 30.0, ..observer() }));
+        assert!(fits(Observer { distance: 21.0, ..observer() }));
+        assert!(!fits(Observer { distance: 24.0, ..observer() }));
         assert!(!fits(Observer { distance: 5.0, ..observer() }));
         assert!(!fits(Observer { target: DVec3::new(9.0, 2.0, 3.0), ..observer() }));
     }

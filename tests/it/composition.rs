@@ -1,0 +1,149 @@
+//! How the pictures of every shipped figure are composed, at the sizes that occur, read from what is drawn.
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use std::path::{Path, PathBuf};
+
+use camera_lab::appearance::Dash;
+use camera_lab::camera::Camera;
+use camera_lab::drawing::Drawing;
+use camera_lab::figure::{Figure, Observer};
+use camera_lab::files::{FigureFiles, Reach, open_figure};
+use camera_lab::i18n::{Lang, pictures};
+use camera_lab::progress::Progress;
+use camera_lab::views::{self, Palette, Request, SharedScene, Size, View};
+use glam::{DVec2, DVec3, DVec4};
+
+use crate::views::draw;
+
+/// The shapes of panes in the window, and of pictures on paper.
+const SIZES: [(u32, u32); 4] = [(420, 500), (640, 360), (960, 540), (1024, 768)];
+
+/// The shipped figures with their scenes.
+fn shipped() -> Vec<(String, Figure, SharedScene)> {
+    let mut paths: Vec<PathBuf> = ["assets/figures", "docs/figures"]
+        .into_iter()
+        .flat_map(|folder| std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap())
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    paths.sort();
+    assert!(paths.len() > 20);
+    let open = |path: &PathBuf| {
+        let figure = open_figure(path).unwrap().figure;
+        let mut files = FigureFiles::new(path.parent().unwrap(), Reach::Figure);
+        let scene = views::scene_of(&figure, &mut |wanted| files.read(wanted), &Progress::default()).unwrap();
+        (path.file_stem().unwrap().to_string_lossy().into_owned(), figure, SharedScene::new(scene))
+    };
+    paths.iter().map(open).collect()
+}
+
+fn world(figure: &Figure, scene: &SharedScene, (width, height): (u32, u32)) -> Request {
+    let camera = Camera::new(&figure.camera).unwrap();
+    let size = Size { width, height, scale: 1.0 };
+    Request::of(figure, View::World, &camera, scene, pictures::labels(Lang::En), size)
+}
+
+/// Where an observer's picture has a point, by the observer's own matrix.
+fn place(request: &Request, observer: &Observer, p: DVec3) -> DVec2 {
+    let camera = observer.camera(None, request.size.aspect()).unwrap();
+    let clip = camera.clip_from_world() * p.extend(1.0);
+    let size = DVec2::new(f64::from(request.size.width), f64::from(request.size.height));
+    size * DVec2::new(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w)
+}
+
+/// Polylines of a colour: their points in pixels.
+fn polylines(drawing: &Drawing, color: camera_lab::appearance::Rgba, dash: Dash) -> Vec<Vec<DVec2>> {
+    let of_color = drawing.strokes.iter().filter(|s| s.style.color == color && s.style.dash == dash);
+    of_color
+        .flat_map(|s| {
+            s.polylines.iter().map(|range| {
+                let points = &s.points[range.start as usize..range.end as usize];
+                points.iter().map(|p| DVec2::new(f64::from(p[0]), f64::from(p[1]))).collect()
+            })
+        })
+        .collect()
+}
+
+/// Asks that the picture holds camera, PF, the window and the whole far face, drawn and named.
+fn assert_whole(name: &str, request: &Request) {
+    let drawing = draw(request);
+    let observer = request.seen_from().unwrap();
+    let palette = Palette::of(request.look.style.theme);
+    let size = DVec2::new(f64::from(request.size.width), f64::from(request.size.height));
+    let what = format!("{name}, {size}");
+    let inside = |p: DVec2| p.cmpgt(DVec2::splat(8.0)).all() && p.cmplt(size - 8.0).all();
+    let camera = &request.camera;
+    for (of, p) in [("C", camera.position()), ("PF", camera.focal_point())] {
+        assert!(inside(place(request, &observer, p)), "{what}: {of}");
+        assert!(drawing.labels.iter().any(|l| l.text == of), "{what}: {of} has no name");
+    }
+    let edges: Vec<_> = polylines(&drawing, palette.volume_edge, Dash::Solid).concat();
+    let frame: Vec<_> = polylines(&drawing, palette.ink, Dash::Solid).concat();
+    let dashed = polylines(&drawing, palette.volume_edge, Dash::Dashed);
+    let far: Vec<_> = dashed.iter().filter(|line| line.len() == 5 && line[0].distance(line[4]) < 1e-3).collect();
+    assert_eq!(far.len(), 1, "{what}: one far face, uncut");
+    assert!(far[0].iter().all(|p| inside(*p)), "{what}: {:?}", far[0]);
+    let is_broken = drawing.labels.iter().any(|l| l.text.contains("(B = "));
+    // By a numerical inverse of the matrices; the library has its own in closed form.
+    let world_from_clip = camera.clip_from_world().inverse();
+    for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
+        for z in [-1.0, 1.0] {
+            let corner = world_from_clip * DVec4::new(x, y, z, 1.0);
+            let px = place(request, &observer, corner.truncate() / corner.w);
+            let drawn = |points: &[DVec2]| points.iter().any(|p| p.distance(px) < 0.1);
+            if z < 0.0 {
+                assert!(inside(px) && drawn(&frame) && drawn(&edges), "{what}: window at {px}");
+            } else if is_broken {
+                assert!(!drawn(&edges), "{what}: the far face is nearer");
+            } else {
+                assert!(inside(px) && drawn(far[0]) && drawn(&edges), "{what}: far face at {px}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_shipped_figure_shows_its_whole_volume_and_so_does_fit() {
+    for (name, figure, scene) in shipped() {
+        for size in SIZES {
+            let automatic = Request { observer: None, ..world(&figure, &scene, size) };
+            assert_whole(&name, &automatic);
+            // From a side of one's own, far off.
+            let turned = Observer {
+                target: DVec3::splat(50.0),
+                distance: 3.0,
+                azimuth: automatic.seen_from().unwrap().azimuth - 25.0,
+                elevation: 31.0,
+                parallel: size.0 == 640,
+            };
+            let fitted = automatic.fitted(&turned);
+            assert_eq!(fitted.map(|o| (o.azimuth, o.elevation)), Some((turned.azimuth, turned.elevation)));
+            assert_whole(&format!("{name}, fitted"), &Request { observer: fitted, ..automatic });
+        }
+    }
+}
+
+#[test]
+fn a_far_plane_that_would_dwarf_the_scene_is_drawn_nearer_and_says_so() {
+    let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
+    let palette = Palette::of(figure.style.theme);
+    let mut broken = Vec::new();
+    for far in [12.0, 15.0, 40.0, 1000.0, 1e9] {
+        let mut figure = figure.clone();
+        figure.camera.far = far;
+        let request = world(&figure, &scene, (640, 480));
+        let drawing = draw(&request);
+        let name = drawing.labels.iter().find(|l| l.text.starts_with("far")).unwrap();
+        broken.push(name.text.clone());
+        let observer = request.seen_from().unwrap();
+        let [c, pf] = [request.camera.position(), request.camera.focal_point()].map(|p| place(&request, &observer, p));
+        assert!(c.distance(pf) > 120.0, "B = {far}: C and PF are {} px apart", c.distance(pf));
+        // Two strokes end each of the four long edges' parts; on the whole volume there are none.
+        let short = polylines(&drawing, palette.volume_edge, Dash::Solid)
+            .into_iter()
+            .filter(|line| line.len() == 2 && line[0].distance(line[1]) < 16.0)
+            .count();
+        assert_eq!(short, if name.text.contains('=') { 8 } else { 0 }, "B = {far}");
+    }
+    assert_eq!(broken[0], "far (B)");
+    assert_eq!(broken[2..], ["far (B = 40)", "far (B = 1000)", "far (B = 1000000000)"]);
+}
