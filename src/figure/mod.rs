@@ -26,6 +26,9 @@ pub struct Figure {
     pub camera: Parameters,
     /// `[image]`
     pub image: ImageSize,
+    /// `[image] undistorted`: the image is shown with the aspect of the view window, as the eye would see it, and not as the m × n
+    /// image of `[0]` Eq. (5.22).
+    pub undistorted: bool,
     /// `[viewport]`; `None`: the whole image, depth 0 … 1.
     pub viewport: Option<Viewport>,
     /// `[scene]`

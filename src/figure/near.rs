@@ -89,6 +89,7 @@ const HOMES: &[(&str, &str)] = &[
     ("window", "camera"),
     ("width", "image"),
     ("height", "image"),
+    ("undistorted", "image"),
     ("depth_near", "viewport"),
     ("depth_far", "viewport"),
     ("preset", "scene"),

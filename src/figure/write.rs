@@ -25,7 +25,11 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     let mut put = |key: &str, section: Table| document.insert(key, Item::Table(section));
     put("camera", camera(&figure.camera));
     let size = figure.image;
-    put("image", table([("width", i64::from(size.width).into()), ("height", i64::from(size.height).into())]));
+    let mut image = table([("width", i64::from(size.width).into()), ("height", i64::from(size.height).into())]);
+    if figure.undistorted {
+        image.insert("undistorted", Item::Value(true.into()));
+    }
+    put("image", image);
     if let Some(v) = figure.viewport {
         put("viewport", viewport(v));
     }

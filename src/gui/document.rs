@@ -258,9 +258,9 @@ impl Document {
     /// True where closing would lose something. From where the pictures are seen does not count.
     #[must_use]
     pub fn is_changed(&self) -> bool {
-        let Figure { camera, image, viewport, scene, style, reveal, observers: _ } = &self.figure;
+        let Figure { camera, image, undistorted, viewport, scene, style, reveal, observers: _ } = &self.figure;
         let saved = &self.saved;
-        (camera, image, viewport) != (&saved.camera, &saved.image, &saved.viewport)
+        (camera, image, undistorted, viewport) != (&saved.camera, &saved.image, &saved.undistorted, &saved.viewport)
             || (style, reveal) != (&saved.style, &saved.reveal)
             || *scene != saved.scene
             || self.draft != saved.camera

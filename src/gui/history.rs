@@ -13,6 +13,7 @@ use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape};
 struct Snapshot {
     scene: Arc<SceneSpec>,
     image: ImageSize,
+    undistorted: bool,
     viewport: Option<Viewport>,
     style: Style,
     reveal: Reveal,
@@ -32,11 +33,12 @@ pub(super) struct Moment {
 impl Snapshot {
     /// `before`: whose scene is shared where it is the same.
     fn new(figure: &Figure, camera: &Camera, draft: &Parameters, before: Option<&Self>) -> Self {
-        let Figure { camera: _, image, viewport, scene, style, reveal, observers: _ } = figure;
+        let Figure { camera: _, image, undistorted, viewport, scene, style, reveal, observers: _ } = figure;
         let shared = before.map(|before| &before.scene).filter(|before| ***before == *scene);
         Self {
             scene: shared.map_or_else(|| Arc::new(scene.clone()), Arc::clone),
             image: *image,
+            undistorted: *undistorted,
             viewport: *viewport,
             style: *style,
             reveal: *reveal,
@@ -46,16 +48,18 @@ impl Snapshot {
     }
 
     fn is_of(&self, figure: &Figure, camera: &Camera, draft: &Parameters) -> bool {
-        let Figure { camera: _, image, viewport, scene, style, reveal, observers: _ } = figure;
-        (&self.image, &self.viewport, &self.style, &self.reveal) == (image, viewport, style, reveal)
+        let Figure { camera: _, image, undistorted, viewport, scene, style, reveal, observers: _ } = figure;
+        (&self.image, &self.undistorted, &self.viewport) == (image, undistorted, viewport)
+            && (&self.style, &self.reveal) == (style, reveal)
             && (&self.camera, &self.draft) == (camera, draft)
             && *self.scene == *scene
     }
 
     fn moment(&self, observers: Observers) -> Moment {
-        let Self { scene, image, viewport, style, reveal, camera, draft } = self.clone();
+        let Self { scene, image, undistorted, viewport, style, reveal, camera, draft } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
-        let figure = Figure { camera: *camera.parameters(), image, viewport, scene, style, reveal, observers };
+        let figure =
+            Figure { camera: *camera.parameters(), image, undistorted, viewport, scene, style, reveal, observers };
         Moment { figure, camera, draft }
     }
 }

@@ -17,6 +17,9 @@ texts! {
     hide: "Hide this picture", "Esconder esta imagem";
     maximize: "Enlarge (double-click)", "Ampliar (clique duplo)";
     restore: "All pictures again (double-click)", "Todas as imagens de novo (clique duplo)";
+    // A switch of the image, and its tooltip.
+    undistorted: "undistorted", "sem distorção";
+    undistorted_hint: "As the eye would see it, with the aspect A of the view window. Off: the m × n image of (5.22), whose pixels are not square here; the numbers of pixels are its own in both", "Como o olho veria, com o aspecto A da janela de vista. Desligado: a imagem m × n de (5.22), cujos pixels aqui não são quadrados; os números dos pixels são dela em ambos";
     // Tooltip of a switch.
     link: "Turn world and canonical volume together", "Girar mundo e volume canônico juntos";
     // Tooltip of a menu.

@@ -123,6 +123,7 @@ texts! {
     image_size_hint: "m × n pixels. [0] (5.22)", "m × n pixels. [0] (5.22)";
     aspect_follows: "A follows the image", "A segue a imagem";
     aspect_follows_hint: "Keeps A = m / n, so that pixels are square", "Mantém A = m / n, para que os pixels sejam quadrados";
+    aspect_follows_not: "The view window is given by l, r, b and t: A = W / H follows from them", "A janela de vista é dada por l, r, b e t: A = W / H vem deles";
     viewport: "Viewport", "Viewport";
     whole_image: "The whole image", "A imagem toda";
     whole_image_hint: "glViewport covers the image, depth 0 … 1. [0] (5.24), (5.25)", "glViewport cobre a imagem, profundidade 0 … 1. [0] (5.24), (5.25)";

@@ -1,4 +1,4 @@
-//! The image: the scene as the figure's camera sees it, with the aspect of the view window.
+//! The image: the scene as the figure's camera sees it, m × n pixels of (5.22), which are not square where A ≠ m / n.
 
 use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
@@ -15,7 +15,11 @@ use super::{Palette, Request, placing, probe, revealed_scene};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
-    Screen::new(request.camera.clone(), image_frame(request.size, request.camera.window()), request.size.scale)
+    Screen::new(request.camera.clone(), frame(request), request.size.scale)
+}
+
+fn frame(request: &Request) -> PixelRect {
+    image_frame(request.size, request.look.image_aspect(&request.camera))
 }
 
 /// Draws the image.
@@ -31,7 +35,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         (None, false) => *style,
     };
     let (whole, screen) = (request.size.target(paper), screen(request));
-    let rect = image_frame(request.size, request.camera.window());
+    let rect = frame(request);
     let target = Target { width: rect.width, height: rect.height, ..whole };
     // A scene of many objects is not copied where nothing is added to it.
     let plain = request.look.reveal == Reveal::default() && request.overlays.probe.is_none();

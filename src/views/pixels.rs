@@ -1,7 +1,6 @@
 //! Sizes and rectangles in pixels, and where the image lies in a picture.
 
 use crate::appearance::Rgba;
-use crate::camera::ViewWindow;
 use crate::pipeline::Target;
 
 /// The size of a picture.
@@ -53,11 +52,10 @@ impl PixelRect {
     }
 }
 
-/// Where the image lies in a picture of this size: the largest rectangle with the window's aspect (to the nearest pixel), in
-/// the middle.
+/// Where the image lies in a picture of this size: the largest rectangle with its aspect (to the nearest pixel;
+/// [`Look::image_aspect`](super::Look::image_aspect)), in the middle. All of the picture where that is m × n pixels large.
 #[must_use]
-pub fn image_frame(size: Size, window: ViewWindow) -> PixelRect {
-    let aspect = window.aspect();
+pub fn image_frame(size: Size, aspect: f64) -> PixelRect {
     let width = rounded(f64::from(size.height) * aspect, size.width);
     let height = rounded(f64::from(size.width) / aspect, size.height);
     PixelRect { x: (size.width - width) / 2, y: (size.height - height) / 2, width, height }
@@ -79,25 +77,21 @@ mod tests {
         Size { width, height, scale: 1.0 }
     }
 
-    fn window(aspect: f64) -> ViewWindow {
-        ViewWindow { left: -aspect, right: aspect, bottom: -1.0, top: 1.0 }
-    }
-
     #[test]
     fn the_frame_has_the_windows_aspect_and_lies_in_the_middle() {
         let rect = |x, y, width, height| PixelRect { x, y, width, height };
-        assert_eq!(image_frame(size(400, 300), window(4.0 / 3.0)), rect(0, 0, 400, 300));
-        assert_eq!(image_frame(size(400, 300), window(1.0)), rect(50, 0, 300, 300));
-        assert_eq!(image_frame(size(400, 300), window(2.0)), rect(0, 50, 400, 200));
-        assert_eq!(image_frame(size(401, 300), window(0.5)), rect(125, 0, 150, 300));
+        assert_eq!(image_frame(size(400, 300), 4.0 / 3.0), rect(0, 0, 400, 300));
+        assert_eq!(image_frame(size(400, 300), 1.0), rect(50, 0, 300, 300));
+        assert_eq!(image_frame(size(400, 300), 2.0), rect(0, 50, 400, 200));
+        assert_eq!(image_frame(size(401, 300), 0.5), rect(125, 0, 150, 300));
     }
 
     #[test]
     fn an_extreme_window_still_has_a_frame() {
         for aspect in [1e-12, 1e12] {
-            let f = image_frame(size(400, 300), window(aspect));
+            let f = image_frame(size(400, 300), aspect);
             assert!(f.width >= 1 && f.height >= 1 && f.x + f.width <= 400 && f.y + f.height <= 300, "{f:?}");
         }
-        assert_eq!(image_frame(size(0, 0), window(1.0)), PixelRect { x: 0, y: 0, width: 0, height: 0 });
+        assert_eq!(image_frame(size(0, 0), 1.0), PixelRect { x: 0, y: 0, width: 0, height: 0 });
     }
 }

@@ -64,13 +64,15 @@ impl Request {
         }
     }
 
-    /// The image, without margins and legends, for the view window in the world: half as large as the picture, within reason.
+    /// The image, without margins and legends, for the view window in the world: half as large as the picture, within reason, and
+    /// with the aspect of the window, in which it is undistorted.
     #[must_use]
     pub fn image_on_window(&self) -> Self {
         let side = (self.size.width.max(self.size.height) / 2).clamp(256, 1024);
-        let frame = image_frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window());
+        let frame = image_frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window().aspect());
         Self {
             view: View::Image,
+            look: Look { undistorted: true, ..self.look },
             observer: None,
             overlays: Overlays { bare: true, ..Overlays::default() },
             size: Size { width: frame.width, height: frame.height, scale: 1.0 },
@@ -96,6 +98,8 @@ pub fn observer_in(observers: &Observers, view: View) -> Option<Observer> {
 pub struct Look {
     /// `[image]`
     pub image: ImageSize,
+    /// `[image] undistorted`
+    pub undistorted: bool,
     /// `[viewport]`: the figure's, or the whole image.
     pub viewport: Viewport,
     /// `[style]`
@@ -108,8 +112,16 @@ impl Look {
     /// As a figure wants it.
     #[must_use]
     pub fn of(figure: &Figure) -> Self {
-        let Figure { image, viewport, style, reveal, .. } = *figure;
-        Self { image, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal }
+        let Figure { image, undistorted, viewport, style, reveal, .. } = *figure;
+        Self { image, undistorted, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal }
+    }
+}
+
+impl Look {
+    /// Width / height of the image as it is shown: m / n, whatever the window, or that of the window.
+    #[must_use]
+    pub fn image_aspect(&self, camera: &Camera) -> f64 {
+        if self.undistorted { camera.window().aspect() } else { self.image.aspect() }
     }
 }
 

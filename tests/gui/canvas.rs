@@ -4,13 +4,13 @@
 
 use std::time::Duration;
 
-use camera_lab::camera::{Camera, Parameters};
+use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::canvas::Canvas;
 use camera_lab::gui::{Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;
-use camera_lab::scene::Preset;
+use camera_lab::scene::{ObjectSpec, Preset, Shape};
 use camera_lab::views::Handle;
 use camera_lab::views::handles::handles;
 use camera_lab::views::image_frame;
@@ -284,7 +284,7 @@ fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
     let mut h = stage(|_| ());
     let rect = place(&h, IMAGE);
     let window = h.state().state.document.camera().window();
-    let frame = image_frame(world(&h, rect).size, window);
+    let frame = image_frame(world(&h, rect).size, window.aspect());
     let share = DVec2::new(0.03, 0.96);
     let inside = DVec2::new(f64::from(frame.width), f64::from(frame.height)) * share;
     let at = rect.min + vec2((f64::from(frame.x) + inside.x) as f32, (f64::from(frame.y) + inside.y) as f32);
@@ -502,4 +502,58 @@ fn a_key_that_can_do_nothing_says_why() {
         let message = h.state().state.message.as_ref().unwrap();
         assert!(message.is_error() && message.text(Lang::En).contains("F must be less than B"), "{message:?}");
     }
+}
+
+/// A window of 3 × 4 over 1024 × 768 pixels, as in exercise 5.2: the pointer, the probe and the cross of lines name the pixels of
+/// the m × n image, which are those of `inspect` and of the PNG (`tests/it/image_pixels.rs`).
+#[test]
+fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
+    let mut h = stage(|state| {
+        state.document.edit(|figure| {
+            figure.scene.preset = Preset::Empty;
+            figure.scene.objects = vec![ObjectSpec::new("P", Shape::Points(vec![DVec3::new(1.0, 1.0, 0.0)]))];
+        });
+        state.document.set_parameters(Parameters {
+            position: DVec3::new(0.0, 0.0, 5.0),
+            projection: Projection::Parallel,
+            height: 4.0,
+            aspect: 0.75,
+            near: 1.0,
+            far: 20.0,
+            ..Parameters::default()
+        });
+        state.layout.maximized = Some(View::Image);
+    });
+    let rect = place(&h, IMAGE);
+    // The largest rectangle of 4 : 3, in the middle.
+    let height = rect.height().min(rect.width() * 0.75).round();
+    let frame = Rect::from_center_size(rect.center(), vec2((height / 0.75).round(), height));
+    let at = |[i, j]: [f32; 2]| frame.min + frame.size() * vec2(i / 1024.0, j / 768.0);
+    h.hover_at(at([853.33, 192.0]));
+    h.run();
+    assert_eq!(h.state().state.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))), "its mark stands there");
+    assert!(
+        h.get_all_by_label_contains("Pixel")
+            .any(|node| { node.accesskit_node().value().is_some_and(|text| text.contains("(853, 192)")) })
+    );
+    h.hover_at(at([100.5, 700.5]));
+    h.run();
+    let status = h.get_by_label_contains("/ 1024 × 768").accesskit_node().value().unwrap();
+    let numbers: Vec<f64> = status.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
+    assert!((numbers[0] - 100.0).abs() <= 3.0 && (numbers[1] - 700.0).abs() <= 3.0, "{status}");
+    // As the eye would see it: narrower, in the middle, and the switch goes back.
+    h.get_by_label("undistorted").click();
+    h.run();
+    assert!(h.state().state.document.figure().undistorted);
+    let narrow = Rect::from_center_size(rect.center(), vec2((height * 0.75).round(), height));
+    h.hover_at(narrow.min + narrow.size() * vec2(2.5 / 3.0, 0.25));
+    h.run();
+    assert_eq!(h.state().state.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))));
+    h.get_by_label("undistorted").click();
+    h.run();
+    assert!(!h.state().state.document.figure().undistorted);
+    // With square pixels there is nothing to switch.
+    h.state_mut().state.document.set_parameters(Parameters::default());
+    h.run();
+    assert!(h.query_by_label("undistorted").is_none());
 }

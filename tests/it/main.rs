@@ -17,6 +17,7 @@ mod export;
 mod figure;
 mod guides;
 mod hostile;
+mod image_pixels;
 mod inspect_report;
 mod layers;
 mod meshes;

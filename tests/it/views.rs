@@ -249,7 +249,8 @@ fn the_canonical_front_view_is_the_image() {
         let aspect = figure.camera.aspect;
         let pictured = Pictured::of(figure).sized(400, 300);
         let observer = pictured.observer(View::Canonical, Viewpoint::Front);
-        let image = views::image_frame(pictured.request.size, pictured.request.camera.window());
+        let image =
+            views::image_frame(pictured.request.size, pictured.request.look.image_aspect(&pictured.request.camera));
         let corner = |x, y| pictured.place(&observer, DVec3::new(x, y, 1.0));
         let (low, high) = (corner(-1.0, 1.0), corner(1.0, -1.0));
         for p in [DVec3::new(0.1, 0.2, 0.3), DVec3::new(-0.5, 0.4, 0.2), DVec3::new(0.6, 0.1, -0.7)] {
@@ -281,9 +282,14 @@ fn one_probe_marks_the_same_point_in_all_three() {
     let observer = pictured.observer(View::Canonical, Viewpoint::Iso);
     let shown = DVec3::new(ndc.x, ndc.y, -ndc.z);
     assert!(has_mark(&pictured.canonical(Viewpoint::Iso), pictured.place(&observer, shown)));
-    // The frame of a square window in 320 × 240.
-    let place = DVec2::new(40.0 + 120.0 * (1.0 + ndc.x), 120.0 * (1.0 - ndc.y));
+    // The image of 1024 × 768 in 320 × 240, though the window is square.
+    let place = DVec2::new(160.0 * (1.0 + ndc.x), 120.0 * (1.0 - ndc.y));
     assert!(has_mark(&pictured.image(), place));
+    // The frame of a square window.
+    let figure = figure(|c| (c.near, c.far, c.aspect) = (2.0, 12.0, 1.0));
+    let undistorted = Pictured::of(Figure { undistorted: true, ..figure }).probed(Probe::Point(p));
+    let place = DVec2::new(40.0 + 120.0 * (1.0 + ndc.x), 120.0 * (1.0 - ndc.y));
+    assert!(has_mark(&undistorted.image(), place));
 }
 
 #[test]

@@ -84,7 +84,7 @@ fn the_canonical_volume_from_above() {
 
 #[test]
 fn an_image_narrower_than_its_picture() {
-    let figure = short(Theme::Dark, ScenePreset::House, |c| c.aspect = 0.8);
+    let figure = Figure { undistorted: true, ..short(Theme::Dark, ScenePreset::House, |c| c.aspect = 0.8) };
     let pictured = Pictured::of(figure).probed(views::Probe::Window(DVec2::new(0.2, 0.15)));
     assert_picture("image_letterboxed_dark", &paint(&pictured.image()));
 }

@@ -102,20 +102,23 @@ fn figure() -> impl Strategy<Value = Figure> {
             },
         ))
     };
-    let reveal =
-        (0..3_usize, 0..4_usize, any::<[bool; 3]>()).prop_map(|(depth, outside, [clipping, divide_first, culled])| {
-            Reveal {
+    let reveal = (0..3_usize, 0..4_usize, any::<[bool; 4]>()).prop_map(
+        |(depth, outside, [clipping, divide_first, culled, undistorted])| {
+            let reveal = Reveal {
                 depth: [Depth::Off, Depth::Stored, Depth::Linear][depth],
                 outside: [Outside::Usual, Outside::Cut, Outside::Tinted, Outside::Shown][outside],
                 clipping,
                 divide_first,
                 culled,
-            }
-        });
+            };
+            (reveal, undistorted)
+        },
+    );
     (parameters(), 1_u32..=16_384, viewport, scene(), style, reveal, observer(), observer()).prop_map(
-        |(camera, width, viewport, scene, style, reveal, world, canonical)| Figure {
+        |(camera, width, viewport, scene, style, (reveal, undistorted), world, canonical)| Figure {
             camera,
             image: ImageSize { width, height: 16_385 - width },
+            undistorted,
             viewport,
             scene,
             style,

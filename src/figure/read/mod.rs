@@ -81,10 +81,11 @@ fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
     let (scene_section, style_section) = (section("scene"), section("style"));
     let (reveal_section, observers_section) = (section("reveal"), section("observers"));
     let mut faults = root.finish();
-    let image = image(image_section, &mut faults);
+    let (image, undistorted) = image(image_section, &mut faults);
     let figure = Figure {
         camera: camera(camera_section, &mut faults),
         image,
+        undistorted,
         viewport: viewport(viewport_section, image, &mut faults),
         scene: scene::scene(scene_section, &mut faults),
         style: style(style_section, &mut faults),
@@ -138,14 +139,16 @@ fn window(camera: &mut Section<'_>, faults: &mut Vec<Fault>) -> Option<ViewWindo
     good.then_some(window)
 }
 
-fn image(mut section: Section<'_>, faults: &mut Vec<Fault>) -> ImageSize {
+/// The size, and whether the image is shown undistorted.
+fn image(mut section: Section<'_>, faults: &mut Vec<Fault>) -> (ImageSize, bool) {
     let default = ImageSize::default();
     let size = ImageSize {
         width: section.integer("width", 1, i64::from(MAX_SIDE), default.width),
         height: section.integer("height", 1, i64::from(MAX_SIDE), default.height),
     };
+    let undistorted = section.switch("undistorted");
     faults.extend(section.finish());
-    size
+    (size, undistorted)
 }
 
 fn viewport(mut section: Section<'_>, image: ImageSize, faults: &mut Vec<Fault>) -> Option<Viewport> {

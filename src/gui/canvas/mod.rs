@@ -235,6 +235,7 @@ impl Canvas {
                 linked: state.layout.linked,
                 maximized: state.layout.maximized == Some(view),
                 can_hide: state.layout.maximized.is_none() && visible.len() > 1,
+                undistorted: undistorted(state).filter(|_| view == View::Image),
             }
             .show(ui, title);
             self.take_action(ui, state, view, action);
@@ -254,6 +255,9 @@ impl Canvas {
             Some(TitleAction::ToggleLink) => state.layout.linked = !state.layout.linked,
             Some(TitleAction::ToggleMaximized) => toggle_maximized(state, view),
             Some(TitleAction::Hide) => state.layout.shown[view.index()] = false,
+            Some(TitleAction::ToggleUndistorted) => {
+                state.document.edit(|figure| figure.undistorted = !figure.undistorted);
+            }
         }
         ui.request_repaint();
     }
@@ -369,6 +373,13 @@ impl Canvas {
     }
 }
 
+/// Whether the image is shown as the eye would see it; `None` where its pixels are square, so that it makes no difference.
+fn undistorted(state: &State) -> Option<bool> {
+    let figure = state.document.figure();
+    let differs = state.document.camera().aspect_warning(figure.image).is_some();
+    (differs || figure.undistorted).then_some(figure.undistorted)
+}
+
 /// Which mesh files are being read, in a sentence; empty where none is.
 fn loading(state: &State) -> String {
     let files = state.scene_cache.loading();
@@ -416,7 +427,8 @@ fn describe(state: &State, view: View) -> String {
 #[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
 fn cross(ui: &Ui, state: &State, pane: &Pane) {
     let Some(pointer) = pane.response.hover_pos() else { return };
-    let f = image_frame(pane.rect.size, state.document.camera().window());
+    let look = Look::of(state.document.figure());
+    let f = image_frame(pane.rect.size, look.image_aspect(state.document.camera()));
     let frame = pane.rect.rect_of(f.x as f32, f.y as f32, f.width as f32, f.height as f32);
     if !frame.contains(pointer) {
         return;

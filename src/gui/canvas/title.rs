@@ -1,6 +1,6 @@
 //! The title of a picture: its name, and the buttons that change from where and how large it is seen.
 
-use eframe::egui::{self, Align2, Id, Popup, Rect, Sense, TextStyle, Ui, UiBuilder, WidgetText};
+use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
 use super::icons::{Icon, icon_button, left_center};
 use crate::gui::state::ObserverChange;
@@ -19,6 +19,8 @@ pub(super) enum TitleAction {
     ToggleMaximized,
     /// Do not show the picture.
     Hide,
+    /// Show the image as the eye would see it, or its m × n pixels again.
+    ToggleUndistorted,
 }
 
 /// What a title shows.
@@ -29,6 +31,8 @@ pub(super) struct Title<'a> {
     pub(super) maximized: bool,
     /// False for the only picture that is left.
     pub(super) can_hide: bool,
+    /// The image is shown as the eye would see it; `None` where that makes no difference.
+    pub(super) undistorted: Option<bool>,
 }
 
 const CHANGES: [(ObserverChange, Icon); 5] = [
@@ -57,7 +61,8 @@ impl Title<'_> {
             1
         };
         let buttons = observer_buttons + 1 + u8::from(self.can_hide);
-        let width = f32::from(buttons) * (side + 1.0) + if solid { 5.0 } else { 1.0 };
+        let room_for_switch = self.undistorted.map_or(0.0, |_| self.switch_width(ui));
+        let width = f32::from(buttons) * (side + 1.0) + if solid { 5.0 } else { 1.0 } + room_for_switch;
 
         let bar = ui.interact(rect, Id::unique(("picture title", self.view)), Sense::CLICK);
         if bar.double_clicked() {
@@ -73,6 +78,12 @@ impl Title<'_> {
             if solid {
                 action = if room_for_all { self.observer_buttons(ui) } else { self.observer_menu(ui) }.or(action);
                 ui.add_space(4.0);
+            }
+            if let Some(on) = self.undistorted {
+                let switch = egui::Button::selectable(on, RichText::new(self.texts.undistorted).small());
+                if ui.add(switch.frame_when_inactive(true)).on_hover_text(self.texts.undistorted_hint).clicked() {
+                    action = Some(TitleAction::ToggleUndistorted);
+                }
             }
             let (icon, text) = if self.maximized {
                 (Icon::Restore, self.texts.restore)
@@ -91,6 +102,14 @@ impl Title<'_> {
         let place = Align2::LEFT_CENTER.anchor_size(left_center(rect, 6.0), galley.size());
         painter.galley(place.min, galley, ui.visuals().strong_text_color());
         action
+    }
+
+    /// How much room the switch of the image takes.
+    fn switch_width(&self, ui: &Ui) -> f32 {
+        let text = RichText::new(self.texts.undistorted).small();
+        let extend = Some(egui::TextWrapMode::Extend);
+        let galley = WidgetText::from(text).into_galley(ui, extend, f32::INFINITY, TextStyle::Small);
+        galley.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
     }
 
     fn observer_buttons(&self, ui: &mut Ui) -> Option<TitleAction> {

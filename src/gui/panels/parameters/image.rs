@@ -36,8 +36,14 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         if size != state.document.figure().image {
             state.document.edit(|figure| figure.image = size);
         }
-        ui.checkbox(&mut state.settings.aspect_follows_image, t.aspect_follows).on_hover_text(t.aspect_follows_hint);
-        if state.settings.aspect_follows_image && state.document.draft().window.is_none() {
+        let symmetric = state.document.draft().window.is_none();
+        let mut follows = state.settings.aspect_follows_image && symmetric;
+        let follow = ui.add_enabled(symmetric, egui::Checkbox::new(&mut follows, t.aspect_follows));
+        let follow = follow.on_hover_text(t.aspect_follows_hint).on_disabled_hover_text(t.aspect_follows_not);
+        if follow.changed() {
+            state.settings.aspect_follows_image = follows;
+        }
+        if follows {
             let aspect = f64::from(size.width) / f64::from(size.height);
             let mut parameters = *state.document.draft();
             if parameters.aspect != aspect {
