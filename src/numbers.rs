@@ -1,5 +1,6 @@
 //! Numbers as people read them: digits, steps that read well, times and counts.
 
+use std::cmp::Ordering;
 use std::time::Duration;
 
 /// More digits than these are exact: the shortest text that reads back as the same `f64`.
@@ -156,6 +157,33 @@ fn short_scientific(text: &str, room: usize) -> String {
     format!("{cut}…e{exponent}")
 }
 
+/// The order of names in which people expect them: numbers in them count as numbers (2 before 10), and capitals do not count.
+#[must_use]
+pub fn natural_order(a: &str, b: &str) -> Ordering {
+    let (mut rest_a, mut rest_b) = (a, b);
+    while !rest_a.is_empty() && !rest_b.is_empty() {
+        let (piece_a, piece_b) = (piece(rest_a), piece(rest_b));
+        (rest_a, rest_b) = (&rest_a[piece_a.len()..], &rest_b[piece_b.len()..]);
+        let order =
+            if piece_a.starts_with(|c: char| c.is_ascii_digit()) && piece_b.starts_with(|c: char| c.is_ascii_digit()) {
+                let (digits_a, digits_b) = (piece_a.trim_start_matches('0'), piece_b.trim_start_matches('0'));
+                digits_a.len().cmp(&digits_b.len()).then_with(|| digits_a.cmp(digits_b))
+            } else {
+                piece_a.to_lowercase().cmp(&piece_b.to_lowercase())
+            };
+        if order.is_ne() {
+            return order;
+        }
+    }
+    rest_a.len().cmp(&rest_b.len()).then_with(|| a.cmp(b))
+}
+
+/// What a text begins with: digits, or what comes before the next ones.
+fn piece(text: &str) -> &str {
+    let digits = text.starts_with(|c: char| c.is_ascii_digit());
+    &text[..text.find(|c: char| c.is_ascii_digit() != digits).unwrap_or(text.len())]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -261,5 +289,16 @@ mod tests {
             assert_eq!(short(value, room), text);
             assert!(short(value, room).chars().count() <= room);
         }
+    }
+
+    #[test]
+    fn names_with_numbers_are_in_the_order_of_the_numbers() {
+        let sorted = ["Aula 1", "aula 2", "aula 02b", "aula 10", "aula 10.5", "aula x", "z"];
+        for (i, a) in sorted.iter().enumerate() {
+            for (j, b) in sorted.iter().enumerate() {
+                assert_eq!(natural_order(a, b), i.cmp(&j), "{a} {b}");
+            }
+        }
+        assert!(natural_order("007", "7").is_ne());
     }
 }

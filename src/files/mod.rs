@@ -3,6 +3,7 @@
 mod look;
 mod reach;
 mod save;
+mod shipped;
 
 use std::fs::{self, File};
 use std::io::{self, Read as _};
@@ -15,6 +16,7 @@ use crate::scene::{ReadProblem, system_words};
 pub use look::{Found, Stamp, look};
 pub use reach::{FigureFiles, Reach};
 pub use save::{Overwrite, is_read_only, save};
+pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure};
 
 /// Why a file cannot be used. Displayed, it stands after the name of the file.
 #[derive(Debug, thiserror::Error)]

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
+use super::shipped::shipped_file;
 use super::{FileError, is_network, read_at_most};
 use crate::foreign;
 use crate::limits::MAX_SCENE_BYTES;
@@ -70,11 +71,14 @@ impl FigureFiles {
         &self.unread
     }
 
-    /// The bytes of a file.
+    /// The bytes of a file, or of what is part of the program (`camera-lab:teapot.obj`).
     ///
     /// # Errors
     /// What the system refuses, what is not a regular file, what lies outside of the reach, and what is too much.
     pub fn read(&mut self, wanted: Wanted<'_>) -> Result<Vec<u8>, ReadError> {
+        if let Some(bytes) = shipped_file(wanted.path, wanted.named_by) {
+            return Ok(bytes.to_vec());
+        }
         let path = self.folder.join(wanted.path);
         let read =
             self.read_problem(&path, wanted).map_err(|problem| ReadError { file: foreign::path(&path), problem });

@@ -10,6 +10,7 @@ use super::command::Command;
 use super::document::Document;
 use super::export::Export;
 use super::file_flow;
+use super::gallery::Part;
 use super::held_key::HeldKey;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
@@ -213,6 +214,11 @@ impl App {
         match command {
             Command::New => file_flow::begin(ctx, state, AfterSave::New),
             Command::Open => file_flow::begin(ctx, state, AfterSave::Open),
+            Command::Gallery => state.file_flow.dialog = Some(Dialog::Gallery),
+            Command::Recent => {
+                state.gallery.part = Part::Recent;
+                state.file_flow.dialog = Some(Dialog::Gallery);
+            }
             Command::Save => file_flow::save(ctx, state, None),
             Command::SaveAs => file_flow::ask(ctx, state, Purpose::Save(None)),
             Command::Export => {

@@ -15,6 +15,10 @@ pub enum Command {
     New,
     /// Asks for a file and opens it.
     Open,
+    /// Asks which figure to begin with.
+    Gallery,
+    /// Asks which of the files that were used last to open.
+    Recent,
     /// Writes the file.
     Save,
     /// Asks for a file and writes it.
@@ -68,7 +72,8 @@ const COMMAND_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 impl Command {
     /// The menu of files.
-    pub const FILE: [Self; 6] = [Self::New, Self::Open, Self::Save, Self::SaveAs, Self::Export, Self::Quit];
+    pub const FILE: [Self; 8] =
+        [Self::New, Self::Gallery, Self::Open, Self::Recent, Self::Save, Self::SaveAs, Self::Export, Self::Quit];
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
@@ -120,6 +125,8 @@ impl Command {
         match self {
             Self::New => (t.new, t.new_hint),
             Self::Open => (t.open, t.open_hint),
+            Self::Gallery => (t.gallery, t.gallery_hint),
+            Self::Recent => (t.recent, t.recent_hint),
             Self::Save => (t.save, t.save_hint),
             Self::SaveAs => (t.save_as, t.save_as_hint),
             Self::Export => (t.export, t.export_hint),
@@ -160,6 +167,8 @@ impl Command {
         let (modifiers, key) = match self {
             Self::New => (Modifiers::COMMAND, Key::N),
             Self::Open => (Modifiers::COMMAND, Key::O),
+            Self::Gallery => (Modifiers::COMMAND, Key::G),
+            Self::Recent => (COMMAND_SHIFT, Key::O),
             Self::Save => (Modifiers::COMMAND, Key::S),
             Self::SaveAs => (COMMAND_SHIFT, Key::S),
             Self::Export => (Modifiers::COMMAND, Key::E),
@@ -204,6 +213,8 @@ impl Command {
             Self::ZoomIn => Some(KeyboardShortcut::new(Modifiers::COMMAND, Key::Equals)),
             Self::New
             | Self::Open
+            | Self::Gallery
+            | Self::Recent
             | Self::Save
             | Self::SaveAs
             | Self::Export
@@ -237,6 +248,8 @@ impl Command {
             Self::Reset => state.document.can_reset(),
             Self::New
             | Self::Open
+            | Self::Gallery
+            | Self::Recent
             | Self::Save
             | Self::SaveAs
             | Self::Export
@@ -275,6 +288,8 @@ impl Command {
             Self::Pipeline => Some(state.layout.strip),
             Self::New
             | Self::Open
+            | Self::Gallery
+            | Self::Recent
             | Self::Save
             | Self::SaveAs
             | Self::Export

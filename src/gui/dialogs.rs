@@ -1,7 +1,7 @@
 //! The questions that are asked in the window.
 
 use std::mem::{Discriminant, discriminant};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
 
@@ -9,9 +9,10 @@ use super::command::Command;
 use super::comparison::{Comparison, Whose};
 use super::export::Export;
 use super::file_flow;
+use super::gallery::{self, Chosen, Source};
 use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row, scene};
-use super::state::{Agreed, Changed, Dialog, Purpose, State};
+use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::window::{self, Texts};
@@ -36,6 +37,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
         let width = match &dialog {
             Dialog::Help | Dialog::Delete { .. } => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
+            Dialog::Gallery => 1110.0,
             Dialog::Changed(_) => 480.0,
             Dialog::Unsaved(_)
             | Dialog::Path(..)
@@ -87,10 +89,28 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 }
             }
             Dialog::Help => help(ui, t, state, first),
+            Dialog::Gallery => {
+                state.file_flow.dialog = Some(Dialog::Gallery);
+                if first {
+                    let beside = state.document.folder().map(Path::to_owned);
+                    state.gallery.begin(&state.recent.files, beside.as_deref());
+                }
+                let style = (state.settings.theme, state.settings.lang);
+                let next = match gallery::show(ui, &mut state.gallery, style, first) {
+                    None => return,
+                    Some(Chosen::Folder) => return file_flow::ask(ctx, state, Purpose::Folder),
+                    Some(Chosen::Open(Source::Shipped(name))) => AfterSave::Shipped(name),
+                    Some(Chosen::Open(Source::File(path))) => AfterSave::OpenPath(path),
+                };
+                state.file_flow.dialog = None;
+                state.gallery.end();
+                file_flow::begin(ctx, state, next);
+            }
             Dialog::Delete { name, below } => ask_delete(ui, t, state, (name, below), first),
         }
     });
     if modal.should_close() {
+        state.gallery.end();
         state.file_flow.dialog = None;
     }
 }
@@ -226,6 +246,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         Purpose::Open => (t.open_title, t.open_action),
         Purpose::Save(_) => (t.save_title, t.save_action),
         Purpose::Export(_) => (t.export_title, t.save_action),
+        Purpose::Folder => (crate::i18n::gallery::texts(state.settings.lang).choose, t.open_action),
         Purpose::Mesh(_) => {
             let t = scenes::texts(state.settings.lang);
             (t.mesh_title, t.mesh_action)

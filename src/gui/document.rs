@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::history::{History, Moment};
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
 use crate::figure::{Figure, Observers};
-use crate::files::{Reach, SourceFile};
+use crate::files::{Reach, ShippedFigure, SourceFile, figure_from};
 
 /// The figure that is being edited.
 #[derive(Clone, Debug)]
@@ -15,6 +15,8 @@ pub struct Document {
     draft: Parameters,
     problem: Option<CameraError>,
     path: Option<PathBuf>,
+    /// The name of the figure of the program that it began as, while it has no file.
+    shipped: Option<&'static str>,
     folder: Option<PathBuf>,
     reach: Reach,
     source: String,
@@ -44,6 +46,7 @@ impl Document {
             draft: figure.camera,
             problem: None,
             path,
+            shipped: None,
             folder,
             reach,
             source,
@@ -51,6 +54,17 @@ impl Document {
             opened: figure.camera,
             figure,
         })
+    }
+
+    /// A figure of the program; `None` where there is none of this name. Saving asks for a file.
+    #[must_use]
+    pub fn shipped(name: &'static str) -> Option<Self> {
+        let text = ShippedFigure::named(name)?.text().into_owned();
+        let figure = figure_from(text.as_bytes()).ok()?.figure;
+        // An empty path has no folder.
+        let file = SourceFile { path: PathBuf::new(), text, is_picture: false };
+        let document = Self::new(figure, Some(file)).ok()?;
+        Some(Self { path: None, shipped: Some(name), ..document })
     }
 
     /// The figure as it is drawn: its camera is always possible.
@@ -207,10 +221,13 @@ impl Document {
         Ok(())
     }
 
-    /// The name of the file, without its folder.
+    /// The name of the file, without its folder; of a figure of the program that has no file yet, the one that it could have.
     #[must_use]
     pub fn name(&self) -> Option<String> {
-        Some(self.path.as_ref()?.file_name()?.to_string_lossy().into_owned())
+        match (&self.path, self.shipped) {
+            (Some(path), _) => Some(path.file_name()?.to_string_lossy().into_owned()),
+            (None, shipped) => shipped.map(|name| format!("{name}.toml")),
+        }
     }
 
     /// The file, once there is one.

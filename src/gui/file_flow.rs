@@ -12,15 +12,15 @@ use eframe::egui::{self, ViewportCommand};
 use super::document::Document;
 use super::export::{ExportError, Exporting};
 use super::mesh_paths::{for_folder, named_in_figure};
-use super::native::{FileAnswer, FileQuestion, OpenFileDialog};
+use super::native::{FileAnswer, FileQuestion, OpenFileDialog, Wanted};
 use super::state::{
     AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab, Theirs,
 };
 use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Found};
-use crate::i18n::scenes;
 use crate::i18n::window::{self, Texts};
+use crate::i18n::{gallery, scenes};
 use crate::scene::Shape;
 
 /// Does what comes `next`, after asking about changes that would be lost.
@@ -43,6 +43,7 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         }
         AfterSave::Open => ask(ctx, state, Purpose::Open),
         AfterSave::OpenPath(path) => open(state, &path),
+        AfterSave::Shipped(name) => open_shipped(state, name),
         AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
         AfterSave::Quit if !state.file_flow.exporting.is_empty() => state.file_flow.dialog = Some(Dialog::Closing),
         AfterSave::Quit => close(ctx, state),
@@ -81,7 +82,7 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion
     let name = Path::new(&proposal(t, state, purpose)).file_name().unwrap_or_default().to_string_lossy().into_owned();
     match purpose {
         Purpose::Open => FileQuestion {
-            save: false,
+            wanted: Wanted::File,
             title: t.open_title,
             filters: vec![(t.figure_filter.to_owned(), &["toml", "png"][..])],
             name: String::new(),
@@ -89,18 +90,22 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion
         },
         Purpose::Save(_) => {
             let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];
-            FileQuestion { save: true, title: t.save_title, filters, name, folder }
+            FileQuestion { wanted: Wanted::NewFile, title: t.save_title, filters, name, folder }
         }
         Purpose::Export(_) => {
             let filters =
                 PictureFormat::ALL.map(|format| (format!("{} {}", t.picture_filter, format.name()), format.endings()));
-            FileQuestion { save: true, title: t.export_title, filters: filters.to_vec(), name, folder }
+            FileQuestion { wanted: Wanted::NewFile, title: t.export_title, filters: filters.to_vec(), name, folder }
+        }
+        Purpose::Folder => {
+            let title = gallery::texts(state.settings.lang).choose;
+            FileQuestion { wanted: Wanted::Folder, title, filters: Vec::new(), name: String::new(), folder }
         }
         Purpose::Mesh(_) => {
             let t = scenes::texts(state.settings.lang);
             let name = String::new();
             FileQuestion {
-                save: false,
+                wanted: Wanted::File,
                 title: t.mesh_title,
                 filters: vec![(t.mesh_filter.to_owned(), MESH_ENDINGS)],
                 name,
@@ -115,7 +120,7 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
     let folder = state.document.folder().map(Path::to_owned).unwrap_or_default();
     let stem = state.document.name().map_or_else(|| PathBuf::from(t.untitled_file), PathBuf::from);
     match purpose {
-        Purpose::Open | Purpose::Mesh(_) => folder.display().to_string(),
+        Purpose::Open | Purpose::Mesh(_) | Purpose::Folder => folder.display().to_string(),
         Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
         Purpose::Export(export) => {
             let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -129,13 +134,13 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
 pub fn chosen(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: PathBuf) {
     let path = files::whole(&path);
     let path = match &purpose {
-        Purpose::Open | Purpose::Mesh(_) => path,
+        Purpose::Open | Purpose::Mesh(_) | Purpose::Folder => path,
         Purpose::Save(_) => with_ending(path, "toml"),
         Purpose::Export(_) if PictureFormat::of(&path).is_some() => path,
         Purpose::Export(_) => with_ending(path, PictureFormat::ALL[0].ending()),
     };
     let own = state.document.path() == Some(&path);
-    let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_));
+    let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_) | Purpose::Folder);
     if !reads && !own && path.exists() {
         state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
@@ -163,6 +168,10 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
+        Purpose::Folder => {
+            state.gallery.look_into(path.to_owned());
+            state.file_flow.dialog = Some(Dialog::Gallery);
+        }
         Purpose::Export(export) => {
             let exporting = Exporting::start(
                 ctx,
@@ -205,6 +214,13 @@ fn open(state: &mut State, path: &Path) {
             }
         }
         Err(error) => state.say(Message::File(path.to_owned(), error)),
+    }
+}
+
+/// Goes on with a figure of the program.
+fn open_shipped(state: &mut State, name: &'static str) {
+    if let Some(document) = Document::shipped(name) {
+        state.take_over(document);
     }
 }
 

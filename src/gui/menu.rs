@@ -54,7 +54,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
                 }
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                title(ui, t, state);
+                title(ui, t, state, &mut chosen);
                 panels::status::news(ui, state);
             });
         });
@@ -67,7 +67,8 @@ fn is_first_of_group(command: Command) -> bool {
     use crate::views::observer::Viewpoint;
     matches!(
         command,
-        Command::Export
+        Command::Save
+            | Command::Export
             | Command::Quit
             | Command::Reset
             | Command::CopyNumbers
@@ -101,9 +102,17 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
         .clicked()
 }
 
-fn title(ui: &mut egui::Ui, t: &Texts, state: &State) {
+fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
     let name = state.document.name().map_or_else(|| t.untitled.to_owned(), |name| shown(&name));
     let text = if state.document.is_changed() { format!("{name} •") } else { name };
+    if state.document.name().is_none() && !state.document.is_changed() {
+        // Whoever has just come in sees where there is more to see.
+        let keys = ui.ctx().format_shortcut(&Command::Gallery.shortcut());
+        let link = ui.link(format!("{} ({keys})", t.gallery.trim_end_matches('…')));
+        if link.on_hover_text(t.gallery_hint).clicked() {
+            *chosen = Some(Command::Gallery);
+        }
+    }
     let label = egui::Label::new(RichText::new(text).weak()).truncate();
     let hint = if state.document.is_changed() { t.changed_hint } else { t.unchanged_hint };
     ui.add(label).on_hover_text(hint);

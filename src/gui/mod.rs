@@ -6,6 +6,7 @@
 //! | [`state`] | what the panels and the pictures share |
 //! | [`document`] | the figure that is being edited, its file, undo and redo |
 //! | [`scene_cache`] | the scene that the pictures show |
+//! | [`gallery`] | the figures that one can begin with, with small pictures |
 //! | [`preferences`] | what is remembered from one time to the next |
 //! | [`canvas`] | the three pictures in the middle |
 
@@ -17,6 +18,7 @@ pub mod dialogs;
 pub mod document;
 pub mod export;
 pub mod file_flow;
+pub mod gallery;
 mod handle_drag;
 mod held_key;
 mod highlight;

@@ -13,11 +13,22 @@ use crate::clock;
 /// cancellation. Nobody reads a dialog and closes it this fast; if somebody does, the question for a path does no harm.
 const TOO_FAST: Duration = Duration::from_millis(600);
 
+/// What is to be chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// A file that is there.
+    File,
+    /// A file that may not exist yet.
+    NewFile,
+    /// A folder.
+    Folder,
+}
+
 /// What to ask for.
 #[derive(Clone, Debug)]
 pub struct FileQuestion {
-    /// True: a file that may not exist yet.
-    pub save: bool,
+    /// What is to be chosen.
+    pub wanted: Wanted,
     /// The title of the dialog.
     pub title: &'static str,
     /// What the files are called, and what their names end in.
@@ -59,7 +70,11 @@ impl OpenFileDialog {
             dialog = dialog.set_directory(folder);
         }
         // The future is made here: some systems insist on the main thread for that.
-        let chosen: Chosen = if question.save { Box::pin(dialog.save_file()) } else { Box::pin(dialog.pick_file()) };
+        let chosen: Chosen = match question.wanted {
+            Wanted::File => Box::pin(dialog.pick_file()),
+            Wanted::NewFile => Box::pin(dialog.save_file()),
+            Wanted::Folder => Box::pin(dialog.pick_folder()),
+        };
         let mut worker = Worker::new("dialog", clock::now, || {
             Box::new(|chosen: Chosen, _| pollster::block_on(chosen).map(|file| file.path().to_owned()))
         });

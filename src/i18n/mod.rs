@@ -40,6 +40,7 @@ mod expressions;
 pub mod faults;
 mod figure_files;
 mod files;
+pub mod gallery;
 mod meshes;
 pub mod messages;
 pub mod pictures;

@@ -10,6 +10,10 @@ texts! {
     new_hint: "The primitives from their best side", "As primitivas vistas do seu melhor lado";
     open: "Open…", "Abrir…";
     open_hint: "A figure file, or a picture that was exported", "Um arquivo de figura, ou uma imagem exportada";
+    gallery: "Gallery…", "Galeria…";
+    gallery_hint: "Figures to begin with, as small pictures: those of the program, those used last, those of a folder", "Figuras para começar, em miniatura: as do programa, as usadas por último, as de uma pasta";
+    recent: "Recent…", "Recentes…";
+    recent_hint: "The figures that were opened or saved last", "As figuras que foram abertas ou salvas por último";
     save: "Save", "Salvar";
     save_hint: "Writes the figure file; its comments stay", "Grava o arquivo da figura; os comentários ficam";
     save_as: "Save as…", "Salvar como…";

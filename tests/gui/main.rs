@@ -7,6 +7,7 @@ mod canvas_objects;
 mod commands;
 mod dialogs;
 mod files;
+mod gallery;
 mod language;
 mod other_programs;
 mod painter;

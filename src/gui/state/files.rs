@@ -20,6 +20,8 @@ pub enum AfterSave {
     Open,
     /// Open this file.
     OpenPath(PathBuf),
+    /// Open the figure of the program with this name.
+    Shipped(&'static str),
     /// Go on with what a window left in this slot.
     Restore(usize),
     /// Close the window.
@@ -37,6 +39,8 @@ pub enum Purpose {
     Export(Export),
     /// To put a mesh into the scene.
     Mesh(MeshFor),
+    /// A folder, whose figures the gallery is to show.
+    Folder,
 }
 
 /// What a mesh file is for.
@@ -101,6 +105,8 @@ pub enum Dialog {
     Closing,
     /// What the pointer and the keys do.
     Help,
+    /// Which figure to begin with.
+    Gallery,
     /// What becomes of what hangs on this object, which is to be deleted?
     Delete {
         /// Its name.

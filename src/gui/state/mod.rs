@@ -28,6 +28,7 @@ pub use scene_tree::{SceneTree, Selected};
 
 use super::Start;
 use super::document::Document;
+use super::gallery::Gallery;
 use super::scene_cache::SceneCache;
 
 /// How long news are shown, in seconds: time to read two lines.
@@ -114,6 +115,8 @@ pub struct State {
     pub probe: Option<Probe>,
     /// The files that were opened or saved last.
     pub recent: Recent,
+    /// The figures that one can begin with.
+    pub gallery: Gallery,
 }
 
 /// The document at the start. What the command line has done to the camera is a change of the figure in the file: it can be
@@ -169,6 +172,7 @@ impl State {
             ghost: None,
             probe: None,
             recent: Recent::default(),
+            gallery: Gallery::default(),
         })
     }
 

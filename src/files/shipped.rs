@@ -1,0 +1,108 @@
+//! The figures and meshes that are part of the program: they are there wherever it is, installed or not.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+/// How a figure names a mesh that is part of the program: `camera-lab:teapot.obj`.
+pub const SHIPPED: &str = "camera-lab:";
+
+/// A figure that is part of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ShippedFigure {
+    /// Its name, without an ending.
+    pub name: &'static str,
+    text: &'static str,
+}
+
+macro_rules! shipped {
+    ($($name:literal),* $(,)?) => {
+        [$(ShippedFigure { name: $name, text: include_str!(concat!("../../assets/figures/", $name, ".toml")) },)*]
+    };
+}
+
+/// All of them, in the order in which they are shown: every named scene is among them.
+pub const SHIPPED_FIGURES: [ShippedFigure; 12] = shipped![
+    "primitives",
+    "house",
+    "corridor",
+    "teapot",
+    "arm",
+    "cube",
+    "ndc-cube",
+    "pyramid",
+    "exercise-5.1",
+    "exercise-5.2",
+    "exercise-5.3",
+    "empty",
+];
+
+impl ShippedFigure {
+    /// The figure with this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        SHIPPED_FIGURES.into_iter().find(|figure| figure.name == name)
+    }
+
+    /// The text of its figure file. Its meshes are those of the program, so that it means the same in every folder.
+    #[must_use]
+    pub fn text(self) -> Cow<'static, str> {
+        if self.text.contains("../meshes/") {
+            self.text.replace("../meshes/", SHIPPED).into()
+        } else {
+            self.text.into()
+        }
+    }
+}
+
+/// The bytes of what a scene names as part of the program, or what such a mesh names; `None` for files.
+pub(super) fn shipped_file(path: &str, named_by: Option<&str>) -> Option<&'static [u8]> {
+    let by_mesh = named_by.is_some_and(|mesh| mesh.starts_with(SHIPPED));
+    let name =
+        path.strip_prefix(SHIPPED).or_else(|| by_mesh.then(|| Path::new(path).file_name()?.to_str()).flatten())?;
+    match name {
+        "teapot.obj" => Some(include_bytes!("../../assets/meshes/teapot.obj")),
+        "teapot.mtl" => Some(include_bytes!("../../assets/meshes/teapot.mtl")),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::figure::read::parse;
+    use crate::files::{FigureFiles, Reach};
+    use crate::progress::Progress;
+    use crate::scene::Preset;
+    use crate::scene::import::read;
+
+    #[test]
+    fn every_figure_of_the_program_is_shipped_and_every_named_scene_among_them() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
+        let mut files: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().path().file_stem().unwrap().to_str().unwrap().to_owned())
+            .collect();
+        let mut names: Vec<&str> = SHIPPED_FIGURES.iter().map(|figure| figure.name).collect();
+        files.sort();
+        names.sort_unstable();
+        assert_eq!(files, names);
+        let presets: Vec<Preset> =
+            SHIPPED_FIGURES.iter().map(|figure| parse(&figure.text()).unwrap().scene.preset).collect();
+        for (name, preset) in Preset::NAMED {
+            assert!(presets.contains(preset), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_mesh_of_the_program_is_read_from_anywhere_with_its_colours() {
+        assert!(ShippedFigure::named("teapot").unwrap().text().contains("\"camera-lab:teapot.obj\""));
+        for reach in [Reach::Picture, Reach::Figure] {
+            let mut files = FigureFiles::new(Path::new("/no/such/folder"), reach);
+            let parts = read("camera-lab:teapot.obj", &mut |wanted| files.read(wanted), &Progress::default()).unwrap();
+            assert!(!parts.parts.is_empty() && files.unread().is_empty(), "{:?}", files.unread());
+            assert!(read("camera-lab:nothing.obj", &mut |wanted| files.read(wanted), &Progress::default()).is_err());
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! A figure in the gallery: where it comes from, and what is shown of it. It is read and drawn beside the window's thread.
+
+use std::collections::hash_map::DefaultHasher;
+use std::collections::{HashMap, HashSet};
+use std::hash::{Hash as _, Hasher as _};
+use std::path::{Path, PathBuf};
+
+use crate::appearance::Theme;
+use crate::camera::Camera;
+use crate::files::{self, FigureFiles, FileError, Opened, Reach, ShippedFigure, figure_from};
+use crate::gui::worker::Work;
+use crate::i18n::{Lang, gallery, messages, pictures};
+use crate::numbers::natural_order;
+use crate::picture::{Picture, Renderer};
+use crate::progress::Progress;
+use crate::views::{Request, SharedScene, Size, View, scene_of};
+
+/// Where a figure comes from.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Source {
+    /// It is part of the program.
+    Shipped(&'static str),
+    /// A file.
+    File(PathBuf),
+}
+
+/// The size of a small picture in pixels.
+pub(super) const SIZE: Size = Size { width: 192, height: 144, scale: 1.0 };
+
+/// How many small pictures are kept, by what they show: more than anybody looks at in one folder.
+const MOST_KEPT: usize = 400;
+
+/// What is wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Job {
+    /// The figure files of a folder.
+    List(PathBuf),
+    /// Which of these files are there.
+    Sort(Vec<PathBuf>),
+    /// A small picture of a figure.
+    Draw { source: Source, theme: Theme, lang: Lang },
+}
+
+/// What came of it.
+pub(super) enum Outcome {
+    /// The figure files of this folder, in natural order; or why it cannot be read.
+    Listed(PathBuf, Result<Vec<PathBuf>, FileError>),
+    /// These files, those that are there first, and those that are gone.
+    Sorted(Vec<PathBuf>, HashSet<PathBuf>),
+    /// What is shown of a figure.
+    Drawn(Source, Drawn),
+}
+
+/// What is shown of a figure.
+#[derive(Clone)]
+pub(super) struct Drawn {
+    /// `None` where it cannot be drawn.
+    pub(super) picture: Option<Picture>,
+    /// What it says of itself, or why it cannot be drawn.
+    pub(super) sentence: String,
+}
+
+/// What draws small pictures, and keeps them by what they show.
+pub(super) fn work() -> Work<Job, Outcome> {
+    let mut renderer = Renderer::default();
+    let mut kept: HashMap<u64, Drawn> = HashMap::new();
+    Box::new(move |job, progress| match job {
+        Job::List(folder) => {
+            let list = figures_in(&folder);
+            Outcome::Listed(folder, list)
+        }
+        Job::Sort(paths) => {
+            let is_there = |path: &PathBuf| !files::is_network(path) && path.exists();
+            let (mut there, gone): (Vec<PathBuf>, Vec<PathBuf>) = paths.into_iter().partition(is_there);
+            there.extend(gone.iter().cloned());
+            Outcome::Sorted(there, gone.into_iter().collect())
+        }
+        Job::Draw { source, theme, lang } => {
+            let text = read(&source);
+            let mut hasher = DefaultHasher::new();
+            (text.as_ref().ok(), theme as u8, lang, source.folder()).hash(&mut hasher);
+            let key = hasher.finish();
+            if let (Some(drawn), Ok(_)) = (kept.get(&key), &text) {
+                return Outcome::Drawn(source, drawn.clone());
+            }
+            renderer.watch(progress);
+            let drawn = match text.and_then(|bytes| figure_from(&bytes)) {
+                Ok(opened) => draw(&mut renderer, &source, opened, (theme, lang), progress),
+                Err(error) => Drawn { picture: None, sentence: messages::file(lang, &source.title(lang), &error) },
+            };
+            if kept.len() >= MOST_KEPT {
+                kept.clear();
+            }
+            if drawn.picture.is_some() {
+                kept.insert(key, drawn.clone());
+            }
+            Outcome::Drawn(source, drawn)
+        }
+    })
+}
+
+impl Source {
+    /// What it is called.
+    pub(super) fn title(&self, lang: Lang) -> String {
+        match self {
+            Self::Shipped(name) => gallery::shipped(lang, name).0.to_owned(),
+            Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        }
+    }
+
+    fn folder(&self) -> Option<&Path> {
+        match self {
+            Self::Shipped(_) => None,
+            Self::File(path) => path.parent(),
+        }
+    }
+}
+
+fn read(source: &Source) -> Result<Vec<u8>, FileError> {
+    match source {
+        Source::Shipped(name) => {
+            Ok(ShippedFigure::named(name).map(|figure| figure.text().as_bytes().to_vec()).unwrap_or_default())
+        }
+        Source::File(path) => files::read_file(path),
+    }
+}
+
+fn draw(
+    renderer: &mut Renderer,
+    source: &Source,
+    opened: Opened,
+    (theme, lang): (Theme, Lang),
+    progress: &Progress,
+) -> Drawn {
+    let mut figure = opened.figure;
+    figure.style.theme = theme;
+    let fault = |why: String| Drawn { picture: None, sentence: why };
+    let camera = match Camera::new(&figure.camera) {
+        Ok(camera) => camera,
+        Err(error) => return fault(messages::camera(lang, &error)),
+    };
+    let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), Reach::of(opened.from_picture, false));
+    let scene = match scene_of(&figure, &mut |wanted| files.read(wanted), progress) {
+        Ok(scene) => scene,
+        Err(error) => return fault(messages::scene(lang, &error)),
+    };
+    let scene = SharedScene::new(scene);
+    let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(lang), SIZE);
+    let sentence = match source {
+        Source::Shipped(name) => gallery::shipped(lang, name).1.to_owned(),
+        Source::File(_) => first_comment(&opened.text),
+    };
+    Drawn { picture: renderer.pixels(&request), sentence }
+}
+
+/// The comment with which a figure file begins, on one line.
+fn first_comment(text: &str) -> String {
+    let lines = text.lines().skip_while(|line| line.trim().is_empty());
+    let comment = lines.map_while(|line| line.trim().strip_prefix('#')).map(str::trim);
+    comment.collect::<Vec<_>>().join(" ").trim().to_owned()
+}
+
+/// The figure files in a folder, in natural order: 2 before 10.
+///
+/// # Errors
+/// [`FileError`] where the folder cannot be read.
+pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+    if files::is_network(folder) {
+        return Err(FileError::Network);
+    }
+    let entries = std::fs::read_dir(folder).map_err(FileError::Read)?.flatten();
+    let is_figure = |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_figure).collect();
+    paths.sort_by(|a, b| natural_order(&a.to_string_lossy(), &b.to_string_lossy()));
+    Ok(paths)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_figure_file_says_what_it_is_in_its_first_comment() {
+        assert_eq!(first_comment("\n# A house\n#  by the sea.\n\n# Not this.\n[camera]\n"), "A house by the sea.");
+        assert_eq!(first_comment("[camera]\n# late\n"), "");
+    }
+
+    #[test]
+    fn every_figure_of_the_program_has_a_small_picture_and_a_broken_file_says_why() {
+        let mut work = work();
+        for figure in files::SHIPPED_FIGURES {
+            let source = Source::Shipped(figure.name);
+            let job = Job::Draw { source: source.clone(), theme: Theme::Light, lang: Lang::PtBr };
+            let Outcome::Drawn(of, drawn) = work(job, &Progress::default()) else { panic!("{}", figure.name) };
+            let picture = drawn.picture.map(|picture| [picture.width(), picture.height()]);
+            assert_eq!((of, picture), (source, Some([SIZE.width, SIZE.height])), "{}", figure.name);
+        }
+        let source = Source::File(PathBuf::from("/no/such/file.toml"));
+        let job = Job::Draw { source, theme: Theme::Light, lang: Lang::En };
+        let Outcome::Drawn(_, drawn) = work(job, &Progress::default()) else { panic!("a file") };
+        assert!(drawn.picture.is_none() && drawn.sentence.contains("no such file"), "{}", drawn.sentence);
+    }
+}

@@ -1,0 +1,178 @@
+//! The gallery: the figures of the program, those used last, and those of a folder, each with a small picture.
+
+mod card;
+mod show;
+
+use std::collections::{BTreeMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui::{Context, TextureHandle, TextureOptions};
+
+use self::card::{Drawn, Job, Outcome, work};
+use super::worker::Worker;
+use crate::appearance::Theme;
+use crate::clock;
+use crate::files::SHIPPED_FIGURES;
+use crate::i18n::{Lang, messages};
+pub use card::{Source, figures_in};
+pub(super) use show::{Chosen, show};
+
+/// A part of the gallery.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The figures of the program.
+    #[default]
+    Examples,
+    /// The figures that were opened or saved last.
+    Recent,
+    /// The figures of a folder.
+    Folder,
+}
+
+impl Part {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Examples, Self::Recent, Self::Folder];
+}
+
+/// How many files of a folder are shown.
+const MOST_FILES: usize = 300;
+
+/// What the gallery shows, and what it has drawn.
+#[derive(Debug)]
+pub struct Gallery {
+    /// The part that is shown.
+    pub part: Part,
+    /// The figure that is chosen, by its place in each part.
+    chosen: [usize; 3],
+    /// The files that were used last, and which of them are gone.
+    recent: Vec<PathBuf>,
+    gone: HashSet<PathBuf>,
+    /// The folder, and its figure files or why it cannot be read.
+    folder: Option<PathBuf>,
+    files: Result<Vec<PathBuf>, String>,
+    cards: BTreeMap<Source, Card>,
+    /// How they are drawn.
+    style: (Theme, Lang),
+    waiting: Vec<Job>,
+    worker: Worker<Job, Outcome>,
+}
+
+/// What is shown of a figure.
+#[derive(Default)]
+struct Card {
+    texture: Option<TextureHandle>,
+    sentence: String,
+    /// False: it may have changed since, and is looked at again.
+    fresh: bool,
+}
+
+impl std::fmt::Debug for Card {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Card").field("sentence", &self.sentence).finish_non_exhaustive()
+    }
+}
+
+impl Default for Gallery {
+    fn default() -> Self {
+        Self {
+            part: Part::default(),
+            chosen: [0; 3],
+            recent: Vec::new(),
+            gone: HashSet::new(),
+            folder: None,
+            files: Ok(Vec::new()),
+            cards: BTreeMap::new(),
+            style: (Theme::default(), Lang::default()),
+            waiting: Vec::new(),
+            worker: Worker::new("gallery", clock::now, work),
+        }
+    }
+}
+
+impl Gallery {
+    /// Looks anew at what there is. `beside`: the folder of the open figure.
+    pub(super) fn begin(&mut self, recent: &[PathBuf], beside: Option<&Path>) {
+        self.recent = recent.to_vec();
+        self.folder = self.folder.take().or_else(|| beside.map(Path::to_owned));
+        for card in self.cards.values_mut() {
+            card.fresh = false;
+        }
+        self.waiting = vec![Job::Sort(self.recent.clone())];
+        self.waiting.extend(self.folder.clone().map(Job::List));
+    }
+
+    /// Shows the figures of this folder from now on.
+    pub(super) fn look_into(&mut self, folder: PathBuf) {
+        self.part = Part::Folder;
+        self.chosen[Part::Folder as usize] = 0;
+        self.files = Ok(Vec::new());
+        self.waiting.push(Job::List(folder.clone()));
+        self.folder = Some(folder);
+    }
+
+    /// Gives up what is being drawn: nobody looks any more.
+    pub(super) fn end(&mut self) {
+        self.worker.cancel();
+    }
+
+    /// The figures of the part that is shown, and how many more there are.
+    fn sources(&self) -> (Vec<Source>, usize) {
+        let files = |paths: &[PathBuf]| paths.iter().take(MOST_FILES).cloned().map(Source::File).collect();
+        match self.part {
+            Part::Examples => (SHIPPED_FIGURES.map(|figure| Source::Shipped(figure.name)).to_vec(), 0),
+            Part::Recent => (files(&self.recent), 0),
+            Part::Folder => {
+                let paths = self.files.as_deref().unwrap_or_default();
+                (files(paths), paths.len().saturating_sub(MOST_FILES))
+            }
+        }
+    }
+
+    /// Takes what has been done, and has the next thing done.
+    fn go_on(&mut self, ctx: &Context, style: (Theme, Lang), sources: &[Source]) {
+        if self.style != style {
+            self.style = style;
+            self.cards.values_mut().for_each(|card| card.fresh = false);
+        }
+        let [done] = self.worker.take(Duration::ZERO);
+        if let Some(outcome) = done.and_then(|done| done.outcome) {
+            self.take(ctx, outcome);
+        }
+        if self.worker.is_pending(0) {
+            return;
+        }
+        let (theme, lang) = style;
+        let is_stale = |source: &&Source| !self.cards.get(source).is_some_and(|card| card.fresh);
+        let stale = sources.iter().find(is_stale);
+        let draw = stale.map(|source| Job::Draw { source: source.clone(), theme, lang });
+        let next = if self.waiting.is_empty() { draw } else { Some(self.waiting.remove(0)) };
+        if let Some(job) = next {
+            if let Job::Draw { source, .. } = &job {
+                // Also where drawing panics, it is not asked for again.
+                self.cards.entry(source.clone()).or_default().fresh = true;
+            }
+            self.worker.ask(ctx, 0, job);
+        }
+    }
+
+    fn take(&mut self, ctx: &Context, outcome: Outcome) {
+        match outcome {
+            Outcome::Sorted(recent, gone) => (self.recent, self.gone) = (recent, gone),
+            Outcome::Listed(folder, files) if self.folder.as_ref() == Some(&folder) => {
+                let name = crate::foreign::path(&folder);
+                self.files = files.map_err(|error| messages::file(self.style.1, &name, &error));
+            }
+            Outcome::Listed(..) => {}
+            Outcome::Drawn(source, Drawn { picture, sentence }) => {
+                let texture = picture.map(|picture| {
+                    let size = [picture.width() as usize, picture.height() as usize];
+                    let pixels = eframe::egui::ColorImage::from_rgba_premultiplied(size, picture.rgba());
+                    ctx.load_texture("gallery", pixels, TextureOptions::LINEAR)
+                });
+                let card = self.cards.entry(source).or_default();
+                (card.texture, card.sentence) = (texture, sentence);
+            }
+        }
+    }
+}

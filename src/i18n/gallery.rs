@@ -1,0 +1,104 @@
+//! The words of the gallery: its parts, and a name and a sentence for each figure of the program.
+
+use super::Lang;
+
+texts! {
+    // Title.
+    gallery: "Gallery", "Galeria";
+    // Its parts.
+    examples: "Examples", "Exemplos";
+    recent: "Recent", "Recentes";
+    folder: "Folder", "Pasta";
+    // A button.
+    choose: "Choose a folder…", "Escolher uma pasta…";
+    // What the keys do.
+    keys: "Arrows: choose · Enter: open · Ctrl+Tab: next part · Esc: close", "Setas: escolher · Enter: abrir · Ctrl+Tab: parte seguinte · Esc: fechar";
+    // Where there is nothing to show.
+    no_recent: "Nothing has been opened or saved yet.", "Nada foi aberto ou salvo ainda.";
+    no_folder: "No folder is chosen: that of the open figure, or one that you choose, stands here.", "Nenhuma pasta foi escolhida: aqui fica a da figura aberta, ou uma que você escolher.";
+    empty_folder: "There are no figure files (.toml) in this folder.", "Não há arquivos de figura (.toml) nesta pasta.";
+    // Of a file.
+    gone: "is not there any more", "não está mais lá";
+    // Before the number of files that are not shown.
+    more: "more files:", "outros arquivos:";
+}
+
+/// The name of a figure of the program, and what it shows in one sentence.
+#[must_use]
+pub fn shipped(lang: Lang, name: &str) -> (&'static str, &'static str) {
+    let (en, pt) = match name {
+        "primitives" => (
+            ("Primitives", "One of each shape on a table: the scene to try things with."),
+            ("Primitivas", "Uma de cada forma sobre uma mesa: a cena para experimentar."),
+        ),
+        "house" => (
+            ("House", "A house that no mirror image equals: what is left and right, near and far?"),
+            ("Casa", "Uma casa diferente de qualquer imagem espelhada: o que é esquerda e direita, perto e longe?"),
+        ),
+        "corridor" => (
+            ("Corridor", "Depth cues: parallel lines meet in a vanishing point, equal balls and tiles shrink."),
+            (
+                "Corredor",
+                "Pistas de profundidade: paralelas se encontram em um ponto de fuga, bolas e ladrilhos iguais diminuem.",
+            ),
+        ),
+        "teapot" => (
+            ("Teapot", "A mesh from a file, with the colours of its material, on a ground."),
+            ("Bule", "Uma malha de um arquivo, com as cores do seu material, sobre um chão."),
+        ),
+        "arm" => (
+            ("Robot arm", "A tree of transforms: each part turns about the end of the one before."),
+            ("Braço de robô", "Uma árvore de transformações: cada parte gira em torno do fim da anterior."),
+        ),
+        "cube" => (
+            ("Numbered cube", "Opposite faces add up to 7: turn the camera and tell where it is."),
+            ("Cubo numerado", "Faces opostas somam 7: gire a câmera e diga onde ela está."),
+        ),
+        "ndc-cube" => (
+            ("NDC cube", "The view volume is exactly the cube of normalized device coordinates."),
+            ("Cubo NDC", "O volume de vista é exatamente o cubo das coordenadas normalizadas de dispositivo."),
+        ),
+        "pyramid" => (
+            ("Pyramid", "[1], exercises I to III, for day 15 and month 8: a camera on the corner of a pyramid."),
+            ("Pirâmide", "[1], exercícios I a III, para o dia 15 e o mês 8: uma câmera no canto de uma pirâmide."),
+        ),
+        "exercise-5.1" => (
+            ("Exercise 5.1", "[0]: the rays to P = (1, 1, 0) of the VRC, in parallel projection and in perspective."),
+            ("Exercício 5.1", "[0]: os raios para P = (1, 1, 0) do VRC, em projeção paralela e em perspectiva."),
+        ),
+        "exercise-5.2" => (
+            ("Exercise 5.2", "[0]: parallel projection, and a view window whose pixels are not square."),
+            ("Exercício 5.2", "[0]: projeção paralela, e uma janela de vista cujos pixels não são quadrados."),
+        ),
+        "exercise-5.3" => (
+            ("Exercise 5.3", "[0]: which camera has exactly this cube as its view volume?"),
+            ("Exercício 5.3", "[0]: que câmera tem exatamente este cubo como volume de vista?"),
+        ),
+        "empty" => (
+            ("Empty scene", "Nothing but the camera: a place for objects of your own."),
+            ("Cena vazia", "Nada além da câmera: um lugar para seus próprios objetos."),
+        ),
+        _ => return ("", ""),
+    };
+    match lang {
+        Lang::En => en,
+        Lang::PtBr => pt,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::SHIPPED_FIGURES;
+
+    #[test]
+    fn every_figure_of_the_program_has_a_name_and_a_sentence_in_both_languages() {
+        for figure in SHIPPED_FIGURES {
+            let (en, pt) = (shipped(Lang::En, figure.name), shipped(Lang::PtBr, figure.name));
+            assert!(!en.0.is_empty() && en.0 != pt.0 && en.1 != pt.1, "{}", figure.name);
+            for sentence in [en.1, pt.1] {
+                assert!(sentence.ends_with(['.', '?']) && sentence.chars().count() < 110, "{sentence}");
+            }
+        }
+    }
+}

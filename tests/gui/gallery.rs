@@ -1,0 +1,112 @@
+//! The gallery: the figures of the program, those used last, those of a folder.
+
+use std::fs;
+use std::time::{Duration, Instant};
+
+use camera_lab::gui::gallery::Part;
+use camera_lab::gui::state::Dialog;
+use camera_lab::i18n::Lang;
+use camera_lab::scene::Preset;
+use eframe::egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+
+use super::files::Folder;
+use super::window::Window;
+
+impl Window {
+    /// Frames until something is said, which another thread does.
+    pub(crate) fn wait_for(&mut self, text: &str) {
+        let since = Instant::now();
+        while !self.says(text) {
+            assert!(since.elapsed() < Duration::from_secs(60), "{text}");
+            std::thread::sleep(Duration::from_millis(5));
+            self.harness.step();
+        }
+    }
+}
+
+#[test]
+fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
+    let mut window = Window::new(Lang::PtBr);
+    window.click("Galeria (Ctrl+G)");
+    window.wait_for("Primitivas: Uma de cada forma");
+    window.wait_for("Cena vazia: Nada");
+    for key in [Key::ArrowRight, Key::ArrowDown, Key::ArrowLeft, Key::ArrowUp, Key::ArrowUp] {
+        window.key(key);
+    }
+    // Right, down, left and up lead back; further up there is nothing.
+    window.key(Key::ArrowRight);
+    window.key(Key::Enter);
+    let document = &window.state().document;
+    assert_eq!((document.name().as_deref(), document.path()), (Some("house.toml"), None));
+    assert_eq!(document.figure().scene.preset, Preset::House);
+    assert!(!document.is_changed() && window.state().file_flow.dialog.is_none());
+}
+
+#[test]
+fn changes_are_asked_about_and_esc_leaves_everything_as_it_was() {
+    let mut window = Window::new(Lang::En);
+    window.enter("C x", "1");
+    window.command_key(Key::G);
+    assert!(window.says("Gallery"));
+    window.key(Key::Escape);
+    assert!(window.state().file_flow.dialog.is_none());
+    window.command_key(Key::G);
+    window.key(Key::Enter);
+    assert!(window.says("Save the changes?"));
+    window.click("Cancel");
+    assert_eq!(window.state().document.figure().camera.position.x, 1.0);
+}
+
+#[test]
+fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
+    let folder = Folder::new("recent");
+    let [here, gone] = ["here.toml", "gone.toml"].map(|name| folder.file(name));
+    let mut window = Window::new(Lang::En);
+    for path in [&here, &gone] {
+        fs::write(path, "# What it is about.\n[scene]\npreset = \"empty\"\n").expect("written");
+        window.command_key(Key::O);
+        window.choose(path);
+    }
+    fs::remove_file(&gone).expect("removed");
+    window.harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
+    window.run();
+    assert_eq!(window.state().gallery.part, Part::Recent);
+    window.wait_for("here: What it is about.");
+    window.wait_for("gone.toml is not there any more");
+    let top = |label: &str| window.harness.get_by_label_contains(label).rect().left();
+    assert!(top("here: ") < top("gone: "), "what is there comes first, although it was used before");
+    window.key(Key::Enter);
+    assert_eq!(window.state().document.path(), Some(&here));
+}
+
+#[test]
+fn a_folder_shows_its_figures_in_natural_order_and_what_is_wrong_with_one() {
+    let folder = Folder::new("folder");
+    for (name, text) in
+        [("aula 10.toml", "[scene]\npreset = \"cube\"\n"), ("aula 9.toml", "[camera]\nnear = 5\nfar = 2\n")]
+    {
+        fs::write(folder.file(name), text).expect("written");
+    }
+    fs::write(folder.file("notes.txt"), "no figure").expect("written");
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::G);
+    window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);
+    window.run();
+    window.click("Choose a folder…");
+    window.harness.get_by_label("file").focus();
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.harness.event(Event::Text(folder.0.display().to_string()));
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!(window.state().file_flow.dialog, Some(Dialog::Gallery));
+    window.wait_for("aula 9: ");
+    window.wait_for("near < far");
+    window.wait_for("aula 10: ");
+    assert!(!window.says("notes"));
+    let left = |label: &str| window.harness.get_by_label_contains(label).rect().left();
+    assert!(left("aula 9: ") < left("aula 10: "));
+}
