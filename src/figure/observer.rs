@@ -23,6 +23,9 @@ pub struct Observer {
     pub azimuth: f64,
     /// Degrees above the ground, −90 … 90.
     pub elevation: f64,
+    /// Degrees by which the eye is turned about its line of sight, counter-clockwise as seen in the picture: the picture turns
+    /// clockwise.
+    pub roll: f64,
     /// Parallel (true) or perspective projection of this picture.
     pub parallel: bool,
 }
@@ -32,6 +35,9 @@ impl Observer {
     /// turns it down, so that the eye rises.
     #[must_use]
     pub fn orbit(self, dx_deg: f64, dy_deg: f64) -> Self {
+        // Across and along the ground, which lies aslant for a rolled eye.
+        let (s, c) = Angle::from_degrees(self.roll).sin_cos();
+        let (dx_deg, dy_deg) = (dx_deg * c + dy_deg * s, dy_deg * c - dx_deg * s);
         Self {
             azimuth: (self.azimuth - dx_deg).rem_euclid(360.0),
             elevation: (self.elevation + dy_deg).clamp(-90.0, 90.0),
@@ -61,7 +67,25 @@ impl Observer {
     pub fn axes(&self) -> [DVec3; 3] {
         let (sa, ca) = Angle::from_degrees(self.azimuth).sin_cos();
         let (se, ce) = Angle::from_degrees(self.elevation).sin_cos();
-        [DVec3::new(ca, 0.0, -sa), DVec3::new(-se * sa, ce, -se * ca), DVec3::new(ce * sa, se, ce * ca)]
+        let (right, up) = (DVec3::new(ca, 0.0, -sa), DVec3::new(-se * sa, ce, -se * ca));
+        let back = DVec3::new(ce * sa, se, ce * ca);
+        if self.roll == 0.0 {
+            return [right, up, back];
+        }
+        let (sr, cr) = Angle::from_degrees(self.roll).sin_cos();
+        [right * cr + up * sr, up * cr - right * sr, back]
+    }
+
+    /// This observer, looking so that two unit vectors at right angles point to the right and towards the eye.
+    #[must_use]
+    pub fn looking(self, right: DVec3, back: DVec3) -> Self {
+        let elevation = back.y.clamp(-1.0, 1.0).asin().to_degrees();
+        let at_pole = back.x.hypot(back.z) < 1e-9;
+        let azimuth = if at_pole { (-right.z).atan2(right.x) } else { back.x.atan2(back.z) }.to_degrees();
+        let upright = Self { azimuth: azimuth.rem_euclid(360.0), elevation, roll: 0.0, ..self };
+        let [level, up, _] = upright.axes();
+        let roll = right.dot(up).atan2(right.dot(level)).to_degrees();
+        Self { roll: if roll.abs() < 1e-9 { 0.0 } else { roll }, ..upright }
     }
 
     /// What the picture's height spans at the target.
@@ -114,7 +138,8 @@ mod tests {
     #[test]
     fn a_pan_moves_the_target_with_the_pointer() {
         for parallel in [false, true] {
-            let before = Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, parallel };
+            let before =
+                Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, roll: 0.0, parallel };
             let after = before.pan(30.0, -20.0, 400.0);
             let seen = ndc(&after.camera(None, 1.5).unwrap(), before.target);
             assert!((seen.x * 300.0 - 30.0).abs() < 1e-9 && (-seen.y * 200.0 + 20.0).abs() < 1e-9, "{seen}");
@@ -123,7 +148,8 @@ mod tests {
 
     #[test]
     fn zoom_scales_what_is_at_the_target_and_refuses_nonsense() {
-        let before = Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, parallel: false };
+        let before =
+            Observer { target: DVec3::ONE, distance: 7.0, azimuth: 30.0, elevation: 40.0, roll: 0.0, parallel: false };
         let p = before.target + before.axes()[0];
         let size = |o: Observer| ndc(&o.camera(None, 1.0).unwrap(), p).x;
         assert!((size(before.zoom(3.0)) / size(before) - 3.0).abs() < 1e-12);
@@ -134,7 +160,8 @@ mod tests {
 
     #[test]
     fn an_orbit_turns_the_scene_with_the_pointer_and_stops_at_the_poles() {
-        let before = Observer { target: DVec3::ZERO, distance: 7.0, azimuth: 10.0, elevation: 40.0, parallel: false };
+        let before =
+            Observer { target: DVec3::ZERO, distance: 7.0, azimuth: 10.0, elevation: 40.0, roll: 0.0, parallel: false };
         let front = before.axes()[2];
         let seen = ndc(&before.orbit(5.0, 5.0).camera(None, 1.0).unwrap(), front);
         assert!(seen.x > 0.0 && seen.y < 0.0, "{seen}");
@@ -147,8 +174,31 @@ mod tests {
     }
 
     #[test]
+    fn an_eye_looks_as_it_is_told_and_what_is_in_front_follows_the_pointer_also_where_it_is_rolled() {
+        let any =
+            Observer { target: DVec3::ONE, distance: 7.0, azimuth: 0.0, elevation: 0.0, roll: 3.0, parallel: false };
+        for (right, back) in [
+            (DVec3::X, DVec3::Z),
+            (DVec3::NEG_Z, DVec3::Y),
+            (DVec3::new(0.6, 0.0, 0.8), DVec3::new(0.48, 0.8, -0.36)),
+            (DVec3::new(0.0, 0.8, 0.6), DVec3::new(0.0, -0.6, 0.8)),
+        ] {
+            let seen = any.looking(right, back).axes();
+            let wanted = [right, back.cross(right), back];
+            assert!(seen.iter().zip(wanted).all(|(a, b)| (*a - b).length() < 1e-12), "{seen:?} {wanted:?}");
+            let looking = any.looking(right, back);
+            if looking.elevation.abs() < 80.0 {
+                let front = looking.target + looking.axes()[2];
+                let turned = ndc(&looking.orbit(0.01, 0.0).camera(None, 1.0).unwrap(), front);
+                assert!(turned.x > 0.0 && turned.y.abs() < 0.3 * turned.x, "{turned}");
+            }
+        }
+    }
+
+    #[test]
     fn depth_is_bounded_in_parallel_projection() {
-        let o = Observer { target: DVec3::ZERO, distance: 7.0, azimuth: 10.0, elevation: 40.0, parallel: true };
+        let o =
+            Observer { target: DVec3::ZERO, distance: 7.0, azimuth: 10.0, elevation: 40.0, roll: 0.0, parallel: true };
         let camera = o.camera(Aabb::around([DVec3::splat(-1e6), DVec3::splat(1e6)]), 1.0).unwrap();
         assert!(camera.far() - camera.near() <= 2.02 * PARALLEL_DEPTH * o.distance);
         assert!(ndc(&camera, o.target).abs().max_element() < 0.1);

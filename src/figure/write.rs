@@ -172,13 +172,17 @@ fn reveal(reveal: Reveal) -> Table {
 
 fn observer(o: Observer) -> Table {
     let projection = if o.parallel { Projection::Parallel } else { Projection::Perspective };
-    table([
+    let mut keys = vec![
         ("target", vector(o.target)),
         ("distance", number(o.distance)),
         ("azimuth", number(o.azimuth)),
         ("elevation", number(o.elevation)),
-        ("projection", words::name(PROJECTIONS, projection).into()),
-    ])
+    ];
+    if o.roll != 0.0 {
+        keys.push(("roll", number(o.roll)));
+    }
+    keys.push(("projection", words::name(PROJECTIONS, projection).into()));
+    table(keys)
 }
 
 fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {

@@ -77,7 +77,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 22] = [
+    pub const VIEW: [Self; 25] = [
         Self::Show(View::World),
         Self::Show(View::Canonical),
         Self::Show(View::Image),
@@ -85,6 +85,9 @@ impl Command {
         Self::Observe(ObserverChange::From(Viewpoint::Top)),
         Self::Observe(ObserverChange::From(Viewpoint::Side)),
         Self::Observe(ObserverChange::From(Viewpoint::Iso)),
+        Self::Observe(ObserverChange::From(Viewpoint::AlongU)),
+        Self::Observe(ObserverChange::From(Viewpoint::AlongV)),
+        Self::Observe(ObserverChange::From(Viewpoint::AlongN)),
         Self::Observe(ObserverChange::Fit),
         Self::LinkOrbits,
         Self::Tab(Tab::Camera),
@@ -154,6 +157,9 @@ impl Command {
             Self::Observe(ObserverChange::From(Viewpoint::Top)) => (t.look_top, t.look_top_hint),
             Self::Observe(ObserverChange::From(Viewpoint::Side)) => (t.look_side, t.look_side_hint),
             Self::Observe(ObserverChange::From(Viewpoint::Iso)) => (t.look_iso, t.look_iso_hint),
+            Self::Observe(ObserverChange::From(Viewpoint::AlongU)) => (t.look_along_u, t.look_along_u_hint),
+            Self::Observe(ObserverChange::From(Viewpoint::AlongV)) => (t.look_along_v, t.look_along_v_hint),
+            Self::Observe(ObserverChange::From(Viewpoint::AlongN)) => (t.look_along_n, t.look_along_n_hint),
             Self::Observe(ObserverChange::Fit) => (t.look_fit, t.look_fit_hint),
             Self::LinkOrbits => (t.link_orbits, t.link_orbits_hint),
             Self::Pipeline => (t.pipeline, t.pipeline_hint),
@@ -197,6 +203,9 @@ impl Command {
             Self::Observe(ObserverChange::From(Viewpoint::Top)) => (Modifiers::ALT, Key::Num2),
             Self::Observe(ObserverChange::From(Viewpoint::Side)) => (Modifiers::ALT, Key::Num3),
             Self::Observe(ObserverChange::From(Viewpoint::Iso)) => (Modifiers::ALT, Key::Num4),
+            Self::Observe(ObserverChange::From(Viewpoint::AlongU)) => (Modifiers::ALT, Key::Num5),
+            Self::Observe(ObserverChange::From(Viewpoint::AlongV)) => (Modifiers::ALT, Key::Num6),
+            Self::Observe(ObserverChange::From(Viewpoint::AlongN)) => (Modifiers::ALT, Key::Num7),
             Self::Observe(ObserverChange::Fit) => (Modifiers::ALT, Key::Num0),
             Self::LinkOrbits => (Modifiers::ALT, Key::L),
             Self::Help => (Modifiers::NONE, Key::F1),

@@ -30,6 +30,9 @@ texts! {
     top: "From the top (+y)", "De cima (+y)";
     side: "From the side (+x)", "De lado (+x)";
     iso: "From a corner", "De um canto";
+    along_u: "Along u: from the side, eye left, far right", "Ao longo de u: de lado, olho à esquerda, fundo à direita";
+    along_v: "Along v: from above, eye left, far right", "Ao longo de v: de cima, olho à esquerda, fundo à direita";
+    along_n: "Along n: as the camera looks", "Ao longo de n: como a câmera olha";
     // Tooltip of a menu.
     arrange: "Arrange the pictures", "Arrumar as imagens";
     // How the pictures share the room.

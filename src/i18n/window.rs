@@ -64,6 +64,12 @@ texts! {
     look_side_hint: "The world and the canonical volume from +x", "O mundo e o volume canônico vistos de +x";
     look_iso: "Look from a corner", "Olhar de um canto";
     look_iso_hint: "The world and the canonical volume in perspective", "O mundo e o volume canônico em perspectiva";
+    look_along_u: "Look along u", "Olhar ao longo de u";
+    look_along_u_hint: "The camera from its side, as in the side figures of the notes: the eye to the left, the far plane to the right", "A câmera vista de lado, como nas figuras de perfil das notas: o olho à esquerda, o fundo à direita";
+    look_along_v: "Look along v", "Olhar ao longo de v";
+    look_along_v_hint: "The camera from above, the eye to the left, the far plane to the right", "A câmera vista de cima, o olho à esquerda, o fundo à direita";
+    look_along_n: "Look along n", "Olhar ao longo de n";
+    look_along_n_hint: "As the camera looks, in parallel projection", "Como a câmera olha, em projeção paralela";
     look_fit: "Fit all", "Enquadrar tudo";
     look_fit_hint: "Everything of interest in both pictures", "Tudo o que interessa nas duas imagens";
     link_orbits: "Link the orbits", "Ligar as órbitas";

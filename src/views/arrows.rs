@@ -76,8 +76,14 @@ mod tests {
 
     #[test]
     fn an_arrow_is_found_at_its_tip_and_a_pull_moves_what_it_stands_on_under_the_pointer() {
-        let observer =
-            Observer { target: DVec3::ZERO, distance: 30.0, azimuth: 40.0, elevation: 25.0, parallel: false };
+        let observer = Observer {
+            target: DVec3::ZERO,
+            distance: 30.0,
+            azimuth: 40.0,
+            elevation: 25.0,
+            roll: 0.0,
+            parallel: false,
+        };
         let origin = DVec3::new(1.0, 0.5, -1.0);
         let axes = [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.0, 0.8)];
         let arrows = Arrows { origin, axes, hot: None };

@@ -6,6 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines};
+use crate::camera::Basis;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
 use crate::pipeline::Frame;
@@ -25,11 +26,14 @@ pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
 const AXIS: f64 = 1.42;
 /// How much around the cube is in the picture where what lies outside is shown.
 const BEYOND: f64 = 1.5;
-const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, parallel: false };
+const ISO: Direction = Direction { azimuth: 32.0, elevation: 20.0, roll: 0.0, parallel: false };
+
+/// The camera's axes as the picture shows them.
+const VRC: Basis = Basis { u: DVec3::X, v: DVec3::Y, n: DVec3::Z };
 
 /// The observer that a button gives: it looks from the viewpoint's side and has the cube in the picture.
 pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
-    framing(request, viewpoint.direction(ISO))
+    framing(request, viewpoint.direction(ISO, VRC))
 }
 
 /// The observer that looks in the same direction and has the cube in the picture.

@@ -112,5 +112,5 @@ pub(super) fn iso_direction(camera: &Camera) -> Direction {
     // A camera that looks straight down stands, as a map does, with **v** to the back.
     let flat = if n.x.hypot(n.z) > 0.1 { n } else { camera.basis().v * -n.y.signum() };
     let azimuth = flat.x.atan2(flat.z).to_degrees();
-    Direction { azimuth: (azimuth + ASIDE).round().rem_euclid(360.0), elevation: 20.0, parallel: false }
+    Direction { azimuth: (azimuth + ASIDE).round().rem_euclid(360.0), elevation: 20.0, roll: 0.0, parallel: false }
 }

@@ -171,9 +171,9 @@ mod tests {
     use crate::views::{SharedScene, Size, View};
 
     const FRONT: Observer =
-        Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 0.0, elevation: 0.0, parallel: true };
+        Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 0.0, elevation: 0.0, roll: 0.0, parallel: true };
     const CORNER: Observer =
-        Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 100.0, elevation: 30.0, parallel: false };
+        Observer { target: DVec3::ZERO, distance: 40.0, azimuth: 100.0, elevation: 30.0, roll: 0.0, parallel: false };
 
     /// Calls `test` with the picture of a camera that has F = 2 and B = 9, and the pixels of an observer.
     fn with_picture(observer: Observer, test: impl Fn(&Request, &Screen)) {

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::camera::Basis;
 use crate::figure::Observer;
 use crate::figure::observer::VIEW_ANGLE;
 use crate::geometry::Aabb;
@@ -25,6 +26,18 @@ pub enum Viewpoint {
     /// From a corner, in perspective.
     #[default]
     Iso,
+    /// Along **u**, parallel: the side figure of the notes, the eye to the left, the far plane to the right.
+    AlongU,
+    /// Along **v**, parallel: the same from above.
+    AlongV,
+    /// Along **n**, parallel: as the camera looks.
+    AlongN,
+}
+
+impl Viewpoint {
+    /// All, in the order of menus.
+    pub const ALL: [Self; 7] =
+        [Self::Front, Self::Top, Self::Side, Self::Iso, Self::AlongU, Self::AlongV, Self::AlongN];
 }
 
 /// From where to look, without where to stand.
@@ -34,26 +47,72 @@ pub(super) struct Direction {
     pub(super) azimuth: f64,
     /// Degrees, as in [`Observer`].
     pub(super) elevation: f64,
+    /// Degrees, as in [`Observer`].
+    pub(super) roll: f64,
     /// Parallel or perspective projection.
     pub(super) parallel: bool,
 }
 
 impl Viewpoint {
-    /// The direction; `iso` says where the corner is.
-    pub(super) fn direction(self, iso: Direction) -> Direction {
-        let along = |azimuth, elevation| Direction { azimuth, elevation, parallel: true };
+    /// The direction in a space where the camera has the axes `basis`; `iso` says where the corner is.
+    pub(super) fn direction(self, iso: Direction, basis: Basis) -> Direction {
+        let along = |azimuth, elevation| Direction { azimuth, elevation, roll: 0.0, parallel: true };
+        let from = |right, back| Direction::from(PARALLEL.looking(right, back));
+        let Basis { u, v, n } = basis;
         match self {
             Self::Front => along(0.0, 0.0),
             Self::Top => along(0.0, 90.0),
             Self::Side => along(90.0, 0.0),
             Self::Iso => iso,
+            Self::AlongU => from(-n, u),
+            Self::AlongV => from(-n, v),
+            Self::AlongN => from(u, n),
         }
+    }
+}
+
+const PARALLEL: Observer =
+    Observer { target: DVec3::ZERO, distance: 1.0, azimuth: 0.0, elevation: 0.0, roll: 0.0, parallel: true };
+
+impl Direction {
+    /// Towards the eye.
+    fn eye(self) -> DVec3 {
+        let Self { azimuth, elevation, roll, parallel } = self;
+        Observer { azimuth, elevation, roll, parallel, ..PARALLEL }.axes()[2]
+    }
+
+    /// This direction, or the one nearest to it in which the eye keeps clear of lines: along one of `lines` (unit vectors), all
+    /// that lies on it would be at one spot.
+    pub(super) fn clear_of(self, lines: &[DVec3]) -> Self {
+        /// From this angle on a direction stays, and another is as far as this from all lines.
+        const STAYS: f64 = 18.0;
+        const CLEAR: f64 = 26.0;
+        let clear = |d: Self, least: f64| {
+            let most = least.to_radians().cos();
+            lines.iter().all(|line| line.dot(d.eye()).abs() <= most)
+        };
+        if clear(self, STAYS) {
+            return self;
+        }
+        // Turning about the vertical keeps the ground as it is; rising is the second choice.
+        let around = (1..=36_u32).flat_map(|i| [1.0, -1.0].map(|side| side * f64::from(i) * 5.0));
+        let up = [0.0, 12.0, -12.0, 24.0, -24.0, 36.0];
+        up.into_iter()
+            .flat_map(|rise| around.clone().map(move |turn| (rise, turn)))
+            .map(|(rise, turn)| Self {
+                azimuth: (self.azimuth + turn).rem_euclid(360.0),
+                elevation: (self.elevation + rise).clamp(-85.0, 85.0),
+                ..self
+            })
+            .filter(|d| clear(*d, CLEAR))
+            .max_by(|a, b| a.eye().dot(self.eye()).total_cmp(&b.eye().dot(self.eye())))
+            .unwrap_or(self)
     }
 }
 
 impl From<Observer> for Direction {
     fn from(o: Observer) -> Self {
-        Self { azimuth: o.azimuth, elevation: o.elevation, parallel: o.parallel }
+        Self { azimuth: o.azimuth, elevation: o.elevation, roll: o.roll, parallel: o.parallel }
     }
 }
 
@@ -67,13 +126,13 @@ fn fill(size: Size) -> DVec2 {
 /// The nearest observer in a direction that has all `points` in a picture of this size, with a margin. Points that are
 /// not finite are left out; without any, the observer looks at the cube \[−1, 1\]³.
 pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> Observer {
-    let Direction { azimuth, elevation, parallel } = direction;
+    let Direction { azimuth, elevation, roll, parallel } = direction;
     let Some(bounds) = Aabb::around(points.iter().copied()) else {
         return enclosing(&[DVec3::NEG_ONE, DVec3::ONE], direction, size);
     };
     let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-9).max(1e-9);
     let target = bounds.center();
-    let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, parallel }.axes();
+    let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, roll, parallel }.axes();
     let tan = (VIEW_ANGLE.radians() / 2.0).tan();
     let filled = fill(size);
     // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t · depth),
@@ -92,7 +151,7 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
     let (t, b) = (support(up, tan_y), support(-up, tan_y));
     let distance = ((r + l) / (2.0 * tan_x)).max((t + b) / (2.0 * tan_y)).max(least);
     let target = target + right * ((r - l) / 2.0) + up * ((t - b) / 2.0);
-    Observer { target, distance, azimuth, elevation, parallel }
+    Observer { target, distance, azimuth, elevation, roll, parallel }
 }
 
 #[cfg(test)]
@@ -101,7 +160,9 @@ mod tests {
     use super::*;
     use crate::camera::Camera;
 
-    const ISO: Direction = Direction { azimuth: 35.0, elevation: 25.0, parallel: false };
+    const ISO: Direction = Direction { azimuth: 35.0, elevation: 25.0, roll: 0.0, parallel: false };
+
+    const BASIS: Basis = Basis { u: DVec3::X, v: DVec3::Y, n: DVec3::Z };
 
     fn cloud() -> Vec<DVec3> {
         let b = Aabb { min: DVec3::new(-2.0, 0.0, -1.0), max: DVec3::new(3.0, 1.0, 7.0) };
@@ -115,10 +176,10 @@ mod tests {
 
     #[test]
     fn enclosing_has_every_point_in_the_picture_and_touches_two_sides() {
-        for viewpoint in [Viewpoint::Front, Viewpoint::Top, Viewpoint::Side, Viewpoint::Iso] {
+        for viewpoint in Viewpoint::ALL {
             for (width, height) in [(300, 600), (800, 800), (1200, 600)] {
                 let size = Size { width, height, scale: 1.0 };
-                let o = enclosing(&cloud(), viewpoint.direction(ISO), size);
+                let o = enclosing(&cloud(), viewpoint.direction(ISO, BASIS), size);
                 let camera = o.camera(Aabb::around(cloud()), size.aspect()).unwrap();
                 let points: Vec<_> = cloud().iter().map(|&p| ndc(&camera, p)).collect();
                 let margins = (f64::from(width) * 0.05).max(26.0) / f64::from(width);
@@ -135,12 +196,31 @@ mod tests {
     #[test]
     fn viewpoints_look_from_their_side() {
         let size = Size { width: 400, height: 400, scale: 1.0 };
-        let eye = |p: Viewpoint| enclosing(&cloud(), p.direction(ISO), size).axes()[2];
+        let eye = |p: Viewpoint| enclosing(&cloud(), p.direction(ISO, BASIS), size).axes()[2];
         assert!((eye(Viewpoint::Front) - DVec3::Z).length() < 1e-15);
         assert!((eye(Viewpoint::Top) - DVec3::Y).length() < 1e-15);
         assert!((eye(Viewpoint::Side) - DVec3::X).length() < 1e-15);
-        let top = enclosing(&cloud(), Viewpoint::Top.direction(ISO), size);
+        let top = enclosing(&cloud(), Viewpoint::Top.direction(ISO, BASIS), size);
         assert!((top.axes()[0] - DVec3::X).length() < 1e-15, "on a map, x goes to the right");
         assert!((top.axes()[1] + DVec3::Z).length() < 1e-15, "and z towards the reader");
+    }
+
+    #[test]
+    fn an_eye_moves_aside_from_lines_and_stays_otherwise() {
+        for azimuth in 0..72 {
+            for elevation in [-60.0, 0.0, 20.0, 70.0] {
+                let before = Direction { azimuth: f64::from(azimuth) * 5.0, elevation, ..ISO };
+                let eye = |d: Direction| d.eye();
+                let angle = |d: Direction| {
+                    DVec3::AXES.map(|line| line.dot(eye(d)).abs().acos().to_degrees()).into_iter().fold(90.0, f64::min)
+                };
+                let after = before.clear_of(&DVec3::AXES);
+                if angle(before) >= 18.0 {
+                    assert_eq!(after, before);
+                } else {
+                    assert!(angle(after) > 25.9 && eye(after).dot(eye(before)) > 0.5, "{before:?} {after:?}");
+                }
+            }
+        }
     }
 }

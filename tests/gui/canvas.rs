@@ -32,7 +32,14 @@ const CANONICAL: &str = "Canonical volume: the scene";
 const IMAGE: &str = "Image: what the camera sees";
 
 fn observer() -> Observer {
-    Observer { target: DVec3::new(1.0, 1.5, 2.0), distance: 22.0, azimuth: 100.0, elevation: 30.0, parallel: false }
+    Observer {
+        target: DVec3::new(1.0, 1.5, 2.0),
+        distance: 22.0,
+        azimuth: 100.0,
+        elevation: 30.0,
+        roll: 0.0,
+        parallel: false,
+    }
 }
 
 pub(super) fn stage(change: impl FnOnce(&mut State)) -> Harness<'static, Stage> {

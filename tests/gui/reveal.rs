@@ -23,8 +23,14 @@ fn window_with(lang: Lang, picture: View, size: [f32; 2], change: impl FnOnce(&m
     figure.scene.preset = Preset::Cube;
     figure.camera = Parameters { position: DVec3::Z * 5.0, near: 2.0, far: 8.0, ..Parameters::default() };
     figure.style.antialias = 1;
-    figure.observers.world =
-        Some(Observer { target: DVec3::ZERO, distance: 9.0, azimuth: 20.0, elevation: 15.0, parallel: false });
+    figure.observers.world = Some(Observer {
+        target: DVec3::ZERO,
+        distance: 9.0,
+        azimuth: 20.0,
+        elevation: 15.0,
+        roll: 0.0,
+        parallel: false,
+    });
     change(&mut figure);
     let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).expect("a possible camera");
     state.layout.maximized = Some(picture);

@@ -4,12 +4,14 @@
 use std::path::{Path, PathBuf};
 
 use camera_lab::appearance::Dash;
-use camera_lab::camera::Camera;
+use camera_lab::camera::{Camera, Convention, Operation};
 use camera_lab::drawing::Drawing;
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::files::{FigureFiles, Reach, open_figure};
+use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::progress::Progress;
+use camera_lab::views::observer::Viewpoint;
 use camera_lab::views::{self, Palette, Request, SharedScene, Size, View};
 use glam::{DVec2, DVec3, DVec4};
 
@@ -113,6 +115,7 @@ fn every_shipped_figure_shows_its_whole_volume_and_so_does_fit() {
                 distance: 3.0,
                 azimuth: automatic.seen_from().unwrap().azimuth - 25.0,
                 elevation: 31.0,
+                roll: 0.0,
                 parallel: size.0 == 640,
             };
             let fitted = automatic.fitted(&turned);
@@ -146,4 +149,61 @@ fn a_far_plane_that_would_dwarf_the_scene_is_drawn_nearer_and_says_so() {
     }
     assert_eq!(broken[0], "far (B)");
     assert_eq!(broken[2..], ["far (B = 40)", "far (B = 1000)", "far (B = 1000000000)"]);
+}
+
+#[test]
+fn an_observer_that_nobody_turned_keeps_clear_of_dop_u_v_and_n() {
+    let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
+    let mut request = world(&figure, &scene, (640, 480));
+    let mut kept = request.seen_from().unwrap();
+    let mut moved = 0;
+    for step in 1..=24 {
+        let turn = Operation::Azimuth(Angle::from_degrees(15.0));
+        request.camera = turn.apply(&request.camera, Convention::RightHand).unwrap();
+        // Looked at anew, and followed from picture to picture as in the window.
+        let next = request.kept_clear(&kept).unwrap();
+        moved += usize::from((next.azimuth, next.elevation) != (kept.azimuth, kept.elevation));
+        kept = next;
+        for observer in [request.seen_from().unwrap(), kept] {
+            let request = Request { observer: Some(observer), ..request.clone() };
+            let camera = &request.camera;
+            let c = place(&request, &observer, camera.position());
+            let pf = place(&request, &observer, camera.focal_point());
+            assert!(c.distance(pf) > 40.0, "{step}: C and PF are {} px apart", c.distance(pf));
+            let [_, _, back] = observer.axes();
+            let basis = camera.basis();
+            for axis in [basis.u, basis.v, basis.n] {
+                assert!(axis.dot(back).abs() < 18_f64.to_radians().cos() + 1e-9, "{step}: {axis} {back}");
+            }
+        }
+    }
+    assert!((2..12).contains(&moved), "it moves aside only where it must: {moved}");
+    let turned = Observer { azimuth: 10.0, ..kept };
+    assert_eq!(request.fitted(&turned).unwrap().azimuth, 10.0, "what a hand has turned stays");
+}
+
+#[test]
+fn along_u_is_the_side_figure_of_the_notes_and_along_n_what_the_camera_sees() {
+    for (name, figure, scene) in shipped() {
+        let request = world(&figure, &scene, (640, 480));
+        let (camera, basis) = (&request.camera, request.camera.basis());
+        let at = |viewpoint: Viewpoint, p: DVec3| {
+            let observer = request.observer_from(viewpoint).unwrap();
+            place(&request, &observer, p)
+        };
+        let (c, pf) = (camera.position(), camera.focal_point());
+        for viewpoint in [Viewpoint::AlongU, Viewpoint::AlongV] {
+            let way = at(viewpoint, pf) - at(viewpoint, c);
+            assert!(way.x > 60.0 && way.y.abs() < 1e-6, "{name}: DOP goes to the right, {way}");
+        }
+        let up = at(Viewpoint::AlongU, c + basis.v) - at(Viewpoint::AlongU, c);
+        assert!(up.y < 0.0 && up.x.abs() < 1e-6, "{name}: v goes up, {up}");
+        let [u, v] = [basis.u, basis.v].map(|axis| at(Viewpoint::AlongN, c + axis) - at(Viewpoint::AlongN, c));
+        assert!(u.x > 0.0 && u.y.abs() < 1e-6 && v.y < 0.0 && v.x.abs() < 1e-6, "{name}: {u} {v}");
+        assert!(at(Viewpoint::AlongN, pf).distance(at(Viewpoint::AlongN, c)) < 1e-6);
+        assert_whole(
+            &format!("{name}, along u"),
+            &Request { observer: request.observer_from(Viewpoint::AlongU), ..request.clone() },
+        );
+    }
 }

@@ -485,6 +485,7 @@ fn from_behind(mut figure: Figure) -> Pixmap {
         distance: 15.0,
         azimuth: 160.0,
         elevation: 25.0,
+        roll: 0.0,
         parallel: false,
     });
     let observer = figure.observers.world.unwrap();

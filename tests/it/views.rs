@@ -321,7 +321,8 @@ fn in_wireframe_the_scene_loses_its_faces_and_the_camera_keeps_its() {
 #[test]
 fn an_observer_that_is_not_a_camera_gives_an_empty_picture() {
     let pictured = Pictured::of(figure(|_| {}));
-    let nowhere = Observer { target: DVec3::ZERO, distance: f64::NAN, azimuth: 0.0, elevation: 0.0, parallel: false };
+    let nowhere =
+        Observer { target: DVec3::ZERO, distance: f64::NAN, azimuth: 0.0, elevation: 0.0, roll: 0.0, parallel: false };
     for drawing in [draw(&pictured.seen_by(View::World, nowhere)), draw(&pictured.seen_by(View::Canonical, nowhere))] {
         assert_eq!((drawing.width, drawing.height), (320, 240));
         assert!(drawing.surfaces.is_empty() && drawing.strokes.is_empty() && drawing.labels.is_empty());

@@ -98,6 +98,7 @@ fn figure() -> impl Strategy<Value = Figure> {
                 distance,
                 azimuth: elevation * 5.0,
                 elevation,
+                roll: if parallel { elevation } else { 0.0 },
                 parallel,
             },
         ))

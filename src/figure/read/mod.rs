@@ -207,6 +207,7 @@ fn observer(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observer {
         distance: section.positive("distance", 10.0),
         azimuth: section.angle("azimuth", 30.0),
         elevation: section.angle_in("elevation", -90.0, 90.0, 20.0),
+        roll: section.angle("roll", 0.0),
         parallel: section.word("projection", PROJECTIONS, Projection::Perspective) == Projection::Parallel,
     };
     faults.extend(section.finish());

@@ -1,7 +1,9 @@
 //! Small buttons with drawn signs: no font has all of them, and they are the same in every language.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    Align2, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
 
 /// What is drawn on a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +18,8 @@ pub(super) enum Icon {
     Side,
     /// A cube.
     Iso,
+    /// The name of an axis of the VRC, with an arrow over it.
+    Axis(&'static str),
     /// Two rings of a chain.
     Link,
     /// A large frame.
@@ -47,6 +51,7 @@ pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, on: bool) -> Resp
         | Icon::Top
         | Icon::Side
         | Icon::Iso
+        | Icon::Axis(_)
         | Icon::Maximize
         | Icon::Restore
         | Icon::Hide
@@ -75,6 +80,12 @@ fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {
         Icon::Top => cube(painter, rect, stroke, Some(CubeFace::Top)),
         Icon::Side => cube(painter, rect, stroke, Some(CubeFace::Right)),
         Icon::Iso => cube(painter, rect, stroke, None),
+        Icon::Axis(name) => {
+            let font = FontId::proportional(13.0 * unit);
+            painter.text(at(0.0, 1.5), Align2::CENTER_CENTER, name, font, stroke.color);
+            line(&[at(-4.0, -5.0), at(4.0, -5.0)]);
+            line(&[at(2.0, -6.8), at(4.0, -5.0), at(2.0, -3.2)]);
+        }
         Icon::Link => {
             painter.circle_stroke(at(-2.4, 0.0), 3.4 * unit, stroke);
             painter.circle_stroke(at(2.4, 0.0), 3.4 * unit, stroke);

@@ -34,7 +34,7 @@ struct FittedObserver {
 
 impl Auto {
     /// The observer for a picture; `None` for the image. With `steady` (while something is dragged) it does not move, except to fit
-    /// a picture of another size. It looks in the same direction until there is another `subject`: a scene that has nothing to
+    /// a picture of another size. It looks in the same direction, unless the camera turns towards it, until there is another `subject`: a scene that has nothing to
     /// do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, steady: bool) -> Option<Observer> {
         let (camera, scene, size) = (&request.camera, &request.scene, request.size);
@@ -51,7 +51,7 @@ impl Auto {
             (kept.size, kept.outside) = (size, outside);
             kept.camera = camera.clone();
             kept.scene = scene.clone();
-            kept.fitted = request.fitted(&kept.observer)?;
+            kept.fitted = request.kept_clear(&kept.observer)?;
         }
         if reshaped || !(steady || still_fits(&kept.observer, &kept.fitted)) {
             kept.observer = kept.fitted;
@@ -67,6 +67,9 @@ impl Auto {
 
 /// True where what the fitted observer has in its picture is in this one's too, and not lost in it.
 fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
+    if (observer.azimuth, observer.elevation) != (fitted.azimuth, fitted.elevation) {
+        return false;
+    }
     let offset = observer.target.distance(fitted.target) / (2.0 * (VIEW_ANGLE.radians() / 2.0).tan());
     let needed = fitted.distance + 2.0 * offset;
     needed <= 1.08 * observer.distance && fitted.distance >= 0.4 * observer.distance
@@ -116,7 +119,14 @@ mod tests {
     use glam::DVec3;
 
     fn observer() -> Observer {
-        Observer { target: DVec3::new(1.0, 2.0, 3.0), distance: 20.0, azimuth: 35.0, elevation: 25.0, parallel: false }
+        Observer {
+            target: DVec3::new(1.0, 2.0, 3.0),
+            distance: 20.0,
+            azimuth: 35.0,
+            elevation: 25.0,
+            roll: 0.0,
+            parallel: false,
+        }
     }
 
     #[test]

@@ -35,13 +35,19 @@ pub(super) struct Title<'a> {
     pub(super) undistorted: Option<bool>,
 }
 
-const CHANGES: [(ObserverChange, Icon); 5] = [
+const CHANGES: [(ObserverChange, Icon); 8] = [
     (ObserverChange::Fit, Icon::Fit),
     (ObserverChange::From(Viewpoint::Front), Icon::Front),
     (ObserverChange::From(Viewpoint::Top), Icon::Top),
     (ObserverChange::From(Viewpoint::Side), Icon::Side),
     (ObserverChange::From(Viewpoint::Iso), Icon::Iso),
+    (ObserverChange::From(Viewpoint::AlongU), Icon::Axis("u")),
+    (ObserverChange::From(Viewpoint::AlongV), Icon::Axis("v")),
+    (ObserverChange::From(Viewpoint::AlongN), Icon::Axis("n")),
 ];
+
+/// Of [`CHANGES`], those of a canonical volume, which has no u, v and n of its own.
+const OF_THE_CUBE: usize = 5;
 
 impl Title<'_> {
     /// Draws the title in `rect`. Where there is no room for all buttons, those that say from where to look become a menu.
@@ -52,13 +58,12 @@ impl Title<'_> {
         let galley = WidgetText::from(name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
         let side = ui.spacing().interact_size.y;
         let solid = matches!(self.view, View::World | View::Canonical);
-        let room_for_all = rect.width() >= galley.size().x + 8.0 * (side + 1.0) + 18.0;
-        let observer_buttons: u8 = if !solid {
-            0
-        } else if room_for_all {
-            6
-        } else {
-            1
+        let all: u8 = if self.view == View::World { 9 } else { 6 };
+        let room_for_all = rect.width() >= galley.size().x + f32::from(all + 2) * (side + 1.0) + 18.0;
+        let observer_buttons: u8 = match (solid, room_for_all) {
+            (false, _) => 0,
+            (true, true) => all,
+            (true, false) => 1,
         };
         let buttons = observer_buttons + 1 + u8::from(self.can_hide);
         let room_for_switch = self.undistorted.map_or(0.0, |_| self.switch_width(ui));
@@ -112,9 +117,13 @@ impl Title<'_> {
         galley.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
     }
 
+    fn changes(&self) -> impl Iterator<Item = (ObserverChange, Icon)> + use<> {
+        CHANGES.into_iter().take(if self.view == View::World { CHANGES.len() } else { OF_THE_CUBE })
+    }
+
     fn observer_buttons(&self, ui: &mut Ui) -> Option<TitleAction> {
         let mut action = None;
-        for (change, icon) in CHANGES {
+        for (change, icon) in self.changes() {
             if icon_button(ui, icon, change_name(self.texts, change), false).clicked() {
                 action = Some(TitleAction::Observe(change));
             }
@@ -129,7 +138,7 @@ impl Title<'_> {
         let mut action = None;
         let button = icon_button(ui, Icon::Iso, self.texts.look_menu, false);
         Popup::menu(&button).show(|ui| {
-            for (change, _) in CHANGES {
+            for (change, _) in self.changes() {
                 if ui.button(change_name(self.texts, change)).clicked() {
                     action = Some(TitleAction::Observe(change));
                 }
@@ -151,5 +160,8 @@ fn change_name(texts: &CanvasTexts, change: ObserverChange) -> &'static str {
         ObserverChange::From(Viewpoint::Top) => texts.top,
         ObserverChange::From(Viewpoint::Side) => texts.side,
         ObserverChange::From(Viewpoint::Iso) => texts.iso,
+        ObserverChange::From(Viewpoint::AlongU) => texts.along_u,
+        ObserverChange::From(Viewpoint::AlongV) => texts.along_v,
+        ObserverChange::From(Viewpoint::AlongN) => texts.along_n,
     }
 }
