@@ -263,6 +263,10 @@ impl App {
                 }
             }
             Command::Show(picture) => state.layout.toggle(picture),
+            Command::Arrange(arrangement) => {
+                state.layout.arrangement = arrangement;
+                state.layout.maximized = None;
+            }
             Command::Observe(change) => state.observer_change = Some(change),
             Command::Help => state.file_flow.dialog = Some(Dialog::Help),
             Command::Pipeline => state.layout.strip = !state.layout.strip,

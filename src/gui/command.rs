@@ -2,8 +2,9 @@
 
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::state::{ObserverChange, Side, State, Tab};
+use super::state::{Arrangement, ObserverChange, Side, State, Tab};
 use crate::appearance::Theme;
+use crate::i18n::canvas;
 use crate::i18n::window::Texts;
 use crate::views::View;
 use crate::views::observer::Viewpoint;
@@ -57,6 +58,8 @@ pub enum Command {
     Tab(Tab),
     /// Shows or hides a picture.
     Show(View),
+    /// Says how the pictures share the room; `None`: as suits it.
+    Arrange(Option<Arrangement>),
     /// Looks at both 3D pictures from somewhere.
     Observe(ObserverChange),
     /// Turning one 3D picture turns the other.
@@ -77,10 +80,15 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 25] = [
+    pub const VIEW: [Self; 30] = [
         Self::Show(View::World),
         Self::Show(View::Canonical),
         Self::Show(View::Image),
+        Self::Arrange(None),
+        Self::Arrange(Some(Arrangement::Row)),
+        Self::Arrange(Some(Arrangement::Column)),
+        Self::Arrange(Some(Arrangement::Above)),
+        Self::Arrange(Some(Arrangement::Beside)),
         Self::Observe(ObserverChange::From(Viewpoint::Front)),
         Self::Observe(ObserverChange::From(Viewpoint::Top)),
         Self::Observe(ObserverChange::From(Viewpoint::Side)),
@@ -153,6 +161,7 @@ impl Command {
             Self::Show(View::World) => (t.show_world, t.show_picture_hint),
             Self::Show(View::Canonical) => (t.show_canonical, t.show_picture_hint),
             Self::Show(View::Image) => (t.show_image, t.show_picture_hint),
+            Self::Arrange(arrangement) => (Arrangement::name(arrangement, canvas::texts(t.lang)), t.arrange_hint),
             Self::Observe(ObserverChange::From(Viewpoint::Front)) => (t.look_front, t.look_front_hint),
             Self::Observe(ObserverChange::From(Viewpoint::Top)) => (t.look_top, t.look_top_hint),
             Self::Observe(ObserverChange::From(Viewpoint::Side)) => (t.look_side, t.look_side_hint),
@@ -199,6 +208,11 @@ impl Command {
             Self::Show(View::World) => (Modifiers::COMMAND, Key::Num1),
             Self::Show(View::Canonical) => (Modifiers::COMMAND, Key::Num2),
             Self::Show(View::Image) => (Modifiers::COMMAND, Key::Num3),
+            Self::Arrange(None) => (Modifiers::COMMAND, Key::Num4),
+            Self::Arrange(Some(Arrangement::Row)) => (Modifiers::COMMAND, Key::Num5),
+            Self::Arrange(Some(Arrangement::Column)) => (Modifiers::COMMAND, Key::Num6),
+            Self::Arrange(Some(Arrangement::Above)) => (Modifiers::COMMAND, Key::Num7),
+            Self::Arrange(Some(Arrangement::Beside)) => (Modifiers::COMMAND, Key::Num8),
             Self::Observe(ObserverChange::From(Viewpoint::Front)) => (Modifiers::ALT, Key::Num1),
             Self::Observe(ObserverChange::From(Viewpoint::Top)) => (Modifiers::ALT, Key::Num2),
             Self::Observe(ObserverChange::From(Viewpoint::Side)) => (Modifiers::ALT, Key::Num3),
@@ -241,6 +255,7 @@ impl Command {
             | Self::NumbersPanel
             | Self::Tab(_)
             | Self::Show(_)
+            | Self::Arrange(_)
             | Self::Observe(_)
             | Self::LinkOrbits
             | Self::Pipeline
@@ -275,6 +290,7 @@ impl Command {
             | Self::NumbersPanel
             | Self::Tab(_)
             | Self::Show(_)
+            | Self::Arrange(_)
             | Self::Observe(_)
             | Self::LinkOrbits
             | Self::Pipeline
@@ -293,6 +309,7 @@ impl Command {
             Self::NumbersPanel => Some(state.settings.panels().is_shown(Side::Right)),
             Self::Tab(tab) => Some(state.settings.tab == tab && state.settings.panels().is_shown(Side::Left)),
             Self::Show(picture) => Some(state.layout.is_shown(picture)),
+            Self::Arrange(arrangement) => Some(state.layout.arrangement == arrangement),
             Self::LinkOrbits => Some(state.layout.linked),
             Self::Pipeline => Some(state.layout.strip),
             Self::New

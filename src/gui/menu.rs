@@ -72,6 +72,7 @@ fn is_first_of_group(command: Command) -> bool {
             | Command::Quit
             | Command::Reset
             | Command::CopyNumbers
+            | Command::Arrange(None)
             | Command::Observe(ObserverChange::From(Viewpoint::Front))
             | Command::Tab(super::state::Tab::Camera)
             | Command::Presentation

@@ -85,6 +85,7 @@ texts! {
     show_world: "World", "Mundo";
     show_canonical: "Canonical volume", "Volume canônico";
     show_image: "Image", "Imagem";
+    arrange_hint: "How the pictures share the room; the bars between them can be dragged", "Como as imagens dividem o espaço; as barras entre elas podem ser arrastadas";
     show_picture_hint: "Shows or hides this picture", "Mostra ou esconde esta imagem";
 
     // The bar at the top.

@@ -1,4 +1,4 @@
-//! Where the pictures lie in the room they have: side by side where each is wide enough, otherwise so that they are large.
+//! Where the pictures lie in the room they have: so that they use most of it, or as the user wants it.
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
@@ -8,8 +8,8 @@ use crate::views::View;
 /// Room between two pictures, in points: the bar that is dragged.
 pub(super) const GAP: f32 = 5.0;
 
-/// Three pictures stand side by side where each gets this width, in points.
-const SIDE_BY_SIDE: f32 = 360.0;
+/// About the height of a title, in points.
+const TITLE: f32 = 26.0;
 
 /// The share of the room that a picture keeps when a bar is dragged.
 const LEAST_SHARE: f32 = 0.15;
@@ -76,71 +76,75 @@ impl Shares {
     }
 }
 
+/// A picture to be laid out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Framed {
+    pub(super) view: View,
+    /// Width by height of what it shows.
+    pub(super) aspect: f32,
+}
+
 /// The pictures' places and the bars between them.
 pub(super) fn arrange(
     room: Rect,
-    pictures: &[View],
+    pictures: &[Framed],
     wanted: Option<Arrangement>,
     shares: &Shares,
 ) -> (Vec<(View, Rect)>, Vec<Bar>) {
     let arrangement = match (wanted, pictures.len()) {
-        (None, count) => best(room.size(), count),
+        (None, _) => best(room, pictures),
         (Some(Arrangement::Above), 0..=2) => Arrangement::Column,
         (Some(Arrangement::Beside), 0..=2) => Arrangement::Row,
         (Some(wanted), _) => wanted,
     };
-    let place = Shares::place(arrangement, pictures.len());
+    let (rects, bars) = lay_out(room, pictures.len(), arrangement, shares);
+    (pictures.iter().map(|picture| picture.view).zip(rects).collect(), bars)
+}
+
+/// The places of so many pictures.
+fn lay_out(room: Rect, count: usize, arrangement: Arrangement, shares: &Shares) -> (Vec<Rect>, Vec<Bar>) {
+    let place = Shares::place(arrangement, count);
     let [first, second] = shares.0[place];
     let cut = |span, axis, level, share| divide(span, axis, share, (place, level));
-    match *pictures {
-        [] => (Vec::new(), Vec::new()),
-        [only] => (vec![(only, room)], Vec::new()),
-        [a, b] => {
+    match count {
+        0 => (Vec::new(), Vec::new()),
+        1 => (vec![room], Vec::new()),
+        2 => {
             let axis = if arrangement == Arrangement::Row { Axis::X } else { Axis::Y };
-            let (ra, bar, rb) = cut(room, axis, 0, first);
-            (vec![(a, ra), (b, rb)], vec![bar])
+            let (a, bar, b) = cut(room, axis, 0, first);
+            (vec![a, b], vec![bar])
         }
-        [a, b, c, ..] => {
+        _ => {
             let (outer, inner) = match arrangement {
                 Arrangement::Row => (Axis::X, Axis::X),
                 Arrangement::Column => (Axis::Y, Axis::Y),
                 Arrangement::Above => (Axis::Y, Axis::X),
                 Arrangement::Beside => (Axis::X, Axis::Y),
             };
-            let (ra, bar, rest) = cut(room, outer, 0, first);
-            let (rb, bar_of_rest, rc) = cut(rest, inner, 1, second);
-            (vec![(a, ra), (b, rb), (c, rc)], vec![bar, bar_of_rest])
+            let (a, bar, rest) = cut(room, outer, 0, first);
+            let (b, bar_of_rest, c) = cut(rest, inner, 1, second);
+            (vec![a, b, c], vec![bar, bar_of_rest])
         }
     }
 }
 
-/// The arrangement for so many pictures in a room.
-pub(super) fn best(room: Vec2, count: usize) -> Arrangement {
+/// The arrangement in which the pictures use most of a room; where two are about as good, the one that is named first.
+fn best(room: Rect, pictures: &[Framed]) -> Arrangement {
     use Arrangement::{Above, Beside, Column, Row};
-    if count < 3 {
-        return if largest(room * vec2(0.5, 1.0)) >= largest(room * vec2(1.0, 0.5)) { Row } else { Column };
-    }
-    if room.x >= 3.0 * SIDE_BY_SIDE + 2.0 * GAP {
-        return Row;
-    }
-    // The smallest of the three pictures decides; where it is about as large, the arrangement that is named first.
-    let smallest = |arrangement| match arrangement {
-        Row => largest(room * vec2(1.0 / 3.0, 1.0)),
-        Column => largest(room * vec2(1.0, 1.0 / 3.0)),
-        Above => largest(room * 0.5),
-        Beside => largest(room * vec2(0.44, 0.5)),
+    let used = |arrangement| {
+        let (panes, _) = lay_out(room, pictures.len(), arrangement, &Shares::default());
+        pictures.iter().zip(panes).map(|(picture, pane)| used_area(pane.size(), picture.aspect)).sum::<f32>()
     };
-    [Above, Beside, Column].into_iter().fold(
-        Row,
-        |best, next| {
-            if smallest(next) > 1.1 * smallest(best) { next } else { best }
-        },
-    )
+    let candidates: &[Arrangement] = if pictures.len() < 3 { &[Column] } else { &[Above, Beside, Column] };
+    let better = |best, next: &Arrangement| if used(*next) > 1.05 * used(best) { *next } else { best };
+    candidates.iter().fold(Row, better)
 }
 
-/// The height of the largest 4:3 picture in a room.
-fn largest(room: Vec2) -> f32 {
-    (room.x * 0.75).min(room.y - 24.0)
+/// The area of the largest picture of a shape (width by height) in a pane, below its title; points².
+fn used_area(pane: Vec2, aspect: f32) -> f32 {
+    let room = vec2(pane.x, pane.y - TITLE).max(Vec2::ZERO);
+    let width = room.x.min(room.y * aspect);
+    width * width / aspect
 }
 
 fn divide(span: Rect, axis: Axis, share: f32, index: (usize, usize)) -> (Rect, Bar, Rect) {
@@ -169,12 +173,40 @@ mod tests {
         Rect::from_min_size(pos2(10.0, 20.0), vec2(width, height))
     }
 
+    fn framed(count: usize) -> Vec<Framed> {
+        View::ALL[..count].iter().map(|view| Framed { view: *view, aspect: 4.0 / 3.0 }).collect()
+    }
+
     #[test]
-    fn wide_rooms_have_the_pictures_side_by_side_and_narrow_ones_do_not() {
-        assert_eq!(best(vec2(1320.0, 950.0), 3), Arrangement::Row);
-        assert_eq!(best(vec2(700.0, 600.0), 3), Arrangement::Above);
-        assert_eq!(best(vec2(240.0, 800.0), 3), Arrangement::Column);
-        assert_eq!(best(vec2(1000.0, 200.0), 3), Arrangement::Row);
+    fn the_arrangement_is_that_in_which_pictures_use_most_of_the_room() {
+        let of = |width, height| best(room(width, height), &framed(3));
+        // The room beside both panels on screens of 1920 × 1080 and 3840 × 2160, and of the first window.
+        assert_eq!(of(1364.0, 1000.0), Arrangement::Beside);
+        assert_eq!(of(3284.0, 2080.0), Arrangement::Beside);
+        assert_eq!(of(684.0, 555.0), Arrangement::Above);
+        assert_eq!(of(1364.0, 330.0), Arrangement::Row);
+        assert_eq!(of(240.0, 800.0), Arrangement::Column);
+        // Two pictures, and such as are not 4 by 3.
+        let two = |width, height, aspect| {
+            let wide: Vec<Framed> = framed(2).into_iter().map(|picture| Framed { aspect, ..picture }).collect();
+            best(room(width, height), &wide)
+        };
+        assert_eq!((two(800.0, 600.0, 0.5), two(800.0, 600.0, 3.0)), (Arrangement::Row, Arrangement::Column));
+    }
+
+    #[test]
+    fn a_picture_uses_what_its_shape_allows_of_a_pane() {
+        assert_eq!(used_area(vec2(400.0, 300.0 + TITLE), 4.0 / 3.0), 120_000.0);
+        assert_eq!(used_area(vec2(400.0, 1000.0), 2.0), 80_000.0);
+        assert_eq!(used_area(vec2(1000.0, 100.0 + TITLE), 2.0), 20_000.0);
+        assert_eq!(used_area(vec2(1000.0, 10.0), 2.0), 0.0);
+        // Three tall strips waste two thirds of a large screen.
+        let area = |arrangement| -> f32 {
+            let (panes, _) = lay_out(room(1364.0, 1000.0), 3, arrangement, &Shares::default());
+            panes.into_iter().map(|pane| used_area(pane.size(), 4.0 / 3.0)).sum()
+        };
+        assert!(area(Arrangement::Beside) > 2.0 * area(Arrangement::Row));
+        assert!(area(Arrangement::Beside) > 0.65 * 1364.0 * 1000.0);
     }
 
     #[test]
@@ -183,7 +215,7 @@ mod tests {
             let wanted_ones = [None].into_iter().chain(Arrangement::ALL.map(Some));
             for (count, wanted) in wanted_ones.flat_map(|wanted| [1, 2, 3].map(|count| (count, wanted))) {
                 let room = room(size.0, size.1);
-                let (panes, bars) = arrange(room, &View::ALL[..count], wanted, &Shares::default());
+                let (panes, bars) = arrange(room, &framed(count), wanted, &Shares::default());
                 assert_eq!((panes.len(), bars.len()), (count, count - 1));
                 let mut area = bars.iter().map(|b| b.rect.area()).sum::<f32>();
                 for (i, (_, rect)) in panes.iter().enumerate() {
@@ -202,12 +234,12 @@ mod tests {
     fn a_bar_follows_the_pointer_and_stops_before_a_picture_vanishes() {
         let room = room(1320.0, 950.0);
         let mut shares = Shares::default();
-        let (_, bars) = arrange(room, &View::ALL, None, &shares);
+        let (_, bars) = arrange(room, &framed(3), Some(Arrangement::Row), &shares);
         shares.drag(&bars[0], pos2(10.0 + 660.0, 100.0));
-        let (panes, bars) = arrange(room, &View::ALL, None, &shares);
+        let (panes, bars) = arrange(room, &framed(3), Some(Arrangement::Row), &shares);
         assert_eq!(panes[0].1.right(), 10.0 + 660.0 - GAP / 2.0);
         shares.drag(&bars[0], pos2(-500.0, 100.0));
-        let (panes, bars) = arrange(room, &View::ALL, None, &shares);
+        let (panes, bars) = arrange(room, &framed(3), Some(Arrangement::Row), &shares);
         assert!(panes[0].1.width() > 190.0);
         shares.reset(&bars[0]);
         assert_eq!(shares, Shares::default());

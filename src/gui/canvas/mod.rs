@@ -23,7 +23,7 @@ use eframe::egui::{
     Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
-use self::arrange::{Axis, Shares, arrange};
+use self::arrange::{Axis, Framed, Shares, arrange};
 use self::interaction::Drag;
 use self::long_work::LongWork;
 use self::orbit::Auto;
@@ -212,7 +212,9 @@ impl Canvas {
             Some(view) => vec![view],
             None => View::ALL.into_iter().filter(|p| state.layout.shown[p.index()]).collect(),
         };
-        let (rects, bars) = arrange(room, &visible, state.layout.arrangement, &self.shares);
+        let framed: Vec<Framed> =
+            visible.iter().map(|view| Framed { view: *view, aspect: aspect_of(*view, state) }).collect();
+        let (rects, bars) = arrange(room, &framed, state.layout.arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
             let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);
             let cursor = if bar.axis == Axis::X { CursorIcon::ResizeHorizontal } else { CursorIcon::ResizeVertical };
@@ -400,6 +402,18 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
     let place = Align2::CENTER_CENTER.anchor_size(picture.center(), galley.size());
     ui.painter().rect_filled(place.expand2(eframe::egui::vec2(8.0, 4.0)), 3.0, ui.visuals().panel_fill);
     ui.painter().galley(place.min, galley, color);
+}
+
+/// Width by height of what a picture shows; very long images count as less so, because their pane cannot follow them.
+fn aspect_of(view: View, state: &State) -> f32 {
+    match view {
+        View::World => 4.0 / 3.0,
+        View::Canonical => 1.1,
+        View::Image => {
+            let image = state.document.figure().image;
+            (image.width as f32 / image.height as f32).clamp(0.5, 2.0)
+        }
+    }
 }
 
 /// Gives a picture all the room, or gives it back.

@@ -172,14 +172,7 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     let button = icon_button(ui, Icon::Arrange, texts.arrange, false);
     Popup::menu(&button).show(|ui| {
         for choice in [None].into_iter().chain(Arrangement::ALL.map(Some)) {
-            let name = match choice {
-                None => texts.arrange_auto,
-                Some(Arrangement::Row) => texts.arrange_row,
-                Some(Arrangement::Column) => texts.arrange_column,
-                Some(Arrangement::Above) => texts.arrange_above,
-                Some(Arrangement::Beside) => texts.arrange_beside,
-            };
-            if ui.radio(choice == now, name).clicked() {
+            if ui.radio(choice == now, Arrangement::name(choice, texts)).clicked() {
                 action = Some(StatusAction::Arrange(choice));
                 ui.close();
             }

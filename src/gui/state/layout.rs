@@ -1,5 +1,6 @@
 //! How the room in the window is shared, and what is asked of the pictures.
 
+use crate::i18n::canvas::CanvasTexts;
 use crate::views::View;
 use crate::views::observer::Viewpoint;
 
@@ -28,6 +29,18 @@ pub enum Arrangement {
 impl Arrangement {
     /// All.
     pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
+
+    /// What it is called; `None`: as suits the room.
+    #[must_use]
+    pub fn name(arrangement: Option<Self>, texts: &CanvasTexts) -> &'static str {
+        match arrangement {
+            None => texts.arrange_auto,
+            Some(Self::Row) => texts.arrange_row,
+            Some(Self::Column) => texts.arrange_column,
+            Some(Self::Above) => texts.arrange_above,
+            Some(Self::Beside) => texts.arrange_beside,
+        }
+    }
 }
 
 /// Which pictures are shown, and how.
