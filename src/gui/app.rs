@@ -158,6 +158,10 @@ impl App {
         self.update_title(&ctx);
         if !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
             self.state.document.commit();
+            let now = ctx.input(|input| input.time);
+            if let Some(left) = self.state.views.follow(self.state.document.figure().observers, now) {
+                ctx.request_repaint_after(Duration::from_secs_f64(left));
+            }
             if let Some(sessions) = &mut self.sessions {
                 sessions.keep(&ctx, &self.state.document);
             }
@@ -225,8 +229,8 @@ impl App {
                 state.file_flow.dialog = Some(Dialog::Export(Export::new(state.picture_sizes, state.screen_scale)));
             }
             Command::Quit => file_flow::begin(ctx, state, AfterSave::Quit),
-            Command::Undo => state.document.undo(),
-            Command::Redo => state.document.redo(),
+            Command::Undo => state.undo(),
+            Command::Redo => state.redo(),
             Command::Reset => state.document.reset(),
             Command::CopyNumbers => {
                 ctx.copy_text(panels::values::copy(state));
@@ -268,6 +272,14 @@ impl App {
                 state.layout.maximized = None;
             }
             Command::Observe(change) => state.observer_change = Some(change),
+            Command::ViewBack => {
+                let observers = state.views.back(state.document.figure().observers);
+                *state.document.observers_mut() = observers.unwrap_or(state.document.figure().observers);
+            }
+            Command::ViewForward => {
+                let observers = state.views.forward(state.document.figure().observers);
+                *state.document.observers_mut() = observers.unwrap_or(state.document.figure().observers);
+            }
             Command::Help => state.file_flow.dialog = Some(Dialog::Help),
             Command::Pipeline => state.layout.strip = !state.layout.strip,
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,

@@ -62,6 +62,10 @@ pub enum Command {
     Arrange(Option<Arrangement>),
     /// Looks at both 3D pictures from somewhere.
     Observe(ObserverChange),
+    /// The 3D pictures as they were seen before.
+    ViewBack,
+    /// The 3D pictures as they were seen before going back.
+    ViewForward,
     /// Turning one 3D picture turns the other.
     LinkOrbits,
     /// Shows or hides the stages of the pipeline.
@@ -80,7 +84,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 30] = [
+    pub const VIEW: [Self; 32] = [
         Self::Show(View::World),
         Self::Show(View::Canonical),
         Self::Show(View::Image),
@@ -97,6 +101,8 @@ impl Command {
         Self::Observe(ObserverChange::From(Viewpoint::AlongV)),
         Self::Observe(ObserverChange::From(Viewpoint::AlongN)),
         Self::Observe(ObserverChange::Fit),
+        Self::ViewBack,
+        Self::ViewForward,
         Self::LinkOrbits,
         Self::Tab(Tab::Camera),
         Self::Tab(Tab::Scene),
@@ -170,6 +176,8 @@ impl Command {
             Self::Observe(ObserverChange::From(Viewpoint::AlongV)) => (t.look_along_v, t.look_along_v_hint),
             Self::Observe(ObserverChange::From(Viewpoint::AlongN)) => (t.look_along_n, t.look_along_n_hint),
             Self::Observe(ObserverChange::Fit) => (t.look_fit, t.look_fit_hint),
+            Self::ViewBack => (t.view_back, t.view_back_hint),
+            Self::ViewForward => (t.view_forward, t.view_forward_hint),
             Self::LinkOrbits => (t.link_orbits, t.link_orbits_hint),
             Self::Pipeline => (t.pipeline, t.pipeline_hint),
             Self::Help => (t.help, t.help_hint),
@@ -221,6 +229,8 @@ impl Command {
             Self::Observe(ObserverChange::From(Viewpoint::AlongV)) => (Modifiers::ALT, Key::Num6),
             Self::Observe(ObserverChange::From(Viewpoint::AlongN)) => (Modifiers::ALT, Key::Num7),
             Self::Observe(ObserverChange::Fit) => (Modifiers::ALT, Key::Num0),
+            Self::ViewBack => (Modifiers::ALT, Key::ArrowLeft),
+            Self::ViewForward => (Modifiers::ALT, Key::ArrowRight),
             Self::LinkOrbits => (Modifiers::ALT, Key::L),
             Self::Help => (Modifiers::NONE, Key::F1),
         };
@@ -257,6 +267,8 @@ impl Command {
             | Self::Show(_)
             | Self::Arrange(_)
             | Self::Observe(_)
+            | Self::ViewBack
+            | Self::ViewForward
             | Self::LinkOrbits
             | Self::Pipeline
             | Self::Help => None,
@@ -270,6 +282,8 @@ impl Command {
             Self::Undo => state.document.can_undo(),
             Self::Redo => state.document.can_redo(),
             Self::Reset => state.document.can_reset(),
+            Self::ViewBack => state.views.can_go_back(state.document.figure().observers),
+            Self::ViewForward => state.views.can_go_forward(state.document.figure().observers),
             Self::New
             | Self::Open
             | Self::Gallery
@@ -329,6 +343,8 @@ impl Command {
             | Self::ZoomOut
             | Self::ZoomReset
             | Self::Observe(_)
+            | Self::ViewBack
+            | Self::ViewForward
             | Self::Help => None,
         }
     }

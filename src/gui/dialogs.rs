@@ -1,5 +1,6 @@
 //! The questions that are asked in the window.
 
+use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
@@ -106,7 +107,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 state.gallery.end();
                 file_flow::begin(ctx, state, next);
             }
-            Dialog::Delete { name, below } => ask_delete(ui, t, state, (name, below), first),
+            Dialog::Delete { names, below } => ask_delete(ui, t, state, (names, below), first),
         }
     });
     if modal.should_close() {
@@ -165,19 +166,30 @@ fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usiz
 }
 
 /// What is to become of what hangs on an object that is deleted.
-fn ask_delete(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, (name, below): (String, usize), first: bool) {
+fn ask_delete(
+    ui: &mut egui::Ui,
+    t: &'static Texts,
+    state: &mut State,
+    (names, below): (BTreeSet<String>, usize),
+    first: bool,
+) {
     let words = scenes::texts(state.settings.lang);
-    text(ui, &format!("{} {}", words.delete, foreign::shown(&name)), &format!("{} {below}", words.delete_question));
+    let listed = names.iter().map(|name| foreign::shown(name)).collect::<Vec<_>>().join(", ");
+    text(
+        ui,
+        &format!("{} {}", words.delete, foreign::within(&listed, 120)),
+        &format!("{} {below}", words.delete_question),
+    );
     let children = match buttons(ui, t.cancel, &[words.delete_alone, words.delete_all], first.then_some(CANCEL)) {
         Pressed::Action(0) => Children::HungHigher,
         Pressed::Action(_) => Children::Removed,
         Pressed::Cancel => return,
         Pressed::Nothing => {
-            state.file_flow.dialog = Some(Dialog::Delete { name, below });
+            state.file_flow.dialog = Some(Dialog::Delete { names, below });
             return;
         }
     };
-    scene::remove(state, &name, children);
+    scene::remove(state, &names, children);
 }
 
 /// What is to become of what another program has written: the choice that loses nothing is the one most wanted.

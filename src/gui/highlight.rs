@@ -1,17 +1,15 @@
-//! What is selected in the tree, marked in the pictures, and the arrows that move it.
+//! What is selected in the tree, marked in the pictures.
 
 use std::collections::BTreeSet;
 
 use glam::{DMat4, DVec3};
 
-use super::document::Document;
 use super::state::{Selected, State};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
-use crate::numbers::round_to;
 use crate::scene::edit::{descendants, placements};
 use crate::scene::{LightSpec, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
-use crate::views::{Arrows, Palette, SharedScene};
+use crate::views::{Palette, SharedScene};
 
 /// The scene with what is selected marked in it; it is made anew only when one of both has changed.
 #[derive(Debug, Default)]
@@ -23,6 +21,7 @@ pub(super) struct Highlight {
 struct MarkedScene {
     scene: SharedScene,
     selected: Selected,
+    also: BTreeSet<String>,
     theme: Theme,
     marked: SharedScene,
 }
@@ -38,13 +37,18 @@ impl Highlight {
             self.kept = None;
             return scene.clone();
         };
-        let theme = state.settings.theme;
-        let is_same = |kept: &&MarkedScene| kept.scene == *scene && kept.selected == *selected && kept.theme == theme;
+        let (also, theme) = (state.tree.also(), state.settings.theme);
+        let is_same = |kept: &&MarkedScene| {
+            kept.scene == *scene && (&kept.selected, &kept.also, kept.theme) == (selected, also, theme)
+        };
         if let Some(kept) = self.kept.as_ref().filter(is_same) {
             return kept.marked.clone();
         }
         let color = Palette::of(theme).probe;
         let mut marked = Scene::clone(scene);
+        for name in also {
+            mark_objects(&mut marked, &figure.scene, name, color);
+        }
         match selected {
             Selected::Object(name) | Selected::OfPreset(name) => mark_objects(&mut marked, &figure.scene, name, color),
             Selected::Light(index) => {
@@ -54,8 +58,13 @@ impl Highlight {
             }
         }
         let marked = scene.marked(marked);
-        self.kept =
-            Some(MarkedScene { scene: scene.clone(), selected: selected.clone(), theme, marked: marked.clone() });
+        self.kept = Some(MarkedScene {
+            scene: scene.clone(),
+            selected: selected.clone(),
+            also: also.clone(),
+            theme,
+            marked: marked.clone(),
+        });
         marked
     }
 }
@@ -142,93 +151,6 @@ fn mark_light(scene: &mut Scene, light: LightSpec, bounds: Option<Aabb>, color: 
             let style = LineStyle { arrow: true, hidden: HiddenLines::Shown, ..style(color, 2.5) };
             scene.lines.push(Line { points: vec![to - unit * length, to], style });
         }
-    }
-}
-
-/// What arrows move.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Movable {
-    what: Selected,
-    /// What its place is written in: world ← parent.
-    parent: DMat4,
-    /// Its place as the figure has it.
-    pub(super) place: DVec3,
-}
-
-impl Movable {
-    /// What is selected, where it has a place that can be changed.
-    pub(super) fn selected(state: &State) -> Option<Self> {
-        let scene = &state.document.figure().scene;
-        let what = state.tree.selected(scene)?.clone();
-        let (parent, place) = match &what {
-            Selected::Object(name) => {
-                let object = scene.objects.iter().find(|o| o.name == *name)?;
-                let parent = match &object.parent {
-                    Some(parent) => *placements(scene).ok()?.get(parent)?,
-                    None => DMat4::IDENTITY,
-                };
-                (parent, object.translate)
-            }
-            Selected::Light(index) => match scene.lights.get(*index)? {
-                LightSpec::Point(place) => (DMat4::IDENTITY, *place),
-                LightSpec::Directional(_) => return None,
-            },
-            Selected::OfPreset(_) => return None,
-        };
-        Some(Self { what, parent, place })
-    }
-
-    /// Where it is in the world.
-    pub(super) fn origin(&self) -> DVec3 {
-        self.parent.transform_point3(self.place)
-    }
-
-    /// The directions of its parent's axes in the world, and how long a unit is along each.
-    fn axes(&self) -> Option<[(DVec3, f64); 3]> {
-        let axis = |direction: DVec3| {
-            let v = self.parent.transform_vector3(direction);
-            Some((try_unit(v)?, v.length()))
-        };
-        Some([axis(DVec3::X)?, axis(DVec3::Y)?, axis(DVec3::Z)?])
-    }
-
-    /// The arrows; none where a unit has no length.
-    pub(super) fn arrows(&self, hot: Option<usize>) -> Option<Arrows> {
-        let axes = self.axes()?.map(|(direction, _)| direction);
-        let origin = self.origin();
-        origin.is_finite().then_some(Arrows { origin, axes, hot })
-    }
-
-    /// Its place after it went so far (world) along an axis. Digits that are smaller than a pixel are rounded away.
-    pub(super) fn moved(&self, axis: usize, (way, pixel): (f64, f64)) -> DVec3 {
-        let mut place = self.place;
-        if let Some(axes) = self.axes() {
-            let unit = axes[axis].1;
-            place[axis] = round_to(place[axis] + way / unit, pixel / unit);
-        }
-        place
-    }
-
-    /// Puts it somewhere.
-    pub(super) fn put(&self, document: &mut Document, place: DVec3) {
-        document.edit(|figure| match &self.what {
-            Selected::Object(name) => {
-                if let Some(object) = figure.scene.objects.iter_mut().find(|o| o.name == *name) {
-                    object.translate = place;
-                }
-            }
-            Selected::Light(index) => {
-                if let Some(LightSpec::Point(position)) = figure.scene.lights.get_mut(*index) {
-                    *position = place;
-                }
-            }
-            Selected::OfPreset(_) => {}
-        });
-    }
-
-    /// True for a lamp, whose axes are those of the world.
-    pub(super) fn is_light(&self) -> bool {
-        matches!(self.what, Selected::Light(_))
     }
 }
 

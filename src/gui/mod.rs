@@ -31,6 +31,7 @@ pub mod panels;
 pub mod preferences;
 pub mod repair;
 pub mod scene_cache;
+mod selection_gizmo;
 pub mod session;
 pub mod state;
 pub mod theme;

@@ -20,7 +20,7 @@ texts! {
     of_preset: "of the named scene", "da cena nomeada";
     of_preset_hint: "It belongs to the named scene and cannot be changed. “Edit a copy” makes it an object of the figure.", "Pertence à cena nomeada e não pode ser mudado. “Editar uma cópia” faz dele um objeto da figura.";
     row_hint: "Click: select · drag: hang on another object · Del: delete", "Clique: selecionar · arraste: pendurar em outro objeto · Del: excluir";
-    nothing_selected: "Select an object or a light to change it, here or with a click in the world or in the image. In the world, its arrows move it.", "Selecione um objeto ou uma luz para mudar, aqui ou com um clique no mundo ou na imagem. No mundo, suas setas o movem.";
+    nothing_selected: "Select an object or a light to change it, here or with a click in the world or in the image; with Ctrl, several. In the world, arrows, rings and bars move, turn and scale it (keys T, R, S).", "Selecione um objeto ou uma luz para mudar, aqui ou com um clique no mundo ou na imagem; com Ctrl, vários. No mundo, setas, anéis e barras o movem, giram e escalam (teclas T, R, S).";
     empty: "There is no object yet.", "Ainda não há objetos.";
 
     object: "Object", "Objeto";
@@ -90,6 +90,17 @@ texts! {
 
     drag_object: "Drag: along this axis of its parent", "Arrastar: ao longo deste eixo do pai";
     drag_lamp: "Drag: along this axis", "Arrastar: ao longo deste eixo";
+    drag_parallel_light: "Drag: turn the direction of the light about this axis", "Arrastar: girar a direção da luz em torno deste eixo";
+    drag_ring: "Drag: turn about this axis of its parent", "Arrastar: girar em torno deste eixo do pai";
+    drag_bar: "Drag: scale along its own axis; in the middle, along all", "Arrastar: mudar a escala ao longo do próprio eixo; no meio, de todos";
+    drag_snaps: "Ctrl: in steps", "Ctrl: em passos";
+    sheared: "Some stay as they were: turned under their parent they would be sheared", "Alguns ficam como estavam: girados sob seu pai, seriam cisalhados";
+    together: "objects together", "objetos juntos";
+    gizmo_hint: "What dragging in the world does to what is selected. With the keyboard, while the world has the focus: T, R, S", "O que arrastar no mundo faz ao que está selecionado. Pelo teclado, com o foco no mundo: T, R, S";
+    gizmo_move: "T move", "T mover";
+    gizmo_turn: "R turn", "R girar";
+    gizmo_scale: "S scale", "S escalar";
+    several: "objects are selected: dragging in the world, Duplicate and Delete act on all of them; the fields are those of", "objetos selecionados: arrastar no mundo, Duplicar e Apagar agem em todos; os campos são de";
 
     group: "group", "grupo";
     shape_box: "box", "caixa";

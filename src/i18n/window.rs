@@ -72,6 +72,10 @@ texts! {
     look_along_n_hint: "As the camera looks, in parallel projection", "Como a câmera olha, em projeção paralela";
     look_fit: "Fit all", "Enquadrar tudo";
     look_fit_hint: "Everything of interest in both pictures", "Tudo o que interessa nas duas imagens";
+    view_back: "View before", "Vista anterior";
+    view_back_hint: "The 3D pictures as they were seen before they were turned, moved or zoomed", "As imagens 3D como eram vistas antes de serem giradas, movidas ou ampliadas";
+    view_forward: "View after", "Vista seguinte";
+    view_forward_hint: "The 3D pictures as they were seen before going back", "As imagens 3D como eram vistas antes de voltar";
     link_orbits: "Link the orbits", "Ligar as órbitas";
     link_orbits_hint: "Turning one 3D picture turns the other", "Girar uma imagem 3D gira a outra";
     help: "Mouse and keyboard", "Mouse e teclado";
@@ -79,7 +83,7 @@ texts! {
     help_numbers: "Number fields", "Campos numéricos";
     help_numbers_text: "Drag to the side (Shift: slowly). Click and type a number or an expression: 1/3, sqrt(2)/2, 45°, pi/3. Enter: done · Esc: as before · ↑ ↓: one step · Page ↑ ↓: ten steps", "Arraste para o lado (Shift: devagar). Clique e digite um número ou uma expressão: 1/3, sqrt(2)/2, 45°, pi/3. Enter: pronto · Esc: como antes · ↑ ↓: um passo · Page ↑ ↓: dez passos";
     help_pictures: "Pictures", "Imagens";
-    help_pictures_text: "Double-click: maximise. Drag C, PF, VUP and the planes F and B in the world, and the arrows of what is selected in the scene. Click: pin what is pointed at.", "Duplo clique: maximizar. Arraste C, PF, VUP e os planos F e B no mundo, e as setas do que está selecionado na cena. Clique: fixar o que se aponta.";
+    help_pictures_text: "Double-click: maximise. Drag C, PF, VUP and the planes F and B in the world, and the arrows, rings (R) and bars (S) of what is selected in the scene; with Ctrl, in steps. Click: pin what is pointed at.", "Duplo clique: maximizar. Arraste C, PF, VUP e os planos F e B no mundo, e as setas, anéis (R) e barras (S) do que está selecionado na cena; com Ctrl, em passos. Clique: fixar o que se aponta.";
     help_commands: "Commands", "Comandos";
     close: "Close", "Fechar";
     show_world: "World", "Mundo";

@@ -178,7 +178,7 @@ pub fn write_out_preset(spec: &mut SceneSpec, theme: Theme) {
 
 /// Gives an object the translation, rotation and scale that make this matrix parent ← object. False, and nothing done, where
 /// there are none.
-fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
+pub(super) fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
     let wanted = DMat3::from_mat4(*parent_from_object_wanted);
     let mut lengths = DVec3::new(wanted.x_axis.length(), wanted.y_axis.length(), wanted.z_axis.length());
     if wanted.determinant() < 0.0 {
@@ -190,7 +190,7 @@ fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
     let (z, y, x) = turned.to_euler(EulerRot::ZYX);
     let put = ObjectSpec {
         translate: tidy(parent_from_object_wanted.w_axis.truncate()),
-        rotate: tidy_angles(DVec3::new(x, y, z).map(f64::to_degrees)),
+        rotate: tidy_angles(nearest_angles(DVec3::new(x, y, z).map(f64::to_degrees), object.rotate)),
         scale: tidy(lengths),
         ..object.clone()
     };
@@ -207,10 +207,20 @@ fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
 }
 
 /// Without the last digits that rounding has made: 12 of the largest component's digits stay.
-fn tidy(v: DVec3) -> DVec3 {
+pub(super) fn tidy(v: DVec3) -> DVec3 {
     let unit = 10_f64.powi(12 - magnitude(v.abs().max_element()));
     let rounded = v.map(|x| (x * unit).round() / unit + 0.0);
     if rounded.is_finite() && (rounded - v).abs().max_element() <= 1e-11 * v.abs().max_element() { rounded } else { v }
+}
+
+/// Of the angles (degrees about x, y, z) that say the same rotation as these, those nearest to the ones before: what was turned
+/// about one axis alone stays so, and nothing jumps by whole turns.
+fn nearest_angles(angles: DVec3, before: DVec3) -> DVec3 {
+    let other = DVec3::new(angles.x + 180.0, 180.0 - angles.y, angles.z + 180.0);
+    let near = |a: DVec3| a - 360.0 * ((a - before) / 360.0).round();
+    let far = |a: DVec3| (a - before).abs().element_sum();
+    let (first, second) = (near(angles), near(other));
+    if far(first) <= far(second) { first } else { second }
 }
 
 /// Degrees with ten decimals.

@@ -18,6 +18,7 @@ mod read_error;
 mod resolve;
 mod soup;
 pub mod spec;
+pub mod transform;
 
 use std::sync::Arc;
 

@@ -1,5 +1,6 @@
 //! The colours of scenes: a palette that red-green blind people and grey printers can read, and the inks of each theme.
 
+use super::{Object, ObjectPaint, Scene};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Theme};
 
 /// The colours that objects get when they name none, in turn. From the palettes of Okabe and Ito (2008) and of Paul Tol
@@ -15,6 +16,15 @@ pub const PALETTE: [Rgba; 8] = [
     Rgba::rgb(0xf0, 0xe4, 0x42),
     Rgba::rgb(0x00, 0x44, 0x88),
 ];
+
+/// The colour of [`PALETTE`] that fewest objects of a scene have; of several the first.
+#[must_use]
+pub fn least_used(scene: &Scene) -> Rgba {
+    let has =
+        |object: &&Object, color: Rgba| matches!(object.paint, ObjectPaint::Solid(c) if c.with_alpha(255) == color);
+    let count = |color: Rgba| scene.objects.iter().filter(|object| has(object, color)).count();
+    PALETTE.into_iter().min_by_key(|color| count(*color)).unwrap_or(PALETTE[0])
+}
 
 /// Blue of [`PALETTE`].
 pub const BLUE: Rgba = PALETTE[0];

@@ -137,7 +137,15 @@ impl Grip<'_> {
 
     /// How far the point of a line nearest to the pointer's ray goes; `None` where the line is seen end-on.
     pub(super) fn along(&self, origin: DVec3, direction: DVec3) -> Option<f64> {
-        Some(nearest_on_line(origin, direction, self.to)? - nearest_on_line(origin, direction, self.from)?)
+        let (from, to) = self.places_along(origin, direction)?;
+        Some(to - from)
+    }
+
+    /// Where on a line (from `origin`, in lengths of its unit `direction`) the points nearest to the two rays are; `None` where the
+    /// line is seen end-on.
+    pub(super) fn places_along(&self, origin: DVec3, direction: DVec3) -> Option<(f64, f64)> {
+        let nearest = |ray| nearest_on_line(origin, direction, ray);
+        Some((nearest(self.from)?, nearest(self.to)?))
     }
 }
 

@@ -11,7 +11,6 @@
 //! | `world` | world | [`Observer`] |
 //! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed | [`Observer`] |
 
-pub mod arrows;
 mod canonical;
 mod content;
 pub mod depth;
@@ -33,6 +32,7 @@ mod request;
 mod revealed_scene;
 mod screen;
 mod timed_pipeline;
+pub mod transform_gizmo;
 mod view;
 mod volume;
 mod world;
@@ -48,7 +48,7 @@ use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use labels::Labels;
 use observer::Viewpoint;
-pub use overlays::{Arrows, Ghost, Handle, Overlays, Probe};
+pub use overlays::{Ghost, GizmoPart, Handle, Overlays, Probe, TransformGizmo, Transforming};
 pub use palette::Palette;
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Look, Request, SharedScene, observer_in};

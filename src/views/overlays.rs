@@ -14,8 +14,8 @@ pub struct Overlays {
     pub ghost: Option<Ghost>,
     /// The handle under the pointer, drawn stronger, in the world.
     pub hot: Option<Handle>,
-    /// What is selected can be moved by these, in the world.
-    pub arrows: Option<Arrows>,
+    /// By this what is selected can be moved, turned or scaled, in the world.
+    pub gizmo: Option<TransformGizmo>,
     /// Without legends: the picture is painted on something.
     pub bare: bool,
 }
@@ -26,7 +26,7 @@ impl Overlays {
     pub fn seen_in(&self, view: View) -> Self {
         match view {
             View::World => self.clone(),
-            View::Canonical | View::Image => Self { ghost: None, hot: None, arrows: None, ..self.clone() },
+            View::Canonical | View::Image => Self { ghost: None, hot: None, gizmo: None, ..self.clone() },
         }
     }
 }
@@ -66,13 +66,36 @@ pub enum Handle {
     Far,
 }
 
-/// Where the arrows stand.
+/// What a [`TransformGizmo`] does; the letters are those of the fields.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Transforming {
+    /// Three arrows move (T).
+    #[default]
+    Move,
+    /// Three rings turn (R).
+    Turn,
+    /// Three bars scale (S), and their middle scales in all directions.
+    Scale,
+}
+
+/// Where the gizmo stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arrows {
-    /// Where they begin (world).
+pub struct TransformGizmo {
+    /// What it does.
+    pub does: Transforming,
+    /// Its middle (world).
     pub origin: DVec3,
-    /// Where they point (world), unit vectors; they need not be at right angles.
+    /// Its axes (world), unit vectors; they need not be at right angles.
     pub axes: [DVec3; 3],
-    /// The one under the pointer, drawn stronger.
-    pub hot: Option<usize>,
+    /// The part under the pointer, drawn stronger.
+    pub hot: Option<GizmoPart>,
+}
+
+/// What can be taken of a [`TransformGizmo`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GizmoPart {
+    /// That of an axis: 0 is x.
+    Axis(usize),
+    /// The middle.
+    Middle,
 }

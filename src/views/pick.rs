@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::camera::Projection;
+use crate::camera::{Camera, Projection};
 use crate::geometry::Ray;
 use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
@@ -113,9 +113,14 @@ fn nearest(
     visible.or(close.first()).map(|(_, _, stands_for)| *stands_for)
 }
 
-/// True where no face stands between the camera's near plane and the point.
+/// True where no face stands between the near plane of the picture's camera and the point.
 fn can_be_seen(p: DVec3, faces: &Scene, screen: &Screen) -> bool {
-    let camera = screen.camera();
+    can_be_seen_by(screen.camera(), faces, p)
+}
+
+/// True where no face stands between the camera's near plane and a point (world).
+#[must_use]
+pub fn can_be_seen_by(camera: &Camera, faces: &Scene, p: DVec3) -> bool {
     let depth = -camera.view_point(p).z;
     let to_eye = match camera.projection() {
         Projection::Perspective => (camera.position() - p) / depth,
@@ -241,9 +246,16 @@ mod tests {
         with_cube(Parameters { aspect: 1.0, ..Parameters::default() }, |request| {
             let w = request.camera.window();
             let at = |x, y| window_point_in_image(request, DVec2::new(x, y));
-            assert_eq!(at(75.0, 0.0), Some(DVec2::new(w.left, w.top)), "the frame is 450 × 450 in the middle of 600");
-            assert_eq!(at(525.0, 450.0), Some(DVec2::new(w.right, w.bottom)));
-            assert_eq!(at(74.0, 10.0), None);
+            assert_eq!(
+                at(0.0, 0.0),
+                Some(DVec2::new(w.left, w.top)),
+                "the square window fills the m × n image of 4 : 3"
+            );
+            assert_eq!(at(600.0, 450.0), Some(DVec2::new(w.right, w.bottom)));
+            let request = Request { size: Size { width: 800, ..request.size }, ..request.clone() };
+            let at = |x, y| window_point_in_image(&request, DVec2::new(x, y));
+            assert_eq!(at(100.0, 0.0), Some(DVec2::new(w.left, w.top)), "beside it is room");
+            assert_eq!(at(99.0, 10.0), None);
         });
     }
 

@@ -177,7 +177,7 @@ mod tests {
     use super::*;
     use crate::i18n::{Lang, pictures};
     use crate::scene::PointMark;
-    use crate::views::{Arrows, Handle, Probe};
+    use crate::views::{Handle, Probe, TransformGizmo, Transforming};
     use glam::{DVec2, DVec3};
 
     fn request() -> Request {
@@ -215,7 +215,7 @@ mod tests {
         let overlays = Overlays {
             probe: Some(Probe::Window(DVec2::ZERO)),
             hot: Some(Handle::Near),
-            arrows: Some(Arrows { origin: DVec3::ZERO, axes: DVec3::AXES, hot: None }),
+            gizmo: Some(TransformGizmo { does: Transforming::Move, origin: DVec3::ZERO, axes: DVec3::AXES, hot: None }),
             ..Overlays::default()
         };
         assert_eq!(overlays.seen_in(View::World), overlays);

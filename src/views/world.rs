@@ -14,7 +14,7 @@ use super::content::Content;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{Gear, screen_of, seen_from};
-use super::{Handle, Palette, Request, arrows, ghost, handles, placing, probe, revealed_scene};
+use super::{Handle, Palette, Request, ghost, handles, placing, probe, revealed_scene, transform_gizmo};
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
@@ -40,7 +40,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     ghost::in_world(&mut world.builder, request, palette, world.gear);
     revealed.mark(&mut world.builder, palette);
     probe::in_world(&mut world.builder, request, palette, &world.content.volume);
-    arrows::in_world(&mut world.builder, request, palette);
+    transform_gizmo::in_world(&mut world.builder, request, palette);
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);

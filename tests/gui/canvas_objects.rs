@@ -5,9 +5,9 @@
 use camera_lab::gui::State;
 use camera_lab::gui::state::Selected;
 use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
-use camera_lab::views::arrows::arrow_at;
-use camera_lab::views::{Arrows, Overlays, Request, pick};
-use eframe::egui::{Modifiers, PointerButton, Pos2, Vec2, vec2};
+use camera_lab::views::transform_gizmo::part_at;
+use camera_lab::views::{GizmoPart, Overlays, Request, TransformGizmo, Transforming, pick};
+use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::{DVec2, DVec3};
@@ -27,17 +27,21 @@ fn with_cone(state: &mut State) {
     state.tree.select(Some(Selected::Object("cone".to_owned())));
 }
 
-/// A place in the world picture where the arrow of an axis can be taken.
-fn on_arrow(harness: &Harness<Stage>, arrows: Arrows, axis: usize) -> Pos2 {
+fn gizmo(does: Transforming, origin: DVec3, axes: [DVec3; 3]) -> TransformGizmo {
+    TransformGizmo { does, origin, axes, hot: None }
+}
+
+/// A place in the world picture where the part of an axis can be taken.
+fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2 {
     let rect = place(harness, WORLD);
-    let overlays = Overlays { arrows: Some(arrows), ..Overlays::default() };
+    let overlays = Overlays { gizmo: Some(gizmo), ..Overlays::default() };
     let world = Request { overlays, ..world(harness, rect) };
     let found = {
         let columns = (0..rect.width() as u32).step_by(3);
         let mut places = columns.flat_map(|x| (0..rect.height() as u32).step_by(3).map(move |y| (x, y)));
         places.find(|&(x, y)| {
             let at = DVec2::new(f64::from(x), f64::from(y));
-            arrow_at(&world, at, 2.0) == Some(axis)
+            part_at(&world, at, 2.0) == Some(GizmoPart::Axis(axis))
         })
     };
     let (x, y) = found.unwrap();
@@ -50,10 +54,10 @@ fn an_arrow_moves_what_is_selected_along_one_axis_of_its_parent_in_one_step() {
     h.state_mut().state.document.commit();
     let undoable = h.state().state.document.can_undo();
     // The group's x is the world's −z, its z the world's x.
-    let arrows = Arrows { origin: DVec3::new(1.5, 1.0, 0.0), axes: [DVec3::NEG_Z, DVec3::Y, DVec3::X], hot: None };
+    let arrows = gizmo(Transforming::Move, DVec3::new(1.5, 1.0, 0.0), [DVec3::NEG_Z, DVec3::Y, DVec3::X]);
     let cone = |h: &Harness<Stage>| h.state().state.document.figure().scene.objects[1].translate;
     let before = cone(&h);
-    let from = on_arrow(&h, arrows, 1);
+    let from = on_axis(&h, arrows, 1);
     drag(&mut h, from, vec2(0.0, -30.0), PointerButton::Primary, Modifiers::NONE);
     let after = cone(&h);
     assert!(after.y > before.y && after.x == before.x && after.z == before.z, "{before} {after}");
@@ -77,8 +81,8 @@ fn what_is_selected_is_marked_and_a_lamp_is_moved_too() {
     h.state_mut().state.tree.select(Some(Selected::Light(0)));
     h.run();
     assert!(h.state().canvas.drawn().iter().zip(drawn).all(|(now, before)| *now == before + 1), "all three, once");
-    let arrows = Arrows { origin: DVec3::Y * 3.0, axes: DVec3::AXES, hot: None };
-    let from = on_arrow(&h, arrows, 0);
+    let arrows = gizmo(Transforming::Move, DVec3::Y * 3.0, DVec3::AXES);
+    let from = on_axis(&h, arrows, 0);
     drag(&mut h, from, vec2(25.0, 0.0), PointerButton::Primary, Modifiers::NONE);
     let LightSpec::Point(lamp) = h.state().state.document.figure().scene.lights[0] else { panic!("a lamp") };
     assert!(lamp.x != 0.0 && lamp.y == 3.0 && lamp.z == 0.0, "{lamp}");
@@ -121,4 +125,102 @@ fn a_click_on_an_object_selects_it_while_the_tree_is_open() {
     }
     click(&mut h);
     assert_eq!(selected(&h), Some(Selected::Object("cone".to_owned())));
+}
+
+#[test]
+fn a_ring_turns_and_a_bar_scales_what_is_selected_and_the_modifier_makes_steps() {
+    let mut h = stage(with_cone);
+    h.state_mut().state.document.commit();
+    let cone = |h: &Harness<Stage>| h.state().state.document.figure().scene.objects[1].clone();
+    let before = cone(&h);
+    let origin = DVec3::new(1.5, 1.0, 0.0);
+    let axes = [DVec3::NEG_Z, DVec3::Y, DVec3::X];
+
+    // The keys of the world choose what is done.
+    h.get_by_label_contains(WORLD).focus();
+    h.run();
+    h.key_press(Key::R);
+    h.run();
+    let from = on_axis(&h, gizmo(Transforming::Turn, origin, axes), 1);
+    drag(&mut h, from, vec2(23.0, 17.0), PointerButton::Primary, Modifiers::COMMAND);
+    let turned = cone(&h).rotate;
+    assert!(turned.y != 0.0 && turned.y % 15.0 == 0.0 && turned.x == 0.0 && turned.z == 0.0, "{turned}");
+    assert_eq!((cone(&h).translate, cone(&h).scale), (before.translate, before.scale));
+    h.state_mut().state.undo();
+    h.run();
+    assert_eq!(cone(&h), before, "one step");
+
+    h.key_press(Key::S);
+    h.run();
+    let from = on_axis(&h, gizmo(Transforming::Scale, origin, axes), 1);
+    drag(&mut h, from, vec2(0.0, -25.0), PointerButton::Primary, Modifiers::NONE);
+    let scaled = cone(&h).scale;
+    assert!(scaled.y > 1.0 && scaled.x == 1.0 && scaled.z == 1.0, "{scaled}");
+    // Esc gives it back, in the middle of a pull.
+    h.hover_at(from);
+    h.run();
+    h.key_press(Key::T);
+    h.run();
+    assert!(h.query_all_by_label_contains("Drag: along this axis of its parent").next().is_some());
+}
+
+#[test]
+fn objects_that_are_selected_together_go_together() {
+    let mut h = stage(|state| {
+        with_cone(state);
+        state.document.edit(|figure| {
+            figure.scene.objects.push(ObjectSpec::new("ball", Shape::Sphere).at(-2.0, 0.0, 0.0));
+        });
+        let also = ["ball".to_owned()].into();
+        state.tree.select_all(Some(Selected::Object("cone".to_owned())), also);
+    });
+    h.state_mut().state.document.commit();
+    let places = |h: &Harness<Stage>| {
+        let objects = &h.state().state.document.figure().scene.objects;
+        (objects[1].translate, objects[2].translate)
+    };
+    let before = places(&h);
+    let from = on_axis(&h, gizmo(Transforming::Move, DVec3::new(1.5, 1.0, 0.0), [DVec3::NEG_Z, DVec3::Y, DVec3::X]), 1);
+    drag(&mut h, from, vec2(0.0, -30.0), PointerButton::Primary, Modifiers::NONE);
+    let after = places(&h);
+    // The cone's group makes everything twice as large.
+    let (cone, ball) = (after.0 - before.0, after.1 - before.1);
+    assert!(cone.y > 0.0 && (ball - cone * 2.0).length() < 1e-9, "{cone} {ball}");
+    h.state_mut().state.undo();
+    h.run();
+    assert_eq!(places(&h), before);
+    assert_eq!(h.state().state.tree.names(&h.state().state.document.figure().scene).len(), 2, "still selected");
+}
+
+#[test]
+fn parallel_light_is_turned_by_rings() {
+    let mut h = stage(|state| {
+        with_cone(state);
+        state.document.edit(|figure| figure.scene.lights = vec![LightSpec::Directional(DVec3::new(0.0, -1.0, 0.0))]);
+        state.tree.select(Some(Selected::Light(0)));
+    });
+    let middle = h.state().state.scene_cache.scene().bounds().unwrap().center();
+    let from = on_axis(&h, gizmo(Transforming::Turn, middle, DVec3::AXES), 0);
+    drag(&mut h, from, vec2(30.0, 20.0), PointerButton::Primary, Modifiers::COMMAND);
+    let LightSpec::Directional(d) = h.state().state.document.figure().scene.lights[0] else { panic!("parallel") };
+    let angle = d.y.atan2(d.z).to_degrees();
+    assert!(d.x.abs() < 1e-12 && d != DVec3::NEG_Y && (angle / 15.0 - (angle / 15.0).round()).abs() < 1e-9, "{d}");
+    assert!((d.length() - 1.0).abs() < 1e-11);
+}
+
+#[test]
+fn turns_of_the_view_are_gone_back_through() {
+    let mut h = stage(with_cone);
+    let observers = |h: &Harness<Stage>| h.state().state.document.figure().observers;
+    let before = observers(&h);
+    let rect = place(&h, WORLD);
+    let corner = rect.min + vec2(8.0, 30.0);
+    drag(&mut h, corner, vec2(40.0, 10.0), PointerButton::Primary, Modifiers::NONE);
+    let turned = observers(&h);
+    assert_ne!(turned, before);
+    let views = &mut h.state_mut().state.views;
+    views.reset(before);
+    assert!(views.can_go_back(turned) && !views.can_go_forward(turned));
+    assert_eq!(views.back(turned), Some(before));
+    assert_eq!(views.forward(before), Some(turned));
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use camera_lab::gui::state::{Dialog, Purpose};
+use camera_lab::gui::state::Message;
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
 use eframe::egui::{Key, Modifiers};
@@ -71,10 +71,10 @@ fn what_was_said_last_is_said_in_the_language_of_now() {
     window.command_key(Key::L);
 
     // Errors carry what went wrong, not the words for it.
-    window.app_mut().state.file_flow.dialog = Some(Dialog::Path(Purpose::Open, "/no such figure.toml".to_owned()));
+    let path = std::path::PathBuf::from("/no such figure.toml");
+    let error = camera_lab::files::open_figure(&path).expect_err("it is not there");
+    window.app_mut().state.say(Message::File(path, error));
     window.run();
-    window.click("Open");
-    window.click("Cancel");
     assert!(window.says("there is no such file or directory"));
     window.command_key(Key::L);
     assert!(window.says("o arquivo ou diretório não existe") && !window.says("there is no such file"));

@@ -99,6 +99,7 @@ fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
 
     window.pick("parent", "box");
     assert_eq!(window.objects()[1].parent.as_deref(), Some("box"));
+    let hung = window.objects()[1].translate;
 
     window.enter("translation x", "1/4");
     assert_eq!(window.objects()[1].translate.x, 0.25);
@@ -111,7 +112,7 @@ fn a_sphere_is_added_renamed_hung_elsewhere_and_moved_and_each_is_undone() {
     for _ in 0..4 {
         window.command_key(Key::Z);
     }
-    assert_eq!(window.objects()[1].translate.x, 0.0);
+    assert_eq!(window.objects()[1].translate, hung);
     window.command_key(Key::Z);
     assert_eq!(window.objects()[1].parent, None);
     window.command_key(Key::Z);
@@ -268,6 +269,65 @@ fn deleting_asks_what_becomes_of_the_children() {
     window.key(Key::Delete);
     window.run();
     assert_eq!(window.names(), ["group"]);
+}
+
+#[test]
+fn several_are_selected_copied_with_their_children_deleted_and_brought_back() {
+    let mut window = Window::scene(Lang::En);
+    window.add("Add", "group");
+    window.add("Add", "box");
+    window.select("World");
+    window.add("Add", "cone");
+    let colors: Vec<_> = window.objects().iter().filter_map(|o| o.color).collect();
+    assert!(colors.len() == 2 && colors[0] != colors[1], "each has a colour of its own");
+    window.select("group");
+    window.harness.get_by_role_and_label(Role::TreeItem, "cone").click_modifiers(Modifiers::COMMAND);
+    window.run();
+    assert!(window.says("2 objects are selected"));
+    window.click("Duplicate");
+    window.run();
+    assert_eq!(window.names(), ["group", "box", "group 2", "box 2", "cone", "cone 2"]);
+    assert_eq!(window.objects()[3].parent.as_deref(), Some("group 2"));
+    assert!(window.says("2 objects are selected"), "the copies");
+    window.key(Key::Delete);
+    window.run();
+    // The keyboard is with the row that was clicked last, which is not selected any more.
+    let before = window.names().len();
+    window.select("group");
+    window.harness.get_by_role_and_label(Role::TreeItem, "box").click_modifiers(Modifiers::COMMAND);
+    window.run();
+    window.key(Key::Delete);
+    window.run();
+    assert_eq!(window.names().len(), before - 2, "nothing to ask: all that hangs on it is selected too");
+    window.command_key(Key::Z);
+    window.run();
+    assert_eq!(window.names().len(), before);
+    let scene = &window.state().document.figure().scene;
+    assert_eq!(window.state().tree.names(scene), ["group".to_owned()].into(), "what came back is selected");
+}
+
+#[test]
+fn a_new_object_is_in_sight_and_touches_nothing() {
+    let folder = Folder::new("in sight");
+    let path = folder.file("figure.toml");
+    std::fs::write(&path, "[scene]\npreset = \"primitives\"\n").expect("written");
+    let mut window = Window::opened(&path);
+    window.key(Key::F6);
+    window.run();
+    let others: Vec<_> = window.state().scene_cache.scene().objects.iter().filter_map(|o| o.bounds()).collect();
+    assert!(others.len() > 4);
+    window.add("Add", "box");
+    window.run();
+    let scene = window.state().scene_cache.scene();
+    let new = scene.objects.last().expect("the box").bounds().expect("it has corners");
+    for other in &others {
+        assert!((new.max.cmplt(other.min) | new.min.cmpgt(other.max)).any(), "{new:?} {other:?}");
+    }
+    let camera = window.state().document.camera();
+    for corner in new.corners() {
+        let clip = camera.clip_point(corner);
+        assert!(clip.truncate().abs().max_element() <= clip.w, "{corner}");
+    }
 }
 
 #[test]

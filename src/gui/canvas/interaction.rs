@@ -13,16 +13,17 @@ use crate::camera::{Convention, Operation};
 use crate::figure::Observer;
 use crate::geometry::Angle;
 use crate::gui::handle_drag::{self, HandleDrag};
-use crate::gui::highlight::Movable;
+use crate::gui::selection_gizmo::Movable;
 use crate::gui::state::{ObserverChange, Selected, Side, State, Tab};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::faults::camera_error;
 use crate::i18n::scenes;
-use crate::numbers::significant;
+use crate::numbers::{power_of_ten, significant};
+use crate::scene::SceneSpec;
 use crate::views::Handle;
-use crate::views::arrows::{arrow_at, pull};
 use crate::views::handles::handle_at;
-use crate::views::{Overlays, Probe, Request, View, pick};
+use crate::views::transform_gizmo::{part_at, pull};
+use crate::views::{GizmoPart, Overlays, Probe, Request, Transforming, View, pick};
 
 /// Logarithm of the zoom for one point of the wheel.
 const ZOOM_PER_POINT: f64 = 0.004;
@@ -33,8 +34,8 @@ const STEP: f64 = 5.0;
 /// Zoom or dolly for one press of a key.
 const STEP_FACTOR: f64 = 1.1;
 
-/// How near the pointer must come to an arrow, in points.
-const ARROW_REACH: f32 = 7.0;
+/// How near the pointer must come to a part of the gizmo, in points.
+const GIZMO_REACH: f32 = 7.0;
 
 /// What is held with the pointer.
 pub(super) enum Drag {
@@ -44,24 +45,27 @@ pub(super) enum Drag {
     Pan { view: View, pressed: Observer },
     /// Something in the world is moved.
     Handle(Box<HandleDrag>),
-    /// What is selected is moved along an axis.
-    Arrow(Box<ArrowDrag>),
+    /// What is selected is moved, turned or scaled.
+    Gizmo(Box<GizmoDrag>),
 }
 
-/// An arrow that is held.
-pub(super) struct ArrowDrag {
-    /// As it was when it was taken.
+/// A part of the gizmo that is held.
+pub(super) struct GizmoDrag {
+    /// As it was when it was taken, and the scene with it.
     movable: Movable,
-    axis: usize,
+    before: SceneSpec,
+    part: GizmoPart,
     observer: Option<Observer>,
     from: DVec2,
+    /// Some objects would be sheared and stay as they were.
+    is_sheared: bool,
 }
 
 impl Drag {
     fn view(&self) -> View {
         match self {
             Self::Orbit { view, .. } | Self::Pan { view, .. } => *view,
-            Self::Handle(_) | Self::Arrow(_) => View::World,
+            Self::Handle(_) | Self::Gizmo(_) => View::World,
         }
     }
 }
@@ -115,15 +119,16 @@ impl Canvas {
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
             self.pinned_before = self.pinned;
             self.pinned = hovered;
-            self.select(state, pane);
+            let beside = response.ctx.input(|i| i.modifiers.command);
+            self.select(state, pane, beside);
         }
         if response.clicked() || response.drag_started() {
             response.request_focus();
         }
     }
 
-    /// While the tree of the scene is open, selects the object that was clicked.
-    fn select(&self, state: &mut State, pane: &Pane) {
+    /// While the tree of the scene is open, selects the object that was clicked; with `beside`, beside what is selected.
+    fn select(&self, state: &mut State, pane: &Pane, beside: bool) {
         let is_open = state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left);
         let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| is_open) else { return };
         let pointer = pane.rect.pixel(pointer);
@@ -131,7 +136,10 @@ impl Canvas {
         let selected =
             pick::object(&request, pointer).and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
         if selected.is_some() {
-            state.tree.select(selected);
+            match &selected {
+                Some(Selected::Object(name)) if beside => state.tree.toggle(&state.document.figure().scene, name),
+                _ => state.tree.select(selected),
+            }
             pane.response.ctx.request_repaint();
         }
     }
@@ -174,10 +182,11 @@ impl Canvas {
                 return Some(Drag::Handle(Box::new(HandleDrag::new(handle, request, from, modifiers))));
             }
             if let Some(movable) = Movable::selected(state)
-                && let Some(axis) = arrow_at(&request, from, pane.rect.pixels(ARROW_REACH))
+                && let Some(part) = part_at(&request, from, pane.rect.pixels(GIZMO_REACH))
             {
-                let observer = request.observer;
-                return Some(Drag::Arrow(Box::new(ArrowDrag { movable, axis, observer, from })));
+                let (observer, before) = (request.observer, state.document.figure().scene.clone());
+                let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
+                return Some(Drag::Gizmo(Box::new(held)));
             }
         }
         Some(if primary && !modifiers.shift {
@@ -214,17 +223,19 @@ impl Canvas {
                     ui.request_repaint();
                 }
             }
-            Some(Drag::Arrow(held)) => {
-                let ArrowDrag { movable, axis, observer, from } = held.as_ref();
-                let Some(arrows) = movable.arrows(None) else { return };
-                let line = (arrows.origin, arrows.axes[*axis]);
+            Some(Drag::Gizmo(held)) => {
+                let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
                 let request = Request { observer: *observer, ..request };
-                if let Some(way) = pull(&request, line, *from, pane.rect.pixel(pointer)) {
-                    let place = movable.moved(*axis, way);
-                    if Movable::selected(state).is_some_and(|now| now.place != place) {
-                        movable.put(&mut state.document, place);
-                        ui.request_repaint();
-                    }
+                let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
+                    return;
+                };
+                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(state));
+                // Where the scene cannot be built with it, the last one that could stays.
+                let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
+                *is_sheared = !all;
+                if state.document.figure().scene != scene {
+                    state.document.edit(|figure| figure.scene = scene);
+                    ui.request_repaint();
                 }
             }
         }
@@ -243,7 +254,7 @@ impl Canvas {
             }
             Some(Drag::Pan { view, pressed }) => self.turn(state, view, pressed),
             Some(Drag::Handle(held)) => state.document.set_camera(held.before()),
-            Some(Drag::Arrow(held)) => held.movable.put(&mut state.document, held.movable.place),
+            Some(Drag::Gizmo(held)) => state.document.edit(|figure| figure.scene = held.before),
         }
     }
 
@@ -277,11 +288,15 @@ impl Canvas {
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
-            Some(Drag::Arrow(held)) => {
-                if let Some(arrows) = &mut self.overlays.arrows {
-                    arrows.hot = Some(held.axis);
+            Some(Drag::Gizmo(held)) => {
+                if let Some(gizmo) = &mut self.overlays.gizmo {
+                    gizmo.hot = Some(held.part);
                 }
-                let lines = arrow_lines(state, digits);
+                let mut lines = gizmo_lines(state, digits);
+                if held.is_sheared {
+                    scenes::texts(state.settings.lang).sheared.clone_into(&mut lines[1]);
+                    status.warning = true;
+                }
                 status.message = lines.join(" · ");
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
@@ -332,14 +347,14 @@ impl Canvas {
             return probed(handle, state);
         }
         if pane.view == View::World
-            && let Some(axis) = arrow_at(&request, pointer, pane.rect.pixels(ARROW_REACH))
+            && let Some(part) = part_at(&request, pointer, pane.rect.pixels(GIZMO_REACH))
         {
-            let lines = arrow_lines(state, digits);
+            let lines = gizmo_lines(state, digits);
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
-            if let Some(arrows) = &mut self.overlays.arrows {
-                arrows.hot = Some(axis);
+            if let Some(gizmo) = &mut self.overlays.gizmo {
+                gizmo.hot = Some(part);
             }
             return None;
         }
@@ -407,6 +422,9 @@ impl Canvas {
             (Key::Home, View::World | View::Canonical) => self.asked = Some((view, ObserverChange::Fit)),
             (Key::PageUp, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR)),
             (Key::PageDown, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR.recip())),
+            (Key::T, View::World) => state.tree.transforming = Transforming::Move,
+            (Key::R, View::World) => state.tree.transforming = Transforming::Turn,
+            (Key::S, View::World) => state.tree.transforming = Transforming::Scale,
             _ if arrow != DVec2::ZERO => self.arrow(state, view, arrow, modifiers),
             _ => {}
         }
@@ -474,11 +492,25 @@ fn tooltip(ui: &Ui, lines: &[String]) {
     });
 }
 
-/// Where what is selected is, and how its arrows are dragged.
-fn arrow_lines(state: &State, digits: usize) -> Vec<String> {
+/// How far a move goes in one step while the modifier is held: a tenth of D, as a power of ten.
+fn snap_length(state: &State) -> f64 {
+    power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0)
+}
+
+/// What the gizmo changes of what is selected, as it is now, and how it is dragged.
+fn gizmo_lines(state: &State, digits: usize) -> [String; 2] {
     let t = scenes::texts(state.settings.lang);
-    let Some(movable) = Movable::selected(state) else { return Vec::new() };
-    let hint = if movable.is_light() { t.drag_lamp } else { t.drag_object };
-    let symbol = if movable.is_light() { "P" } else { "T" };
-    vec![format!("{symbol} = {}", handle_drag::point(movable.place, digits)), hint.to_owned()]
+    let Some(movable) = Movable::selected(state) else { return Default::default() };
+    let (symbol, value, hint) = match (movable.is_light(), movable.gizmo.does) {
+        (true, Transforming::Turn) => ("L", movable.place, t.drag_parallel_light),
+        (true, Transforming::Move | Transforming::Scale) => ("P", movable.place, t.drag_lamp),
+        (false, Transforming::Move) => ("T", movable.place, t.drag_object),
+        (false, Transforming::Turn) => ("R", movable.rotate, t.drag_ring),
+        (false, Transforming::Scale) => ("S", movable.scale, t.drag_bar),
+    };
+    let together = match movable.count() {
+        1 => String::new(),
+        count => format!(" · {count} {}", t.together),
+    };
+    [format!("{symbol} = {}{together}", handle_drag::point(value, digits)), format!("{hint} · {}", t.drag_snaps)]
 }

@@ -36,7 +36,8 @@ use self::title::{Title, TitleAction};
 use crate::appearance::Rgba;
 use crate::figure::{Depth, Observer};
 use crate::gui::handle_drag::point;
-use crate::gui::highlight::{Highlight, Movable};
+use crate::gui::highlight::Highlight;
+use crate::gui::selection_gizmo::Movable;
 use crate::gui::state::{Message, ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
@@ -152,7 +153,7 @@ impl Canvas {
             state.say(Message::Scene(error));
         }
         self.overlays.ghost = state.ghost.clone();
-        self.overlays.arrows = Movable::selected(state).and_then(|movable| movable.arrows(None));
+        self.overlays.gizmo = Movable::selected(state).map(|movable| movable.gizmo);
         let panes = self.panes(ui, pictures, state, texts);
         for pane in &panes {
             state.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];

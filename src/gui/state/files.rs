@@ -1,5 +1,6 @@
 //! What is asked about files, and what is going on with them.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::Message;
@@ -107,11 +108,11 @@ pub enum Dialog {
     Help,
     /// Which figure to begin with.
     Gallery,
-    /// What becomes of what hangs on this object, which is to be deleted?
+    /// What becomes of what hangs on these objects, which are to be deleted?
     Delete {
-        /// Its name.
-        name: String,
-        /// How many objects hang on it.
+        /// Their names.
+        names: BTreeSet<String>,
+        /// How many other objects hang on them.
         below: usize,
     },
 }

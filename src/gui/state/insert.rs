@@ -3,10 +3,14 @@
 use glam::{DMat4, DVec3};
 
 use super::{Selected, State};
+use crate::camera::Camera;
+use crate::geometry::Aabb;
 use crate::i18n::scenes;
 use crate::numbers;
 use crate::scene::edit::{free_name, placements};
-use crate::scene::{ObjectSpec, SceneSpec, Shape};
+use crate::scene::palette::least_used;
+use crate::scene::{Object, ObjectSpec, Scene, SceneSpec, Shape};
+use crate::views::pick::can_be_seen_by;
 
 impl State {
     /// Adds a mesh file, by its path as the figure names it.
@@ -31,7 +35,10 @@ impl State {
         let translate =
             if parent.is_some() { parent_from_world.transform_point3(object.translate) } else { object.translate };
         let translate = rounded(translate, translate.abs().max_element() * 1e-6);
-        let object = ObjectSpec { name: name.clone(), parent, translate, ..object };
+        // A mesh has the colours of its materials, a grid a grey of its own, a group none.
+        let has_own = matches!(object.shape, None | Some(Shape::Mesh { .. } | Shape::Grid));
+        let color = object.color.or_else(|| (!has_own).then(|| least_used(self.scene_cache.scene())));
+        let object = ObjectSpec { name: name.clone(), parent, translate, color, ..object };
         self.document.edit(|figure| figure.scene.objects.push(object));
         self.tree.select(Some(Selected::Object(name)));
     }
@@ -40,6 +47,36 @@ impl State {
         let Some(Selected::Object(name)) = self.tree.selected(scene) else { return None };
         scene.objects.iter().find(|o| o.name == *name && o.shape.is_none()).map(|o| o.name.clone())
     }
+}
+
+/// A place for a thing that reaches `half` (scene units) to every side: where the camera looks or near it, such that it is seen
+/// whole and in front of everything, and touches nothing; where there is no such place, where the camera looks.
+pub(in crate::gui) fn free_place(camera: &Camera, scene: &Scene, half: f64) -> DVec3 {
+    /// So far to the sides (and half as far towards the eye) places are tried, in steps of a thing's size.
+    const MOST: i32 = 6;
+    let (basis, middle) = (camera.basis(), camera.focal_point());
+    let taken: Vec<Aabb> = scene.objects.iter().filter(|o| o.faces).filter_map(Object::bounds).collect();
+    let mut steps: Vec<(i32, i32, i32)> =
+        (-MOST..=MOST).flat_map(|i| (-MOST..=MOST).flat_map(move |j| (0..=MOST / 2).map(move |k| (i, j, k)))).collect();
+    // Upwards before downwards, sideways before towards the eye.
+    steps.sort_by_key(|&(i, j, k)| (i * i + j * j + 2 * k * k, -j, i.abs(), i));
+    let place = |(i, j, k): (i32, i32, i32)| {
+        let way = basis.u * f64::from(i) + basis.v * f64::from(j) + basis.n * f64::from(k);
+        rounded(middle + way * (2.2 * half), half / 5.0)
+    };
+    let is_good = |p: &DVec3| {
+        let around = Aabb { min: *p - half, max: *p + half };
+        let apart = |other: &Aabb| (around.max.cmplt(other.min) | around.min.cmpgt(other.max)).any();
+        taken.iter().all(apart)
+            && around.corners().iter().all(|corner| is_in_volume(camera, *corner))
+            && can_be_seen_by(camera, scene, *p)
+    };
+    steps.into_iter().map(place).find(is_good).unwrap_or_else(|| rounded(middle, half / 5.0))
+}
+
+fn is_in_volume(camera: &Camera, p: DVec3) -> bool {
+    let clip = camera.clip_point(p);
+    clip.truncate().abs().max_element() <= clip.w
 }
 
 /// Each component to the multiple of a power of ten, not above `unit`, that is nearest.

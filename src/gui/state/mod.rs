@@ -7,6 +7,7 @@ mod message;
 mod operations;
 mod recent;
 mod scene_tree;
+mod view_history;
 
 use crate::appearance::{Style, Theme};
 use crate::camera::{CameraError, Operation};
@@ -15,7 +16,7 @@ use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Probe};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
-pub(super) use insert::rounded;
+pub(super) use insert::{free_place, rounded};
 pub use layout::{Arrangement, Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use message::about_session;
 pub use message::{Message, NotExported};
@@ -25,6 +26,7 @@ pub use recent::Recent;
 pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
 pub use scene_tree::{SceneTree, Selected};
+pub use view_history::ViewHistory;
 
 use super::Start;
 use super::document::Document;
@@ -91,6 +93,8 @@ pub struct State {
     pub settings: Settings,
     /// The pictures.
     pub layout: Layout,
+    /// From where they have been seen.
+    pub views: ViewHistory,
     /// The tree of the scene.
     pub tree: SceneTree,
     /// The panel of operations.
@@ -160,6 +164,7 @@ impl State {
                 reduce_motion: false,
             },
             layout: Layout::default(),
+            views: ViewHistory::default(),
             tree: SceneTree::default(),
             operations: Operations::default(),
             file_flow: FileFlow::new(true),
@@ -186,6 +191,7 @@ impl State {
         self.file_flow.decided = None;
         self.scene_cache.expect_another();
         self.tree = SceneTree::default();
+        self.views.reset(self.document.figure().observers);
         self.probe = None;
         self.message = None;
     }
@@ -194,6 +200,20 @@ impl State {
     #[must_use]
     pub fn style(&self) -> Style {
         Style { theme: self.settings.theme, ..self.document.figure().style }
+    }
+
+    /// One step back; what it brings back in the scene is selected.
+    pub fn undo(&mut self) {
+        let before = self.document.figure().scene.clone();
+        self.document.undo();
+        self.tree.follow(&before, &self.document.figure().scene);
+    }
+
+    /// One step forward; what it brings back in the scene is selected.
+    pub fn redo(&mut self) {
+        let before = self.document.figure().scene.clone();
+        self.document.redo();
+        self.tree.follow(&before, &self.document.figure().scene);
     }
 
     /// Does an operation to the camera, by the signs that are chosen; where it cannot be done, says why.

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use crate::appearance::Theme;
 use crate::scene::palette::SceneColors;
 use crate::scene::{ObjectSpec, Preset, SceneError, SceneSpec};
+use crate::views::Transforming;
 
 /// What is selected in the tree.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,8 +36,12 @@ impl Selected {
 #[derive(Debug, Default)]
 pub struct SceneTree {
     pub(in crate::gui) selected: Option<Selected>,
+    /// The figure's objects that are selected beside it.
+    also: BTreeSet<String>,
     /// What is selected after this frame: what is being typed now is taken over before.
-    next: Option<Option<Selected>>,
+    next: Option<(Option<Selected>, BTreeSet<String>)>,
+    /// What dragging in the world does to what is selected.
+    pub(in crate::gui) transforming: Transforming,
     pub(in crate::gui) folded: BTreeSet<String>,
     /// The scene as the fields show it while it is impossible.
     pub(in crate::gui) draft: Option<Draft>,
@@ -84,14 +89,83 @@ impl SceneTree {
 
     /// Selects something, or nothing, once all panels have been shown in this frame.
     pub fn select(&mut self, selected: Option<Selected>) {
-        self.next = Some(selected);
+        self.select_all(selected, BTreeSet::new());
+    }
+
+    /// As [`select`](Self::select), with other objects of the figure beside it.
+    pub fn select_all(&mut self, selected: Option<Selected>, also: BTreeSet<String>) {
+        self.next = Some((selected, also));
+    }
+
+    /// Selects an object of the figure beside what is selected, or no longer.
+    pub(in crate::gui) fn toggle(&mut self, scene: &SceneSpec, name: &str) {
+        let mut names = self.names(scene);
+        let primary = if names.remove(name) {
+            let kept = self.selected.clone().filter(|selected| *selected != Selected::Object(name.to_owned()));
+            kept.or_else(|| names.first().cloned().map(Selected::Object))
+        } else {
+            Some(Selected::Object(name.to_owned()))
+        };
+        if let Some(Selected::Object(primary)) = &primary {
+            names.remove(primary);
+        }
+        self.select_all(primary, names);
+    }
+
+    /// The figure's objects that are selected beside [`selected`](Self::selected); some may be gone.
+    #[must_use]
+    pub fn also(&self) -> &BTreeSet<String> {
+        &self.also
+    }
+
+    /// All objects of the figure that are selected.
+    #[must_use]
+    pub fn names(&self, scene: &SceneSpec) -> BTreeSet<String> {
+        let own = scene.objects.iter().map(|o| &o.name);
+        let is_selected = |name: &String| {
+            self.also.contains(name) || matches!(&self.selected, Some(Selected::Object(selected)) if selected == name)
+        };
+        own.filter(|name| is_selected(name)).cloned().collect()
+    }
+
+    /// After undo or redo has made `after` of `before`: what came back is selected, and what has another name now stays so.
+    pub(in crate::gui) fn follow(&mut self, before: &SceneSpec, after: &SceneSpec) {
+        let has = |scene: &SceneSpec, name: &str| scene.objects.iter().any(|o| o.name == name);
+        let of = |from: &SceneSpec, other: &SceneSpec| -> Vec<String> {
+            from.objects.iter().filter(|o| !has(other, &o.name)).map(|o| o.name.clone()).collect()
+        };
+        let (gone, come) = (of(before, after), of(after, before));
+        let is_renaming = gone.len() == come.len();
+        let new_name = |name: &String| match gone.iter().position(|gone| gone == name) {
+            Some(k) if is_renaming => Some(come[k].clone()),
+            Some(_) => None,
+            None => Some(name.clone()),
+        };
+        if !is_renaming && !come.is_empty() {
+            // Of what came back with what it hangs on, the latter.
+            let is_top = |name: &&String| {
+                let object = after.objects.iter().find(|o| o.name == **name);
+                object.and_then(|o| o.parent.as_ref()).is_none_or(|parent| !come.contains(parent))
+            };
+            let mut tops = come.iter().filter(is_top).cloned();
+            let first = tops.next().map(Selected::Object);
+            self.select_all(first, tops.collect());
+            return;
+        }
+        let also = self.also.iter().filter_map(new_name).collect();
+        match &self.selected {
+            Some(Selected::Object(name)) => self.select_all(new_name(name).map(Selected::Object), also),
+            other => self.select_all(other.clone(), also),
+        }
     }
 
     /// Does what [`select`](Self::select) has asked for; true where it has.
     pub fn settle(&mut self) -> bool {
         let next = self.next.take();
         let asked = next.is_some();
-        self.selected = next.unwrap_or(self.selected.take());
+        if let Some((selected, also)) = next {
+            (self.selected, self.also) = (selected, also);
+        }
         asked
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
 use crate::gui::file_flow;
-use crate::gui::state::{MeshFor, Purpose, Selected, State, rounded};
+use crate::gui::state::{MeshFor, Purpose, Selected, State, free_place, rounded};
 use crate::i18n::scenes::Texts;
 use crate::numbers;
 use crate::scene::{LightSpec, ObjectSpec, Shape};
@@ -72,7 +72,11 @@ fn chosen(ui: &mut egui::Ui, name: &str) -> bool {
 fn add(state: &mut State, object: ObjectSpec) {
     let camera = state.document.camera();
     let size = if object.shape.is_some() { size_in(camera) } else { 1.0 };
-    let place = rounded(camera.focal_point(), size / 10.0);
+    let place = match object.shape {
+        // A grid lies where the scene stands, and a group has no body.
+        None | Some(Shape::Grid) => rounded(camera.focal_point(), size / 10.0),
+        Some(_) => free_place(camera, state.scene_cache.scene(), size),
+    };
     let object = ObjectSpec { translate: place, scale: DVec3::splat(size), ..object };
     state.insert(object);
 }

@@ -5,6 +5,8 @@ mod light;
 mod object;
 mod tree;
 
+use std::collections::BTreeSet;
+
 use eframe::egui::{self, RichText};
 
 use super::{choice, row, section};
@@ -15,6 +17,7 @@ use crate::i18n::scenes::{self, Texts};
 use crate::i18n::window;
 use crate::limits::MAX_SIDE;
 use crate::scene::edit::{self, Children};
+use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
 
 /// A change that the tree or a button asks for.
@@ -24,11 +27,11 @@ enum Edit {
         parent: Option<String>,
     },
     Remove {
-        name: String,
+        names: BTreeSet<String>,
         children: Children,
     },
-    /// Asks what becomes of what hangs on it, where something does.
-    AskRemove(String),
+    /// Asks what becomes of what hangs on them, where something does.
+    AskRemove(BTreeSet<String>),
     RemoveLight(usize),
 }
 
@@ -200,16 +203,24 @@ impl Form {
 }
 
 /// Deletes an object, says so, and selects its parent.
-pub(in crate::gui) fn remove(state: &mut State, name: &str, children: Children) {
+pub(in crate::gui) fn remove(state: &mut State, names: &BTreeSet<String>, children: Children) {
     let mut scene = state.document.figure().scene.clone();
     let before = scene.objects.len();
-    let next = scene.objects.iter().find(|o| o.name == name).and_then(|o| o.parent.clone());
-    let Ok(stayed) = edit::remove(&mut scene, name, children) else { return };
+    let tops = topmost(&scene, names);
+    let Some(name) = tops.first() else { return };
+    let next = scene.objects.iter().find(|o| o.name == *name).and_then(|o| o.parent.clone());
+    let mut stayed = true;
+    for name in names {
+        match edit::remove(&mut scene, name, children) {
+            Ok(all) => stayed &= all,
+            Err(_) => return,
+        }
+    }
     let others = before - scene.objects.len();
     let selected = next.filter(|parent| scene.objects.iter().any(|o| o.name == *parent));
     state.document.edit(|figure| figure.scene = scene);
     state.tree.select(selected.map(Selected::Object));
-    state.say(Message::Deleted { name: name.to_owned(), others: others.saturating_sub(1), shear: !stayed });
+    state.say(Message::Deleted { name: name.clone(), others: others.saturating_sub(1), shear: !stayed });
 }
 
 fn perform(state: &mut State, edit: Edit) {
@@ -227,13 +238,13 @@ fn perform(state: &mut State, edit: Edit) {
                 state.tree.folded.remove(&parent);
             }
         }
-        Edit::Remove { name, children } => remove(state, &name, children),
-        Edit::AskRemove(name) => {
-            let below = edit::descendants(&state.document.figure().scene, &name).len();
+        Edit::Remove { names, children } => remove(state, &names, children),
+        Edit::AskRemove(names) => {
+            let below = below(&state.document.figure().scene, &names);
             if below == 0 {
-                remove(state, &name, Children::Removed);
+                remove(state, &names, Children::Removed);
             } else {
-                state.file_flow.dialog = Some(Dialog::Delete { name, below });
+                state.file_flow.dialog = Some(Dialog::Delete { names, below });
             }
         }
         Edit::RemoveLight(index) => {

@@ -1,5 +1,7 @@
 //! The fields of an object: name, kind, parent, transform, colour, segments, and what its shape needs.
 
+use std::collections::BTreeSet;
+
 use eframe::egui::{self, Key, RichText};
 use glam::DVec3;
 
@@ -14,17 +16,24 @@ use crate::i18n::scenes::{self, Texts};
 use crate::i18n::{faults, messages};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::numbers::short;
-use crate::scene::edit::{self, Children, descendants, free_name, placements};
+use crate::scene::edit::{self, Children, descendants, placements};
+use crate::scene::transform;
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, SceneSpec, Shape};
+use crate::views::Transforming;
 
 /// The fields of the object at this place of the list; what its buttons ask for.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) -> Option<Edit> {
     let t = form.t;
     let name = form.scene.objects[index].name.clone();
+    let together = state.tree.names(&form.scene).len();
+    if together > 1 {
+        let words = format!("{together} {} {}", t.several, shown(&name));
+        ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
+    }
     rename(ui, state, form, &name);
     kind(ui, form, index);
     let mut asked = parent(ui, state, form, index);
-    transform(ui, form, index);
+    transform_fields(ui, form, index, &mut state.tree.transforming);
     if form.scene.objects[index].shape.is_some() || !descendants(&form.scene, &name).is_empty() {
         color(ui, state, form, index);
     }
@@ -33,9 +42,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: u
     ui.add_space(3.0);
     ui.horizontal(|ui| {
         if ui.button(t.duplicate).on_hover_text(t.duplicate_hint).clicked() {
-            duplicate(state, form, index);
+            duplicate(state, form);
         }
-        asked = asked.take().or(delete(ui, form, &name));
+        asked = asked.take().or(delete(ui, form, &state.tree.names(&form.scene)));
     });
     matrix(ui, form, &name);
     asked
@@ -184,10 +193,11 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Op
     (chosen != object.parent).then(|| Edit::Hang { name: object.name.clone(), parent: chosen })
 }
 
-fn transform(ui: &mut egui::Ui, form: &mut Form, index: usize) {
+fn transform_fields(ui: &mut egui::Ui, form: &mut Form, index: usize, transforming: &mut Transforming) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let step = form.step;
+    gizmo(ui, form, transforming);
     let mut show =
         |ui: &mut egui::Ui, key, symbol, name, hint, step, angles, value: fn(&mut ObjectSpec) -> &mut DVec3| {
             let marked = form.is_marked(Some(&owner), key);
@@ -199,6 +209,19 @@ fn transform(ui: &mut egui::Ui, form: &mut Form, index: usize) {
     show(ui, "rotate", "R", t.rotate, t.rotate_hint, 15.0, true, |o| &mut o.rotate);
     show(ui, "scale", "S", t.scale, t.scale_hint, 0.1, false, |o| &mut o.scale);
     form.complain(ui, Some(&owner), "parent", &[]);
+}
+
+/// What dragging in the world does.
+fn gizmo(ui: &mut egui::Ui, form: &Form, transforming: &mut Transforming) {
+    let t = form.t;
+    let kinds =
+        [(Transforming::Move, t.gizmo_move), (Transforming::Turn, t.gizmo_turn), (Transforming::Scale, t.gizmo_scale)];
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        for (kind, name) in kinds {
+            ui.selectable_value(transforming, kind, name).on_hover_text(t.gizmo_hint);
+        }
+    });
 }
 
 fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
@@ -402,20 +425,19 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     }
 }
 
-fn duplicate(state: &mut State, form: &mut Form, index: usize) {
-    let object = &form.scene.objects[index];
-    let stem = object.name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end();
-    let name = free_name(&form.scene, if stem.is_empty() { &object.name } else { stem });
-    let copy = ObjectSpec { name: name.clone(), ..object.clone() };
-    form.scene.objects.insert(index + 1, copy);
-    state.tree.select(Some(Selected::Object(name)));
+/// Copies what is selected; the copies are selected then.
+fn duplicate(state: &mut State, form: &mut Form) {
+    let names = state.tree.names(&form.scene);
+    let mut copies = transform::duplicate(&mut form.scene, &names);
+    let first = copies.pop_first();
+    state.tree.select_all(first.map(Selected::Object), copies);
 }
 
-/// The button; a menu where something hangs on the object.
-fn delete(ui: &mut egui::Ui, form: &Form, name: &str) -> Option<Edit> {
+/// The button; a menu where something hangs on what is selected.
+fn delete(ui: &mut egui::Ui, form: &Form, names: &BTreeSet<String>) -> Option<Edit> {
     let t = form.t;
-    let below = descendants(&form.scene, name).len();
-    let remove = |children| Some(Edit::Remove { name: name.to_owned(), children });
+    let below = transform::below(&form.scene, names);
+    let remove = |children| Some(Edit::Remove { names: names.clone(), children });
     if below == 0 {
         let button = ui.button(t.delete).on_hover_text(t.delete_hint);
         return button.clicked().then(|| remove(Children::Removed)).flatten();

@@ -50,7 +50,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
         egui::ScrollArea::vertical().id_salt("tree").max_height(height).auto_shrink([false, true]).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             for row in &rows {
-                let is_selected = row.what.is_some() && row.what == selected;
+                let is_also = matches!(&row.what, Some(Selected::Object(name)) if state.tree.also().contains(name));
+                let is_selected = row.what.is_some() && row.what == selected || is_also;
                 let response = show(ui, row, is_selected);
                 if let (Selected::Object(name), true) =
                     (row.what.as_ref().unwrap_or(&Selected::Light(0)), response.drag_started())
@@ -76,7 +77,12 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
 /// Clicks and keys on a row.
 fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &Row, response: &Response, edits: &mut Vec<Edit>) {
     if response.clicked() {
-        state.tree.select(row.what.clone());
+        match &row.what {
+            Some(Selected::Object(name)) if ui.input(|input| input.modifiers.command) => {
+                state.tree.toggle(&state.document.figure().scene, name);
+            }
+            what => state.tree.select(what.clone()),
+        }
         response.request_focus();
         ui.ctx().request_repaint();
     }
@@ -106,7 +112,13 @@ fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &Row, response: &Respo
     }
     if pressed(Key::Delete) {
         match &row.what {
-            Some(Selected::Object(name)) => edits.push(Edit::AskRemove(name.clone())),
+            Some(Selected::Object(name)) => {
+                let mut names = state.tree.names(&state.document.figure().scene);
+                if !names.contains(name) {
+                    names = BTreeSet::from([name.clone()]);
+                }
+                edits.push(Edit::AskRemove(names));
+            }
             Some(Selected::Light(index)) => edits.push(Edit::RemoveLight(*index)),
             Some(Selected::OfPreset(_)) | None => {}
         }

@@ -1,0 +1,119 @@
+//! From where the pictures have been seen: going back to the view before a turn, a move or a zoom, which is no change of the
+//! figure and so no undo step.
+
+use crate::figure::Observers;
+
+/// So many views are kept.
+const MOST: usize = 100;
+/// A view counts once nothing has turned it for so long, in seconds: the turns of a wheel are one step.
+const STILL: f64 = 0.4;
+
+/// The views before and after the present one.
+#[derive(Debug, Default)]
+pub struct ViewHistory {
+    past: Vec<Observers>,
+    future: Vec<Observers>,
+    /// The view that counts now.
+    now: Observers,
+    /// What may become the next, and since when (seconds).
+    turning: Option<(Observers, f64)>,
+}
+
+impl ViewHistory {
+    /// Begins anew, with another figure.
+    pub fn reset(&mut self, observers: Observers) {
+        *self = Self { now: observers, ..Self::default() };
+    }
+
+    /// Notes from where the pictures are seen at a time (seconds). In how many seconds this wants to be called again.
+    pub fn follow(&mut self, observers: Observers, time: f64) -> Option<f64> {
+        if observers == self.now {
+            self.turning = None;
+            return None;
+        }
+        match self.turning {
+            Some((turning, since)) if turning == observers => {
+                let left = since + STILL - time;
+                if left <= 0.0 {
+                    self.settle(observers);
+                    return None;
+                }
+                Some(left)
+            }
+            _ => {
+                self.turning = Some((observers, time));
+                Some(STILL)
+            }
+        }
+    }
+
+    fn settle(&mut self, observers: Observers) {
+        self.turning = None;
+        if observers != self.now {
+            self.past.push(std::mem::replace(&mut self.now, observers));
+            self.past.drain(..self.past.len().saturating_sub(MOST));
+            self.future.clear();
+        }
+    }
+
+    /// True where there is a view to go back to from `observers`.
+    #[must_use]
+    pub fn can_go_back(&self, observers: Observers) -> bool {
+        !self.past.is_empty() || observers != self.now
+    }
+
+    /// True where there is a view to go forward to from `observers`.
+    #[must_use]
+    pub fn can_go_forward(&self, observers: Observers) -> bool {
+        !self.future.is_empty() && observers == self.now
+    }
+
+    /// The view before `observers`.
+    pub fn back(&mut self, observers: Observers) -> Option<Observers> {
+        self.settle(observers);
+        let before = self.past.pop()?;
+        self.future.push(std::mem::replace(&mut self.now, before));
+        Some(before)
+    }
+
+    /// The view after `observers`.
+    pub fn forward(&mut self, observers: Observers) -> Option<Observers> {
+        self.settle(observers);
+        let after = self.future.pop()?;
+        self.past.push(std::mem::replace(&mut self.now, after));
+        Some(after)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::Observer;
+
+    fn turned(azimuth: f64) -> Observers {
+        let target = glam::DVec3::ZERO;
+        let world = Observer { target, distance: 10.0, azimuth, elevation: 20.0, roll: 0.0, parallel: false };
+        Observers { world: Some(world), ..Observers::default() }
+    }
+
+    #[test]
+    fn a_gesture_is_one_view_and_one_goes_back_and_forward_among_them() {
+        let mut history = ViewHistory::default();
+        for k in 0..10_u8 {
+            assert!(history.follow(turned(f64::from(k)), 0.05 * f64::from(k)).is_some());
+        }
+        assert!(history.follow(turned(9.0), 0.6).is_some());
+        assert_eq!(history.follow(turned(9.0), 0.9), None);
+        // One that has not come to rest counts when one goes back from it.
+        assert!(history.follow(turned(30.0), 1.0).is_some());
+        assert_eq!(history.back(turned(30.0)), Some(turned(9.0)));
+        assert!(history.can_go_back(turned(9.0)) && history.can_go_forward(turned(9.0)));
+        assert_eq!(history.back(turned(9.0)), Some(Observers::default()));
+        assert_eq!(history.back(Observers::default()), None);
+        assert_eq!(history.forward(Observers::default()), Some(turned(9.0)));
+        // Another turn ends the way forward.
+        assert_eq!(history.back(turned(50.0)), Some(turned(9.0)));
+        assert_eq!(history.forward(turned(9.0)), Some(turned(50.0)));
+        assert_eq!(history.forward(turned(50.0)), None);
+    }
+}
