@@ -15,6 +15,7 @@ use crate::scene::Scene;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
+use super::placing::Rules;
 use super::revealed_scene::{self, Revealed};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
@@ -86,7 +87,13 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let mut drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
-    placing::settle(&mut drawn.drawing, &[], revealed_scene::room(legend.as_ref()));
+    let rules = Rules {
+        background: &[],
+        reserved: revealed_scene::room(legend.as_ref()),
+        first: &["x_n", "y_n", "z_n"],
+        leader: Some((palette.soft, 0.8 * request.size.scale)),
+    };
+    placing::settle(&mut drawn.drawing, &rules);
     revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
     drawn
 }

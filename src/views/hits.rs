@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::camera::{Camera, Projection};
 use crate::scene::{Object, Scene};
 
 /// The first point of the scene's faces on a segment (world), beginning at `from`.
@@ -21,6 +22,18 @@ pub(super) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec
 pub(super) fn first_crossing(scene: &Scene, from: DVec3, to: DVec3) -> Option<f64> {
     let faced = scene.objects.iter().filter(|o| o.faces);
     faced.filter_map(|o| crossing(o, from, to, false)).min_by(f64::total_cmp)
+}
+
+/// True where no face stands between a camera's near plane and a point.
+pub(super) fn can_be_seen(p: DVec3, faces: &Scene, camera: &Camera) -> bool {
+    let depth = -camera.view_point(p).z;
+    let to_eye = match camera.projection() {
+        Projection::Perspective => (camera.position() - p) / depth,
+        Projection::Parallel => camera.basis().n,
+    };
+    let eye = p + to_eye * (depth - camera.near());
+    // The faces that meet in the point end there and do not hide it.
+    first_crossing(faces, eye, p).is_none_or(|t| t > 1.0 - 1e-6)
 }
 
 /// As [`first_crossing`], of one object.

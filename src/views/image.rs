@@ -9,6 +9,7 @@ use crate::scene::Scene;
 use super::depth::{self, Greys};
 use super::gizmos::{SceneBuilder, stroke};
 use super::pixels::{PixelRect, Size, image_frame};
+use super::placing::Rules;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
 use super::{Palette, Request, placing, probe, revealed_scene};
@@ -63,7 +64,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         rows.extend(greys.legend(request, palette));
     }
     rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
-    placing::settle(&mut drawn.drawing, &[], None);
+    placing::settle(&mut drawn.drawing, &Rules { background: &[], reserved: None, first: &[], leader: None });
     if rect != PixelRect::whole(request.size) {
         drawn.drawing = mounted(drawn.drawing, rect, request.size, palette);
     }

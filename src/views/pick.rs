@@ -2,12 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::camera::{Camera, Projection};
+use crate::camera::Camera;
 use crate::geometry::Ray;
 use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
 
-use super::hits::{crossing, first_crossing};
+use super::hits::{can_be_seen, crossing};
 use super::screen::Screen;
 use super::{Request, View, canonical, image, world_framing};
 
@@ -109,26 +109,14 @@ fn nearest(
     close.sort_by(|a, b| a.0.total_cmp(&b.0));
     close.dedup_by(|a, b| a.1 == b.1);
     close.truncate(MOST);
-    let visible = close.iter().find(|(_, shown, _)| can_be_seen(*shown, faces, screen));
+    let visible = close.iter().find(|(_, shown, _)| can_be_seen(*shown, faces, screen.camera()));
     visible.or(close.first()).map(|(_, _, stands_for)| *stands_for)
-}
-
-/// True where no face stands between the near plane of the picture's camera and the point.
-fn can_be_seen(p: DVec3, faces: &Scene, screen: &Screen) -> bool {
-    can_be_seen_by(screen.camera(), faces, p)
 }
 
 /// True where no face stands between the camera's near plane and a point (world).
 #[must_use]
 pub fn can_be_seen_by(camera: &Camera, faces: &Scene, p: DVec3) -> bool {
-    let depth = -camera.view_point(p).z;
-    let to_eye = match camera.projection() {
-        Projection::Perspective => (camera.position() - p) / depth,
-        Projection::Parallel => camera.basis().n,
-    };
-    let eye = p + to_eye * (depth - camera.near());
-    // The faces that meet in the vertex end there and do not hide it.
-    first_crossing(faces, eye, p).is_none_or(|t| t > 1.0 - 1e-6)
+    can_be_seen(p, faces, camera)
 }
 
 #[cfg(test)]
@@ -192,8 +180,8 @@ mod tests {
         with_cube(Parameters::default(), |request| {
             let screen = image::screen(request);
             let place = screen.place(DVec3::NEG_ONE).unwrap();
-            assert!(!can_be_seen(DVec3::NEG_ONE, &request.scene, &screen));
-            assert!(can_be_seen(DVec3::ONE, &request.scene, &screen));
+            assert!(!can_be_seen(DVec3::NEG_ONE, &request.scene, screen.camera()));
+            assert!(can_be_seen(DVec3::ONE, &request.scene, screen.camera()));
             assert_eq!(vertex(request, place, 8.0), Some(DVec3::NEG_ONE));
             assert_eq!(vertex(request, place + 20.0, 8.0), None);
         });
@@ -221,7 +209,7 @@ mod tests {
             let mut seen = 0;
             for p in canonical::CUBE.corners() {
                 let shown = displayed_ndc(&request.camera, p).unwrap();
-                if can_be_seen(shown, &canonical::contents(&request), &screen) {
+                if can_be_seen(shown, &canonical::contents(&request), screen.camera()) {
                     seen += 1;
                     let place = screen.place(shown).unwrap();
                     assert_eq!(vertex(&request, place, 3.0), Some(p));

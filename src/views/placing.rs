@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::appearance::Rgba;
+use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba};
 use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
 use crate::text::{measure, x_height};
 
@@ -39,36 +39,90 @@ impl Box2 {
     }
 }
 
-/// Places the labels of a drawing, larger ones first, equal ones in their order: the offset of each is the direction and
-/// distance that it would like; one that finds no free place is left out. Lines in a color of `background` may be covered, but
-/// not what is `reserved`.
-pub(super) fn settle(drawing: &mut Drawing, background: &[Rgba], reserved: Option<Box2>) {
-    let lines = lines(&drawing.strokes, background);
-    let mut taken: Vec<Box2> = drawing
-        .marks
-        .iter()
-        .map(|m| Box2 { center: point(m.position), half: DVec2::splat(f64::from(m.radius)) })
-        .collect();
+/// How labels give way to each other.
+pub(super) struct Rules<'a> {
+    /// Lines in these colours may be covered.
+    pub(super) background: &'a [Rgba],
+    /// What must stay free.
+    pub(super) reserved: Option<Box2>,
+    /// The texts that have the choice before all others, the first of them first; of the rest, larger ones come first.
+    pub(super) first: &'a [&'a str],
+    /// Colour and width of the lines that lead from a text to its point where there is no room beside it.
+    pub(super) leader: Option<(Rgba, f32)>,
+}
+
+/// Places the labels of a drawing: the offset of each is the direction and distance that it would like. One that finds no free
+/// place stands farther off with a line that leads to its point; where there is none either, it is left out.
+pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
+    let lines = lines(&drawing.strokes, rules.background);
+    let mut taken = marked(drawing);
     let marks = taken.len();
-    taken.extend(reserved);
+    taken.extend(rules.reserved);
     let picture = DVec2::new(f64::from(drawing.width), f64::from(drawing.height));
+    let rank = |label: &Label| rules.first.iter().position(|text| *text == label.text).unwrap_or(rules.first.len());
+    drawing.labels.sort_by(|a, b| rank(a).cmp(&rank(b)).then(b.size.total_cmp(&a.size)));
     let mut kept = Vec::with_capacity(drawing.labels.len());
-    drawing.labels.sort_by(|a, b| b.size.total_cmp(&a.size));
+    let mut leaders = Vec::new();
     for mut label in std::mem::take(&mut drawing.labels) {
-        let best = candidates(&label)
-            .map(|(b, dislike)| (b, dislike + cost(&b, &taken, marks, &lines, picture, f64::from(label.size))))
+        let em = f64::from(label.size);
+        let important = rank(&label) < rules.first.len();
+        let best = candidates(&label, rules.leader.is_some())
+            .map(|c| (c, c.dislike + cost(&c.place, &taken, marks, &lines, picture, em)))
             .min_by(|a, b| a.1.total_cmp(&b.1));
-        let Some((place, cost)) = best else { continue };
-        if !cost.is_finite() {
+        let Some((best, cost)) = best else { continue };
+        if !cost.is_finite() || (cost > COVERS && !important) {
             continue;
         }
-        let offset = place.center - point(label.position);
+        let at = point(label.position);
+        let offset = best.place.center - at;
         label.offset = [pixels(offset.x), pixels(offset.y)];
         label.anchor = Anchor::Center;
-        taken.push(place);
+        taken.push(best.place);
+        if best.leads {
+            // From the border of the text's box towards its point.
+            let share = (best.place.half / offset.abs()).min_element().min(1.0);
+            let stop = at + offset.normalize_or_zero() * (0.25 * em);
+            leaders.push([best.place.center - offset * share, stop]);
+        }
         kept.push(label);
     }
     drawing.labels = kept;
+    if let (Some((color, width)), false) = (rules.leader, leaders.is_empty()) {
+        drawing.strokes.push(leading(&leaders, color, width));
+    }
+}
+
+/// From this cost on, a text covers a mark or the head of an arrow.
+const COVERS: f64 = 40.0;
+
+/// What a text must not cover: marks, and the heads of arrows.
+fn marked(drawing: &Drawing) -> Vec<Box2> {
+    let marks = drawing.marks.iter().map(|m| (point(m.position), f64::from(m.radius)));
+    let heads = drawing.strokes.iter().filter(|s| s.style.arrow).flat_map(|s| {
+        s.polylines.iter().filter_map(move |range| {
+            let points = s.points.get(range.start as usize..range.end as usize)?;
+            let [.., before, tip] = points else { return None };
+            let (before, tip) = (point(*before), point(*tip));
+            let radius = 0.5 * f64::from(s.style.head_length(pixels((tip - before).length())));
+            Some((tip - (tip - before).normalize_or_zero() * radius, radius))
+        })
+    });
+    marks.chain(heads).map(|(center, radius)| Box2 { center, half: DVec2::splat(radius) }).collect()
+}
+
+/// The lines from texts to their points, over everything.
+fn leading(ends: &[[DVec2; 2]], color: Rgba, width: f32) -> StrokeSet {
+    let mut set = StrokeSet {
+        points: Vec::new(),
+        polylines: Vec::new(),
+        style: LineStyle { color, width, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: false },
+    };
+    for end in ends {
+        let from = u32::try_from(set.points.len()).unwrap_or(u32::MAX);
+        set.points.extend(end.map(|p| [pixels(p.x), pixels(p.y), 1.0]));
+        set.polylines.push(from..from.saturating_add(2));
+    }
+    set
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a place in pixels; f32 is what drawings hold")]
@@ -95,19 +149,29 @@ fn lines(strokes: &[StrokeSet], background: &[Rgba]) -> Vec<[DVec2; 2]> {
         .collect()
 }
 
-/// Places around a label's point and how little each is liked.
-fn candidates(label: &Label) -> impl Iterator<Item = (Box2, f64)> + use<> {
+/// A place for a label.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    place: Box2,
+    dislike: f64,
+    /// So far from its point that a line must lead there.
+    leads: bool,
+}
+
+/// Places around a label's point and how little each is liked; those farther off if a line may lead to the point.
+fn candidates(label: &Label, leaders: bool) -> impl Iterator<Item = Candidate> + use<> {
     let half = half_size(&label.text, label.size);
     let offset = DVec2::new(f64::from(label.offset[0]), f64::from(label.offset[1]));
     let (direction, gap) = (offset.normalize_or(DVec2::X), offset.length());
     let (at, em) = (point(label.position), f64::from(label.size));
     let angles = [0.0_f64, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 110.0, -110.0, 145.0, -145.0, 180.0];
-    let gaps = [0.0, 0.5, 1.1, 1.8];
-    gaps.into_iter().flat_map(move |more| {
+    let gaps = [(0.0, false), (0.5, false), (1.0, false), (1.6, true), (2.4, true), (3.4, true), (4.6, true)];
+    gaps.into_iter().filter(move |(_, leads)| leaders || !leads).flat_map(move |(more, leads)| {
         angles.into_iter().map(move |angle| {
             let d = DVec2::from_angle(angle.to_radians()).rotate(direction);
             let reach = gap + more * em + (d.abs() * half).element_sum();
-            (Box2 { center: at + d * reach, half }, angle.abs() / 90.0 + 1.5 * more)
+            let dislike = angle.abs() / 90.0 + 1.5 * more + if leads { 2.0 } else { 0.0 };
+            Candidate { place: Box2 { center: at + d * reach, half }, dislike, leads }
         })
     })
 }
@@ -123,6 +187,9 @@ fn cost(b: &Box2, taken: &[Box2], marks: usize, lines: &[[DVec2; 2]], picture: D
         let overlap = b.overlap(other);
         if overlap > 0.0 && i >= marks {
             return f64::INFINITY;
+        }
+        if overlap > 0.02 * em * em {
+            sum += COVERS;
         }
         sum += 8.0 * overlap / (em * em);
     }
@@ -144,7 +211,8 @@ pub(super) fn half_size(text: &str, size: f32) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::appearance::LineStyle;
+
+    const RULES: Rules<'_> = Rules { background: &[], reserved: None, first: &[], leader: None };
 
     fn label(x: f32, y: f32, text: &str) -> Label {
         Label {
@@ -182,7 +250,7 @@ mod tests {
     #[test]
     fn a_lone_text_stands_where_it_wishes() {
         let mut d = drawing(vec![label(50.0, 50.0, "PF")]);
-        settle(&mut d, &[], None);
+        settle(&mut d, &RULES);
         let b = boxes(&d)[0];
         assert!((b.center.y - 50.0).abs() < 1e-3);
         assert!((b.center.x - b.half.x - 56.0).abs() < 1e-3, "its left end is 6 px to the right of its point");
@@ -191,7 +259,7 @@ mod tests {
     #[test]
     fn texts_at_one_point_do_not_cover_each_other_and_the_last_gives_way() {
         let mut d = drawing((0..60).map(|_| label(50.0, 50.0, "window")).collect());
-        settle(&mut d, &[], None);
+        settle(&mut d, &RULES);
         let b = boxes(&d);
         assert!((3..59).contains(&b.len()), "{}", b.len());
         for (i, a) in b.iter().enumerate() {
@@ -203,7 +271,7 @@ mod tests {
     fn no_text_is_cut_off() {
         let corners = [(1.0, 1.0), (199.0, 1.0), (199.0, 99.0), (1.0, 99.0)];
         let mut d = drawing(corners.iter().map(|&(x, y)| label(x, y, "far")).collect());
-        settle(&mut d, &[], None);
+        settle(&mut d, &RULES);
         assert_eq!(d.labels.len(), 4);
         for b in boxes(&d) {
             assert!((b.center - b.half).min_element() >= -1e-3);
@@ -223,8 +291,8 @@ mod tests {
         let mut d = drawing(vec![label(50.0, 50.0, "PF")]);
         d.strokes.push(line);
         let mut over_grid = d.clone();
-        settle(&mut d, &[], None);
-        settle(&mut over_grid, &[color], None);
+        settle(&mut d, &RULES);
+        settle(&mut over_grid, &Rules { background: &[color], ..RULES });
         assert!(boxes(&d)[0].length_inside(DVec2::new(0.0, 50.0), DVec2::new(200.0, 50.0)) < 1e-6);
         assert!((boxes(&over_grid)[0].center.y - 50.0).abs() < 1e-3);
     }
@@ -235,5 +303,37 @@ mod tests {
         assert!((b.length_inside(DVec2::new(0.0, 5.0), DVec2::new(10.0, 5.0)) - 4.0).abs() < 1e-12);
         assert!((b.length_inside(DVec2::new(5.0, 5.0), DVec2::new(5.0, 50.0)) - 1.0).abs() < 1e-12);
         assert_eq!(b.length_inside(DVec2::new(0.0, 7.0), DVec2::new(10.0, 7.0)), 0.0);
+    }
+
+    #[test]
+    fn what_comes_first_has_the_choice_and_the_rest_stands_off_with_a_line_to_its_point() {
+        let mut d = drawing((0..14).map(|i| label(100.0, 50.0, if i == 13 { "C" } else { "window" })).collect());
+        let color = Rgba::rgb(1, 2, 3);
+        settle(&mut d, &Rules { first: &["C"], leader: Some((color, 1.0)), ..RULES });
+        let all = boxes(&d);
+        assert_eq!(d.labels[0].text, "C");
+        assert!((all[0].center.y - 50.0).abs() < 1e-3 && all[0].center.x > 100.0, "where it wishes");
+        let lines = &d.strokes[0];
+        assert_eq!(lines.style.color, color);
+        assert!(!lines.polylines.is_empty() && lines.polylines.len() < d.labels.len());
+        for range in &lines.polylines {
+            let [from, to] = [range.start, range.start + 1].map(|i| point(lines.points[i as usize]));
+            assert!(to.distance(DVec2::new(100.0, 50.0)) < 5.0, "{to}");
+            assert!(all.iter().any(|b| b.length_inside(from, from + (from - to) * 1e-3) > 0.0), "begins at a text");
+        }
+    }
+
+    #[test]
+    fn a_text_covers_no_mark_and_no_head_of_an_arrow() {
+        let color = Rgba::rgb(10, 20, 30);
+        let style = LineStyle { color, width: 2.0, dash: Default::default(), hidden: Default::default(), arrow: true };
+        let mut d = drawing(vec![label(50.0, 50.0, "PF")]);
+        d.strokes.push(StrokeSet {
+            points: vec![[65.0, 90.0, 0.5], [65.0, 50.0, 0.5]],
+            polylines: std::iter::once(0..2).collect(),
+            style,
+        });
+        settle(&mut d, &RULES);
+        assert!(marked(&d).iter().all(|head| head.overlap(&boxes(&d)[0]) < 4.0));
     }
 }

@@ -12,9 +12,10 @@ use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
 use super::content::Content;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
+use super::placing::Rules;
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{Gear, screen_of, seen_from};
-use super::{Handle, Palette, Request, ghost, handles, placing, probe, revealed_scene, transform_gizmo};
+use super::{Handle, Palette, Request, ghost, handles, hits, placing, probe, revealed_scene, transform_gizmo};
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
@@ -34,6 +35,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     world.window();
     world.camera();
     world.aim();
+    let names = world.planes();
     world.axes();
     world.drop_lines();
     world.hot_handle();
@@ -44,10 +46,19 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
-    placing::settle(&mut drawn.drawing, &[palette.grid], revealed_scene::room(legend.as_ref()));
+    let rules = Rules {
+        background: &[palette.grid],
+        reserved: revealed_scene::room(legend.as_ref()),
+        first: &["C", "PF", "u", "v", "n", "VUP", &names[0], &names[1], "DOP"],
+        leader: Some((palette.soft, 0.8 * request.size.scale)),
+    };
+    placing::settle(&mut drawn.drawing, &rules);
     revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
     drawn
 }
+
+/// Up to so many faces a corner is looked at closely.
+const MOST_FACES: usize = 200_000;
 
 /// The picture while it is being made.
 struct World<'a> {
@@ -93,12 +104,6 @@ impl World<'_> {
             }
         }
         self.builder.closed(&far, color, 1.5, Dash::Dashed);
-        let far_word = self.request.labels.far;
-        let text = match volume.gap {
-            None => format!("{far_word} (B)"),
-            Some(_) => format!("{far_word} (B = {})", typeset(self.request.camera.far(), 4)),
-        };
-        self.name_face(&far, &text);
     }
 
     /// The window at distance F, with the image on it, and the rays through its corners.
@@ -115,20 +120,36 @@ impl World<'_> {
             None => self.builder.sheer("window", &[near], self.palette.volume),
         }
         self.builder.closed(&near, self.palette.ink, 2.0, Dash::Solid);
-        let text = format!("{} (F)", self.request.labels.window);
-        self.name_face(&near, &text);
     }
 
-    /// Writes a face's name at its uppermost corner in the picture, unless the face is too small to be told from a point.
+    /// The names of window and far face, as they are written.
+    fn planes(&mut self) -> [String; 2] {
+        let (labels, volume) = (self.request.labels, self.content.volume);
+        let window = format!("{} (F)", labels.window);
+        let far = match volume.gap {
+            None => format!("{} (B)", labels.far),
+            Some(_) => format!("{} (B = {})", labels.far, typeset(self.request.camera.far(), 4)),
+        };
+        self.name_face(&volume.window(), &window);
+        self.name_face(&volume.far_face(), &far);
+        [window, far]
+    }
+
+    /// Writes a face's name at the uppermost of its corners that can be seen, unless the face is too small to be told from a point.
     fn name_face(&mut self, face: &[DVec3; 4], text: &str) {
-        let places = face.map(|p| self.builder.screen.place_inside(p));
-        let seen = || face.iter().zip(places).filter_map(|(p, place)| Some((*p, place?)));
-        let Some(middle) = self.builder.screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
-        let reach = seen().map(|(_, px)| px.distance(middle)).fold(0.0, f64::max);
-        if reach < 10.0 * self.builder.screen.scale() {
+        let screen = self.builder.screen;
+        let Some(middle) = screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };
+        let in_frame = face.iter().filter_map(|p| Some((*p, screen.place_inside(*p)?)));
+        let mut corners: Vec<_> = in_frame.collect();
+        let reach = corners.iter().map(|(_, px)| px.distance(middle)).fold(0.0, f64::max);
+        if reach < 10.0 * screen.scale() {
             return;
         }
-        if let Some((corner, px)) = seen().min_by(|a, b| a.1.y.total_cmp(&b.1.y)) {
+        corners.sort_by(|a, b| a.1.y.total_cmp(&b.1.y));
+        // Where there are very many faces, looking for one before the corner would take longer than the picture.
+        let faces: usize = self.request.scene.objects.iter().map(|o| o.mesh.triangles.len()).sum();
+        let seen = |p: DVec3| faces > MOST_FACES || hits::can_be_seen(p, &self.request.scene, screen.camera());
+        if let Some((corner, px)) = corners.into_iter().find(|(p, _)| seen(*p)) {
             self.builder.text(corner, text, px - middle, SMALL_TYPE, self.palette.ink);
         }
     }

@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 
 use camera_lab::appearance::Dash;
 use camera_lab::camera::{Camera, Convention, Operation};
-use camera_lab::drawing::Drawing;
+use camera_lab::drawing::{Anchor, Drawing, Label};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::files::{FigureFiles, Reach, open_figure};
 use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::progress::Progress;
+use camera_lab::text::{measure, x_height};
 use camera_lab::views::observer::Viewpoint;
 use camera_lab::views::{self, Palette, Request, SharedScene, Size, View};
 use glam::{DVec2, DVec3, DVec4};
@@ -205,5 +206,48 @@ fn along_u_is_the_side_figure_of_the_notes_and_along_n_what_the_camera_sees() {
             &format!("{name}, along u"),
             &Request { observer: request.observer_from(Viewpoint::AlongU), ..request.clone() },
         );
+    }
+}
+
+/// Left, top, right, bottom of a text in pixels.
+fn text_box(label: &Label) -> [f32; 4] {
+    let extent = measure(&label.text, label.size);
+    let (x, y) = (label.position[0] + label.offset[0], label.position[1] + label.offset[1]);
+    let left = if label.anchor == Anchor::Center { x - extent.width / 2.0 } else { x };
+    let middle = x_height(label.size) / 2.0;
+    [left, y - extent.above + middle, left + extent.width, y + extent.below + middle]
+}
+
+#[test]
+fn texts_keep_clear_of_each_other_of_marks_and_of_the_frame_in_every_figure() {
+    let sizes = [(420, 500, 1.0), (640, 360, 1.0), (422, 543, 1.8), (320, 240, 1.0)];
+    for (name, figure, scene) in shipped() {
+        for ((width, height, scale), lang) in
+            sizes.into_iter().flat_map(|s| [Lang::En, Lang::PtBr].map(|lang| (s, lang)))
+        {
+            for view in [View::World, View::Canonical] {
+                let size = Size { width, height, scale };
+                let camera = Camera::new(&figure.camera).unwrap();
+                let drawing = draw(&Request::of(&figure, view, &camera, &scene, pictures::labels(lang), size));
+                let what = format!("{name}, {view:?}, {width} × {height}, {lang:?}");
+                let boxes: Vec<_> = drawing.labels.iter().map(|l| (text_box(l), l)).collect();
+                for (i, ([l, t, r, b], label)) in boxes.iter().enumerate() {
+                    let text = &label.text;
+                    let inside = *l >= -0.5 && *t >= -0.5 && *r <= width as f32 + 0.5 && *b <= height as f32 + 0.5;
+                    assert!(inside, "{what}: {text} is cut off");
+                    for ([ol, ot, or, ob], other) in &boxes[i + 1..] {
+                        assert!(r <= ol || or <= l || b <= ot || ob <= t, "{what}: {text} and {}", other.text);
+                    }
+                    let [x, y, _] = label.position;
+                    let covers = x > *l && x < *r && y > *t && y < *b && label.offset != [0.0; 2];
+                    assert!(!covers, "{what}: {text} covers what it names");
+                }
+                if view == View::World {
+                    for text in ["C", "PF"] {
+                        assert!(drawing.labels.iter().any(|l| l.text == text), "{what}: {text} is missing");
+                    }
+                }
+            }
+        }
     }
 }
