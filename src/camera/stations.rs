@@ -54,14 +54,19 @@ impl Camera {
     /// # Ok::<(), camera_lab::camera::CameraError>(())
     /// ```
     ///
-    /// *Guarantees*: computed in double-double and rounded at the end. W = 0 is recognised, (p − C) · **n** being an exact
-    /// sum of products, of which only what lies below 2⁻⁹⁶ of the summands counts as zero.
+    /// *Guarantees*: computed in double-double and rounded at the end. W = 0 is recognised: (p − C) · **n** is an exact
+    /// sum of products, of which what lies below 2⁻⁹⁶ of the summands counts as zero; and so does, beside what p and C are apart, what
+    /// rounding their coordinates to `f64`s can have made of a point in the plane of the eye. z_c keeps its digits.
     /// Floors are those of the exact numbers: what differs from a whole number by no more than the noise of 106 bits is
     /// that number.
     #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
         let (view, noise) = self.exact_view_point(p_world);
-        let clip @ [x, y, z, w] = self.clip_of_view(view);
+        let mut clip = self.clip_of_view(view);
+        if self.projection() == Projection::Perspective && self.is_beside_the_eye(p_world, view) {
+            clip[3] = Dd::ZERO;
+        }
+        let [x, y, z, w] = clip;
         let projected = (w.value() != 0.0).then(|| {
             let ndc = [x / w, y / w, z / w];
             let (window, noise) = match self.projection() {
@@ -84,6 +89,18 @@ impl Camera {
         let clip = DVec4::from_array(clip.map(Dd::value));
         let inside = clip.w > 0.0 && clip.truncate().abs().max_element() <= clip.w;
         Stations { world: p_world, view: view.value(), clip, projected, inside }
+    }
+
+    /// True for a point whose depth (p − C) · **n** is less than half a unit in the last place of each coordinate of p and C can make
+    /// it, and nothing beside the distance of the two: of a point so near to C that all of p − C is such a rest, nothing is known.
+    fn is_beside_the_eye(&self, p_world: DVec3, view: Dd3) -> bool {
+        const NOTHING: f64 = 1.0 / (1u64 << 30) as f64;
+        let half_ulp = |x: f64| (x.abs().next_up() - x.abs()) / 2.0;
+        let coordinates = p_world.to_array().into_iter().zip(self.position().to_array());
+        let rounded = coordinates.map(|(p, c)| half_ulp(p) + half_ulp(c));
+        let slack: f64 = rounded.zip(self.basis().n.abs().to_array()).map(|(rounded, n)| rounded * n).sum();
+        let view = view.value().abs();
+        view.z < slack && view.z <= NOTHING * view.x.max(view.y)
     }
 
     /// A world point in the VRC, and how much of it may be noise: of p − C what rounding C has left, and of the products.

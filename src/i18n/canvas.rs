@@ -97,7 +97,7 @@ texts! {
     // Of a point outside the view volume.
     outside: "outside the volume", "fora do volume";
     // Of a point for which w = 0.
-    no_image: "w = 0: no image", "w = 0: sem imagem";
+    no_image: "w = 0: in the plane of the eye, no image", "w = 0: no plano do olho, sem imagem";
     // The space.
     space_world: "World", "Mundo";
     space_view: "View", "Vista";

@@ -117,3 +117,27 @@ fn the_aspect_of_an_image_is_its_width_by_its_height() {
     assert_eq!(ImageSize { width: 1000, height: 800 }.aspect(), 1.25);
     assert_eq!(ImageSize { width: 3, height: 12 }.aspect(), 0.25);
 }
+
+#[test]
+fn a_point_in_the_plane_of_the_eye_is_there_through_the_rounding_of_its_coordinates() {
+    // Exercise 5.1: C + u + v = (2.2, 4.6, −1), of which no `f64` holds the first two.
+    let camera = camera(|p| p.position = DVec3::new(3.0, 4.0, 0.0));
+    let at = |point| camera.stations(point, IMAGE, &Viewport::whole(IMAGE));
+    let s = at(DVec3::new(2.2, 4.6, -1.0));
+    assert_eq!((s.clip.w, s.projected, s.inside), (0.0, None, false));
+    assert_eq!(s.view.z, -1.776_356_839_400_250_5e-16, "every digit of what the rounded coordinates say");
+    // What cannot come from rounding is a depth: two units in the last place, towards the eye and away from it.
+    for (x, sign) in [(2.2_f64.next_down().next_down().next_down(), -1.0), (2.2 + 1e-14, 1.0)] {
+        let s = at(DVec3::new(x, 4.6, -1.0));
+        assert_eq!(s.view.z.signum(), sign, "{x}");
+        assert!(s.clip.w != 0.0 && s.projected.is_some());
+    }
+    // Where coordinates are whole numbers far away, what they say is what is meant: one unit in the last place is seen.
+    let far = crate::common::camera::camera(|p| {
+        p.position = DVec3::new(0.0, 0.0, 1e15);
+        p.focal_point = DVec3::new(0.0, 0.0, 1e15 - 8.0);
+    });
+    let s = far.stations(DVec3::new(3.0, 0.0, 1e15_f64.next_down()), IMAGE, &Viewport::whole(IMAGE));
+    assert_eq!(s.view.z, -0.125);
+    assert!(s.projected.is_some());
+}
