@@ -31,10 +31,99 @@ pub fn significant(value: f64, digits: usize) -> String {
     trim(&format!("{rounded:.decimals$}")).to_owned()
 }
 
-/// As [`significant`], with a true minus, as in print.
+/// How a language writes numbers: its decimal mark, with what follows from it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum DecimalMark {
+    /// `0.5`
+    #[default]
+    Point,
+    /// `0,5`
+    Comma,
+}
+
+impl DecimalMark {
+    /// As [`significant`], as in print: with this mark and a true minus.
+    #[must_use]
+    pub fn number(self, value: f64, digits: usize) -> String {
+        self.printed(&significant(value, digits))
+    }
+
+    /// A text of other functions of this module, or one that Rust has formatted, as in print.
+    #[must_use]
+    pub fn printed(self, number: &str) -> String {
+        self.typed(number).replace('-', "−")
+    }
+
+    /// As a number is typed: with this mark.
+    #[must_use]
+    pub fn typed(self, number: &str) -> String {
+        match self {
+            Self::Point => number.to_owned(),
+            Self::Comma => number.replace('.', ","),
+        }
+    }
+
+    /// Numbers one after the other; what is zero but for the rounding of its neighbours is 0, unless all digits are wanted.
+    #[must_use]
+    pub fn list(self, values: &[f64], digits: usize) -> String {
+        let numbers = without_rests(values, digits).into_iter().map(|v| self.number(v, digits));
+        numbers.collect::<Vec<_>>().join(self.separator())
+    }
+
+    /// What stands between the numbers of a list.
+    #[must_use]
+    pub const fn separator(self) -> &'static str {
+        match self {
+            Self::Point => ", ",
+            Self::Comma => "; ",
+        }
+    }
+
+    /// A point or a vector: `(1, 2.5, 3)` or `(1; 2,5; 3)`; as [`list`](Self::list).
+    #[must_use]
+    pub fn tuple(self, values: &[f64], digits: usize) -> String {
+        format!("({})", self.list(values, digits))
+    }
+
+    /// `value` in full where that `fits`, else rounded to as many digits as fit, which are no more than anybody reads; as short as
+    /// can be where nothing fits.
+    #[must_use]
+    pub fn fitted(self, value: f64, fits: impl Fn(&str) -> bool) -> String {
+        let exact = self.number(value, EXACT_DIGITS);
+        if fits(&exact) {
+            return exact;
+        }
+        let scientific = |digits: usize| {
+            let text = format!("{:.*e}", digits - 1, value);
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            self.printed(&format!("{}e{exponent}", trim(mantissa)))
+        };
+        let rounded = (1..=7).rev().map(|digits| self.number(value, digits));
+        let mut shorter = rounded.chain((1..=7).rev().map(scientific));
+        shorter.find(|text| fits(text)).unwrap_or_else(|| scientific(1))
+    }
+}
+
+/// The values, with 0 for what can be a rest of rounding beside the greatest of them. With [`EXACT_DIGITS`] as they are.
 #[must_use]
-pub fn typeset(value: f64, digits: usize) -> String {
-    significant(value, digits).replace('-', "−")
+pub fn without_rests(values: &[f64], digits: usize) -> Vec<f64> {
+    let greatest = values.iter().fold(0.0_f64, |greatest, v| greatest.max(v.abs()));
+    values.iter().map(|v| if digits < EXACT_DIGITS && is_rest(*v, greatest) { 0.0 } else { *v }).collect()
+}
+
+/// True for what a few roundings of numbers as large as `greatest` can leave of zero.
+#[must_use]
+pub fn is_rest(value: f64, greatest: f64) -> bool {
+    value.abs() <= 4.0 * f64::EPSILON * greatest
+}
+
+/// `p/q` for what is that to the last digit, with small p and q; `None` for whole numbers too.
+#[must_use]
+pub fn fraction(value: f64) -> Option<String> {
+    (2..=32).find_map(|q| {
+        let p = (value * f64::from(q)).round();
+        (p != 0.0 && p.abs() < 100.0 && value != value.round() && p / f64::from(q) == value).then(|| format!("{p}/{q}"))
+    })
 }
 
 /// The shortest text with a point or an exponent that reads back as the same `f64`, as programs write it: `2.0`, `1e300`.
@@ -124,37 +213,6 @@ pub fn nice_above(x: f64) -> Option<f64> {
 /// Drops zeros that say nothing.
 fn trim(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
-}
-
-/// `value` in at most `room` characters: exactly where that fits, otherwise cut off, with `…` to say so.
-#[must_use]
-pub fn short(value: f64, room: usize) -> String {
-    let exact = significant(value, EXACT_DIGITS);
-    if exact.chars().count() <= room {
-        return exact;
-    }
-    let (mantissa, exponent) = match exact.split_once('e') {
-        Some((mantissa, exponent)) => (mantissa, format!("e{exponent}")),
-        None => (exact.as_str(), String::new()),
-    };
-    let keep = room.saturating_sub(1 + exponent.len());
-    let point = mantissa.find('.').unwrap_or(mantissa.len());
-    if exponent.is_empty() && point > keep {
-        let scientific = format!("{value:e}");
-        return short_scientific(&scientific, room);
-    }
-    let cut: String = mantissa.chars().take(keep.max(1)).collect();
-    format!("{cut}…{exponent}")
-}
-
-fn short_scientific(text: &str, room: usize) -> String {
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
-    let keep = room.saturating_sub(2 + exponent.len()).max(1);
-    if mantissa.len() <= keep {
-        return format!("{mantissa}e{exponent}");
-    }
-    let cut: String = mantissa.chars().take(keep).collect();
-    format!("{cut}…e{exponent}")
 }
 
 /// The order of names in which people expect them: numbers in them count as numbers (2 before 10), and capitals do not count.
@@ -264,7 +322,7 @@ mod tests {
 
     #[test]
     fn printed_and_exact_numbers() {
-        let printed = [0.0, -0.5, 2.0 / 3.0, 1234.6, 1e-7, 9.999_96].map(|v| typeset(v, 4));
+        let printed = [0.0, -0.5, 2.0 / 3.0, 1234.6, 1e-7, 9.999_96].map(|v| DecimalMark::Point.number(v, 4));
         assert_eq!(printed, ["0", "−0.5", "0.6667", "1235", "1e−7", "10"]);
         assert_eq!([2.0, -0.0, 1e300, 0.1].map(exact), ["2.0", "-0.0", "1e300", "0.1"]);
     }
@@ -277,17 +335,22 @@ mod tests {
     }
 
     #[test]
-    fn short_numbers_fit_and_say_when_they_are_cut() {
+    fn numbers_are_rounded_to_what_fits_and_never_cut() {
         for (value, room, text) in [
             (0.5, 7, "0.5"),
-            (-12.25, 7, "-12.25"),
-            (std::f64::consts::FRAC_1_SQRT_2, 7, "0.7071…"),
-            (1.234_567_89e-9, 9, "1.234…e-9"),
-            (123_456_789.5, 7, "1.23…e8"),
+            (-12.25, 7, "−12.25"),
+            (std::f64::consts::FRAC_1_SQRT_2, 7, "0.70711"),
+            (4.0 / 3.0, 5, "1.333"),
+            (-6.154_600_01, 5, "−6.15"),
+            (1.234_567_89e-9, 9, "1.2346e−9"),
+            (123_456_789.5, 7, "1.235e8"),
             (1e100, 7, "1e100"),
+            (53.130_102_354_155_98, 30, "53.13010235415598"),
+            (53.130_102_354_155_98, 12, "53.1301"),
+            (-1.25e-300, 3, "−1e−300"),
         ] {
-            assert_eq!(short(value, room), text);
-            assert!(short(value, room).chars().count() <= room);
+            let fitted = DecimalMark::Point.fitted(value, |text| text.chars().count() <= room);
+            assert_eq!(fitted, text, "{value} in {room}");
         }
     }
 
@@ -300,5 +363,29 @@ mod tests {
             }
         }
         assert!(natural_order("007", "7").is_ne());
+    }
+
+    #[test]
+    fn a_comma_needs_another_separator() {
+        let values = [1.5, -2.0, 1e-7];
+        assert_eq!(DecimalMark::Point.tuple(&values, 5), "(1.5, −2, 1e−7)");
+        assert_eq!(DecimalMark::Comma.tuple(&values, 5), "(1,5; −2; 1e−7)");
+        assert_eq!(DecimalMark::Comma.number(-0.25, 5), "−0,25");
+    }
+
+    #[test]
+    fn a_rest_of_rounding_is_zero_unless_all_digits_are_wanted() {
+        let u = [0.857_49, 3.5716e-17, -0.5145];
+        assert_eq!(DecimalMark::Point.tuple(&u, 5), "(0.85749, 0, −0.5145)");
+        assert_eq!(DecimalMark::Point.tuple(&u, EXACT_DIGITS), "(0.85749, 3.5716e−17, −0.5145)");
+        assert_eq!(without_rests(&[1e-30, 2e-30], 5), [1e-30, 2e-30]);
+        assert!(!is_rest(1e-15, 1.0) && is_rest(-1.8e-16, 1.0) && is_rest(0.0, 0.0));
+    }
+
+    #[test]
+    fn small_fractions_are_known_to_the_last_digit() {
+        let said = [4.0 / 3.0, 16.0 / 9.0, 0.75, -1.5, 1.333, 2.0, 0.0, 1e300, 0.1].map(fraction);
+        let expected = ["4/3", "16/9", "3/4", "-3/2", "", "", "", "", "1/10"];
+        assert_eq!(said.map(Option::unwrap_or_default), expected);
     }
 }

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::{Camera, CameraError, Parameters};
 use crate::i18n::canvas::CanvasTexts;
-use crate::numbers::significant;
+use crate::numbers::DecimalMark;
 use crate::views::Request;
 use crate::views::{Handle, handles};
 
@@ -77,18 +77,20 @@ fn vertical(modifiers: Modifiers) -> bool {
 
 /// The name of a handle and where it is, such as `C = (3, 4, 5)`.
 pub(super) fn readout(handle: Handle, camera: &Camera, digits: usize, texts: &CanvasTexts) -> String {
+    let mark = texts.lang.mark();
     match handle {
-        Handle::Position => format!("C = {}", point(camera.position(), digits)),
-        Handle::FocalPoint => format!("PF = {}", point(camera.focal_point(), digits)),
-        Handle::ViewUp => format!("VUP = {}", point(camera.view_up(), digits)),
-        Handle::Near => format!("F = {} ({})", significant(camera.near(), digits), texts.near_plane),
-        Handle::Far => format!("B = {} ({})", significant(camera.far(), digits), texts.far_plane),
+        Handle::Position => format!("C = {}", point(camera.position(), digits, mark)),
+        Handle::FocalPoint => format!("PF = {}", point(camera.focal_point(), digits, mark)),
+        Handle::ViewUp => format!("VUP = {}", point(camera.view_up(), digits, mark)),
+        Handle::Near => format!("F = {} ({})", mark.number(camera.near(), digits), texts.near_plane),
+        Handle::Far => format!("B = {} ({})", mark.number(camera.far(), digits), texts.far_plane),
     }
 }
 
 /// How a handle is dragged.
 pub(super) fn hint(handle: Handle, camera: &Camera, digits: usize, texts: &CanvasTexts) -> String {
-    let on_plane = |y: f64| format!("{} {} · {}", texts.drag_on_plane, significant(y, digits), texts.drag_vertically);
+    let on_plane =
+        |y: f64| format!("{} {} · {}", texts.drag_on_plane, texts.lang.mark().number(y, digits), texts.drag_vertically);
     match handle {
         Handle::Position => on_plane(camera.position().y),
         Handle::FocalPoint => on_plane(camera.focal_point().y),
@@ -103,7 +105,6 @@ pub(super) fn cursor(held: bool) -> CursorIcon {
 }
 
 /// A point as it is written everywhere in the window.
-pub(super) fn point(p: DVec3, digits: usize) -> String {
-    let [x, y, z] = p.to_array().map(|v| significant(v, digits));
-    format!("({x}, {y}, {z})")
+pub(super) fn point(p: DVec3, digits: usize, mark: DecimalMark) -> String {
+    mark.tuple(&p.to_array(), digits)
 }

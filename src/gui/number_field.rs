@@ -1,8 +1,8 @@
 //! A field for one number: drag it, type a number or an expression, or step it with the arrow keys.
 //!
 //! egui's own field drops a text that it cannot read, and rounds the value that it shows before it is edited. This one keeps a
-//! faulty text, with the reason, until it is mended, changes the value only when something else was typed, and shows what
-//! it cannot show in full with an `…`.
+//! faulty text, with the reason, until it is mended, changes the value only when something else was typed, and shows it rounded
+//! to what fits where there is no room for all of it.
 
 use std::ops::RangeInclusive;
 
@@ -49,6 +49,8 @@ pub struct NumberField<'a> {
     range: RangeInclusive<f64>,
     width: f32,
     marked: bool,
+    beside: f64,
+    fractions: bool,
 }
 
 /// What came of a field in this frame.
@@ -105,7 +107,21 @@ impl<'a> NumberField<'a> {
             range: f64::MIN..=f64::MAX,
             width: 64.0,
             marked: false,
+            beside: 0.0,
+            fractions: false,
         }
+    }
+
+    /// The greatest of the numbers that it stands among: what can be a rest of rounding beside that is shown as 0.
+    #[must_use]
+    pub fn beside(self, greatest: f64) -> Self {
+        Self { beside: greatest, ..self }
+    }
+
+    /// Shows 4/3 where it is that to the last digit.
+    #[must_use]
+    pub fn fractions(self) -> Self {
+        Self { fractions: true, ..self }
     }
 
     /// Whose number it is, where several have one of the same name: what is typed for one never goes to another.
@@ -182,7 +198,7 @@ impl<'a> NumberField<'a> {
                 memory.interested_in_focus(id, ui.layer_id());
                 memory.has_focus(id)
             });
-        let refused = self.step_by_keys(ui, id, editing, value);
+        let refused = self.step_by_keys(ui, id, (editing, texts), value);
         let stale = |e: &Editing| e.value.to_bits() != value.to_bits();
         let mut state = refused.or_else(|| ui.data_mut(|data| data.remove_temp::<Editing>(id)).filter(|e| !stale(e)));
         if !editing && state.as_ref().is_some_and(|s| s.error.is_none()) {
@@ -209,12 +225,18 @@ impl<'a> NumberField<'a> {
         if let Some(state) = state {
             ui.data_mut(|data| data.insert_temp(id, state));
         }
-        self.announce(ui, &response, *value);
+        self.announce(ui, &response, texts, *value);
         FieldOutput { error }
     }
 
     /// Arrow keys while it is edited, and what a screen reader asks for; the result is what cannot be taken over of that.
-    fn step_by_keys(&self, ui: &egui::Ui, id: egui::Id, editing: bool, value: &mut f64) -> Option<Editing> {
+    fn step_by_keys(
+        &self,
+        ui: &egui::Ui,
+        id: egui::Id,
+        (editing, texts): (bool, &Texts),
+        value: &mut f64,
+    ) -> Option<Editing> {
         use egui::accesskit::{Action, ActionData};
         let steps = ui.input_mut(|input| {
             let mut steps = 0.0;
@@ -244,7 +266,7 @@ impl<'a> NumberField<'a> {
                 None
             }
             Err(error) => {
-                let text = |v: f64| numbers::significant(v, numbers::EXACT_DIGITS);
+                let text = |v: f64| texts.lang.mark().typed(&numbers::significant(v, numbers::EXACT_DIGITS));
                 Some(Editing { text: text(asked?), first: text(*value), value: *value, error: Some(error) })
             }
         }
@@ -297,7 +319,7 @@ impl<'a> NumberField<'a> {
         value: f64,
     ) -> egui::Response {
         let fresh = state.is_none();
-        let exact = numbers::significant(value, numbers::EXACT_DIGITS);
+        let exact = texts.lang.mark().typed(&numbers::significant(value, numbers::EXACT_DIGITS));
         let state = state.get_or_insert_with(|| Editing { text: exact.clone(), first: exact, value, error: None });
         state.error = None;
         if fresh {
@@ -315,8 +337,8 @@ impl<'a> NumberField<'a> {
         );
         if state.text != state.first {
             match self.evaluate(&state.text) {
-                Ok(v) if state.text.trim().parse() != Ok(v) => {
-                    let preview = numbers::significant(v, numbers::EXACT_DIGITS);
+                Ok(v) if state.text.trim().replace(',', ".").parse() != Ok(v) => {
+                    let preview = texts.lang.mark().number(v, numbers::EXACT_DIGITS);
                     say_below(&response, format!("= {preview}{}", self.unit));
                 }
                 Ok(_) => {}
@@ -344,16 +366,12 @@ impl<'a> NumberField<'a> {
         let mut push = |text: &str, color| {
             job.append(text, 0.0, egui::TextFormat { font_id: font.clone(), color, ..Default::default() });
         };
-        let mut room = ((self.width - 10.0) / (0.64 * font.size)).floor();
         if !self.prefix.is_empty() {
             push(&format!("{} ", self.prefix), ui.visuals().weak_text_color());
-            room -= 1.5;
         }
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few dozen characters")]
-        let room = (room.max(4.0) as usize) - self.unit.chars().count();
         match state {
             Some(state) => push(&state.text, color),
-            None => push(&format!("{}{}", numbers::short(*value, room), self.unit), color),
+            None => push(&self.shown(ui, &font, texts, *value), color),
         }
         let mut button = Button::new(job).wrap_mode(TextWrapMode::Truncate).sense(Sense::click_and_drag());
         if problem {
@@ -369,9 +387,25 @@ impl<'a> NumberField<'a> {
             if !self.hint.is_empty() {
                 ui.label(self.hint);
             }
-            ui.label(format!("= {}{}", numbers::significant(*value, numbers::EXACT_DIGITS), self.unit));
+            ui.label(format!("= {}{}", texts.lang.mark().number(*value, numbers::EXACT_DIGITS), self.unit));
             ui.weak(texts.number_field_hint);
         })
+    }
+
+    /// The value as it stands in the field: in full or rounded, but never cut.
+    fn shown(&self, ui: &egui::Ui, font: &egui::FontId, texts: &Texts, value: f64) -> String {
+        let mark = texts.lang.mark();
+        let width =
+            |text: &str| -> f32 { ui.fonts_mut(|fonts| text.chars().map(|c| fonts.glyph_width(font, c)).sum()) };
+        let prefix = if self.prefix.is_empty() { 0.0 } else { width(self.prefix) + width(" ") };
+        let room = self.width - 2.0 * ui.spacing().button_padding.x - prefix - width(self.unit) - 1.0;
+        let fraction = self.fractions.then(|| numbers::fraction(value)).flatten();
+        let text = match fraction {
+            Some(fraction) => mark.printed(&fraction),
+            None if numbers::is_rest(value, self.beside) => "0".to_owned(),
+            None => mark.fitted(value, |text| width(text) <= room),
+        };
+        format!("{text}{}", self.unit)
     }
 
     /// The value follows the pointer from where it was taken, so that a slow frame loses nothing.
@@ -392,7 +426,7 @@ impl<'a> NumberField<'a> {
     }
 
     /// Name and value for screen readers.
-    fn announce(&self, ui: &egui::Ui, response: &egui::Response, value: f64) {
+    fn announce(&self, ui: &egui::Ui, response: &egui::Response, texts: &Texts, value: f64) {
         use egui::accesskit::Action;
         response.widget_info(|| WidgetInfo::drag_value(ui.is_enabled(), value));
         ui.ctx().accesskit_node_builder(response.id, |node| {
@@ -400,7 +434,8 @@ impl<'a> NumberField<'a> {
             node.add_action(Action::SetValue);
             node.add_action(Action::Increment);
             node.add_action(Action::Decrement);
-            node.set_value(format!("{}{}", numbers::significant(value, numbers::EXACT_DIGITS), self.unit));
+            let exact = texts.lang.mark().typed(&numbers::significant(value, numbers::EXACT_DIGITS));
+            node.set_value(format!("{exact}{}", self.unit));
         });
     }
 }

@@ -55,6 +55,8 @@ mod unreadable;
 pub mod window;
 mod wording;
 
+use crate::numbers::DecimalMark;
+
 /// A language of the interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lang {
@@ -63,6 +65,17 @@ pub enum Lang {
     En,
     /// Brazilian Portuguese.
     PtBr,
+}
+
+impl Lang {
+    /// How it writes numbers.
+    #[must_use]
+    pub const fn mark(self) -> DecimalMark {
+        match self {
+            Self::En => DecimalMark::Point,
+            Self::PtBr => DecimalMark::Comma,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -43,6 +43,7 @@ pub const fn labels(lang: Lang) -> &'static Labels {
 
 const fn of(t: &Texts) -> Labels {
     Labels {
+        mark: t.lang.mark(),
         window: t.window,
         near: t.near,
         far: t.far,

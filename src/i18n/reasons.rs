@@ -6,7 +6,7 @@ use crate::pipeline::{PlaneSet, Reason};
 texts! {
     always: "every picture needs it", "toda imagem precisa dela";
     nothing_in_view: "nothing is in view", "não há nada no campo de visão";
-    something_in_view: "something is in view", "há algo no campo de visão";
+    something_in_view: "the vertices of what is in view must get to their pixels", "os vértices do que se vê precisam chegar a seus pixels";
     forced: "not needed; it runs because all stages were asked for", "desnecessária; é executada porque todas foram pedidas";
     no_objects: "there are no objects", "não há objetos";
     wireframe: "wireframe: only edges are drawn", "aramado: só as arestas são desenhadas";

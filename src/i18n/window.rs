@@ -29,7 +29,7 @@ texts! {
     reset: "Reset the camera", "Restaurar a câmera";
     reset_hint: "The camera as it was when the figure was opened", "A câmera como era quando a figura foi aberta";
     copy_numbers: "Copy the numbers", "Copiar os números";
-    copy_numbers_hint: "Basis, matrices, window and corners as text", "Base, matrizes, janela e cantos como texto";
+    copy_numbers_hint: "Basis, matrices, window and corners as text, with all digits", "Base, matrizes, janela e cantos como texto, com todos os dígitos";
     language: "Português", "English";
     language_hint: "Mudar para português", "Switch to English";
     theme: "Dark theme", "Tema escuro";
@@ -117,6 +117,7 @@ texts! {
     view_angle_hint: "θ, vertical: H = 2 F tan(θ/2). [0] (5.5)", "θ, vertical: H = 2 F tan(θ/2). [0] (5.5)";
     height: "window height", "altura da janela";
     height_hint: "H of the view window", "H da janela de vista";
+    window_size_hint: "Width and height of the view window, on the plane z_c = −F", "Largura e altura da janela de vista, no plano z_c = −F";
     aspect: "aspect", "aspecto";
     aspect_hint: "A = W / H. [0] (5.1)", "A = W / H. [0] (5.1)";
     near: "front plane", "plano da frente";
@@ -300,6 +301,14 @@ texts! {
     vtk: "Signs of VTK", "Sinais do VTK";
     vtk_hint: "VTK turns elevation and roll the other way. Here a positive angle is counter-clockwise seen from the tip of the axis", "O VTK gira elevação e rolagem ao contrário. Aqui um ângulo positivo é anti-horário visto da ponta do eixo";
 
+    // Where the notes print something else.
+    erratum: "≠ notes", "≠ notas";
+    erratum_parallel: "The lecture notes [0] print 0 0 0 0 as the last row of (5.15) and (5.16). It is 0 0 0 1: in parallel projection w = 1.", "As notas de aula [0] trazem 0 0 0 0 como última linha de (5.15) e (5.16). É 0 0 0 1: na projeção paralela w = 1.";
+    erratum_yaw: "The lecture notes [0] §5.6 turn yaw about x_c. It turns about v, as in the field and in the author's own library: the notes have the axes of yaw and pitch exchanged.", "As notas de aula [0] §5.6 giram a guinada em torno de x_c. Ela gira em torno de v, como na área e na biblioteca do próprio autor: as notas trocam os eixos de guinada e arfagem.";
+    erratum_pitch: "The lecture notes [0] §5.6 turn pitch about y_c. It turns about u, as in the field and in the author's own library: the notes have the axes of yaw and pitch exchanged.", "As notas de aula [0] §5.6 giram a arfagem em torno de y_c. Ela gira em torno de u, como na área e na biblioteca do próprio autor: as notas trocam os eixos de guinada e arfagem.";
+    erratum_51: "Exercise 5.1 of the lecture notes [0] gives v = (0, 1, 0), which is not perpendicular to n = (3/5, 4/5, 0). It can only be VUP; v is (−4/5, 3/5, 0).", "O exercício 5.1 das notas de aula [0] dá v = (0, 1, 0), que não é perpendicular a n = (3/5, 4/5, 0). Só pode ser VUP; v é (−4/5, 3/5, 0).";
+    erratum_52: "Exercise 5.2 of the lecture notes [0] gives a view angle for a parallel projection, without the distance at which it spans the window. H is what it spans at D here.", "O exercício 5.2 das notas de aula [0] dá um ângulo de vista para uma projeção paralela, sem a distância em que ele abrange a janela. H é aqui o que ele abrange em D.";
+
     // Numbers.
     numbers: "Numbers", "Números";
     digits: "digits", "dígitos";
@@ -311,7 +320,7 @@ texts! {
     basis_name: "basis of the VRC (5.3)", "base do VRC (5.3)";
     window_name: "view window (5.1), (5.5)", "janela de vista (5.1), (5.5)";
     view_name: "view matrix (5.7)", "matriz de vista (5.7)";
-    projection_name: "projection matrix (5.13), (5.15)", "matriz de projeção (5.13), (5.15)";
+    projection_name: "projection matrix", "matriz de projeção";
     product_name: "world to clip coordinates (5.8)", "do mundo ao recorte (5.8)";
     inverse_view_name: "inverse of the view matrix", "inversa da matriz de vista";
     inverse_projection_name: "inverse of the projection matrix", "inversa da matriz de projeção";

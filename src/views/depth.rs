@@ -12,7 +12,6 @@ use crate::scene::Scene;
 
 use super::legend::Row;
 use super::{Palette, Request, hits};
-use crate::numbers::typeset;
 
 /// The numbers of one pixel of the image.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -153,10 +152,10 @@ impl Greys {
             (Some(_), Projection::Perspective) => 2.0 / (1.0 / f + 1.0 / b),
             (None, _) | (Some(_), Projection::Parallel) => f + (b - f) / 2.0,
         };
-        let distances = [f, middle, b].map(|d| typeset(d, 4));
+        let distances = [f, middle, b].map(|d| labels.mark.number(d, 4));
         let [near, halfway, far] = distances;
         let distances = [format!("−z_c = {near}"), halfway, far];
-        let stored = [0.0, 0.5, 1.0].map(|share| typeset(level(share), 4));
+        let stored = [0.0, 0.5, 1.0].map(|share| labels.mark.number(level(share), 4));
         let (title, texts) = match self.range {
             Some(_) => {
                 let [near, halfway, far] = stored;

@@ -1,8 +1,12 @@
 //! The words in the pictures.
 
+use crate::numbers::DecimalMark;
+
 /// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Labels {
+    /// How numbers are written.
+    pub mark: DecimalMark,
     /// The view window.
     pub window: &'static str,
     /// The front face of the volume.

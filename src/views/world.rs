@@ -6,7 +6,6 @@ use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
 use crate::camera::Projection;
-use crate::numbers::typeset;
 use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
@@ -128,7 +127,7 @@ impl World<'_> {
         let window = format!("{} (F)", labels.window);
         let far = match volume.gap {
             None => format!("{} (B)", labels.far),
-            Some(_) => format!("{} (B = {})", labels.far, typeset(self.request.camera.far(), 4)),
+            Some(_) => format!("{} (B = {})", labels.far, labels.mark.number(self.request.camera.far(), 4)),
         };
         self.name_face(&volume.window(), &window);
         self.name_face(&volume.far_face(), &far);

@@ -300,7 +300,7 @@ fn numbers_are_those_of_the_report_with_as_many_digits_as_asked_for() {
     assert!(window.says("7.0711"));
     window.enter("digits", "17");
     assert!(window.says(&camera.distance().to_string()));
-    assert!(window.says(&camera.basis().u.x.to_string()));
+    assert!(window.says(&camera.basis().u.x.to_string().replace('-', "−")));
     window.click("inverses");
     assert!(window.says("inverse of the view matrix"));
     let inverse = camera.view_from_clip().to_cols_array_2d()[0][0];
@@ -367,7 +367,7 @@ fn the_numbers_are_those_of_the_camera_and_not_of_its_rounded_parameters() {
         window.click("Azimuth +");
     }
     let camera = window.state().document.camera().clone();
-    assert!(window.says(&camera.basis().u.x.to_string()));
+    assert!(window.says(&camera.basis().u.x.to_string().replace("-", "−")));
     assert!(window.says(&camera.distance().to_string()));
 }
 

@@ -100,7 +100,7 @@ fn the_section_speaks_portuguese() {
     let at = middle(&window, "Imagem: o que");
     window.harness.hover_at(at);
     window.run();
-    assert!(window.says("Profundidade Z = 0.666667") && window.says("Distância −z_c = 4"));
+    assert!(window.says("Profundidade Z = 0,666667") && window.says("Distância −z_c = 4"));
 }
 
 #[test]
@@ -125,9 +125,9 @@ fn each_switch_shows_something_and_is_undone() {
 
 #[test]
 fn a_vertex_says_its_outcode_and_its_distances() {
-    for (lang, switch, planes) in [
-        (Lang::En, "Vertices of clipping", "Outcode 000010 near"),
-        (Lang::PtBr, "Vértices do recorte", "Outcode 000010 frente"),
+    for (lang, switch, planes, place, distances) in [
+        (Lang::En, "Vertices of clipping", "Outcode 000010 near", "(0, 0, 5)", "w + z, w − z −2.286, 10.29"),
+        (Lang::PtBr, "Vértices do recorte", "Outcode 000010 frente", "(0; 0; 5)", "w + z, w − z −2,286; 10,29"),
     ] {
         // F = 4.5: the corner (1, 1, 1), 4 units before C, is cut off; seen from the front it lies to the right of the middle.
         let mut window = window_with(lang, View::World, [1280.0, 720.0], |figure| figure.camera.near = 4.5);
@@ -135,7 +135,7 @@ fn a_vertex_says_its_outcode_and_its_distances() {
         window.click(switch);
         let corner = {
             let state = window.state();
-            let rect = window.harness.get_by_label_contains("(0, 0, 5)").rect();
+            let rect = window.harness.get_by_label_contains(place).rect();
             let observer = state.document.figure().observers.world.expect("it was given");
             let camera =
                 observer.camera(None, f64::from(rect.width()) / f64::from(rect.height())).expect("an observer");
@@ -148,6 +148,6 @@ fn a_vertex_says_its_outcode_and_its_distances() {
         window.run();
         assert!(window.says(planes));
         // w = 4 and w + z = 2 B (d − F)/(B − F) = 16 · (−0.5)/3.5; w − z = 2 F (B − d)/(B − F) = 9 · 4/3.5.
-        assert!(window.says("w + z, w − z -2.286, 10.29"));
+        assert!(window.says(distances));
     }
 }

@@ -18,7 +18,7 @@ use crate::gui::state::{ObserverChange, Selected, Side, State, Tab};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::faults::camera_error;
 use crate::i18n::scenes;
-use crate::numbers::{power_of_ten, significant};
+use crate::numbers::power_of_ten;
 use crate::scene::SceneSpec;
 use crate::views::Handle;
 use crate::views::handles::handle_at;
@@ -264,8 +264,8 @@ impl Canvas {
             None => {}
             Some(Drag::Orbit { view, .. }) => {
                 let Some(Observer { azimuth, elevation, .. }) = self.seen[view.index()] else { return };
-                let angles = [azimuth, elevation].map(|a| significant(a, 4));
-                status.message = format!("{}: {}°, {}°", texts.turning, angles[0], angles[1]);
+                let angles = [azimuth, elevation].map(|a| texts.lang.mark().number(a, 4));
+                status.message = format!("{}: {}° · {}°", texts.turning, angles[0], angles[1]);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
             }
             Some(Drag::Pan { .. }) => {
@@ -362,8 +362,8 @@ impl Canvas {
             View::Image => match pick::window_point_in_image(&request, pointer) {
                 Some(point) => {
                     let image = state.document.figure().image;
-                    let pixel = readout::pair(picking::pixel_of(image, camera, point), 17);
-                    let point = readout::pair(point, 4);
+                    let pixel = readout::pair(picking::pixel_of(image, camera, point), 17, texts);
+                    let point = readout::pair(point, 4, texts);
                     format!(
                         "{} {pixel} / {} × {} · {} {point} · {}",
                         texts.space_pixel, image.width, image.height, texts.space_window, texts.pointer_in_image
@@ -512,5 +512,8 @@ fn gizmo_lines(state: &State, digits: usize) -> [String; 2] {
         1 => String::new(),
         count => format!(" · {count} {}", t.together),
     };
-    [format!("{symbol} = {}{together}", handle_drag::point(value, digits)), format!("{hint} · {}", t.drag_snaps)]
+    [
+        format!("{symbol} = {}{together}", handle_drag::point(value, digits, t.lang.mark())),
+        format!("{hint} · {}", t.drag_snaps),
+    ]
 }

@@ -428,7 +428,8 @@ fn describe(state: &State, view: View) -> String {
     match view {
         View::World => {
             let camera = state.document.camera();
-            words::describe_world(lang, &point(camera.position(), 4), &point(camera.focal_point(), 4))
+            let [position, focal_point] = [camera.position(), camera.focal_point()].map(|p| point(p, 4, lang.mark()));
+            words::describe_world(lang, &position, &focal_point)
         }
         View::Canonical => words::describe_canonical(lang),
         View::Image => {

@@ -30,17 +30,16 @@ pub(super) fn cells(
     digits: usize,
     texts: &CanvasTexts,
 ) -> Vec<Cell> {
-    let (look, camera) = (&request.look, &request.camera);
+    let (look, camera, mark) = (&request.look, &request.camera, texts.lang.mark());
     let wanted = |space, value| Cell { space, value, slots: 1, wanted: true };
     let other = |space, value| Cell { space, value, slots: 1, wanted: false };
     match probe {
         Probe::Point(p) => {
             let s = camera.stations(p, look.image, &look.viewport);
-            let [x, y, z, w] = s.clip.to_array().map(|v| significant(v, digits));
             let mut cells = vec![
-                wanted(texts.space_world, point(p, digits)),
-                other(texts.space_view, point(s.view, digits)),
-                Cell { slots: 2, ..other(texts.space_clip, format!("({x}, {y}, {z}, {w})")) },
+                wanted(texts.space_world, point(p, digits, mark)),
+                other(texts.space_view, point(s.view, digits, mark)),
+                Cell { slots: 2, ..other(texts.space_clip, mark.tuple(&s.clip.to_array(), digits)) },
             ];
             if look.reveal.clipping {
                 cells.extend(clipping_cells(p, request, digits, texts));
@@ -50,21 +49,22 @@ pub(super) fn cells(
                 return cells;
             };
             let outside = if s.inside { String::new() } else { format!(" {}", texts.outside) };
-            cells.push(wanted(texts.space_ndc, format!("{}{outside}", point(ndc, digits))));
-            cells.push(other(texts.space_window, pair(window, digits)));
-            cells.push(wanted(texts.space_pixel, pair(pixel, digits.max(6))));
+            cells.push(wanted(texts.space_ndc, format!("{}{outside}", point(ndc, digits, mark))));
+            cells.push(other(texts.space_window, pair(window, digits, texts)));
+            cells.push(wanted(texts.space_pixel, pair(pixel, digits.max(6), texts)));
             let [x, y] = [viewport.x, viewport.y].map(|v| significant(v, digits.max(6)));
-            cells.push(other(texts.space_viewport, format!("({x}, {y}, {})", significant(viewport.z, digits))));
+            let (x, y, z) = (mark.printed(&x), mark.printed(&y), mark.number(viewport.z, digits));
+            cells.push(other(texts.space_viewport, format!("({})", [x, y, z].join(mark.separator()))));
             cells
         }
         Probe::Window(w) => {
             let ray = camera.ray_through_window(w);
             let mut cells = vec![
-                wanted(texts.space_pixel, pair(pixel_of(look.image, camera, w), 17)),
-                other(texts.space_window, pair(w, digits)),
+                wanted(texts.space_pixel, pair(pixel_of(look.image, camera, w), 17, texts)),
+                other(texts.space_window, pair(w, digits, texts)),
             ];
             cells.extend(depth_cells(depths, digits, texts));
-            let ray_cell = |space, p| Cell { wanted: depths.is_none(), ..other(space, point(p, digits)) };
+            let ray_cell = |space, p| Cell { wanted: depths.is_none(), ..other(space, point(p, digits, mark)) };
             cells.push(ray_cell(texts.ray_origin, ray.origin));
             cells.push(ray_cell(texts.ray_direction, ray.direction));
             cells
@@ -80,31 +80,32 @@ fn clipping_cells(p: DVec3, request: &Request, digits: usize, texts: &CanvasText
     let planes: Vec<&str> =
         request.labels.planes.into_iter().zip(code).filter(|(_, out)| *out).map(|(n, _)| n).collect();
     let meaning = if planes.is_empty() { texts.inside.to_owned() } else { planes.join(", ") };
-    let d = clip_parts::homogeneous_distances(&request.camera, p).map(|d| significant(d, digits));
+    let d = clip_parts::homogeneous_distances(&request.camera, p);
+    let pair = |first: usize| texts.lang.mark().list(&d[first..first + 2], digits);
     [
         cell(texts.outcode, format!("{bits} {meaning}")),
-        cell("w + x, w − x", format!("{}, {}", d[0], d[1])),
-        cell("w + y, w − y", format!("{}, {}", d[2], d[3])),
-        cell("w + z, w − z", format!("{}, {}", d[4], d[5])),
+        cell("w + x, w − x", pair(0)),
+        cell("w + y, w − y", pair(2)),
+        cell("w + z, w − z", pair(4)),
     ]
 }
 
 fn depth_cells(depths: Option<Depths>, digits: usize, texts: &CanvasTexts) -> Vec<Cell> {
     // Depths differ late: near the back of the volume the first four digits are all alike.
-    let digits = digits.max(6);
+    let (digits, mark) = (digits.max(6), texts.lang.mark());
     let cell = |space, value| Cell { space, value, slots: 1, wanted: true };
     match depths {
         None => Vec::new(),
         Some(None) => vec![cell(texts.depth, texts.nothing_here.to_owned())],
         Some(Some(DepthReading { z, ndc_z, distance })) => vec![
-            cell(texts.depth, format!("Z = {}", significant(z, digits))),
-            cell(texts.space_ndc, format!("z_n = {}", significant(ndc_z, digits))),
-            cell(texts.distance, format!("−z_c = {}", significant(distance, digits))),
+            cell(texts.depth, format!("Z = {}", mark.number(z, digits))),
+            cell(texts.space_ndc, format!("z_n = {}", mark.number(ndc_z, digits))),
+            cell(texts.distance, format!("−z_c = {}", mark.number(distance, digits))),
         ],
     }
 }
 
 /// Two coordinates.
-pub(super) fn pair(p: DVec2, digits: usize) -> String {
-    format!("({}, {})", significant(p.x, digits), significant(p.y, digits))
+pub(super) fn pair(p: DVec2, digits: usize, texts: &CanvasTexts) -> String {
+    texts.lang.mark().tuple(&p.to_array(), digits)
 }

@@ -95,6 +95,7 @@ impl Vector<'_> {
         let gap = 4.0;
         let width = ((ui.available_width() - beside - 2.0 * gap) / 3.0).floor();
         let mut components = value.to_array();
+        let greatest = value.abs().max_element();
         let outputs = ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
             ["x", "y", "z"].map(|axis| {
@@ -110,6 +111,7 @@ impl Vector<'_> {
                     .prefix(axis)
                     .hint(self.hint)
                     .width(width)
+                    .beside(greatest)
                     .marked(self.marked)
                     .show(ui, t, component)
             })
@@ -147,6 +149,12 @@ pub(super) fn choice<T: PartialEq + Copy>(
         .on_hover_text(hint)
         .accessible_name(name);
     *value != old
+}
+
+/// A quiet mark where the notes print something else; `text` says what, and what is right.
+pub(super) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
+    let mark = RichText::new(t.erratum).small().weak();
+    ui.add(egui::Label::new(mark).sense(egui::Sense::hover())).on_hover_text(text);
 }
 
 /// A line that says what is wrong, with a sign, so that the colour is not alone.

@@ -2,13 +2,13 @@
 
 use eframe::egui::{self, Align, Layout, RichText, Slider};
 
-use super::{TEXT_LINE, complaint, section};
+use super::{TEXT_LINE, complaint, erratum, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::{Scrub, State};
 use crate::gui::theme;
 use crate::i18n::window::{self, Texts};
-use crate::numbers;
+use crate::numbers::DecimalMark;
 use crate::views::Ghost;
 
 /// The operation of a slider, by how far it has been pulled: degrees; a power of two; scene units. 0 changes nothing.
@@ -80,9 +80,20 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
         let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, TEXT_LINE);
         ui.horizontal(|ui| {
             ui.label(RichText::new(name(freedom, t)).strong());
+            match freedom {
+                Freedom::Yaw => erratum(ui, t, t.erratum_yaw),
+                Freedom::Pitch => erratum(ui, t, t.erratum_pitch),
+                Freedom::Elevation
+                | Freedom::Azimuth
+                | Freedom::Roll
+                | Freedom::Zoom
+                | Freedom::Dolly
+                | Freedom::PanU
+                | Freedom::PanV => {}
+            }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let small = match amount {
-                    Some(amount) => RichText::new(describe(freedom, amount)).small().strong(),
+                    Some(amount) => RichText::new(describe(freedom, amount, t.lang.mark())).small().strong(),
                     None => RichText::new(effect(freedom, t)).small().weak(),
                 };
                 ui.add(egui::Label::new(small).truncate());
@@ -101,12 +112,12 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
 }
 
 /// How far a slider has been pulled.
-fn describe(freedom: Freedom, amount: f64) -> String {
+fn describe(freedom: Freedom, amount: f64, mark: DecimalMark) -> String {
     let sign = if amount > 0.0 { "+" } else { "" };
     match freedom.descriptor().amount {
-        Amount::Factor => format!("× {}", numbers::significant(amount.exp2(), 4)),
-        Amount::Length => format!("{sign}{}", numbers::significant(amount, 4)),
-        Amount::Angle => format!("{sign}{}°", numbers::significant(amount, 5)),
+        Amount::Factor => format!("× {}", mark.number(amount.exp2(), 4)),
+        Amount::Length => format!("{sign}{}", mark.number(amount, 4)),
+        Amount::Angle => format!("{sign}{}°", mark.number(amount, 5)),
     }
 }
 

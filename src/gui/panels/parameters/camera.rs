@@ -5,10 +5,11 @@ use eframe::egui;
 use super::{Form, Number, Vector, row};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::panels::section;
+use crate::gui::panels::{erratum, section};
 use crate::gui::state::State;
 use crate::i18n::window::Texts;
-use crate::numbers::power_of_ten;
+use crate::numbers::{EXACT_DIGITS, power_of_ten};
+use crate::scene::Preset;
 
 /// C, PF and VUP.
 pub(super) fn placement(ui: &mut egui::Ui, form: &mut Form) {
@@ -49,6 +50,9 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut Form) {
                 value: |p| &mut p.view_up,
             },
         );
+        if form.preset == Preset::Exercise51 {
+            erratum(ui, t, t.erratum_51);
+        }
     });
 }
 
@@ -59,6 +63,9 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut Form, state: &mut State) 
         kind(ui, form);
         if form.parameters.window.is_none() {
             angle_or_height(ui, form);
+            if form.preset == Preset::Exercise52 && form.parameters.projection == Projection::Parallel {
+                erratum(ui, t, t.erratum_52);
+            }
             let follows = state.settings.aspect_follows_image;
             ui.add_enabled_ui(!follows, |ui| {
                 form.number(
@@ -68,7 +75,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut Form, state: &mut State) 
                         symbol: "A",
                         name: t.aspect,
                         hint: t.aspect_hint,
-                        field: NumberField::new("A", Step::Multiply(1.1)),
+                        field: NumberField::new("A", Step::Multiply(1.1)).fractions(),
                         value: |p| &mut p.aspect,
                     },
                 );
@@ -159,14 +166,17 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut Form) {
             sides(ui, form);
         }
         let window = form.good.window();
-        let size = |value| crate::numbers::short(value, 9);
-        row(ui, "W × H", "", t.height_hint, |ui| {
-            ui.label(format!("{} × {}", size(window.width()), size(window.height())));
+        let sizes = |digits| {
+            let [width, height] = [window.width(), window.height()].map(|side| t.lang.mark().number(side, digits));
+            format!("{width} × {height}")
+        };
+        row(ui, "W × H", "", t.window_size_hint, |ui| {
+            ui.label(sizes(5)).on_hover_text(sizes(EXACT_DIGITS));
         });
         if form.parameters.window.is_some() {
-            Form::derived(ui, "A", t.aspect, t.aspect_hint, window.aspect(), "");
+            form.derived(ui, "A", t.aspect, t.aspect_hint, window.aspect(), "");
             if form.parameters.projection == Projection::Perspective {
-                Form::derived(ui, "θ", t.view_angle, t.view_angle_hint, form.good.view_angle().degrees(), "°");
+                form.derived(ui, "θ", t.view_angle, t.view_angle_hint, form.good.view_angle().degrees(), "°");
             }
         }
     });

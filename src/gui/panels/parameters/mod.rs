@@ -17,6 +17,7 @@ use crate::gui::state::{State, Tab};
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{Lang, faults, scenes};
 use crate::numbers;
+use crate::scene::Preset;
 
 /// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -81,6 +82,8 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
 struct Form {
     t: &'static Texts,
     lang: Lang,
+    /// The scene that the camera looks at: of some exercises the notes have errata.
+    preset: Preset,
     parameters: Parameters,
     error: Option<CameraError>,
     good: Camera,
@@ -94,6 +97,7 @@ impl Form {
         Self {
             t: window::texts(state.settings.lang),
             lang: state.settings.lang,
+            preset: state.document.figure().scene.preset,
             parameters: *state.document.draft(),
             error: state.document.problem().cloned(),
             good: state.document.camera().clone(),
@@ -154,10 +158,11 @@ impl Form {
     }
 
     /// A number that follows from others.
-    fn derived(ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str, value: f64, unit: &str) {
+    fn derived(&self, ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str, value: f64, unit: &str) {
         row(ui, symbol, name, hint, |ui| {
-            let exact = numbers::significant(value, numbers::EXACT_DIGITS);
-            ui.label(format!("{}{unit}", numbers::short(value, 10))).on_hover_text(format!("= {exact}{unit}"));
+            let number = |digits| self.t.lang.mark().number(value, digits);
+            let exact = number(numbers::EXACT_DIGITS);
+            ui.label(format!("{}{unit}", number(6))).on_hover_text(format!("= {exact}{unit}"));
         });
     }
 }
@@ -186,7 +191,7 @@ fn label(t: &Texts, repair: Repair) -> String {
         Repair::ViewUp(axis) => format!("{} ({}, {}, {})", t.repair_view_up, axis.x, axis.y, axis.z),
         Repair::SwapNearFar => t.repair_swap_near_far.to_owned(),
         Repair::FarTenTimesNear => t.repair_far.to_owned(),
-        Repair::ViewAngle(angle) => format!("{} {angle}°", t.repair_angle),
+        Repair::ViewAngle(angle) => format!("{} {}°", t.repair_angle, t.lang.mark().printed(&angle.to_string())),
         Repair::SwapSides => t.repair_sides.to_owned(),
         Repair::Back => t.repair_back.to_owned(),
     }

@@ -15,7 +15,7 @@ use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_object
 use crate::i18n::scenes::{self, Texts};
 use crate::i18n::{faults, messages};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
-use crate::numbers::short;
+use crate::numbers::without_rests;
 use crate::scene::edit::{self, Children, descendants, placements};
 use crate::scene::transform;
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, SceneSpec, Shape};
@@ -65,8 +65,9 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, name: &str) {
         ("R", t.rotate, t.rotate_hint, object.rotate, "°"),
         ("S", t.scale, t.scale_hint, object.scale, ""),
     ] {
-        let [x, y, z] = v.to_array().map(|x| format!("{}{unit}", short(x, 7)));
-        row(ui, symbol, name, hint, |ui| ui.label(format!("({x}, {y}, {z})")));
+        let mark = state.settings.lang.mark();
+        let components = v.to_array().map(|x| format!("{}{unit}", mark.number(x, 5)));
+        row(ui, symbol, name, hint, |ui| ui.label(format!("({})", components.join(mark.separator()))));
     }
 }
 
@@ -464,8 +465,8 @@ fn matrix(ui: &mut egui::Ui, form: &Form, name: &str) {
     egui::CollapsingHeader::new(t.matrix).default_open(false).show_unindented(ui, |ui| {
         egui::Grid::new("world matrix").num_columns(4).spacing([10.0, 1.0]).show(ui, |ui| {
             for row in matrix.transpose().to_cols_array_2d() {
-                for value in row {
-                    ui.monospace(short(value, 7));
+                for value in without_rests(&row, 5) {
+                    ui.monospace(form.window.lang.mark().number(value, 5));
                 }
                 ui.end_row();
             }
