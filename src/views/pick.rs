@@ -233,10 +233,12 @@ mod tests {
     fn the_image_maps_to_the_window() {
         with_cube(Parameters { aspect: 1.0, ..Parameters::default() }, |request| {
             let w = request.camera.window();
-            // 1024 × 768 pixels fill 600 × 450, whatever the window.
-            assert_eq!(window_point_in_image(request, DVec2::ZERO), Some(DVec2::new(w.left, w.top)));
             let look = crate::views::Look { undistorted: true, ..request.look };
-            let request = &Request { look, ..request.clone() };
+            let undistorted = Request { look, ..request.clone() };
+            let at = |x, y| window_point_in_image(&undistorted, DVec2::new(x, y));
+            assert_eq!(at(75.0, 0.0), Some(DVec2::new(w.left, w.top)), "450 × 450 in the middle of 600");
+            assert_eq!(at(525.0, 450.0), Some(DVec2::new(w.right, w.bottom)));
+            assert_eq!(at(74.0, 10.0), None);
             let at = |x, y| window_point_in_image(request, DVec2::new(x, y));
             assert_eq!(
                 at(0.0, 0.0),
