@@ -16,7 +16,7 @@ use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{News, Sessions};
 use super::state::{AfterSave, Dialog, Message, Purpose, Side, State};
-use super::{dialogs, menu, panels, theme};
+use super::{dialogs, menu, panels, presentation, sequence, theme};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::Lang;
@@ -116,6 +116,11 @@ impl App {
         }
         file_flow::poll(&ctx, &mut self.state);
         self.canvas.listen_for_cancel(&ctx, &mut self.state);
+        if !self.canvas.holds_something()
+            && let Some(command) = presentation::escape(&ctx, &mut self.state)
+        {
+            self.perform(&ctx, command);
+        }
         // Each key press acts, in its turn. What comes after one that opens a dialog is for the dialog.
         while self.state.file_flow.dialog.is_none()
             && let Some(command) = self.keyboard(&ctx)
@@ -148,7 +153,8 @@ impl App {
             name_handle(ui, "numbers", window::texts(self.state.settings.lang).panel_width);
         }
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
-        egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        presentation::show(&ctx, &mut self.state, pictures.response.rect);
         if let Some(command) = bar {
             self.perform(&ctx, command);
         }
@@ -196,6 +202,12 @@ impl App {
             })
             .flatten()
             .collect();
+        if self.state.settings.presentation && !typing && !ctx.any_popup_open() {
+            shortcuts.extend(presentation::KEYS);
+            if ctx.memory(|memory| memory.focused().is_none()) {
+                shortcuts.extend(presentation::ARROWS);
+            }
+        }
         // Ctrl+Shift+S is Ctrl+S as well: what needs more keys is asked first.
         shortcuts.sort_by_key(|(keys, _)| !keys.modifiers.shift);
         let called_by = |event: &egui::Event| match event {
@@ -251,10 +263,15 @@ impl App {
                 state.settings.presentation = !state.settings.presentation;
                 ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
                 state.message = None;
-                if state.settings.presentation {
-                    state.say(Message::PresentationKeys);
-                }
+                state.annotations.keys_since = Some(ctx.input(|input| input.time));
             }
+            Command::NextFigure => self.step(ctx, true),
+            Command::PreviousFigure => self.step(ctx, false),
+            Command::Pen => state.annotations.pen = !state.annotations.pen,
+            Command::Spot => state.annotations.spot = !state.annotations.spot,
+            Command::Freeze => state.annotations.frozen = !state.annotations.frozen,
+            Command::Blank => state.annotations.blank = !state.annotations.blank,
+            Command::ClearAnnotations => state.annotations.clear(),
             Command::ZoomIn => state.settings.zoom = (state.settings.zoom + 0.1).min(3.0),
             Command::ZoomOut => state.settings.zoom = (state.settings.zoom - 0.1).max(0.5),
             Command::ZoomReset => state.settings.zoom = 1.0,
@@ -284,6 +301,19 @@ impl App {
             Command::Pipeline => state.layout.strip = !state.layout.strip,
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,
         }
+    }
+
+    /// The next figure, or the one before. What was changed in this one is kept, and stays written down.
+    fn step(&mut self, ctx: &egui::Context, forwards: bool) {
+        let (left, document) = (sequence::source_of(&self.state.document), self.state.document.clone());
+        if !sequence::step(&mut self.state, forwards) {
+            return;
+        }
+        let Some(sessions) = &mut self.sessions else { return };
+        if document.is_changed() {
+            sessions.leave(ctx, left, &document);
+        }
+        sessions.come_back(sequence::source_of(&self.state.document).as_ref());
     }
 
     /// The name of the figure in the title of the window.

@@ -44,6 +44,20 @@ pub enum Command {
     ReduceMotion,
     /// Large type and thick strokes.
     Presentation,
+    /// The next figure of the folder, or of the program.
+    NextFigure,
+    /// The figure before.
+    PreviousFigure,
+    /// The pointer draws over the pictures.
+    Pen,
+    /// A spot shows where the pointer is.
+    Spot,
+    /// The pictures stay as they are while one edits.
+    Freeze,
+    /// A black screen.
+    Blank,
+    /// Takes away what lies over the pictures.
+    ClearAnnotations,
     /// A larger interface.
     ZoomIn,
     /// A smaller interface.
@@ -84,7 +98,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 32] = [
+    pub const VIEW: [Self; 20] = [
         Self::Show(View::World),
         Self::Show(View::Canonical),
         Self::Show(View::Image),
@@ -104,13 +118,15 @@ impl Command {
         Self::ViewBack,
         Self::ViewForward,
         Self::LinkOrbits,
+        Self::Pipeline,
+    ];
+    /// The menu of the window: its panels, its looks, its language.
+    pub const WINDOW: [Self; 11] = [
         Self::Tab(Tab::Camera),
         Self::Tab(Tab::Scene),
         Self::Tab(Tab::Drawing),
         Self::ParametersPanel,
         Self::NumbersPanel,
-        Self::Pipeline,
-        Self::Presentation,
         Self::Theme,
         Self::ReduceMotion,
         Self::ZoomIn,
@@ -118,12 +134,29 @@ impl Command {
         Self::ZoomReset,
         Self::Language,
     ];
+    /// The menu of a presentation.
+    pub const PRESENT: [Self; 8] = [
+        Self::Presentation,
+        Self::NextFigure,
+        Self::PreviousFigure,
+        Self::Pen,
+        Self::Spot,
+        Self::Freeze,
+        Self::Blank,
+        Self::ClearAnnotations,
+    ];
     /// The menu of what one may ask.
     pub const HELP: [Self; 1] = [Self::Help];
 
     /// All commands, each once.
     pub fn all() -> impl Iterator<Item = Self> {
-        Self::FILE.into_iter().chain(Self::EDIT).chain(Self::VIEW).chain(Self::HELP)
+        Self::FILE
+            .into_iter()
+            .chain(Self::EDIT)
+            .chain(Self::VIEW)
+            .chain(Self::WINDOW)
+            .chain(Self::PRESENT)
+            .chain(Self::HELP)
     }
 
     /// Its name.
@@ -156,6 +189,13 @@ impl Command {
             Self::Theme => (t.theme, t.theme_hint),
             Self::ReduceMotion => (t.reduce_motion, t.reduce_motion_hint),
             Self::Presentation => (t.presentation, t.presentation_hint),
+            Self::NextFigure => (t.next_figure, t.next_figure_hint),
+            Self::PreviousFigure => (t.previous_figure, t.previous_figure_hint),
+            Self::Pen => (t.pen, t.pen_hint),
+            Self::Spot => (t.spot, t.spot_hint),
+            Self::Freeze => (t.freeze, t.freeze_hint),
+            Self::Blank => (t.blank, t.blank_hint),
+            Self::ClearAnnotations => (t.clear_annotations, t.clear_annotations_hint),
             Self::ZoomIn => (t.zoom_in, t.zoom_in_hint),
             Self::ZoomOut => (t.zoom_out, t.zoom_out_hint),
             Self::ZoomReset => (t.zoom_reset, t.zoom_reset_hint),
@@ -204,6 +244,13 @@ impl Command {
             Self::Theme => (Modifiers::COMMAND, Key::T),
             Self::ReduceMotion => (Modifiers::ALT, Key::M),
             Self::Presentation => (Modifiers::NONE, Key::F11),
+            Self::NextFigure => (Modifiers::COMMAND, Key::PageDown),
+            Self::PreviousFigure => (Modifiers::COMMAND, Key::PageUp),
+            Self::Pen => (Modifiers::ALT, Key::P),
+            Self::Spot => (Modifiers::ALT, Key::S),
+            Self::Freeze => (Modifiers::ALT, Key::F),
+            Self::Blank => (Modifiers::ALT, Key::B),
+            Self::ClearAnnotations => (Modifiers::ALT, Key::Backspace),
             Self::ZoomIn => (Modifiers::COMMAND, Key::Plus),
             Self::ZoomOut => (Modifiers::COMMAND, Key::Minus),
             Self::ZoomReset => (Modifiers::COMMAND, Key::Num0),
@@ -259,6 +306,13 @@ impl Command {
             | Self::Theme
             | Self::ReduceMotion
             | Self::Presentation
+            | Self::NextFigure
+            | Self::PreviousFigure
+            | Self::Pen
+            | Self::Spot
+            | Self::Freeze
+            | Self::Blank
+            | Self::ClearAnnotations
             | Self::ZoomOut
             | Self::ZoomReset
             | Self::ParametersPanel
@@ -284,6 +338,7 @@ impl Command {
             Self::Reset => state.document.can_reset(),
             Self::ViewBack => state.views.can_go_back(state.document.figure().observers),
             Self::ViewForward => state.views.can_go_forward(state.document.figure().observers),
+            Self::ClearAnnotations => state.annotations.any(),
             Self::New
             | Self::Open
             | Self::Gallery
@@ -297,6 +352,12 @@ impl Command {
             | Self::Theme
             | Self::ReduceMotion
             | Self::Presentation
+            | Self::NextFigure
+            | Self::PreviousFigure
+            | Self::Pen
+            | Self::Spot
+            | Self::Freeze
+            | Self::Blank
             | Self::ZoomIn
             | Self::ZoomOut
             | Self::ZoomReset
@@ -319,6 +380,10 @@ impl Command {
             Self::Theme => Some(state.settings.theme == Theme::Dark),
             Self::ReduceMotion => Some(state.settings.reduce_motion),
             Self::Presentation => Some(state.settings.presentation),
+            Self::Pen => Some(state.annotations.pen),
+            Self::Spot => Some(state.annotations.spot),
+            Self::Freeze => Some(state.annotations.frozen),
+            Self::Blank => Some(state.annotations.blank),
             Self::ParametersPanel => Some(state.settings.panels().is_shown(Side::Left)),
             Self::NumbersPanel => Some(state.settings.panels().is_shown(Side::Right)),
             Self::Tab(tab) => Some(state.settings.tab == tab && state.settings.panels().is_shown(Side::Left)),
@@ -339,6 +404,9 @@ impl Command {
             | Self::Reset
             | Self::CopyNumbers
             | Self::Language
+            | Self::NextFigure
+            | Self::PreviousFigure
+            | Self::ClearAnnotations
             | Self::ZoomIn
             | Self::ZoomOut
             | Self::ZoomReset

@@ -230,6 +230,12 @@ impl Document {
         }
     }
 
+    /// The name of the figure of the program that it began as, while it has no file.
+    #[must_use]
+    pub fn shipped_name(&self) -> Option<&'static str> {
+        self.shipped
+    }
+
     /// The file, once there is one.
     #[must_use]
     pub fn path(&self) -> Option<&PathBuf> {

@@ -11,6 +11,7 @@ use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
 use super::export::{ExportError, Exporting};
+use super::gallery::Source;
 use super::mesh_paths::{for_folder, named_in_figure};
 use super::native::{FileAnswer, FileQuestion, OpenFileDialog, Wanted};
 use super::state::{
@@ -45,6 +46,12 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         AfterSave::OpenPath(path) => open(state, &path),
         AfterSave::Shipped(name) => open_shipped(state, name),
         AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
+        AfterSave::Quit if !state.kept.is_empty() => {
+            if let Some((_, document)) = state.kept.pop() {
+                state.take_over(document);
+            }
+            begin(ctx, state, AfterSave::Quit);
+        }
         AfterSave::Quit if !state.file_flow.exporting.is_empty() => state.file_flow.dialog = Some(Dialog::Closing),
         AfterSave::Quit => close(ctx, state),
     }
@@ -201,6 +208,11 @@ fn mesh(state: &mut State, which: MeshFor, path: &Path) {
 }
 
 fn open(state: &mut State, path: &Path) {
+    if let Some(kept) = state.take_kept(Some(&Source::File(files::whole(path)))) {
+        state.take_over(kept);
+        state.file_flow.look = true;
+        return;
+    }
     match files::open_figure(path) {
         Ok(opened) => {
             let (figure, file) = opened.at(path);
@@ -219,7 +231,8 @@ fn open(state: &mut State, path: &Path) {
 
 /// Goes on with a figure of the program.
 fn open_shipped(state: &mut State, name: &'static str) {
-    if let Some(document) = Document::shipped(name) {
+    let kept = state.take_kept(Some(&Source::Shipped(name)));
+    if let Some(document) = kept.or_else(|| Document::shipped(name)) {
         state.take_over(document);
     }
 }
@@ -331,7 +344,7 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     }
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         state.document.commit();
-        if state.document.is_changed() || !state.file_flow.exporting.is_empty() {
+        if state.document.is_changed() || !state.kept.is_empty() || !state.file_flow.exporting.is_empty() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             begin(ctx, state, AfterSave::Quit);
         } else {

@@ -17,6 +17,8 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
             (t.menu_file, &Command::FILE[..]),
             (t.menu_edit, &Command::EDIT),
             (t.menu_view, &Command::VIEW),
+            (t.menu_window, &Command::WINDOW),
+            (t.menu_present, &Command::PRESENT),
             (t.menu_help, &Command::HELP),
         ];
         for (title, commands) in menus {
@@ -75,7 +77,11 @@ fn is_first_of_group(command: Command) -> bool {
             | Command::Arrange(None)
             | Command::Observe(ObserverChange::From(Viewpoint::Front))
             | Command::Tab(super::state::Tab::Camera)
-            | Command::Presentation
+            | Command::Pipeline
+            | Command::Theme
+            | Command::NextFigure
+            | Command::Pen
+            | Command::ClearAnnotations
             | Command::ZoomIn
             | Command::Language
     )

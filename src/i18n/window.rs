@@ -5,6 +5,8 @@ texts! {
     menu_file: "File", "Arquivo";
     menu_edit: "Edit", "Editar";
     menu_view: "View", "Ver";
+    menu_window: "Window", "Janela";
+    menu_present: "Present", "Apresentar";
     menu_help: "Help", "Ajuda";
     new: "New", "Novo";
     new_hint: "The primitives from their best side", "As primitivas vistas do seu melhor lado";
@@ -38,6 +40,23 @@ texts! {
     reduce_motion_hint: "What would move or fade is at its end at once", "O que se moveria ou sumiria aos poucos chega logo ao fim";
     presentation: "Presentation", "Apresentação";
     presentation_hint: "Large type and thick strokes, full screen, for a projector", "Letras grandes e traços grossos, tela cheia, para um projetor";
+    next_figure: "Next figure", "Próxima figura";
+    next_figure_hint: "The next one of the folder, or of the figures of the program; changes are kept. In a presentation: Page ↓, or →", "A próxima da pasta, ou das figuras do programa; mudanças são mantidas. Em uma apresentação: Page ↓, ou →";
+    previous_figure: "Previous figure", "Figura anterior";
+    previous_figure_hint: "The one before; changes are kept. In a presentation: Page ↑, or ←", "A que vem antes; mudanças são mantidas. Em uma apresentação: Page ↑, ou ←";
+    pen: "Pen", "Caneta";
+    pen_hint: "The pointer draws over the pictures; Esc takes it away. In a presentation: P", "O ponteiro desenha sobre as imagens; Esc apaga. Em uma apresentação: P";
+    spot: "Spot at the pointer", "Foco no ponteiro";
+    spot_hint: "Everybody sees where the pointer is. In a presentation: S", "Todos veem onde o ponteiro está. Em uma apresentação: S";
+    freeze: "Freeze the pictures", "Congelar as imagens";
+    freeze_hint: "The pictures stay as they are while you edit. In a presentation: F", "As imagens ficam como estão enquanto você edita. Em uma apresentação: F";
+    frozen: "The pictures are frozen · Esc", "As imagens estão congeladas · Esc";
+    blank: "Black screen", "Tela preta";
+    blank_hint: "In a presentation: B, or the point of a remote control", "Em uma apresentação: B, ou o ponto de um controle remoto";
+    clear_annotations: "Clear", "Limpar";
+    clear_annotations_hint: "Takes away pen, spot, black screen and freeze, as Esc does", "Tira caneta, foco, tela preta e congelamento, como Esc";
+    first_figure: "This is the first figure", "Esta é a primeira figura";
+    last_figure: "This is the last figure", "Esta é a última figura";
     zoom_in: "Larger interface", "Interface maior";
     zoom_in_hint: "Enlarges everything in the window", "Aumenta tudo na janela";
     zoom_out: "Smaller interface", "Interface menor";
@@ -98,7 +117,7 @@ texts! {
     unchanged_hint: "Everything is saved", "Tudo está salvo";
 
     panel_width: "Width of the panel", "Largura do painel";
-    presentation_keys: "F11: leave the presentation · F8: parameters · F9: operations and numbers · F10: pipeline", "F11: sair da apresentação · F8: parâmetros · F9: operações e números · F10: pipeline";
+    presentation_keys: "Esc: leave · Page ↑ ↓: other figures · P: pen · S: spot · F: freeze · B: black · F8–F10: panels · F1: all keys", "Esc: sair · Page ↑ ↓: outras figuras · P: caneta · S: foco · F: congelar · B: preto · F8–F10: painéis · F1: todas as teclas";
 
     // The parameters.
     camera: "Camera", "Câmera";

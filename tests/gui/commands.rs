@@ -91,9 +91,14 @@ fn a_key_that_never_comes_up_is_not_held_for_ever() {
 fn every_command_stands_in_a_menu_with_its_keys() {
     let mut window = Window::new(Lang::En);
     let t = texts(Lang::En);
-    for (menu, commands) in
-        [("File", &Command::FILE[..]), ("Edit", &Command::EDIT), ("View", &Command::VIEW), ("Help", &Command::HELP)]
-    {
+    for (menu, commands) in [
+        ("File", &Command::FILE[..]),
+        ("Edit", &Command::EDIT),
+        ("View", &Command::VIEW),
+        ("Window", &Command::WINDOW),
+        ("Present", &Command::PRESENT),
+        ("Help", &Command::HELP),
+    ] {
         window.click(menu);
         for command in commands {
             assert!(window.says(command.label(t)), "{command:?}");
@@ -120,14 +125,28 @@ fn presentation_enlarges_everything_and_gives_the_room_to_the_pictures() {
 
 #[test]
 fn the_way_out_of_a_presentation_can_be_read_on_a_small_screen() {
-    for (lang, way) in [(Lang::En, "F11: leave the presentation ·"), (Lang::PtBr, "F11: sair da apresentação ·")] {
+    for (lang, way) in [(Lang::En, "Esc: leave · Page"), (Lang::PtBr, "Esc: sair · Page")] {
         let mut window = Window::new(lang);
         window.harness.set_size([1280.0, 720.0].into());
         window.key(Key::F11);
         // The size of the window is in points, which are larger now.
         window.harness.set_size(egui::vec2(1280.0, 720.0) / window.harness.ctx.zoom_factor());
         window.run();
-        assert!(window.written().iter().any(|(line, _)| line.contains(way)), "{lang:?}: {:?}", window.written());
+        let written = window.written();
+        assert!(written.iter().any(|(line, _)| line.contains(way)), "{lang:?}: {written:?}");
+        // All of it, and within the screen.
+        let last = if lang == Lang::En { "all keys" } else { "todas as teclas" };
+        let screen = window.harness.ctx.content_rect();
+        assert!(written.iter().any(|(line, rect)| line.contains(last) && screen.contains_rect(*rect)), "{written:?}");
+        // It follows the language at once, and fades.
+        window.command_key(Key::L);
+        assert!(!window.written().iter().any(|(line, _)| line.contains(way)));
+        assert!(window.written().iter().any(|(line, _)| line.starts_with("Esc: ")));
+        window.command_key(Key::L);
+        window.harness.input_mut().time = Some(1000.0);
+        window.harness.step();
+        window.harness.step();
+        assert!(!window.written().iter().any(|(line, _)| line.contains(way)));
     }
 }
 

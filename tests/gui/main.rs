@@ -13,6 +13,7 @@ mod other_programs;
 mod painter;
 mod panels;
 mod pictures;
+mod presentation;
 mod reveal;
 mod same_pixels;
 mod scene;

@@ -134,6 +134,12 @@ impl Canvas {
         }
     }
 
+    /// True where Esc would let go of something in a picture.
+    #[must_use]
+    pub fn holds_something(&self) -> bool {
+        self.drag.is_some() || self.pinned.is_some()
+    }
+
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut State) {
         let room = ui.available_rect_before_wrap();
@@ -300,7 +306,9 @@ impl Canvas {
             let request = Request { scene: scene.clone(), ..self.request(state, pane.view, pane.rect.size) };
             let heavy = style.antialias > 1 && self.rendering.is_heavy(pane.view, self.patience);
             let accounted = state.layout.strip && state.layout.strip_of == pane.view;
-            self.rendering.ask(ctx, Job { request, draft: moving && heavy, max_side, accounted });
+            if !state.annotations.frozen {
+                self.rendering.ask(ctx, Job { request, draft: moving && heavy, max_side, accounted });
+            }
         }
         for (view, done) in View::ALL.into_iter().zip(self.rendering.collect(self.patience)) {
             let Some(rendered) = done else { continue };

@@ -15,6 +15,7 @@ use std::time::{Duration, SystemTime};
 use eframe::egui;
 
 use super::document::Document;
+use super::gallery::Source;
 use crate::clock;
 use crate::files::{self, FileError, Overwrite};
 use crate::limits::MAX_SESSIONS;
@@ -68,6 +69,8 @@ pub enum News {
 pub struct Sessions {
     folder: PathBuf,
     own: Option<Writer>,
+    /// Those of figures that were left with changes, and are kept in this window.
+    others: Vec<(Option<Source>, Writer)>,
     left: Vec<LeftOver>,
     news: Vec<News>,
     /// When the figure of this window was restored, while it is not known to be survived.
@@ -85,6 +88,7 @@ impl Sessions {
         let mut sessions = Self {
             folder: folder.to_owned(),
             own: None,
+            others: Vec::new(),
             left: Vec::new(),
             news: Vec::new(),
             restored_at: None,
@@ -159,11 +163,26 @@ impl Sessions {
         }
     }
 
+    /// Leaves what is written down of a figure as it is, while the window shows another one.
+    pub fn leave(&mut self, ctx: &egui::Context, source: Option<Source>, document: &Document) {
+        self.keep(ctx, document);
+        self.others.extend(self.own.take().map(|own| (source, own)));
+    }
+
+    /// Goes on writing down a figure that was left.
+    pub fn come_back(&mut self, source: Option<&Source>) {
+        if let Some(index) = self.others.iter().position(|(of, _)| of.as_ref() == source) {
+            let (_, writer) = self.others.swap_remove(index);
+            if let Some(own) = self.own.replace(writer) {
+                own.forget();
+            }
+        }
+    }
+
     /// Removes what was written down of this window: it has been saved, or is not wanted.
     pub fn forget(&mut self) {
-        if let Some(own) = self.own.take() {
-            own.forget();
-        }
+        let others = self.others.drain(..).map(|(_, writer)| writer);
+        self.own.take().into_iter().chain(others).for_each(Writer::forget);
     }
 
     fn file(&self, slot: usize) -> PathBuf {
@@ -272,7 +291,9 @@ impl Sessions {
                 Err(error) => News::NotWritten(aside, FileError::Write(error)),
             }
         });
-        self.forget();
+        if let Some(own) = self.own.take() {
+            own.forget();
+        }
         self.own = Some(Writer::new(file, lock));
         self.restored_at = Some(clock::now());
         Some(document)

@@ -319,3 +319,29 @@ fn a_folder_in_the_place_of_a_session_is_said_and_left() {
     sessions.write(&changed());
     assert_eq!(place.names(), ["session-0.json", "session-1.json"]);
 }
+
+#[test]
+fn a_figure_that_was_left_stays_written_down_and_goes_on_where_one_comes_back() {
+    let folder = Place::new("left-in-window");
+    let changed = |far: f64| {
+        let mut document = Document::new(fresh(), None).unwrap();
+        let parameters = crate::camera::Parameters { far, ..*document.draft() };
+        document.set_parameters(parameters);
+        document
+    };
+    let source = Source::Shipped("house");
+    let (one, two) = (changed(40.0), changed(50.0));
+    let (mut sessions, _) = Sessions::begin(&folder.0, false);
+    sessions.leave(&egui::Context::default(), Some(source.clone()), &one);
+    sessions.keep(&egui::Context::default(), &two);
+    for writer in sessions.others.iter().map(|(_, writer)| writer).chain(&sessions.own) {
+        writer.wait();
+    }
+    // Both would be there after a crash.
+    let files = || folder.names().len();
+    assert_eq!(files(), 2);
+    sessions.come_back(Some(&source));
+    assert!(sessions.others.is_empty() && files() == 1);
+    sessions.forget();
+    assert_eq!(files(), 0);
+}

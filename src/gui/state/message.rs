@@ -17,8 +17,17 @@ use crate::scene::{Preset, SceneError};
 pub enum Message {
     /// The numbers are in the clipboard.
     NumbersCopied,
-    /// The keys of a presentation.
-    PresentationKeys,
+    /// Which figure of a sequence this is.
+    Step {
+        /// From 1.
+        number: usize,
+        /// How many there are.
+        of: usize,
+    },
+    /// There is no figure before this one.
+    FirstFigure,
+    /// There is no figure after this one.
+    LastFigure,
     /// This file has been opened.
     Opened(PathBuf),
     /// This file has been written.
@@ -66,7 +75,9 @@ impl Message {
     pub fn is_error(&self) -> bool {
         match self {
             Self::NumbersCopied
-            | Self::PresentationKeys
+            | Self::Step { .. }
+            | Self::FirstFigure
+            | Self::LastFigure
             | Self::Opened(_)
             | Self::Saved(_)
             | Self::Exporting
@@ -87,7 +98,7 @@ impl Message {
     /// True for what has been read soon; false for what went wrong, and for what is still so.
     #[must_use]
     pub fn passes(&self) -> bool {
-        !self.is_error() && !matches!(self, Self::PresentationKeys | Self::Exporting)
+        !self.is_error() && !matches!(self, Self::Exporting)
     }
 
     /// The sentence.
@@ -96,7 +107,9 @@ impl Message {
         let (t, scene) = (window::texts(lang), scenes::texts(lang));
         let text = match self {
             Self::NumbersCopied => t.copied.to_owned(),
-            Self::PresentationKeys => t.presentation_keys.to_owned(),
+            Self::Step { number, of } => format!("{number} / {of}"),
+            Self::FirstFigure => t.first_figure.to_owned(),
+            Self::LastFigure => t.last_figure.to_owned(),
             Self::Opened(path) => format!("{} {}", t.opened, foreign::path(path)),
             Self::Saved(path) => format!("{} {}", t.saved, foreign::path(path)),
             Self::File(path, error) => messages::file(lang, &foreign::path(path), error),

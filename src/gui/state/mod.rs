@@ -1,5 +1,6 @@
 //! What the panels and the pictures share.
 
+mod annotations;
 mod files;
 mod insert;
 mod layout;
@@ -15,6 +16,7 @@ use crate::figure::Figure;
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Probe};
+pub use annotations::Annotations;
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::{free_place, rounded};
 pub use layout::{Arrangement, Layout, ObserverChange, Panels, Side, Tab};
@@ -30,7 +32,7 @@ pub use view_history::ViewHistory;
 
 use super::Start;
 use super::document::Document;
-use super::gallery::Gallery;
+use super::gallery::{Gallery, Source};
 use super::scene_cache::SceneCache;
 
 /// How long news are shown, in seconds: time to read two lines.
@@ -121,6 +123,10 @@ pub struct State {
     pub recent: Recent,
     /// The figures that one can begin with.
     pub gallery: Gallery,
+    /// Figures that were left with changes, by where they come from.
+    pub kept: Vec<(Option<Source>, Document)>,
+    /// What lies over the pictures.
+    pub annotations: Annotations,
 }
 
 /// The document at the start. What the command line has done to the camera is a change of the figure in the file: it can be
@@ -178,6 +184,8 @@ impl State {
             probe: None,
             recent: Recent::default(),
             gallery: Gallery::default(),
+            kept: Vec::new(),
+            annotations: Annotations::default(),
         })
     }
 
@@ -194,6 +202,12 @@ impl State {
         self.views.reset(self.document.figure().observers);
         self.probe = None;
         self.message = None;
+    }
+
+    /// A figure that was left with changes.
+    pub(in crate::gui) fn take_kept(&mut self, source: Option<&Source>) -> Option<Document> {
+        let index = self.kept.iter().position(|(of, _)| of.as_ref() == source)?;
+        Some(self.kept.remove(index).1)
     }
 
     /// How the pictures in the window are drawn: as the figure wants it, in the theme of the window.

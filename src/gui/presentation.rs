@@ -1,0 +1,121 @@
+//! What a presentation needs besides large type: its keys, and what lies over the pictures.
+
+use std::time::Duration;
+
+use eframe::egui::{
+    self, Area, Color32, Context, CursorIcon, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Pos2, Rect, Sense,
+    Shape, Stroke, TextStyle, vec2,
+};
+
+use super::command::Command;
+use super::state::State;
+use crate::i18n::window;
+
+/// How long the keys are shown, in seconds, and how long they take to fade.
+const SHOWN: f64 = 8.0;
+const FADES: f64 = 0.7;
+
+/// Colour of the pen and of the spot: seen on light and on dark ground.
+const INK: Color32 = Color32::from_rgb(0xe0, 0x2a, 0x1f);
+
+/// The plain keys of a presentation: those of a remote control among them.
+pub(super) const KEYS: [(KeyboardShortcut, Command); 7] = [
+    (KeyboardShortcut::new(Modifiers::NONE, Key::PageDown), Command::NextFigure),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::PageUp), Command::PreviousFigure),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::P), Command::Pen),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::S), Command::Spot),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::F), Command::Freeze),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::B), Command::Blank),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::Period), Command::Blank),
+];
+
+/// The arrows of a remote control, where no picture and no field has the keyboard.
+pub(super) const ARROWS: [(KeyboardShortcut, Command); 2] = [
+    (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowRight), Command::NextFigure),
+    (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft), Command::PreviousFigure),
+];
+
+/// Esc, where it means nothing else: takes away what lies over the pictures; leaves the presentation where nothing does. The command that
+/// is called.
+pub(super) fn escape(ctx: &Context, state: &mut State) -> Option<Command> {
+    let shown = state.settings.presentation || state.annotations.any();
+    let busy = ctx.text_edit_focused() || ctx.any_popup_open() || state.file_flow.dialog.is_some();
+    if !shown || busy || !ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        return None;
+    }
+    Some(if state.annotations.any() { Command::ClearAnnotations } else { Command::Presentation })
+}
+
+/// What lies over the pictures, which are in `room`.
+pub(super) fn show(ctx: &Context, state: &mut State, room: Rect) {
+    if state.annotations.pen {
+        pen(ctx, state, room);
+    }
+    let painter = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("annotations"))).with_clip_rect(room);
+    for stroke in &state.annotations.strokes {
+        painter.add(Shape::line(stroke.clone(), Stroke::new(3.0, INK)));
+    }
+    let t = window::texts(state.settings.lang);
+    if state.annotations.frozen {
+        label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 44.0), room.width()), 1.0);
+    }
+    if state.annotations.spot
+        && let Some(pointer) = ctx.pointer_hover_pos().filter(|pointer| room.contains(*pointer))
+    {
+        painter.circle(pointer, 26.0, INK.gamma_multiply(0.18), Stroke::new(2.5, INK));
+        painter.circle_filled(pointer, 3.0, INK);
+    }
+    if let Some(opacity) = keys_opacity(ctx, state) {
+        let painter = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("keys of a presentation")));
+        let lowest = ctx.content_rect().center_bottom() - vec2(0.0, 56.0);
+        label(ctx, &painter, t.presentation_keys, (lowest, ctx.content_rect().width()), opacity);
+    }
+    if state.annotations.blank {
+        let painter = ctx.layer_painter(LayerId::new(Order::Tooltip, Id::unique("blank")));
+        painter.rect_filled(ctx.content_rect(), 0.0, Color32::BLACK);
+    }
+}
+
+/// The pointer draws over the pictures, which do not feel it meanwhile.
+fn pen(ctx: &Context, state: &mut State, room: Rect) {
+    let strokes = &mut state.annotations.strokes;
+    Area::new(Id::unique("pen")).order(Order::Middle).fixed_pos(room.min).show(ctx, |ui| {
+        let response = ui.allocate_rect(room, Sense::drag());
+        let response = response.on_hover_and_drag_cursor(CursorIcon::Crosshair);
+        if response.drag_started() {
+            strokes.push(ctx.input(|input| input.pointer.press_origin()).into_iter().collect());
+        }
+        let at = response.interact_pointer_pos().filter(|_| response.dragged());
+        if let (Some(at), Some(stroke)) = (at, strokes.last_mut())
+            && stroke.last().is_none_or(|last: &Pos2| last.distance(at) > 1.0)
+        {
+            stroke.push(at);
+        }
+    });
+}
+
+/// How much is to be seen of the keys; `None` once they have faded.
+fn keys_opacity(ctx: &Context, state: &mut State) -> Option<f32> {
+    let since = state.annotations.keys_since.filter(|_| state.settings.presentation)?;
+    let left = since + SHOWN - ctx.input(|input| input.time);
+    let fading = if state.settings.reduce_motion { 0.0 } else { FADES };
+    if left <= 0.0 {
+        state.annotations.keys_since = None;
+        return None;
+    }
+    ctx.request_repaint_after(Duration::from_secs_f64((left - fading).max(1.0 / 60.0)));
+    #[expect(clippy::cast_possible_truncation, reason = "a share")]
+    let share = if fading > 0.0 { (left / fading).min(1.0) as f32 } else { 1.0 };
+    Some(share)
+}
+
+/// A sentence on a ground of its own, whose centre is at a place, in a room so wide.
+fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (Pos2, f32), opacity: f32) {
+    let style = ctx.global_style();
+    let color = style.visuals.strong_text_color().gamma_multiply(opacity);
+    let font = TextStyle::Body.resolve(&style);
+    let galley = painter.layout(text.to_owned(), font, color, (width - 48.0).max(80.0));
+    let rect = Rect::from_center_size(center, galley.size());
+    painter.rect_filled(rect.expand2(vec2(10.0, 6.0)), 5.0, style.visuals.window_fill.gamma_multiply(0.94 * opacity));
+    painter.galley(rect.min, galley, color);
+}

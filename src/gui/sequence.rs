@@ -1,0 +1,91 @@
+//! The figures one after the other, as in a lecture: those of the folder of the open one in natural order, or those of the program.
+//!
+//! Nobody is asked on the way: a figure with changes is kept, and is as it was left when one comes back to it. It is asked about
+//! when the window is closed.
+
+use crate::files::{SHIPPED_FIGURES, open_figure};
+use crate::gui::document::Document;
+use crate::gui::gallery::{Source, figures_in};
+use crate::gui::state::{Message, State};
+
+/// Where a document comes from; `None`: it is a new one.
+pub(super) fn source_of(document: &Document) -> Option<Source> {
+    match (document.path(), document.shipped_name()) {
+        (Some(path), _) => Some(Source::File(path.clone())),
+        (None, name) => name.map(Source::Shipped),
+    }
+}
+
+/// The places of the sequence that the open figure is in, and its own. A new figure stands before those of the program.
+fn places(state: &State) -> (Vec<Option<Source>>, usize) {
+    let here = source_of(&state.document);
+    let mut places: Vec<Option<Source>> = match &here {
+        Some(Source::File(path)) => {
+            let files = path.parent().and_then(|folder| figures_in(folder).ok()).unwrap_or_default();
+            files.into_iter().map(|path| Some(Source::File(path))).collect()
+        }
+        Some(Source::Shipped(_)) | None => {
+            SHIPPED_FIGURES.iter().map(|figure| Some(Source::Shipped(figure.name))).collect()
+        }
+    };
+    let is_of_program = !matches!(here, Some(Source::File(_)));
+    if is_of_program && (here.is_none() || state.kept.iter().any(|(source, _)| source.is_none())) {
+        places.insert(0, None);
+    }
+    let at = places.iter().position(|place| *place == here).unwrap_or_else(|| {
+        places.insert(0, here.clone());
+        0
+    });
+    (places, at)
+}
+
+/// Opens what is at a place, as it was left or as it is in its file.
+fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Box<Message>> {
+    if let Some(kept) = state.take_kept(place) {
+        return Ok(kept);
+    }
+    let opened = match place {
+        None => None,
+        Some(Source::Shipped(name)) => Document::shipped(name),
+        Some(Source::File(path)) => {
+            let opened = open_figure(path).map_err(|error| Message::File(path.clone(), error))?;
+            let (figure, file) = opened.at(path);
+            Some(Document::new(figure, Some(file)).map_err(|error| Message::NotOpened(path.clone(), error))?)
+        }
+    };
+    match opened {
+        Some(document) => Ok(document),
+        None => Ok(Document::new(super::fresh(), None).map_err(Message::Camera)?),
+    }
+}
+
+/// Goes on to the next figure, or back to the one before. What cannot be opened is passed over, and said. True where the window
+/// shows another figure now.
+pub(super) fn step(state: &mut State, forwards: bool) -> bool {
+    state.document.commit();
+    let (places, at) = places(state);
+    let next = |at: usize| if forwards { Some(at + 1).filter(|next| *next < places.len()) } else { at.checked_sub(1) };
+    let mut fault = None;
+    let mut candidate = next(at);
+    while let Some(index) = candidate {
+        match document_at(state, places[index].as_ref()) {
+            Ok(document) => {
+                let left = state.document.clone();
+                state.take_over(document);
+                if left.is_changed() {
+                    state.kept.push((places[at].clone(), left));
+                }
+                // Another program may have gone on with the file.
+                state.file_flow.look = true;
+                state.annotations.strokes.clear();
+                state.annotations.blank = false;
+                state.say(fault.unwrap_or(Message::Step { number: index + 1, of: places.len() }));
+                return true;
+            }
+            Err(error) => fault = Some(*error),
+        }
+        candidate = next(index);
+    }
+    state.say(fault.unwrap_or(if forwards { Message::LastFigure } else { Message::FirstFigure }));
+    false
+}

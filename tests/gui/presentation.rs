@@ -1,0 +1,113 @@
+//! A lecture: one figure after the other without losing what was changed, and what is drawn and shown over the pictures.
+
+use std::fs;
+
+use camera_lab::i18n::Lang;
+use eframe::egui::{Key, vec2};
+use egui_kittest::kittest::Queryable;
+
+use super::files::Folder;
+use super::window::Window;
+
+/// A window with the second of four figures of a folder, the third of which is broken.
+fn lecture(folder: &Folder) -> Window {
+    for (name, far) in [("aula 1.toml", 30), ("aula 2.toml", 40), ("aula 9.toml", 0), ("aula 10.toml", 50)] {
+        fs::write(folder.file(name), format!("[camera]\nfar = {far}\n[scene]\npreset = \"empty\"\n")).expect("written");
+    }
+    Window::opened(&folder.file("aula 2.toml"))
+}
+
+fn name(window: &Window) -> String {
+    window.state().document.name().unwrap_or_default()
+}
+
+#[test]
+fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes_back() {
+    let folder = Folder::new("lecture");
+    let mut window = lecture(&folder);
+    window.key(Key::F11);
+    window.enter_far("77");
+    // The broken one is passed over, and said.
+    window.key(Key::PageDown);
+    assert_eq!(name(&window), "aula 10.toml");
+    assert!(window.says("aula 9.toml") && window.state().file_flow.dialog.is_none());
+    window.key(Key::PageDown);
+    assert_eq!(name(&window), "aula 10.toml");
+    assert!(window.says("This is the last figure"));
+    window.key(Key::PageUp);
+    assert_eq!((name(&window).as_str(), window.state().document.figure().camera.far), ("aula 2.toml", 77.0));
+    assert!(window.state().document.is_changed() && window.state().document.can_undo());
+    window.key(Key::PageUp);
+    assert_eq!((name(&window).as_str(), window.state().kept.len()), ("aula 1.toml", 1));
+    // Opened by its name, it is the one that was left.
+    window.command_key(Key::O);
+    window.choose(&folder.file("aula 2.toml"));
+    assert_eq!(window.state().document.figure().camera.far, 77.0);
+    window.key(Key::PageUp);
+    // Whoever closes the window is asked about it.
+    window.command_key(Key::Q);
+    assert!(window.says("Save the changes?") && window.says("aula 2.toml"));
+    window.click("Save");
+    assert!(fs::read_to_string(folder.file("aula 2.toml")).expect("there").contains("far = 77"));
+    assert!(window.state().file_flow.may_close);
+}
+
+#[test]
+fn outside_of_a_presentation_the_keys_are_those_of_the_menu_and_a_new_figure_is_not_lost() {
+    let mut window = Window::new(Lang::En);
+    window.enter("B", "33");
+    window.command_key(Key::PageDown);
+    assert_eq!(name(&window), "primitives.toml");
+    window.command_key(Key::PageDown);
+    assert_eq!(name(&window), "house.toml");
+    window.key(Key::PageUp);
+    assert_eq!(name(&window), "house.toml");
+    window.command_key(Key::PageUp);
+    window.command_key(Key::PageUp);
+    assert_eq!((window.state().document.name(), window.state().document.figure().camera.far), (None, 33.0));
+}
+
+#[test]
+fn escape_clears_what_lies_over_the_pictures_and_then_leaves() {
+    let mut window = Window::new(Lang::En);
+    window.key(Key::F11);
+    window.key(Key::P);
+    let before = window.state().document.figure().clone();
+    let picture = window.harness.get_by_label_contains("Image: what the camera sees").rect();
+    window.drag(picture.center(), vec2(60.0, 20.0), |_| {});
+    assert_eq!(window.state().annotations.strokes.len(), 1);
+    assert!(window.state().annotations.strokes[0].len() > 2);
+    assert_eq!(window.state().document.figure(), &before, "the pen moves nothing");
+    window.key(Key::S);
+    window.key(Key::Period);
+    assert!(window.state().annotations.spot && window.state().annotations.blank);
+    window.key(Key::Escape);
+    assert!(!window.state().annotations.any() && window.state().settings.presentation);
+    window.key(Key::Escape);
+    assert!(!window.state().settings.presentation);
+    // Esc does not begin one.
+    window.key(Key::Escape);
+    assert!(!window.state().settings.presentation);
+}
+
+#[test]
+fn frozen_pictures_stay_while_one_edits() {
+    let mut window = Window::new(Lang::En);
+    window.harness.key_press_modifiers(eframe::egui::Modifiers::ALT, Key::F);
+    window.run();
+    let drawn = window.app_mut().canvas.drawn();
+    window.enter("B", "44");
+    assert_eq!(window.app_mut().canvas.drawn(), drawn);
+    assert!(window.written().iter().any(|(line, _)| line.contains("frozen")));
+    window.key(Key::Escape);
+    assert_ne!(window.app_mut().canvas.drawn(), drawn);
+}
+
+impl Window {
+    /// B of the camera, in a presentation, where the panel is hidden.
+    fn enter_far(&mut self, text: &str) {
+        self.key(Key::F8);
+        self.enter("B", text);
+        self.key(Key::F8);
+    }
+}
