@@ -8,6 +8,7 @@ pub mod read;
 mod recommended;
 mod reveal;
 pub mod words;
+mod world_look;
 pub mod write;
 
 use crate::appearance::Style;
@@ -18,6 +19,7 @@ pub use error::FigureError;
 pub use observer::Observer;
 pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal};
+pub use world_look::WorldLook;
 
 /// Everything that a picture depends on.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,6 +39,8 @@ pub struct Figure {
     pub style: Style,
     /// `[reveal]`
     pub reveal: Reveal,
+    /// `[world]`
+    pub world: WorldLook,
     /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be seen.
     pub observers: Observers,
 }

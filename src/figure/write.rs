@@ -4,7 +4,7 @@ use glam::DVec3;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
 use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
-use super::{Depth, Figure, Observer, Outside, Reveal};
+use super::{Depth, Figure, Observer, Outside, Reveal, WorldLook};
 use crate::appearance::Style;
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
@@ -37,6 +37,9 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     put("style", style(&figure.style));
     if figure.reveal != Reveal::default() {
         put("reveal", reveal(figure.reveal));
+    }
+    if figure.world != WorldLook::default() {
+        put("world", world(figure.world));
     }
     let observers = [("world", figure.observers.world), ("canonical", figure.observers.canonical)];
     let mut sections = Table::new();
@@ -167,6 +170,14 @@ fn reveal(reveal: Reveal) -> Table {
     }
     let switches = [("clipping", reveal.clipping), ("divide_first", reveal.divide_first), ("culled", reveal.culled)];
     keys.extend(switches.into_iter().filter(|(_, on)| *on).map(|(key, on)| (key, on.into())));
+    table(keys)
+}
+
+fn world(world: WorldLook) -> Table {
+    let mut keys: Vec<(&str, Value)> = Vec::new();
+    let switches = [("section", world.section), ("dimensions", world.dimensions)];
+    keys.extend(switches.into_iter().filter(|(_, on)| *on).map(|(key, on)| (key, on.into())));
+    keys.extend(world.window_opacity.map(|opacity| ("window_opacity", number(opacity))));
     table(keys)
 }
 

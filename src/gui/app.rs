@@ -128,7 +128,7 @@ impl App {
             self.perform(&ctx, command);
         }
         // What is pointed at is said by the panels that are shown in this frame.
-        self.state.ghost = None;
+        (self.state.ghost, self.state.measured) = (None, None);
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         let sides = *self.state.settings.panels();
         if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
@@ -299,6 +299,8 @@ impl App {
             }
             Command::Help => state.file_flow.dialog = Some(Dialog::Help),
             Command::Pipeline => state.layout.strip = !state.layout.strip,
+            Command::Section => state.document.edit(|figure| figure.world.section ^= true),
+            Command::Dimensions => state.document.edit(|figure| figure.world.dimensions ^= true),
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,
         }
     }

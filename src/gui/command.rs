@@ -80,6 +80,10 @@ pub enum Command {
     ViewBack,
     /// The 3D pictures as they were seen before going back.
     ViewForward,
+    /// The world as the section along **u**, or in space.
+    Section,
+    /// Shows or hides the dimension lines of the world.
+    Dimensions,
     /// Turning one 3D picture turns the other.
     LinkOrbits,
     /// Shows or hides the stages of the pipeline.
@@ -98,7 +102,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 20] = [
+    pub const VIEW: [Self; 22] = [
         Self::Show(View::World),
         Self::Show(View::Canonical),
         Self::Show(View::Image),
@@ -117,6 +121,8 @@ impl Command {
         Self::Observe(ObserverChange::Fit),
         Self::ViewBack,
         Self::ViewForward,
+        Self::Section,
+        Self::Dimensions,
         Self::LinkOrbits,
         Self::Pipeline,
     ];
@@ -218,6 +224,8 @@ impl Command {
             Self::Observe(ObserverChange::Fit) => (t.look_fit, t.look_fit_hint),
             Self::ViewBack => (t.view_back, t.view_back_hint),
             Self::ViewForward => (t.view_forward, t.view_forward_hint),
+            Self::Section => (t.section_view, t.section_view_hint),
+            Self::Dimensions => (t.dimensions, t.dimensions_hint),
             Self::LinkOrbits => (t.link_orbits, t.link_orbits_hint),
             Self::Pipeline => (t.pipeline, t.pipeline_hint),
             Self::Help => (t.help, t.help_hint),
@@ -278,6 +286,8 @@ impl Command {
             Self::Observe(ObserverChange::Fit) => (Modifiers::ALT, Key::Num0),
             Self::ViewBack => (Modifiers::ALT, Key::ArrowLeft),
             Self::ViewForward => (Modifiers::ALT, Key::ArrowRight),
+            Self::Section => (Modifiers::ALT, Key::Num8),
+            Self::Dimensions => (Modifiers::ALT, Key::Num9),
             Self::LinkOrbits => (Modifiers::ALT, Key::L),
             Self::Help => (Modifiers::NONE, Key::F1),
         };
@@ -323,6 +333,8 @@ impl Command {
             | Self::Observe(_)
             | Self::ViewBack
             | Self::ViewForward
+            | Self::Section
+            | Self::Dimensions
             | Self::LinkOrbits
             | Self::Pipeline
             | Self::Help => None,
@@ -367,6 +379,8 @@ impl Command {
             | Self::Show(_)
             | Self::Arrange(_)
             | Self::Observe(_)
+            | Self::Section
+            | Self::Dimensions
             | Self::LinkOrbits
             | Self::Pipeline
             | Self::Help => true,
@@ -389,6 +403,8 @@ impl Command {
             Self::Tab(tab) => Some(state.settings.tab == tab && state.settings.panels().is_shown(Side::Left)),
             Self::Show(picture) => Some(state.layout.is_shown(picture)),
             Self::Arrange(arrangement) => Some(state.layout.arrangement == arrangement),
+            Self::Section => Some(state.document.figure().world.section),
+            Self::Dimensions => Some(state.document.figure().world.dimensions),
             Self::LinkOrbits => Some(state.layout.linked),
             Self::Pipeline => Some(state.layout.strip),
             Self::New

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Viewport};
-use crate::figure::{Figure, Observers, Reveal};
+use crate::figure::{Figure, Observers, Reveal, WorldLook};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape};
 
@@ -17,6 +17,7 @@ struct Snapshot {
     viewport: Option<Viewport>,
     style: Style,
     reveal: Reveal,
+    world: WorldLook,
     /// With what it knows beyond the `f64`s of its parameters.
     camera: Camera,
     draft: Parameters,
@@ -33,7 +34,7 @@ pub(super) struct Moment {
 impl Snapshot {
     /// `before`: whose scene is shared where it is the same.
     fn new(figure: &Figure, camera: &Camera, draft: &Parameters, before: Option<&Self>) -> Self {
-        let Figure { camera: _, image, undistorted, viewport, scene, style, reveal, observers: _ } = figure;
+        let Figure { camera: _, image, undistorted, viewport, scene, style, reveal, world, observers: _ } = figure;
         let shared = before.map(|before| &before.scene).filter(|before| ***before == *scene);
         Self {
             scene: shared.map_or_else(|| Arc::new(scene.clone()), Arc::clone),
@@ -42,24 +43,34 @@ impl Snapshot {
             viewport: *viewport,
             style: *style,
             reveal: *reveal,
+            world: *world,
             camera: camera.clone(),
             draft: *draft,
         }
     }
 
     fn is_of(&self, figure: &Figure, camera: &Camera, draft: &Parameters) -> bool {
-        let Figure { camera: _, image, undistorted, viewport, scene, style, reveal, observers: _ } = figure;
+        let Figure { camera: _, image, undistorted, viewport, scene, style, reveal, world, observers: _ } = figure;
         (&self.image, &self.undistorted, &self.viewport) == (image, undistorted, viewport)
-            && (&self.style, &self.reveal) == (style, reveal)
+            && (&self.style, &self.reveal, &self.world) == (style, reveal, world)
             && (&self.camera, &self.draft) == (camera, draft)
             && *self.scene == *scene
     }
 
     fn moment(&self, observers: Observers) -> Moment {
-        let Self { scene, image, undistorted, viewport, style, reveal, camera, draft } = self.clone();
+        let Self { scene, image, undistorted, viewport, style, reveal, world, camera, draft } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
-        let figure =
-            Figure { camera: *camera.parameters(), image, undistorted, viewport, scene, style, reveal, observers };
+        let figure = Figure {
+            camera: *camera.parameters(),
+            image,
+            undistorted,
+            viewport,
+            scene,
+            style,
+            reveal,
+            world,
+            observers,
+        };
         Moment { figure, camera, draft }
     }
 }

@@ -206,6 +206,16 @@ texts! {
     theme_dark: "dark", "escuro";
     theme_print: "print", "impressão";
 
+    // What the world shows.
+    in_world: "In the world", "No mundo";
+    window_opacity: "painted window", "janela pintada";
+    window_opacity_hint: "How opaque the image on the view window is. Automatic: opaque, but faint where it would hide much of the scene", "Quão opaca é a imagem na janela de projeção. Automática: opaca, mas fraca onde esconderia muito da cena";
+    opacity_automatic: "automatic", "automática";
+    dimensions: "Dimensions", "Cotas";
+    dimensions_hint: "F, B, D, W, H and θ/2 as dimension lines. Point at a parameter to see its own", "F, B, D, W, H e θ/2 como linhas de cota. Aponte para um parâmetro para ver a dele";
+    section_view: "Section along u", "Corte ao longo de u";
+    section_view_hint: "The section through C, as in the side figures of the notes: similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its own", "O corte por C, como nas figuras de perfil das notas: triângulos semelhantes, θ/2, H/2, F, B, um ponto e seu y_p. Aponte para um vértice para ver o dele";
+
     // What is revealed of the pipeline.
     reveal: "Inside the pipeline", "Por dentro do pipeline";
     depth_view: "image", "imagem";

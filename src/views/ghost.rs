@@ -9,8 +9,8 @@ use crate::camera::{Camera, Operation};
 use crate::geometry::Ray;
 use crate::scene::{Object, ObjectPaint};
 
+use super::gear::Gear;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
-use super::world_framing::Gear;
 use super::{Ghost, Palette, Request};
 
 /// Adds the operation that is being tried, if there is one.

@@ -7,9 +7,10 @@ use crate::figure::Observer;
 use crate::geometry::{Ray, try_unit};
 
 use super::content::Content;
+use super::gear::Gear;
 use super::screen::Screen;
 use super::volume::DrawnVolume;
-use super::world_framing::{self, Gear};
+use super::world_framing;
 use super::{Handle, Request};
 
 /// The handles that lie in the picture, with their places in pixels.

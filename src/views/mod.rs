@@ -14,6 +14,8 @@
 mod canonical;
 mod content;
 pub mod depth;
+mod dimensions;
+mod gear;
 mod ghost;
 mod gizmos;
 pub mod handles;
@@ -31,6 +33,7 @@ mod probe;
 mod request;
 mod revealed_scene;
 mod screen;
+mod section;
 mod timed_pipeline;
 pub mod transform_gizmo;
 mod view;
@@ -48,7 +51,7 @@ use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use labels::Labels;
 use observer::Viewpoint;
-pub use overlays::{Ghost, GizmoPart, Handle, Overlays, Probe, TransformGizmo, Transforming};
+pub use overlays::{Ghost, GizmoPart, Handle, Measure, Overlays, Probe, TransformGizmo, Transforming};
 pub use palette::Palette;
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Look, Request, SharedScene, observer_in};
@@ -85,7 +88,8 @@ impl Request {
     #[must_use]
     pub fn seen_from(&self) -> Option<Observer> {
         match self.view {
-            View::World | View::Canonical => self.observer.or_else(|| self.observer_from(Viewpoint::Iso)),
+            View::World => Some(world_framing::seen_from(self)),
+            View::Canonical => self.observer.or_else(|| self.observer_from(Viewpoint::Iso)),
             View::Image => None,
         }
     }

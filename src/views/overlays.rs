@@ -16,6 +16,8 @@ pub struct Overlays {
     pub hot: Option<Handle>,
     /// By this what is selected can be moved, turned or scaled, in the world.
     pub gizmo: Option<TransformGizmo>,
+    /// The parameter that is pointed at in a panel: its length or angle is shown in the world.
+    pub measured: Option<Measure>,
     /// Without legends: the picture is painted on something.
     pub bare: bool,
 }
@@ -26,9 +28,33 @@ impl Overlays {
     pub fn seen_in(&self, view: View) -> Self {
         match view {
             View::World => self.clone(),
-            View::Canonical | View::Image => Self { ghost: None, hot: None, gizmo: None, ..self.clone() },
+            View::Canonical | View::Image => {
+                Self { ghost: None, hot: None, gizmo: None, measured: None, ..self.clone() }
+            }
         }
     }
+}
+
+/// A length or an angle of the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Measure {
+    /// F
+    Near,
+    /// B
+    Far,
+    /// D
+    Distance,
+    /// W
+    Width,
+    /// H
+    Height,
+    /// θ/2
+    HalfAngle,
+}
+
+impl Measure {
+    /// All.
+    pub const ALL: [Self; 6] = [Self::Near, Self::Far, Self::Distance, Self::Width, Self::Height, Self::HalfAngle];
 }
 
 /// What is pointed at.

@@ -7,7 +7,7 @@ use super::pixels::image_frame;
 use super::{Labels, Overlays, Size, View};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Viewport};
-use crate::figure::{Figure, Observer, Observers, Reveal};
+use crate::figure::{Figure, Observer, Observers, Reveal, WorldLook};
 use crate::geometry::Aabb;
 use crate::pipeline::Output;
 use crate::scene::Scene;
@@ -106,14 +106,16 @@ pub struct Look {
     pub style: Style,
     /// `[reveal]`
     pub reveal: Reveal,
+    /// `[world]`
+    pub world: WorldLook,
 }
 
 impl Look {
     /// As a figure wants it.
     #[must_use]
     pub fn of(figure: &Figure) -> Self {
-        let Figure { image, undistorted, viewport, style, reveal, .. } = *figure;
-        Self { image, undistorted, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal }
+        let Figure { image, undistorted, viewport, style, reveal, world, .. } = *figure;
+        Self { image, undistorted, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal, world }
     }
 }
 

@@ -10,11 +10,16 @@ use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
 use super::content::Content;
+use super::gear::Gear;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
 use super::placing::Rules;
+use super::revealed_scene::Revealed;
 use super::timed_pipeline::TimedPipeline;
-use super::world_framing::{Gear, screen_of, seen_from};
-use super::{Handle, Palette, Request, ghost, handles, hits, placing, probe, revealed_scene, transform_gizmo};
+use super::world_framing::{screen_of, seen_from};
+use super::{
+    Handle, Palette, Request, dimensions, ghost, handles, hits, placing, probe, revealed_scene, section,
+    transform_gizmo,
+};
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
@@ -25,23 +30,32 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let Some(screen) = screen_of(request, &seen_from(request), &content) else {
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
-    let mut revealed = revealed_scene::in_world(request, palette);
+    let mut revealed =
+        if request.look.world.section { Revealed::default() } else { revealed_scene::in_world(request, palette) };
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
     let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
-    world.ground();
-    world.volume();
-    world.window();
-    world.camera();
-    world.aim();
-    let names = world.planes();
-    world.axes();
-    world.drop_lines();
+    let names = if request.look.world.section {
+        world.section()
+    } else {
+        world.ground();
+        world.volume();
+        world.window();
+        world.camera();
+        world.aim();
+        let names = world.planes();
+        world.axes();
+        world.drop_lines();
+        dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
+        names
+    };
     world.hot_handle();
     ghost::in_world(&mut world.builder, request, palette, world.gear);
     revealed.mark(&mut world.builder, palette);
-    probe::in_world(&mut world.builder, request, palette, &world.content.volume);
-    transform_gizmo::in_world(&mut world.builder, request, palette);
+    if !request.look.world.section {
+        probe::in_world(&mut world.builder, request, palette, &world.content.volume);
+        transform_gizmo::in_world(&mut world.builder, request, palette);
+    }
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
@@ -70,6 +84,16 @@ struct World<'a> {
 }
 
 impl World<'_> {
+    /// The section along **u**: lines alone, without the scene. The names of its planes, as they are written.
+    fn section(&mut self) -> [String; 2] {
+        let lights = std::mem::take(&mut self.builder.scene).lights;
+        self.builder.scene = Scene { lights, ..Scene::default() };
+        section::draw(&mut self.builder, self.request, self.palette, &self.content);
+        self.camera();
+        self.aim();
+        [format!("{} (F)", self.request.labels.window), format!("{} (B)", self.request.labels.far)]
+    }
+
     /// The grid on y = 0.
     fn ground(&mut self) {
         let Some(ground) = self.content.ground() else { return };
@@ -115,10 +139,48 @@ impl World<'_> {
             }
         }
         match self.on_window {
-            Some(image) => self.builder.scene.objects.push(painted(near, image, camera.projection())),
+            Some(image) => {
+                let opacity = self.request.look.world.window_opacity.unwrap_or_else(|| self.unobtrusive());
+                if opacity > 0.0 {
+                    self.builder.scene.objects.push(painted(near, image, opacity));
+                }
+            }
             None => self.builder.sheer("window", &[near], self.palette.volume),
         }
         self.builder.closed(&near, self.palette.ink, 2.0, Dash::Solid);
+    }
+
+    /// How opaque the image on the window may be so that it does not hide the scene: fully as long as it stands before little of
+    /// it, and the fainter the more it covers.
+    fn unobtrusive(&self) -> f64 {
+        const LITTLE: f64 = 0.12;
+        const MUCH: f64 = 0.45;
+        const FAINTEST: f64 = 0.3;
+        let Some(bounds) = self.request.scene.bounds() else { return 1.0 };
+        let (window, eye) = (self.request.camera.window(), self.builder.screen.camera());
+        let camera = &self.request.camera;
+        let covers = |p: DVec3| {
+            let towards = match eye.projection() {
+                Projection::Perspective => eye.position() - p,
+                Projection::Parallel => eye.basis().n * (eye.far() - eye.near()),
+            };
+            let (a, b) = (camera.view_point(p).z + camera.near(), camera.view_point(p + towards).z + camera.near());
+            if a * b >= 0.0 {
+                return false;
+            }
+            let crossing = camera.view_point(p + towards * (a / (a - b)));
+            (window.left..=window.right).contains(&crossing.x) && (window.bottom..=window.top).contains(&crossing.y)
+        };
+        const STEPS: u32 = 4;
+        let stops = || (0..=STEPS).map(|i| f64::from(i) / f64::from(STEPS));
+        let grid = stops().flat_map(|x| stops().flat_map(move |y| stops().map(move |z| DVec3::new(x, y, z))));
+        let (mut hidden, mut all) = (0.0, 0.0);
+        for share in grid {
+            all += 1.0;
+            hidden += f64::from(u8::from(covers(bounds.min + (bounds.max - bounds.min) * share)));
+        }
+        let share = ((hidden / all - LITTLE) / (MUCH - LITTLE)).clamp(0.0, 1.0);
+        1.0 - (1.0 - FAINTEST) * share
     }
 
     /// The names of window and far face, as they are written.
@@ -163,7 +225,7 @@ impl World<'_> {
             mesh: Arc::new(gizmos::camera_body()),
             world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
             paint: ObjectPaint::Solid(self.palette.body),
-            lit: true,
+            lit: false,
             two_sided: false,
             faces: true,
             edges: Some(edge),
@@ -248,15 +310,12 @@ impl World<'_> {
 }
 
 /// The window with the image on it: (0, 0) of the image is the window's upper left corner.
-fn painted(near: [DVec3; 4], image: &Arc<Texture>, projection: Projection) -> Object {
+fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
     let mut mesh = Mesh::default();
     gizmos::add_polygon(&mut mesh, &near);
     mesh.edges.clear();
-    // As large as the volume is wide, it stands before much of the scene.
-    let opacity = match projection {
-        Projection::Perspective => 255,
-        Projection::Parallel => 205,
-    };
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 … 255")]
+    let opacity = (255.0 * opacity.clamp(0.0, 1.0)).round() as u8;
     let uv = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
     Object {
         name: "window".to_owned(),

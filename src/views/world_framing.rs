@@ -4,9 +4,11 @@ use glam::DVec3;
 
 use super::Request;
 use super::content::{Content, iso_direction};
+use super::gear::Gear;
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
 use super::screen::Screen;
+use super::{dimensions, section};
 use crate::camera::Camera;
 use crate::figure::Observer;
 
@@ -42,7 +44,13 @@ fn framing(request: &Request, direction: Direction) -> Observer {
     for _ in 0..3 {
         let Some(screen) = screen_of(request, &observer, &content) else { break };
         let mut points = content.of_interest.clone();
-        points.extend(Gear::new(&screen, &request.camera).room(&request.camera));
+        let gear = Gear::new(&screen, &request.camera);
+        points.extend(gear.room(&request.camera));
+        if request.look.world.dimensions {
+            let below = request.camera.basis().v * (-dimensions::LOWEST * gear.axis);
+            let ahead = request.camera.direction_of_projection() * content.volume.end;
+            points.extend([request.camera.position() + below, request.camera.position() + ahead + below]);
+        }
         observer = enclosing(&points, direction, request.size);
     }
     observer
@@ -50,6 +58,9 @@ fn framing(request: &Request, direction: Direction) -> Observer {
 
 /// From where the world is seen.
 pub(super) fn seen_from(request: &Request) -> Observer {
+    if request.look.world.section {
+        return section::observer(request);
+    }
     request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
@@ -61,37 +72,4 @@ pub(super) fn screen(request: &Request) -> Option<Screen> {
 pub(super) fn screen_of(request: &Request, observer: &Observer, content: &Content) -> Option<Screen> {
     let camera = observer.camera(Some(content.bounds()), request.size.aspect()).ok()?;
     Some(Screen::new(camera, PixelRect::whole(request.size), request.size.scale))
-}
-
-/// The sizes of the camera's gear in scene units: fixed on the screen, so that the camera is found in any scene.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Gear {
-    /// One unit of [`camera_body`](super::gizmos::camera_body).
-    pub(super) body: f64,
-    /// Length of **u**, **v**, **n**.
-    pub(super) axis: f64,
-}
-
-impl Gear {
-    pub(super) fn new(screen: &Screen, camera: &Camera) -> Self {
-        let pixel = screen.units_per_pixel(camera.position());
-        let (side, scale) = (screen.extent().min_element(), screen.scale());
-        Self {
-            body: pixel * (0.036 * side).clamp(9.0 * scale, 60.0 * scale),
-            axis: pixel * (0.12 * side).clamp(30.0 * scale, 180.0 * scale),
-        }
-    }
-
-    /// Where VUP's arrow ends.
-    pub(super) fn view_up_tip(&self, camera: &Camera) -> DVec3 {
-        let up = crate::geometry::try_unit(camera.view_up()).unwrap_or(DVec3::Y);
-        camera.position() + up * (1.35 * self.axis)
-    }
-
-    /// Points around the camera that a picture of it must hold.
-    fn room(&self, camera: &Camera) -> [DVec3; 5] {
-        let (c, basis) = (camera.position(), camera.basis());
-        let out = 1.35 * self.axis;
-        [self.view_up_tip(camera), c + basis.u * out, c + basis.v * out, c + basis.n * out, c - basis.v * (0.3 * out)]
-    }
 }

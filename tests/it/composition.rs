@@ -2,10 +2,11 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use camera_lab::appearance::Dash;
-use camera_lab::camera::{Camera, Convention, Operation};
-use camera_lab::drawing::{Anchor, Drawing, Label};
+use camera_lab::appearance::{Dash, Texture};
+use camera_lab::camera::{Camera, Convention, Operation, Projection};
+use camera_lab::drawing::{Anchor, Drawing, Label, Paint};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::files::{FigureFiles, Reach, open_figure};
 use camera_lab::geometry::Angle;
@@ -13,7 +14,7 @@ use camera_lab::i18n::{Lang, pictures};
 use camera_lab::progress::Progress;
 use camera_lab::text::{measure, x_height};
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{self, Palette, Request, SharedScene, Size, View};
+use camera_lab::views::{self, Measure, Palette, Probe, Request, SharedScene, Size, TimedPipeline, View};
 use glam::{DVec2, DVec3, DVec4};
 
 use crate::views::draw;
@@ -249,5 +250,111 @@ fn texts_keep_clear_of_each_other_of_marks_and_of_the_frame_in_every_figure() {
                 }
             }
         }
+    }
+}
+
+/// The text that begins so, and where its middle stands.
+fn text_at<'a>(drawing: &'a Drawing, start: &str) -> Option<(&'a str, DVec2)> {
+    let label = drawing.labels.iter().find(|l| l.text.starts_with(start))?;
+    let x = f64::from(label.position[0] + label.offset[0]);
+    Some((&label.text, DVec2::new(x, f64::from(label.position[1] + label.offset[1]))))
+}
+
+#[test]
+fn dimension_lines_are_as_long_as_they_say() {
+    let (_, mut figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
+    figure.world.dimensions = true;
+    let request = world(&figure, &scene, (960, 720));
+    let drawing = draw(&request);
+    let observer = request.seen_from().unwrap();
+    let (camera, palette) = (&request.camera, Palette::of(figure.style.theme));
+    // By hand: W = A H, H = 2 F tan(θ/2), D = √50.
+    for text in ["F = 3", "B = 12", "D = 7.071", "W = 3.071", "H = 2.303", "θ/2 = 21°"] {
+        assert!(drawing.labels.iter().any(|l| l.text == text), "{text} is missing");
+    }
+    let tips: Vec<DVec2> =
+        polylines(&drawing, palette.soft, Dash::Solid).into_iter().filter_map(|line| line.last().copied()).collect();
+    // Each line along DOP ends as far from C as its number says, somewhere below the axis.
+    for distance in [camera.near(), camera.far(), camera.distance()] {
+        let found = (1..400).any(|i| {
+            let below = camera.basis().v * (-0.01 * f64::from(i));
+            let [a, b] = [0.0, distance].map(|d| {
+                let p = camera.position() + camera.direction_of_projection() * d + below;
+                place(&request, &observer, p)
+            });
+            [a, b].iter().all(|end| tips.iter().any(|tip| tip.distance(*end) < 0.6))
+        });
+        assert!(found, "no line of length {distance}");
+    }
+    figure.world.dimensions = false;
+    let mut request = world(&figure, &scene, (960, 720));
+    assert_eq!(text_at(&draw(&request), "F = "), None);
+    request.overlays.measured = Some(Measure::Far);
+    let measured = draw(&request);
+    assert_eq!(text_at(&measured, "B = ").unwrap().0, "B = 12");
+    assert_eq!(text_at(&measured, "F = "), None);
+}
+
+#[test]
+fn the_section_constructs_the_image_of_a_point_by_similar_triangles() {
+    for (name, mut figure, scene) in shipped() {
+        figure.world.section = true;
+        // With an observer of its own, which a section does not heed.
+        figure.observers.world = world(&figure, &scene, SIZES[0]).observer_from(Viewpoint::Top);
+        for size in SIZES {
+            let mut request = world(&figure, &scene, size);
+            let camera = request.camera.clone();
+            let depth = 0.5 * (camera.near() + camera.distance().max(camera.near() * 1.5));
+            let p = camera.position() - camera.basis().n * depth
+                + camera.basis().v * (0.3 * camera.window().height())
+                + camera.basis().u * 0.1;
+            request.overlays.probe = Some(Probe::Point(p));
+            let drawing = draw(&request);
+            let what = format!("{name}, {size:?}");
+            let color = Palette::of(figure.style.theme).probe;
+            let marks: Vec<DVec2> = drawing
+                .marks
+                .iter()
+                .filter(|m| m.color == color)
+                .map(|m| DVec2::new(f64::from(m.position[0]), f64::from(m.position[1])))
+                .collect();
+            let [shown, image] = marks[..] else { panic!("{what}: {marks:?}") };
+            let observer = request.seen_from().unwrap();
+            let c = place(&request, &observer, camera.position());
+            let ahead = place(&request, &observer, camera.position() + camera.direction_of_projection());
+            let unit = ahead.x - c.x;
+            assert!(unit > 0.0 && (ahead.y - c.y).abs() < 1e-6, "{what}: DOP goes to the right");
+            let clip = camera.clip_from_world() * p.extend(1.0);
+            let y_p =
+                clip.y / clip.w * camera.window().height() / 2.0 + (camera.window().top + camera.window().bottom) / 2.0;
+            assert!((shown - c - unit * DVec2::new(depth, -0.3 * camera.window().height())).length() < 0.1, "{what}");
+            assert!((image - c - unit * DVec2::new(camera.near(), -y_p)).length() < 0.1, "{what}: y_p = {y_p}");
+            let inside = |p: DVec2| p.cmpgt(DVec2::ZERO).all() && p.x < f64::from(size.0) && p.y < f64::from(size.1);
+            assert!(inside(shown) && inside(image) && inside(c), "{what}");
+            assert!(drawing.labels.iter().any(|l| l.text.starts_with("B = ")), "{what}");
+        }
+    }
+}
+
+#[test]
+fn the_painted_window_fades_where_it_would_hide_the_scene_and_as_the_figure_says() {
+    let (_, figure, scene) = shipped().into_iter().find(|(name, ..)| name == "primitives").unwrap();
+    let opacity = |figure: &Figure| {
+        let request = world(figure, &scene, (480, 400));
+        let image = Arc::new(Texture { width: 2, height: 2, rgba: vec![255; 16] });
+        let frame = views::frame(&request, Some(&image), &mut TimedPipeline::default());
+        frame.drawing.surfaces.iter().find_map(|s| match &s.paint {
+            Paint::Texture { opacity, .. } => Some(*opacity),
+            _ => None,
+        })
+    };
+    assert_eq!(opacity(&figure), Some(255), "it stands before little");
+    let mut parallel = figure.clone();
+    (parallel.camera.projection, parallel.camera.height) = (Projection::Parallel, 5.5);
+    let faint = opacity(&parallel).unwrap();
+    assert!(faint < 160, "{faint}");
+    for (wanted, given) in [(Some(0.0), None), (Some(0.4), Some(102)), (Some(1.0), Some(255))] {
+        parallel.world.window_opacity = wanted;
+        assert_eq!(opacity(&parallel), given);
     }
 }

@@ -4,7 +4,7 @@ use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
 use crate::camera::{ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{PRESETS, SHADINGS, VISIBILITIES};
-use crate::figure::{Depth, Observer, Observers, Outside, Reveal};
+use crate::figure::{Depth, Observer, Observers, Outside, Reveal, WorldLook};
 use crate::limits::MAX_LIGHTS;
 use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 use glam::DVec3;
@@ -124,6 +124,11 @@ fn figure() -> impl Strategy<Value = Figure> {
             scene,
             style,
             reveal,
+            world: WorldLook {
+                section: undistorted,
+                dimensions: reveal.culled,
+                window_opacity: reveal.clipping.then_some(0.4),
+            },
             observers: Observers { world, canonical },
         },
     )

@@ -11,7 +11,7 @@ use toml_edit::{Document, TableLike};
 
 use super::error::{Allowed, FigureError, Problem};
 use super::words::{DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
-use super::{Depth, Figure, Observer, Observers, Outside, Reveal};
+use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::foreign;
@@ -79,7 +79,8 @@ fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
     let mut section = |key| root.section(key, &format!("[{key}]"));
     let (camera_section, image_section, viewport_section) = (section("camera"), section("image"), section("viewport"));
     let (scene_section, style_section) = (section("scene"), section("style"));
-    let (reveal_section, observers_section) = (section("reveal"), section("observers"));
+    let (reveal_section, world_section, observers_section) =
+        (section("reveal"), section("world"), section("observers"));
     let mut faults = root.finish();
     let (image, undistorted) = image(image_section, &mut faults);
     let figure = Figure {
@@ -90,6 +91,7 @@ fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
         scene: scene::scene(scene_section, &mut faults),
         style: style(style_section, &mut faults),
         reveal: reveal(reveal_section, &mut faults),
+        world: world(world_section, &mut faults),
         observers: observers(observers_section, &mut faults),
     };
     Ok((figure, faults))
@@ -188,6 +190,18 @@ fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
     };
     faults.extend(section.finish());
     reveal
+}
+
+fn world(mut section: Section<'_>, faults: &mut Vec<Fault>) -> WorldLook {
+    let given = section.is_present("window_opacity");
+    let opacity = section.number_in("window_opacity", 0.0, 1.0, 1.0);
+    let world = WorldLook {
+        section: section.switch("section"),
+        dimensions: section.switch("dimensions"),
+        window_opacity: given.then_some(opacity),
+    };
+    faults.extend(section.finish());
+    world
 }
 
 fn observers(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Observers {

@@ -22,7 +22,7 @@ fn the_empty_file_is_the_default_figure() {
         "\u{feff}",
         "\n\n",
         "# nothing\r\n",
-        "[camera]\n[image]\n[viewport]\n[scene]\n[style]\n[reveal]\n[observers]\n",
+        "[camera]\n[image]\n[viewport]\n[scene]\n[style]\n[reveal]\n[world]\n[observers]\n",
     ] {
         assert_eq!(parse(text), Ok(Figure::default()), "{text:?}");
     }
@@ -85,6 +85,9 @@ fn every_key_is_read() {
         clipping = true
         divide_first = true
         culled = true
+        [world]
+        section = true
+        window_opacity = 0.25
         [observers.world]
         target = [1, 1, 1]
         distance = 7
@@ -186,6 +189,9 @@ fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
         ("[[scene.lights]]\ndirection = [0, 1, 0]", "[[scene.lights]] kind", 1),
         ("[[scene.lights]]\nkind = \"directional\"\ndirection = [0, 0, 0]", "[[scene.lights]] direction", 3),
         ("[[scene.lights]]\nkind = \"point\"\ndirection = [0, 1, 0]", "[[scene.lights]] direction", 3),
+        ("[world]\nwindow_opacity = 1.5", "[world] window_opacity", 2),
+        ("[world]\n\ndimensions = 1", "[world] dimensions", 3),
+        ("[world]\nsections = true", "[world] sections", 2),
         ("[observers.world]\ndistance = 0", "[observers.world] distance", 2),
         ("[observers.world]\nelevation = 91", "[observers.world] elevation", 2),
     ] {

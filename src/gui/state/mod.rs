@@ -15,7 +15,7 @@ use crate::camera::{CameraError, Operation};
 use crate::figure::Figure;
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
-use crate::views::{Ghost, Probe};
+use crate::views::{Ghost, Measure, Probe};
 pub use annotations::Annotations;
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::{free_place, rounded};
@@ -117,6 +117,8 @@ pub struct State {
     pub problem_out_of_sight: bool,
     /// The operation that is being tried or pointed at; written by the panel in each frame, shown in the world.
     pub ghost: Option<Ghost>,
+    /// The parameter that is pointed at; written by the panel in each frame, shown in the world.
+    pub measured: Option<Measure>,
     /// What is pointed at; written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
     /// The files that were opened or saved last.
@@ -181,6 +183,7 @@ impl State {
             observer_change: None,
             problem_out_of_sight: false,
             ghost: None,
+            measured: None,
             probe: None,
             recent: Recent::default(),
             gallery: Gallery::default(),

@@ -170,9 +170,12 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut Form) {
             let [width, height] = [window.width(), window.height()].map(|side| t.lang.mark().number(side, digits));
             format!("{width} × {height}")
         };
-        row(ui, "W × H", "", t.window_size_hint, |ui| {
-            ui.label(sizes(5)).on_hover_text(sizes(EXACT_DIGITS));
+        let size = ui.scope(|ui| {
+            row(ui, "W × H", "", t.window_size_hint, |ui| {
+                ui.label(sizes(5)).on_hover_text(sizes(EXACT_DIGITS));
+            });
         });
+        form.point_at(ui, "aspect", size.response.rect);
         if form.parameters.window.is_some() {
             form.derived(ui, "A", t.aspect, t.aspect_hint, window.aspect(), "");
             if form.parameters.projection == Projection::Perspective {

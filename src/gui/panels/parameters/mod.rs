@@ -4,6 +4,7 @@ mod camera;
 mod image;
 mod reveal_section;
 mod style;
+mod world_section;
 
 use eframe::egui;
 use glam::DVec3;
@@ -18,6 +19,7 @@ use crate::i18n::window::{self, Texts};
 use crate::i18n::{Lang, faults, scenes};
 use crate::numbers;
 use crate::scene::Preset;
+use crate::views::Measure;
 
 /// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -32,6 +34,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
             scroll.show(ui, |ui| {
                 style::ui(ui, state);
                 reveal_section::ui(ui, state);
+                world_section::ui(ui, state);
             });
         }
     }
@@ -70,6 +73,7 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
     camera::placement(ui, &mut form);
     camera::projection(ui, &mut form, state);
     camera::window(ui, &mut form);
+    state.measured = form.measured;
     state.problem_out_of_sight = form.error.is_some() && !form.said;
     match form.replaced {
         Some(camera) => state.document.set_camera(camera),
@@ -90,6 +94,8 @@ struct Form {
     /// A camera that knows more than its parameters.
     replaced: Option<Camera>,
     said: bool,
+    /// The parameter under the pointer.
+    measured: Option<Measure>,
 }
 
 impl Form {
@@ -103,6 +109,7 @@ impl Form {
             good: state.document.camera().clone(),
             replaced: None,
             said: false,
+            measured: None,
         }
     }
 
@@ -143,18 +150,29 @@ impl Form {
         let Vector { key, symbol, name, hint, step, value } = vector;
         let marked = self.is_marked(key);
         let shown = super::Vector { symbol, name, hint, field: symbol, owner: "", step, angles: false, marked };
-        let outputs = shown.show(ui, self.t, value(&mut self.parameters));
-        self.complain(ui, key, &outputs);
+        let outputs = ui.scope(|ui| shown.show(ui, self.t, value(&mut self.parameters)));
+        self.point_at(ui, key, outputs.response.rect);
+        self.complain(ui, key, &outputs.inner);
     }
 
     /// One number: its name on the left, its field on the right.
     fn number(&mut self, ui: &mut egui::Ui, number: Number) {
         let Number { key, symbol, name, hint, field, value } = number;
         let marked = self.is_marked(key);
-        let output = row(ui, symbol, name, hint, |ui| {
-            field.hint(hint).width(92.0).marked(marked).show(ui, self.t, value(&mut self.parameters))
+        let output = ui.scope(|ui| {
+            row(ui, symbol, name, hint, |ui| {
+                field.hint(hint).width(92.0).marked(marked).show(ui, self.t, value(&mut self.parameters))
+            })
         });
-        self.complain(ui, key, &[output]);
+        self.point_at(ui, key, output.response.rect);
+        self.complain(ui, key, &[output.inner]);
+    }
+
+    /// While the pointer is on the row of a parameter, the world shows its length or angle.
+    fn point_at(&mut self, ui: &egui::Ui, key: &str, row: egui::Rect) {
+        if ui.rect_contains_pointer(row) && !ui.input(|input| input.pointer.any_down()) {
+            self.measured = measure_of(key).or(self.measured);
+        }
     }
 
     /// A number that follows from others.
@@ -183,6 +201,19 @@ struct Number {
     hint: &'static str,
     field: NumberField<'static>,
     value: fn(&mut Parameters) -> &mut f64,
+}
+
+/// The length or angle that a key of `[camera]` is, or sets.
+fn measure_of(key: &str) -> Option<Measure> {
+    match key {
+        "near" => Some(Measure::Near),
+        "far" => Some(Measure::Far),
+        "view_angle" => Some(Measure::HalfAngle),
+        "height" => Some(Measure::Height),
+        "aspect" => Some(Measure::Width),
+        "focal_point" => Some(Measure::Distance),
+        _ => None,
+    }
 }
 
 fn label(t: &Texts, repair: Repair) -> String {

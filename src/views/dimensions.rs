@@ -1,0 +1,145 @@
+//! Dimension lines, as engineers draw them: extension lines, arrows to both ends, the number between.
+
+use glam::{DVec2, DVec3};
+
+use crate::appearance::{Dash, Rgba};
+use crate::camera::Projection;
+
+use super::gear::Gear;
+use super::gizmos::{SMALL_TYPE, SceneBuilder};
+use super::volume::DrawnVolume;
+use super::{Measure, Palette, Request};
+
+/// A length between two points, measured on a line beside them.
+pub(super) struct Span<'a> {
+    pub(super) ends: [DVec3; 2],
+    /// From the points to the line.
+    pub(super) aside: DVec3,
+    pub(super) text: &'a str,
+    /// What is left out between the ends, as shares of the way.
+    pub(super) gap: Option<[f64; 2]>,
+}
+
+/// How strong a dimension line is.
+#[derive(Clone, Copy)]
+pub(super) struct Pen {
+    pub(super) color: Rgba,
+    pub(super) width: f32,
+}
+
+/// Draws the length of a span.
+pub(super) fn span(builder: &mut SceneBuilder, span: &Span<'_>, pen: Pen) {
+    let Span { ends: [a, b], aside, text, gap } = *span;
+    for p in [a, b] {
+        builder.line(vec![p, p + aside * 1.06], pen.color, 0.6 * pen.width, Dash::Solid);
+    }
+    let (p, q) = (a + aside, b + aside);
+    let [from, to] = gap.unwrap_or([0.5, 0.5]).map(|share| p.lerp(q, share));
+    builder.arrow(vec![from, p], pen.color, pen.width, Dash::Solid);
+    builder.arrow(vec![to, q], pen.color, pen.width, Dash::Solid);
+    if gap.is_some() {
+        builder.breaks(from, to, pen.color);
+    }
+    let middle = p.lerp(q, 0.5);
+    let toward = builder.screen.heading(middle, aside);
+    builder.text(middle, text, toward, SMALL_TYPE, pen.color);
+}
+
+/// An angle at `corner` from one direction to another (unit vectors), with an arc of a radius.
+pub(super) fn angle(
+    builder: &mut SceneBuilder,
+    corner: DVec3,
+    [from, to]: [DVec3; 2],
+    radius: f64,
+    text: &str,
+    pen: Pen,
+) {
+    const STEPS: u32 = 24;
+    let at = |i: u32| {
+        let share = f64::from(i) / f64::from(STEPS);
+        let angle = from.dot(to).clamp(-1.0, 1.0).acos() * share;
+        let across = (to - from * from.dot(to)).normalize_or_zero();
+        corner + (from * angle.cos() + across * angle.sin()) * radius
+    };
+    builder.line(vec![corner, corner + to * (1.15 * radius)], pen.color, 0.6 * pen.width, Dash::Solid);
+    builder.arrow((0..=STEPS).map(at).collect(), pen.color, pen.width, Dash::Solid);
+    let middle = at(STEPS / 2);
+    let toward = builder.screen.heading(middle, middle - corner);
+    builder.text(middle, text, if toward == DVec2::ZERO { DVec2::X } else { toward }, SMALL_TYPE, pen.color);
+}
+
+/// The dimension lines of the world: all that the figure asks for, and the one that is pointed at in a panel.
+pub(super) fn in_world(
+    builder: &mut SceneBuilder,
+    request: &Request,
+    palette: Palette,
+    volume: &DrawnVolume,
+    gear: Gear,
+) {
+    for measure in Measure::ALL {
+        let hot = request.overlays.measured == Some(measure);
+        if hot || request.look.world.dimensions {
+            let pen =
+                if hot { Pen { color: palette.probe, width: 2.0 } } else { Pen { color: palette.soft, width: 1.2 } };
+            one(builder, request, volume, gear, measure, pen);
+        }
+    }
+}
+
+/// How far below the axis the lowest of the dimension lines lies, in lengths of the camera's axes.
+pub(super) const LOWEST: f64 = 1.75;
+
+fn one(builder: &mut SceneBuilder, request: &Request, volume: &DrawnVolume, gear: Gear, measure: Measure, pen: Pen) {
+    let camera = &request.camera;
+    let (c, dop, basis) = (camera.position(), camera.direction_of_projection(), camera.basis());
+    let [lb, _, rt, lt] = volume.window();
+    let rb = volume.window()[1];
+    let text = text(request, measure);
+    let mut along_axis = |to: f64, below: f64, gap: Option<[f64; 2]>| {
+        let aside = basis.v * (-below * gear.axis);
+        span(builder, &Span { ends: [c, c + dop * to], aside, text: &text, gap }, pen);
+    };
+    match measure {
+        Measure::Near => along_axis(camera.near(), 0.75, None),
+        Measure::Distance => along_axis(camera.distance(), 1.25, None),
+        Measure::Far => along_axis(volume.end, LOWEST, volume.gap.map(|gap| gap.map(|d| d / volume.end))),
+        Measure::Width => {
+            let aside = basis.v * (0.35 * gear.axis);
+            span(builder, &Span { ends: [lt, rt], aside, text: &text, gap: None }, pen);
+        }
+        Measure::Height => {
+            let (aside, _) = (basis.u * (0.35 * gear.axis), lb);
+            span(builder, &Span { ends: [rb, rt], aside, text: &text, gap: None }, pen);
+        }
+        Measure::HalfAngle => {
+            if let Some(top) = half_angle(request, volume) {
+                angle(builder, c, [dop, top], 1.6 * gear.axis, &text, pen);
+            }
+        }
+    }
+}
+
+/// The direction from C to the middle of the window's upper side; `None` where θ is not a parameter.
+pub(super) fn half_angle(request: &Request, volume: &DrawnVolume) -> Option<DVec3> {
+    let camera = &request.camera;
+    let has_angle = camera.projection() == Projection::Perspective && camera.parameters().window.is_none();
+    let [_, _, rt, lt] = volume.window();
+    has_angle.then(|| (rt.lerp(lt, 0.5) - camera.position()).normalize_or_zero())
+}
+
+/// The symbol and the number of a measure.
+pub(super) fn text(request: &Request, measure: Measure) -> String {
+    let (camera, window, mark) = (&request.camera, request.camera.window(), request.labels.mark);
+    let (symbol, value) = match measure {
+        Measure::Near => ("F", camera.near()),
+        Measure::Far => ("B", camera.far()),
+        Measure::Distance => ("D", camera.distance()),
+        Measure::Width => ("W", window.width()),
+        Measure::Height => ("H", window.height()),
+        Measure::HalfAngle => {
+            let half = (window.height() / 2.0).atan2(camera.near()).to_degrees();
+            return format!("θ/2 = {}°", mark.number(half, 4));
+        }
+    };
+    format!("{symbol} = {}", mark.number(value, 4))
+}

@@ -1,0 +1,39 @@
+//! The sizes of the camera's gear in the world.
+
+use glam::DVec3;
+
+use super::screen::Screen;
+use crate::camera::Camera;
+
+/// The sizes of the camera's gear in scene units: fixed on the screen, so that the camera is found in any scene.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gear {
+    /// One unit of [`camera_body`](super::gizmos::camera_body).
+    pub(super) body: f64,
+    /// Length of **u**, **v**, **n**.
+    pub(super) axis: f64,
+}
+
+impl Gear {
+    pub(super) fn new(screen: &Screen, camera: &Camera) -> Self {
+        let pixel = screen.units_per_pixel(camera.position());
+        let (side, scale) = (screen.extent().min_element(), screen.scale());
+        Self {
+            body: pixel * (0.036 * side).clamp(9.0 * scale, 60.0 * scale),
+            axis: pixel * (0.12 * side).clamp(30.0 * scale, 180.0 * scale),
+        }
+    }
+
+    /// Where VUP's arrow ends.
+    pub(super) fn view_up_tip(&self, camera: &Camera) -> DVec3 {
+        let up = crate::geometry::try_unit(camera.view_up()).unwrap_or(DVec3::Y);
+        camera.position() + up * (1.35 * self.axis)
+    }
+
+    /// Points around the camera that a picture of it must hold.
+    pub(super) fn room(&self, camera: &Camera) -> [DVec3; 5] {
+        let (c, basis) = (camera.position(), camera.basis());
+        let out = 1.35 * self.axis;
+        [self.view_up_tip(camera), c + basis.u * out, c + basis.v * out, c + basis.n * out, c - basis.v * (0.3 * out)]
+    }
+}
