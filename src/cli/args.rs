@@ -77,9 +77,25 @@ pub(super) struct RenderArgs {
     /// Width and height in pixels; without it, the figure's image size (for `all`: of each picture)
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Multiplies width, height, strokes and letters, 0.1 to 16
+    /// Multiplies width, height, strokes and letters, 0.1 to 16. Without it and --letters, strokes and letters of a picture larger than
+    /// 1920x1080 grow with it, by the smaller of width/1920 and height/1080
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     scale: Option<String>,
+    /// Width in centimetres on paper, in place of --size; the height follows from the figure's image
+    #[arg(long, value_name = "CM", allow_hyphen_values = true, conflicts_with_all = ["size", "scale"])]
+    width_cm: Option<String>,
+    /// Pixels per inch on paper, for --width-cm and --letters
+    #[arg(long, value_name = "N", default_value = "300", allow_hyphen_values = true)]
+    dpi: String,
+    /// Height of the letters of names in points on paper; strokes are in proportion
+    #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
+    letters: Option<String>,
+    /// Without ground, where the format has transparency
+    #[arg(long)]
+    pub(super) transparent: bool,
+    /// Without the empty ground around what is shown
+    #[arg(long)]
+    pub(super) crop: bool,
     /// Colours; without it, the figure's
     #[arg(long, value_enum)]
     theme: Option<ThemeArg>,
@@ -300,14 +316,35 @@ impl RenderArgs {
         size(self.size.as_deref(), lang)
     }
 
-    pub(super) fn scale(&self, lang: Lang) -> Result<f32, Failure> {
-        let Some(text) = &self.scale else { return Ok(1.0) };
+    /// What width, height, strokes and letters are multiplied by, if it is given.
+    pub(super) fn scale(&self, lang: Lang) -> Result<Option<f32>, Failure> {
+        let Some(text) = &self.scale else { return Ok(None) };
         text.trim()
             .parse()
             .ok()
             .filter(|scale| (0.1..=16.0).contains(scale))
+            .map(Some)
             .ok_or_else(|| Failure::BadInput(texts::scale(lang, text)))
     }
+}
+
+impl RenderArgs {
+    /// The width in pixels, where it is given in centimetres.
+    pub(super) fn paper_width(&self, lang: Lang) -> Result<Option<f64>, Failure> {
+        let Some(text) = &self.width_cm else { return Ok(None) };
+        Ok(Some(positive("--width-cm", text, lang)? / 2.54 * positive("--dpi", &self.dpi, lang)?))
+    }
+
+    /// The height of letters in pixels, if it is given.
+    pub(super) fn letters(&self, lang: Lang) -> Result<Option<f64>, Failure> {
+        let Some(text) = &self.letters else { return Ok(None) };
+        Ok(Some(positive("--letters", text, lang)? / 72.0 * positive("--dpi", &self.dpi, lang)?))
+    }
+}
+
+fn positive(option: &str, text: &str, lang: Lang) -> Result<f64, Failure> {
+    let number = text.trim().parse().ok().filter(|number: &f64| *number > 0.0 && number.is_finite());
+    number.ok_or_else(|| Failure::BadInput(texts::positive(lang, option, text)))
 }
 
 impl ExplainArgs {

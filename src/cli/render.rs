@@ -9,7 +9,7 @@ use crate::files::{self, Overwrite};
 use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{self, PictureError, PictureFile, gap, requests};
-use crate::views::{Request, SharedScene, Size, View, Views};
+use crate::views::{Overlays, Request, SharedScene, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let name = foreign::path(&args.output);
@@ -19,29 +19,60 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     opened.figure.style.theme = args.theme().unwrap_or(opened.figure.style.theme);
     let scene = SharedScene::new(scene(&args.figure, &opened, &args.common, lang)?);
     let figure = &opened.figure;
-    let [width, height] = pixels(given, figure.image, args.view == Views::All, scale);
+    let all = args.view == Views::All;
+    let [width, height] = match args.paper_width(lang)? {
+        Some(width) => on_paper(width, figure.image, all),
+        None => pixels(given, figure.image, all, scale.unwrap_or(1.0)),
+    };
     let too_large = || Failure::BadInput(texts::too_large(lang, width, height));
     let size = match (u32::try_from(width), u32::try_from(height)) {
-        (Ok(width), Ok(height)) => Size { width, height, scale },
+        (Ok(width), Ok(height)) => sized(width, height, scale, args.letters(lang)?),
         _ => return Err(too_large()),
     };
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
     let request = Request::of(figure, View::Image, &camera, &scene, labels, size);
-    let request = Request { force_all_stages: args.force_all_stages, ..request };
+    let overlays = Overlays { transparent: args.transparent, ..Overlays::default() };
+    let request = Request { force_all_stages: args.force_all_stages, overlays, ..request };
     let requests = requests(args.view, &request, &figure.observers).ok_or_else(too_large)?;
     let text = update(&opened.text, &opened.figure);
-    let made = progress::watched(lang, |progress| picture::file(format, &requests, &text, progress));
+    let made = progress::watched(lang, |progress| picture::file(format, &requests, args.crop, &text, progress));
     let PictureFile { bytes, too_much } = made.map_err(|error| match error {
         PictureError::TooLarge => too_large(),
         // Nobody cancels it: whoever wants to ends the program.
         PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
         PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
+        PictureError::Encode { format, why } => {
+            Failure::Failed(format!("{name}: {}", messages::encoder(lang, format, &why)))
+        }
     })?;
     if let Some(too_much) = too_much {
         say(&format!("{}: {}", foreign::path(&args.figure), messages::too_much(lang, &too_much)));
     }
     files::save(&args.output, &bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+}
+
+/// A picture with strokes and letters as they are wanted: by a scale, by the height of letters in pixels, or as on a screen.
+fn sized(width: u32, height: u32, scale: Option<f32>, letters: Option<f64>) -> Size {
+    #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
+    match (scale, letters) {
+        (Some(scale), _) => Size { width, height, scale },
+        (None, Some(letters)) => Size::with_letters(width, height, letters as f32),
+        (None, None) => Size::as_on_a_screen(width, height),
+    }
+}
+
+/// Width and height in pixels of a picture so many pixels wide, as high as the figure's image, or as three of them side by side.
+fn on_paper(width: f64, image: ImageSize, all: bool) -> [u64; 2] {
+    let of_one = if all { width / 3.0 } else { width };
+    let height = of_one * f64::from(image.height) / f64::from(image.width);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "positive; what is too large is refused"
+    )]
+    let whole = |side: f64| side.round().max(1.0) as u64;
+    [whole(width), whole(height)]
 }
 
 /// Width and height in pixels.
@@ -58,6 +89,17 @@ fn pixels(given: Option<ImageSize>, image: ImageSize, all: bool, scale: f32) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn paper_has_pixels_and_letters_have_points() {
+        let image = ImageSize { width: 640, height: 480 };
+        assert_eq!(on_paper(8.0 / 2.54 * 300.0, image, false), [945, 709]);
+        assert_eq!(on_paper(945.0, image, true), [945, 236]);
+        // 9 pt at 300 dpi.
+        assert!((sized(945, 709, None, Some(9.0 / 72.0 * 300.0)).letters() - 37.5).abs() < 0.1);
+        assert_eq!(sized(3000, 2250, None, None).scale, 3000.0 / 1920.0);
+        assert_eq!(sized(3000, 2250, Some(1.0), None).scale, 1.0);
+    }
 
     #[test]
     fn sizes_are_scaled_and_a_sheet_has_room_for_three() {

@@ -5,19 +5,25 @@ use std::path::Path;
 /// A format of picture files. Command line and window know no other place where formats are listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureFormat {
-    /// Pixels, without loss.
+    /// Pixels, without loss; carries its figure.
     Png,
+    /// Pixels, without loss, in fewer bytes.
+    WebP,
+    /// Pixels, with some loss, without transparency.
+    Jpeg,
 }
 
 impl PictureFormat {
     /// All of them; the first is that of a file whose name says none.
-    pub const ALL: [Self; 1] = [Self::Png];
+    pub const ALL: [Self; 3] = [Self::Png, Self::WebP, Self::Jpeg];
 
     /// What people call it.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Png => "PNG",
+            Self::WebP => "WebP",
+            Self::Jpeg => "JPEG",
         }
     }
 
@@ -26,6 +32,17 @@ impl PictureFormat {
     pub const fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Png => &["png"],
+            Self::WebP => &["webp"],
+            Self::Jpeg => &["jpg", "jpeg"],
+        }
+    }
+
+    /// True where the figure goes with the picture: it can be opened again.
+    #[must_use]
+    pub const fn carries_figure(self) -> bool {
+        match self {
+            Self::Png => true,
+            Self::WebP | Self::Jpeg => false,
         }
     }
 

@@ -1,5 +1,7 @@
 //! Drawing or report → file formats.
 
+pub mod crop;
 pub mod format;
 pub mod png;
 pub mod sheet;
+pub mod web;

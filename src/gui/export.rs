@@ -105,6 +105,7 @@ impl ExportError {
             Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
             Self::Picture(PictureError::TooLarge) => t.picture_too_large.to_owned(),
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
+            Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, *format, why),
             Self::File(error) => messages::file(lang, name, error),
             Self::Panic => format!("{} {name}", t.picture_failed),
         }
@@ -219,7 +220,7 @@ impl Task {
         let labels = pictures::labels(*lang);
         let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
         let requests = requests(export.what, &request, &figure.observers).ok_or(PictureError::TooLarge)?;
-        Ok(picture::file(*format, &requests, &update(source, figure), progress)?)
+        Ok(picture::file(*format, &requests, false, &update(source, figure), progress)?)
     }
 }
 

@@ -182,6 +182,16 @@ pub fn scale(lang: Lang, text: &str) -> String {
     }
 }
 
+/// A text that is not a positive number of centimetres, dots or points.
+#[must_use]
+pub fn positive(lang: Lang, option: &str, text: &str) -> String {
+    let text = shown(text);
+    match lang {
+        Lang::En => format!("{option} is \"{text}\"; allowed: a number above 0, such as {option} 9"),
+        Lang::PtBr => format!("{option} é \"{text}\"; permitido: um número acima de 0, como {option} 9"),
+    }
+}
+
 /// A text that is not a number of frames.
 #[must_use]
 pub fn frames(lang: Lang, text: &str) -> String {

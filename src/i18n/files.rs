@@ -3,6 +3,7 @@
 use super::Lang;
 use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
+use crate::export::format::PictureFormat;
 use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
 use crate::limits::MAX_FILE_BYTES;
@@ -30,6 +31,15 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
         (Lang::PtBr, FileError::ReadOnly) => format!(
             "{name} é somente de leitura e ficou como estava; permitido: outro nome, ou um arquivo que possa ser gravado"
         ),
+    }
+}
+
+/// Why a picture cannot be written in a format.
+#[must_use]
+pub fn encoder(lang: Lang, format: PictureFormat, why: &str) -> String {
+    match lang {
+        Lang::En => format!("the picture cannot be written as {} ({why})", format.name()),
+        Lang::PtBr => format!("a imagem não pode ser gravada como {} ({why})", format.name()),
     }
 }
 

@@ -1,8 +1,9 @@
 //! Pictures as files, in the format that is asked for.
 
-use super::Renderer;
+use super::{Renderer, gap};
 use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
+use crate::export::web;
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
 use crate::views::Request;
@@ -16,6 +17,14 @@ pub enum PictureError {
     /// It is not wanted any more.
     #[error("cancelled")]
     Cancelled,
+    /// It cannot be written as WebP or JPEG.
+    #[error("the picture cannot be written as {} ({why})", .format.name())]
+    Encode {
+        /// The format.
+        format: PictureFormat,
+        /// What the encoder says.
+        why: String,
+    },
     /// It cannot be written as PNG.
     #[error(transparent)]
     Png(#[from] PngError),
@@ -30,7 +39,8 @@ pub struct PictureFile {
     pub too_much: Option<TooMuch>,
 }
 
-/// The file that shows `requests` side by side, with a figure file in it.
+/// The file that shows `requests` side by side, with a figure file in it where the format can carry one; `crop`: without the empty
+/// ground around them.
 ///
 /// *Guarantees*: the same requests and text give the same bytes.
 ///
@@ -39,17 +49,21 @@ pub struct PictureFile {
 pub fn file(
     format: PictureFormat,
     requests: &[Request],
+    crop: bool,
     figure: &str,
     progress: &Progress,
 ) -> Result<PictureFile, PictureError> {
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
-    match format {
-        PictureFormat::Png => {
-            let mut renderer = Renderer::default();
-            renderer.watch(progress);
-            let (picture, too_much) = renderer.sheet(requests).ok_or(PictureError::TooLarge).map_err(or_cancelled)?;
-            let bytes = picture.into_png(figure, progress).map_err(|error| or_cancelled(error.into()))?;
-            Ok(PictureFile { bytes, too_much })
-        }
-    }
+    let mut renderer = Renderer::default();
+    renderer.watch(progress);
+    let (picture, too_much) = renderer.sheet(requests).ok_or(PictureError::TooLarge).map_err(or_cancelled)?;
+    let scale = requests.first().map_or(1.0, |request| request.size.scale);
+    let mut picture = if crop { picture.cropped(gap(scale)) } else { picture };
+    let encode = |bytes: Result<Vec<u8>, String>| bytes.map_err(|why| PictureError::Encode { format, why });
+    let bytes = match format {
+        PictureFormat::Png => picture.into_png(figure, progress).map_err(|error| or_cancelled(error.into()))?,
+        PictureFormat::WebP => encode(web::webp(picture.take_pixmap().ok_or(PictureError::TooLarge)?))?,
+        PictureFormat::Jpeg => encode(web::jpeg(&picture.take_pixmap().ok_or(PictureError::TooLarge)?))?,
+    };
+    Ok(PictureFile { bytes, too_much })
 }

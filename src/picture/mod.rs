@@ -9,6 +9,7 @@ mod sheet;
 use tiny_skia::{IntSize, Pixmap};
 
 use crate::appearance::{Rgba, Texture};
+use crate::export::crop::cropped;
 use crate::export::png::{self, PngError};
 use crate::export::sheet::side_by_side;
 use crate::progress::Progress;
@@ -42,6 +43,12 @@ impl Picture {
     #[must_use]
     pub fn rgba(&self) -> &[u8] {
         &self.rgba
+    }
+
+    /// Without the empty ground around what it shows, but for a margin in pixels.
+    #[must_use]
+    pub fn cropped(mut self, margin: u32) -> Self {
+        self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).into())
     }
 
     /// The picture as a PNG with a figure file in it.

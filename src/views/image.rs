@@ -67,6 +67,10 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     placing::settle(&mut drawn.drawing, &Rules { background: &[], reserved: None, first: &[], leader: None });
     if rect != PixelRect::whole(request.size) {
         drawn.drawing = mounted(drawn.drawing, rect, request.size, palette);
+        if request.overlays.transparent {
+            // The sheet of paper.
+            drawn.drawing.surfaces.remove(0);
+        }
     }
     revealed_scene::explain(&mut drawn.drawing, revealed_scene::legend(request, rows, &whole, palette).as_ref());
     drawn

@@ -67,6 +67,9 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
         View::Canonical => canonical::frame_of(request, pipeline),
         View::Image => image::frame_of(request, pipeline),
     };
+    if request.overlays.transparent {
+        frame.drawing.background.a = 0;
+    }
     if let Some(too_much) = &mut frame.too_much {
         let of_scene: BTreeSet<&str> = request.scene.objects.iter().map(|object| object.name.as_str()).collect();
         too_much.name_only(|name| of_scene.contains(name));

@@ -20,6 +20,8 @@ pub struct Overlays {
     pub measured: Option<Measure>,
     /// Without legends: the picture is painted on something.
     pub bare: bool,
+    /// Without ground: what is behind the picture shows through.
+    pub transparent: bool,
 }
 
 impl Overlays {

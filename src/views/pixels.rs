@@ -14,7 +14,53 @@ pub struct Size {
     pub scale: f32,
 }
 
+/// The size of the letters of names in a picture of scale 1 and middling size, in pixels.
+const LETTERS: f32 = 14.0;
+
+/// Pictures up to this size fill a screen as they are.
+const SCREEN: [f32; 2] = [1920.0, 1080.0];
+
+/// How much letters and strokes grow with the side of a picture (`side`, in units of stroke width).
+fn growth(side: f32) -> f32 {
+    (side / 480.0).powf(0.4).clamp(0.8, 1.6)
+}
+
 impl Size {
+    /// Letters and strokes as on a screen of 1920 × 1080: a picture that is larger in both directions has them larger by the same factor.
+    #[must_use]
+    pub fn as_on_a_screen(width: u32, height: u32) -> Self {
+        #[expect(clippy::cast_precision_loss, reason = "pixels")]
+        let [x, y] = [width as f32 / SCREEN[0], height as f32 / SCREEN[1]];
+        Self { width, height, scale: x.min(y).max(1.0) }
+    }
+
+    /// Names in letters of so many pixels (the height of the type), and strokes in proportion.
+    #[must_use]
+    pub fn with_letters(width: u32, height: u32, letters: f32) -> Self {
+        let wanted = letters / LETTERS;
+        let of = |scale: f32| Self { width, height, scale };
+        // The growth depends on the scale: it falls as the scale rises, so that their product rises.
+        let (mut low, mut high) = (wanted / 1.6, wanted / 0.8);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if of(middle).type_scale() < wanted { low = middle } else { high = middle }
+        }
+        of(high)
+    }
+
+    /// The height of the type of names, in pixels.
+    #[must_use]
+    pub fn letters(self) -> f32 {
+        LETTERS * self.type_scale()
+    }
+
+    /// Pixels for one unit of stroke width and of type size.
+    fn type_scale(self) -> f32 {
+        #[expect(clippy::cast_precision_loss, reason = "pixels")]
+        let (width, height) = (self.width as f32, self.height as f32);
+        self.scale * growth(height.min(0.8 * width) / self.scale.max(0.1))
+    }
+
     /// Width / height; 1 for an empty picture.
     #[must_use]
     pub fn aspect(&self) -> f64 {
@@ -24,11 +70,7 @@ impl Size {
     /// Letters and strokes grow a little with the picture, so that a large one is not full of threads and a small one not
     /// full of letters.
     pub(super) fn target(self, background: Rgba) -> Target {
-        #[expect(clippy::cast_precision_loss, reason = "pixels")]
-        let (width, height) = (self.width as f32, self.height as f32);
-        let side = height.min(0.8 * width) / self.scale.max(0.1);
-        let growth = (side / 480.0).powf(0.4).clamp(0.8, 1.6);
-        Target { width: self.width, height: self.height, scale: self.scale * growth, background }
+        Target { width: self.width, height: self.height, scale: self.type_scale(), background }
     }
 }
 
@@ -75,6 +117,19 @@ mod tests {
 
     fn size(width: u32, height: u32) -> Size {
         Size { width, height, scale: 1.0 }
+    }
+
+    #[test]
+    fn letters_grow_with_pictures_larger_than_a_screen_and_are_as_high_as_they_are_wanted() {
+        assert_eq!(Size::as_on_a_screen(1920, 1080).scale, 1.0);
+        assert_eq!(Size::as_on_a_screen(8000, 600).scale, 1.0);
+        assert_eq!(Size::as_on_a_screen(3840, 2160).scale, 2.0);
+        let (screen, large) = (Size::as_on_a_screen(1440, 1080), Size::as_on_a_screen(5760, 4320));
+        assert!((large.letters() / screen.letters() - 3.0).abs() < 0.5, "{} {}", large.letters(), screen.letters());
+        for (width, height, letters) in [(945, 709, 37.5), (300, 200, 9.0), (6000, 4000, 60.0), (2000, 100, 14.0)] {
+            let size = Size::with_letters(width, height, letters);
+            assert!((size.letters() - letters).abs() < 0.01 * letters, "{size:?}: {}", size.letters());
+        }
     }
 
     #[test]

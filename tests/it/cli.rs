@@ -100,11 +100,42 @@ fn themes_and_operations_change_the_picture() {
 }
 
 #[test]
+fn pictures_for_paper_and_for_the_web() {
+    let bench = bench("paper");
+    let render = |arguments: &[&str], name: &str| {
+        bench.run(&[&["render", "figure.toml", "-o", name], arguments].concat()).done();
+        image::load_from_memory(&bench.read(name)).unwrap()
+    };
+    // 8 cm at 300 dots per inch, as high as the image of the figure.
+    let print = render(&["--width-cm", "8", "--theme", "print"], "a.png").to_rgba8();
+    assert_eq!(print.width(), 945);
+    let web = render(&["--width-cm", "8", "--theme", "print"], "a.webp").to_rgba8();
+    assert_eq!(print, web, "WebP without loss");
+    let jpeg = render(&["--width-cm", "8", "--theme", "print"], "a.jpeg").to_rgba8();
+    assert_eq!(jpeg.dimensions(), print.dimensions());
+    assert!(print.pixels().all(|p| p.0[3] == 255));
+    // Without ground, the corner is clear; cropped, the picture ends where it shows something.
+    let clear = render(&["--width-cm", "8", "--transparent"], "b.png").to_rgba8();
+    assert!(clear.get_pixel(0, 0).0[3] == 0 && clear.pixels().any(|p| p.0[3] == 255));
+    let cropped = render(&["--view", "world", "--size", "600x600", "--crop"], "c.png").to_rgba8();
+    let whole = render(&["--view", "world", "--size", "600x600"], "d.png").to_rgba8();
+    assert!(cropped.width() < whole.width() && cropped.height() < whole.height());
+    // Letters in points: larger ones change the picture with words.
+    let nine = render(&["--view", "world", "--width-cm", "8", "--letters", "9"], "e.png");
+    assert_ne!(nine, render(&["--view", "world", "--width-cm", "8", "--letters", "12"], "f.png"));
+    for (option, given) in [("--letters", "--letters=0"), ("--width-cm", "--width-cm=-3"), ("--dpi", "--dpi=x")] {
+        let letters = if option == "--dpi" { "--letters=9" } else { "--crop" };
+        let run = bench.run(&["render", "figure.toml", "-o", "g.png", letters, given]);
+        assert!(run.refused(2).contains(option), "{}", run.err);
+    }
+}
+
+#[test]
 fn a_refused_picture_leaves_the_old_file() {
     let bench = bench("refused");
     bench.write("bad.toml", "[camera]\nnear = -1");
     bench.write("old.png", "old");
-    bench.write("old.jpg", "old");
+    bench.write("old.gif", "old");
     for (arguments, part) in [
         (&["render", "bad.toml", "-o", "old.png"][..], "bad.toml, line 2: [camera] near"),
         (&["render", "figure.toml", "-o", "old.png", "--op", "zoom=-1"], "zoom"),
@@ -123,7 +154,7 @@ fn a_refused_picture_leaves_the_old_file() {
         ),
         (&["render", "figure.toml", "-o", "old.png", "--scale", "0"], "--scale is \"0\"; allowed"),
         (&["render", "figure.toml", "-o", "old.png", "--view", "side"], "world, canonical, image, all"),
-        (&["render", "figure.toml", "-o", "old.jpg"], ".png"),
+        (&["render", "figure.toml", "-o", "old.gif"], ".png"),
         (&["render", "figure.toml", "-o", "noending"], ".png"),
         (&["render", "figure.toml"], "--output"),
     ] {
@@ -132,8 +163,8 @@ fn a_refused_picture_leaves_the_old_file() {
     }
     let run = bench.run(&["render", "figure.toml", "-o", "no/such/place.png"]);
     assert!(run.refused(1).contains("place.png cannot be written"), "{}", run.err);
-    assert_eq!((bench.read("old.png"), bench.read("old.jpg")), (b"old".to_vec(), b"old".to_vec()));
-    assert_eq!(bench.names(), ["bad.toml", "figure.toml", "old.jpg", "old.png"]);
+    assert_eq!((bench.read("old.png"), bench.read("old.gif")), (b"old".to_vec(), b"old".to_vec()));
+    assert_eq!(bench.names(), ["bad.toml", "figure.toml", "old.gif", "old.png"]);
 }
 
 #[test]
