@@ -1,12 +1,13 @@
 //! Menus, keys, presentation, and a window that is left alone.
 
 use camera_lab::appearance::Theme;
+use camera_lab::figure::WorldLook;
 use camera_lab::gui::command::Command;
 use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
-use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
+use camera_lab::views::{Measure, View};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -354,4 +355,34 @@ fn news_go_when_they_have_been_read_and_errors_stay() {
     window.app_mut().state.say(camera_lab::gui::state::Message::Camera(error));
     pass(&mut window, 12.0);
     assert!(window.state().message.is_some());
+}
+
+#[test]
+fn a_parameter_that_is_pointed_at_shows_its_length_in_the_world_and_no_other_does() {
+    let mut window = Window::new(Lang::En);
+    for (field, measure) in [("F", Measure::Near), ("B", Measure::Far), ("θ", Measure::HalfAngle)] {
+        let place = window.field(field).rect().center();
+        window.harness.hover_at(place);
+        window.run();
+        assert_eq!(window.state().measured, Some(measure), "{field}");
+    }
+    window.harness.remove_cursor();
+    window.run();
+    assert_eq!(window.state().measured, None);
+}
+
+#[test]
+fn section_and_dimensions_are_switched_by_their_commands_and_undone_like_any_edit() {
+    let mut window = Window::new(Lang::En);
+    let press = |window: &mut Window, modifiers: Modifiers, key: Key| {
+        window.harness.key_press_modifiers(modifiers, key);
+        window.run();
+    };
+    press(&mut window, Modifiers::ALT, Key::Num8);
+    press(&mut window, Modifiers::ALT, Key::Num9);
+    let world = window.state().document.figure().world;
+    assert!(world.section && world.dimensions);
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    press(&mut window, Modifiers::ALT, Key::Num8);
+    assert_eq!(window.state().document.figure().world, WorldLook::default());
 }
