@@ -10,6 +10,7 @@ use super::command::Command;
 use super::document::Document;
 use super::export::Export;
 use super::file_flow;
+use super::focus::{self, Focus, Region};
 use super::gallery::Part;
 use super::held_key::HeldKey;
 use super::panels::recovery::Decision;
@@ -31,6 +32,7 @@ pub struct App {
     sessions: Option<Sessions>,
     preferences: Option<Preferences>,
     held_key: HeldKey,
+    focus: Focus,
     title: String,
 }
 
@@ -52,6 +54,7 @@ impl App {
             sessions: None,
             preferences: None,
             held_key: HeldKey::default(),
+            focus: Focus::default(),
             title: String::new(),
         };
         app.apply_settings(ctx);
@@ -114,6 +117,7 @@ impl App {
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.document.commit();
         }
+        self.focus.begin(&ctx, self.state.file_flow.dialog.is_some());
         file_flow::poll(&ctx, &mut self.state);
         self.canvas.listen_for_cancel(&ctx, &mut self.state);
         if !self.canvas.holds_something()
@@ -134,23 +138,29 @@ impl App {
         if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
-        let bar = egui::Panel::top("menu").show(ui, |ui| menu::bar(ui, &self.state)).inner;
+        let t = window::texts(self.state.settings.lang);
+        let bar = egui::Panel::top("menu").show(ui, |ui| {
+            focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
+            menu::bar(ui, &self.state)
+        });
+        let bar = bar.inner;
         self.recovery(ui);
         panels::session_news::bar(ui, &mut self.state);
         panels::changed_file::bar(ui, &mut self.state);
         panels::status::error(ui, &mut self.state);
         if sides.is_shown(Side::Left) {
-            egui::Panel::left("parameters")
-                .default_size(256.0)
-                .size_range(220.0..=420.0)
-                .show(ui, |ui| panels::parameters::ui(ui, &mut self.state));
-            name_handle(ui, "parameters", window::texts(self.state.settings.lang).panel_width);
+            egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
+                panels::parameters::ui(ui, &mut self.state);
+            });
+            name_handle(ui, "parameters", t.panel_width);
         }
         if sides.is_shown(Side::Right) {
             egui::Panel::right("numbers").default_size(300.0).size_range(260.0..=520.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numbers, t.numbers_panel);
                 self.right(ui);
             });
-            name_handle(ui, "numbers", window::texts(self.state.settings.lang).panel_width);
+            name_handle(ui, "numbers", t.panel_width);
         }
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
@@ -160,6 +170,7 @@ impl App {
         }
         dialogs::show(&ctx, &mut self.state);
         drop_hint(&ctx, &self.state);
+        self.focus.end(&ctx);
         self.apply_settings(&ctx);
         self.update_title(&ctx);
         if !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
@@ -180,16 +191,15 @@ impl App {
     /// Operations above, as high as they are but not more than about half; numbers below.
     fn right(&mut self, ui: &mut egui::Ui) {
         let half = ui.available_height() * 0.56;
-        egui::ScrollArea::vertical()
-            .id_salt("operations")
-            .max_height(half)
-            .auto_shrink([false, true])
-            .show(ui, |ui| panels::operations::ui(ui, &mut self.state));
+        egui::ScrollArea::vertical().id_salt("operations").max_height(half).auto_shrink([false, true]).show(ui, |ui| {
+            panels::operations::ui(ui, &mut self.state);
+            focus::keep_in_sight(ui);
+        });
         ui.add_space(4.0);
-        egui::ScrollArea::vertical()
-            .id_salt("numbers")
-            .auto_shrink(false)
-            .show(ui, |ui| panels::values::ui(ui, &mut self.state));
+        egui::ScrollArea::vertical().id_salt("numbers").auto_shrink(false).show(ui, |ui| {
+            panels::values::ui(ui, &mut self.state);
+            focus::keep_in_sight(ui);
+        });
     }
 
     /// Takes the first key press out of the input that calls a command, and gives the command.

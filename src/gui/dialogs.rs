@@ -4,12 +4,13 @@ use std::collections::BTreeSet;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
-use eframe::egui::{self, Align, Id, Key, Layout, Modal, RichText};
+use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::command::Command;
 use super::comparison::{Comparison, Whose};
 use super::export::Export;
 use super::file_flow;
+use super::focus::at_right;
 use super::gallery::{self, Chosen, Source};
 use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row, scene};
@@ -140,8 +141,15 @@ const CANCEL: usize = usize::MAX;
 fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usize>) -> Pressed {
     let mut pressed = Pressed::Nothing;
     let size = egui::vec2(80.0, 26.0);
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        for (index, action) in actions.iter().enumerate().rev() {
+    let show = |ui: &mut egui::Ui| {
+        let response = ui.add(egui::Button::new(cancel).min_size(size));
+        if focus == Some(CANCEL) {
+            response.request_focus();
+        }
+        if response.clicked() {
+            pressed = Pressed::Cancel;
+        }
+        for (index, action) in actions.iter().enumerate() {
             let mut button = egui::Button::new(*action).min_size(size);
             if index + 1 == actions.len() {
                 button = button.fill(ui.visuals().selection.bg_fill);
@@ -154,14 +162,8 @@ fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usiz
                 pressed = Pressed::Action(index);
             }
         }
-        let response = ui.add(egui::Button::new(cancel).min_size(size));
-        if focus == Some(CANCEL) {
-            response.request_focus();
-        }
-        if response.clicked() {
-            pressed = Pressed::Cancel;
-        }
-    });
+    };
+    ui.horizontal(|ui| at_right(ui, show));
     pressed
 }
 

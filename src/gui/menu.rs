@@ -1,8 +1,9 @@
 //! The bar at the top: menus, the name of the figure, and the switches that a lecture needs at once.
 
-use eframe::egui::{self, Align, Button, Layout, RichText};
+use eframe::egui::{self, Button, RichText};
 
 use super::command::Command;
+use super::focus::with_room_before;
 use super::panels;
 use super::state::State;
 use crate::foreign::shown;
@@ -42,24 +43,28 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
                 chosen = Some(command);
             }
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let mut of_title = None;
+        let middle = |ui: &mut egui::Ui| {
+            title(ui, t, state, &mut of_title);
+            panels::status::news(ui, state);
+        };
+        let switched = with_room_before(ui, middle, |ui| {
+            let mut switched = None;
             for (command, sign) in [
-                (Command::NumbersPanel, "◨"),
-                (Command::Pipeline, "⬓"),
-                (Command::ParametersPanel, "◧"),
-                (Command::Presentation, "▶"),
-                (Command::Theme, "◐"),
                 (Command::Language, t.language),
+                (Command::Theme, "◐"),
+                (Command::Presentation, "▶"),
+                (Command::ParametersPanel, "◧"),
+                (Command::Pipeline, "⬓"),
+                (Command::NumbersPanel, "◨"),
             ] {
                 if switch(ui, t, state, command, sign) {
-                    chosen = Some(command);
+                    switched = Some(command);
                 }
             }
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                title(ui, t, state, &mut chosen);
-                panels::status::news(ui, state);
-            });
+            switched
         });
+        chosen = switched.or(of_title).or(chosen);
     });
     chosen
 }

@@ -18,6 +18,7 @@ pub mod dialogs;
 pub mod document;
 pub mod export;
 pub mod file_flow;
+mod focus;
 pub mod gallery;
 mod handle_drag;
 mod held_key;

@@ -95,6 +95,7 @@ texts! {
     view_back_hint: "The 3D pictures as they were seen before they were turned, moved or zoomed", "As imagens 3D como eram vistas antes de serem giradas, movidas ou ampliadas";
     view_forward: "View after", "Vista seguinte";
     view_forward_hint: "The 3D pictures as they were seen before going back", "As imagens 3D como eram vistas antes de voltar";
+    region_bar: "Menus and switches", "Menus e chaves";
     link_orbits: "Link the orbits", "Ligar as órbitas";
     link_orbits_hint: "Turning one 3D picture turns the other", "Girar uma imagem 3D gira a outra";
     help: "Mouse and keyboard", "Mouse e teclado";

@@ -8,6 +8,7 @@ mod commands;
 mod dialogs;
 mod files;
 mod gallery;
+mod keyboard;
 mod language;
 mod other_programs;
 mod painter;

@@ -35,6 +35,7 @@ use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
 use crate::appearance::Rgba;
 use crate::figure::{Depth, Observer};
+use crate::gui::focus::{self, Region};
 use crate::gui::handle_drag::point;
 use crate::gui::highlight::Highlight;
 use crate::gui::selection_gizmo::Movable;
@@ -205,6 +206,7 @@ impl Canvas {
         let view = state.layout.strip_of;
         let hidden = !state.layout.is_shown(view);
         let account = self.accounts[view.index()].as_ref().filter(|_| !hidden);
+        focus::region(ui, room, Region::Strip, texts.strip);
         let strip = Strip { lang: state.settings.lang, texts, view, account, hidden };
         match strip.show(ui, room) {
             None => return,
@@ -253,6 +255,7 @@ impl Canvas {
             let response = ui.interact(pane_rect.rect, Id::unique(("picture", view)), Sense::click_and_drag());
             let description = describe(state, view);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
+            focus::note(ui.ctx(), Region::Picture(view.index()), response.id, rect);
             panes.push(Pane { view, rect: pane_rect, response });
         }
         panes

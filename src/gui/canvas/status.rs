@@ -7,6 +7,7 @@ use eframe::egui::{
 use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
+use crate::gui::focus::with_room_before;
 use crate::gui::state::Arrangement;
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::View;
@@ -99,42 +100,50 @@ impl Status {
 
     fn first_line(&self, ui: &mut Ui, rect: Rect, texts: &CanvasTexts) -> Option<StatusAction> {
         let mut action = None;
-        let builder = UiBuilder::new().id_salt("status").max_rect(rect).layout(Layout::right_to_left(Align::Center));
+        let builder = UiBuilder::new().id_salt("status").max_rect(rect).layout(Layout::left_to_right(Align::Center));
         ui.scope_builder(builder, |ui| {
-            if let Some(now) = self.arrangement {
-                action = arrangement_menu(ui, now, texts);
-            }
-            let stages = egui::Button::selectable(self.strip, RichText::new(texts.strip).small());
-            if ui.add(stages.frame_when_inactive(true)).on_hover_text(texts.strip_show).clicked() {
-                action = Some(StatusAction::Strip);
-            }
-            if !self.aside.is_empty() {
-                ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));
-            }
-            for &picture in self.hidden.iter().rev() {
-                if ui.small_button(texts.view(picture)).clicked() {
-                    action = Some(StatusAction::ShowAgain(picture));
-                }
-            }
-            if !self.hidden.is_empty() {
-                ui.add(Label::new(RichText::new(texts.hidden).small()).selectable(false));
-            }
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                if let Some(work) = &self.work {
-                    if let Some(share) = work.share {
-                        ui.add(egui::ProgressBar::new(share).desired_width(BAR).desired_height(8.0));
+            with_room_before(
+                ui,
+                |ui| self.message(ui),
+                |ui| {
+                    if !self.hidden.is_empty() {
+                        ui.add(Label::new(RichText::new(texts.hidden).small()).selectable(false));
                     }
-                    ui.add(Label::new(RichText::new(&work.text).small().strong()).truncate().selectable(false));
-                    return;
-                }
-                let mut text = RichText::new(&self.message).small();
-                if self.warning {
-                    text = text.color(ui.visuals().warn_fg_color).strong();
-                }
-                ui.add(Label::new(text).truncate().selectable(false));
-            });
+                    for &picture in &self.hidden {
+                        if ui.small_button(texts.view(picture)).clicked() {
+                            action = Some(StatusAction::ShowAgain(picture));
+                        }
+                    }
+                    if !self.aside.is_empty() {
+                        ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));
+                    }
+                    let stages = egui::Button::selectable(self.strip, RichText::new(texts.strip).small());
+                    if ui.add(stages.frame_when_inactive(true)).on_hover_text(texts.strip_show).clicked() {
+                        action = Some(StatusAction::Strip);
+                    }
+                    if let Some(now) = self.arrangement {
+                        action = arrangement_menu(ui, now, texts).or(action);
+                    }
+                },
+            );
         });
         action
+    }
+
+    /// What is under the pointer, or how far long work has come.
+    fn message(&self, ui: &mut Ui) {
+        if let Some(work) = &self.work {
+            if let Some(share) = work.share {
+                ui.add(egui::ProgressBar::new(share).desired_width(BAR).desired_height(8.0));
+            }
+            ui.add(Label::new(RichText::new(&work.text).small().strong()).truncate().selectable(false));
+            return;
+        }
+        let mut text = RichText::new(&self.message).small();
+        if self.warning {
+            text = text.color(ui.visuals().warn_fg_color).strong();
+        }
+        ui.add(Label::new(text).truncate().selectable(false));
     }
 
     fn cells(&self, ui: &mut Ui, rect: Rect, lines: u8, columns: u8) {

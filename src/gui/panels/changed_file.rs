@@ -1,9 +1,10 @@
 //! The bar that says that another program has changed the figure's file, until the user has decided.
 
-use eframe::egui::{self, Align, Label, Layout, RichText};
+use eframe::egui::{self, Label, RichText};
 
 use crate::foreign;
 use crate::gui::file_flow;
+use crate::gui::focus::with_room_before;
 use crate::gui::state::State;
 use crate::i18n::window;
 
@@ -13,20 +14,22 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
     let (Some(theirs), Some(name)) = (state.file_flow.theirs.clone(), state.document.name()) else { return };
     let changed = state.document.is_changed();
     egui::Panel::top("changed file").show(ui, |ui| {
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.button(t.keep_mine).on_hover_text(t.keep_mine_hint).clicked() {
-                file_flow::keep_mine(state);
-            }
-            if changed && ui.button(t.compare).on_hover_text(t.compare_hint).clicked() {
-                file_flow::ask_about(state, theirs, None);
-            } else if !changed && ui.button(t.reload).on_hover_text(t.reload_hint).clicked() {
-                file_flow::reload(state);
-            }
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let text = if changed { t.file_changed_unsaved } else { t.file_changed };
-                let text = format!("⚠ {} {text}", foreign::shown(&name));
-                let color = ui.visuals().warn_fg_color;
-                ui.add(Label::new(RichText::new(&text).color(color)).truncate());
+        let text = if changed { t.file_changed_unsaved } else { t.file_changed };
+        let text = format!("⚠ {} {text}", foreign::shown(&name));
+        let color = ui.visuals().warn_fg_color;
+        let told = |ui: &mut egui::Ui| {
+            ui.add(Label::new(RichText::new(&text).color(color)).truncate());
+        };
+        ui.horizontal(|ui| {
+            with_room_before(ui, told, |ui| {
+                if changed && ui.button(t.compare).on_hover_text(t.compare_hint).clicked() {
+                    file_flow::ask_about(state, theirs, None);
+                } else if !changed && ui.button(t.reload).on_hover_text(t.reload_hint).clicked() {
+                    file_flow::reload(state);
+                }
+                if ui.button(t.keep_mine).on_hover_text(t.keep_mine_hint).clicked() {
+                    file_flow::keep_mine(state);
+                }
             });
         });
     });

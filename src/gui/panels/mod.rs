@@ -9,9 +9,10 @@ pub mod session_news;
 pub mod status;
 pub mod values;
 
-use eframe::egui::{self, Align, CollapsingHeader, Layout, RichText};
+use eframe::egui::{self, CollapsingHeader, RichText};
 use glam::DVec3;
 
+use super::focus::at_right;
 use super::number_field::{FieldOutput, NumberField, Step};
 use super::theme;
 use crate::i18n::window::Texts;
@@ -44,7 +45,7 @@ pub(super) fn caption(ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str) {
     });
 }
 
-/// A row: what it is on the left, its controls on the right, from right to left.
+/// A row: what it is on the left, its controls on the right.
 pub(super) fn row<R>(
     ui: &mut egui::Ui,
     symbol: &str,
@@ -54,7 +55,7 @@ pub(super) fn row<R>(
 ) -> R {
     ui.horizontal(|ui| {
         caption(ui, symbol, name, hint);
-        ui.with_layout(Layout::right_to_left(Align::Center), controls).inner
+        at_right(ui, controls)
     })
     .inner
 }

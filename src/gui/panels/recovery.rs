@@ -3,6 +3,7 @@
 use eframe::egui::{self, Align, Label, Layout, RichText, ScrollArea};
 
 use crate::foreign;
+use crate::gui::focus::with_room_before;
 use crate::gui::session::LeftOver;
 use crate::i18n::Lang;
 use crate::i18n::sessions::ago;
@@ -35,15 +36,17 @@ pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision
         area.auto_shrink([false, true]).show(ui, |ui| {
             for left in left {
                 ui.push_id(left.slot, |ui| {
-                    ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
-                        if ui.button(t.discard).on_hover_text(t.discard_hint).clicked() {
-                            decision = Some(Decision::Discard(left.slot));
-                        }
-                        if ui.button(t.restore).on_hover_text(t.restore_hint).clicked() {
-                            decision = Some(Decision::Restore(left.slot));
-                        }
-                        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.allocate_ui_with_layout(line, Layout::left_to_right(Align::Center), |ui| {
+                        let which = |ui: &mut egui::Ui| {
                             ui.add(Label::new(described(lang, left)).truncate());
+                        };
+                        with_room_before(ui, which, |ui| {
+                            if ui.button(t.restore).on_hover_text(t.restore_hint).clicked() {
+                                decision = Some(Decision::Restore(left.slot));
+                            }
+                            if ui.button(t.discard).on_hover_text(t.discard_hint).clicked() {
+                                decision = Some(Decision::Discard(left.slot));
+                            }
                         });
                     });
                 });

@@ -27,9 +27,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
                 let field = NumberField::new(name, Step::Add(16.0)).whole().within(1.0..=MAX_SIDE);
                 field.hint(t.image_size_hint).width(62.0)
             };
-            let second = field("n").show(ui, t, &mut n);
+            let first = field("m").show(ui, t, &mut m);
             ui.label("×");
-            [field("m").show(ui, t, &mut m), second]
+            [first, field("n").show(ui, t, &mut n)]
         });
         complain(ui, t, &outputs);
         let size = ImageSize { width: to_side(m), height: to_side(n) };
@@ -93,8 +93,7 @@ fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
                         let field = field.within(range.clone()).hint(hint).width(72.0);
                         if pixels { field.whole() } else { field }
                     };
-                    let second = field(symbols[1]).show(ui, t, second);
-                    [field(symbols[0]).show(ui, t, first), second]
+                    [field(symbols[0]).show(ui, t, first), field(symbols[1]).show(ui, t, second)]
                 });
                 complain(ui, t, &outputs);
             };

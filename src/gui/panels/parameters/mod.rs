@@ -12,6 +12,7 @@ use glam::DVec3;
 use super::{complaint, row};
 use crate::camera::{Camera, CameraError, Parameters};
 use crate::gui::command::Command;
+use crate::gui::focus::keep_in_sight;
 use crate::gui::number_field::{FieldOutput, NumberField};
 use crate::gui::repair::{Repair, repairs};
 use crate::gui::state::{State, Tab};
@@ -27,7 +28,10 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     let scroll = egui::ScrollArea::vertical().id_salt(state.settings.tab).auto_shrink(false);
     match state.settings.tab {
         Tab::Camera => {
-            scroll.show(ui, |ui| camera_tab(ui, state));
+            scroll.show(ui, |ui| {
+                camera_tab(ui, state);
+                keep_in_sight(ui);
+            });
         }
         Tab::Scene => super::scene::ui(ui, state),
         Tab::Drawing => {
@@ -35,6 +39,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
                 style::ui(ui, state);
                 reveal_section::ui(ui, state);
                 world_section::ui(ui, state);
+                keep_in_sight(ui);
             });
         }
     }

@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, RichText};
 
 use super::{choice, row, section};
+use crate::gui::focus::keep_in_sight;
 use crate::gui::number_field::FieldOutput;
 use crate::gui::state::{Dialog, Draft, Message, Selected, State};
 use crate::i18n::faults;
@@ -48,6 +49,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     ui.add_space(2.0);
     egui::ScrollArea::vertical().id_salt("selected").auto_shrink(false).show(ui, |ui| {
         edits.extend(selected(ui, state, t));
+        keep_in_sight(ui);
     });
     for edit in edits {
         perform(state, edit);

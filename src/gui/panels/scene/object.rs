@@ -241,12 +241,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
     let (mut editing, mut left) = (false, false);
     row(ui, "", t.color, t.color_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let mut bytes = [now.r, now.g, now.b, now.a];
-        let picker = ui.color_edit_button_srgba_unmultiplied(&mut bytes).accessible_name(t.color);
-        if picker.changed() {
-            let [r, g, b, a] = bytes;
-            chosen = Some(Rgba::rgba(r, g, b, a));
-        }
+        ui.checkbox(&mut is_automatic, t.color_auto).on_hover_text(t.color_auto_hint);
         let field = egui::TextEdit::singleline(&mut typing.text)
             .id(egui::Id::unique(("object colour", &owner)))
             .desired_width(66.0)
@@ -254,7 +249,12 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
             .margin(egui::Margin::symmetric(4, 2));
         let response = ui.add(field).on_hover_text(t.color_hint).accessible_name(format!("{} #", t.color));
         (editing, left) = (response.has_focus(), response.lost_focus());
-        ui.checkbox(&mut is_automatic, t.color_auto).on_hover_text(t.color_auto_hint);
+        let mut bytes = [now.r, now.g, now.b, now.a];
+        let picker = ui.color_edit_button_srgba_unmultiplied(&mut bytes).accessible_name(t.color);
+        if picker.changed() {
+            let [r, g, b, a] = bytes;
+            chosen = Some(Rgba::rgba(r, g, b, a));
+        }
     });
     let escaped = left && ui.input(|input| input.key_pressed(Key::Escape));
     let text = typing.text.trim().to_owned();
@@ -384,15 +384,15 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     let mut typing = typing(state, owner, "path").unwrap_or_else(|| Typing::of(owner, "path", path));
     let mut left = false;
     row(ui, "", t.path, t.path_hint, |ui| {
-        if ui.button(t.browse).clicked() {
-            file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
-        }
         let field = egui::TextEdit::singleline(&mut typing.text)
             .id(egui::Id::unique(("object file", owner)))
-            .desired_width(ui.available_width() - 8.0)
+            .desired_width(110.0)
             .align(egui::Align2::LEFT_CENTER)
             .margin(egui::Margin::symmetric(4, 2));
         let response = ui.add(field).on_hover_text(t.path_hint).accessible_name(t.path);
+        if ui.button(t.browse).clicked() {
+            file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
+        }
         left = response.lost_focus();
     });
     let text = typing.text.trim().to_owned();

@@ -11,6 +11,7 @@ use eframe::egui::{
 use super::Edit;
 use crate::appearance::Rgba;
 use crate::foreign::shown;
+use crate::gui::focus::keep_in_sight;
 use crate::gui::state::{Selected, State, preset_objects};
 use crate::i18n::scenes::Texts;
 use crate::scene::edit::descendants;
@@ -63,6 +64,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
                 }
                 clicks_and_keys(ui, state, row, &response, &mut edits);
             }
+            keep_in_sight(ui);
             if scene.objects.is_empty() && scene.preset == Preset::Empty {
                 ui.weak(t.empty);
             }

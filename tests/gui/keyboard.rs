@@ -1,0 +1,177 @@
+//! The way through the window without a mouse.
+
+use std::collections::BTreeMap;
+
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::window::texts;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Rect};
+use egui_kittest::kittest::{By, NodeT, Queryable};
+
+use super::window::Window;
+
+impl Window {
+    /// Role, name and place of what has the focus; the name is empty where it has none.
+    fn focused(&self) -> Option<(Role, String, Rect)> {
+        let node = self.harness.query_all(By::new().predicate(|node| node.is_focused())).next()?;
+        let (label, value) = (node.accesskit_node().label(), node.accesskit_node().value());
+        Some((node.accesskit_node().role(), label.or(value).unwrap_or_default(), node.rect()))
+    }
+
+    fn focused_name(&self) -> String {
+        self.focused().map(|(_, name, _)| name).unwrap_or_default()
+    }
+}
+
+fn fresh() -> State {
+    let (figure, file) = (camera_lab::gui::fresh(), None);
+    State::new(Start { figure, file, lang: Lang::En, allow_files: false }).expect("a possible camera")
+}
+
+/// A window with all three pictures.
+fn whole() -> Window {
+    let mut window = Window::new(Lang::En);
+    window.app_mut().state.layout.maximized = None;
+    window.run();
+    window
+}
+
+#[test]
+fn ctrl_tab_goes_from_region_to_region_in_both_directions() {
+    let mut window = whole();
+    let names = |window: &mut Window, modifiers| -> Vec<String> {
+        (0..7)
+            .map(|_| {
+                window.harness.key_press_modifiers(modifiers, Key::Tab);
+                window.run();
+                let name = window.focused_name();
+                name.split([':', '.']).next().unwrap_or_default().to_owned()
+            })
+            .collect()
+    };
+    let there = names(&mut window, Modifiers::CTRL);
+    assert!(there[0].starts_with("Menus"), "{there:?}");
+    assert_eq!(there[2..5], ["World", "Canonical volume", "Image"]);
+    assert_eq!(there[6], there[0], "round and round");
+    let mut back = names(&mut window, Modifiers::CTRL | Modifiers::SHIFT);
+    assert_eq!(back[0], there[5]);
+    back.reverse();
+    assert_eq!(back[1..], there[..6]);
+    // From a control, to the next region; and Tab goes on into it.
+    window.field("θ").focus();
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::CTRL, Key::Tab);
+    window.run();
+    assert!(window.focused_name().starts_with("World"));
+    window.harness.key_press_modifiers(Modifiers::CTRL | Modifiers::SHIFT, Key::Tab);
+    window.run();
+    window.key(Key::Tab);
+    assert_eq!(window.focused_name(), "Camera tab");
+}
+
+#[test]
+fn tab_reaches_every_control_once_each_has_a_name_and_rows_are_gone_through_as_they_are_read() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let mut window = whole();
+        window.app_mut().state.settings.lang = lang;
+        window.app_mut().state.layout.strip = true;
+        window.run();
+        let mut seen: Vec<(Role, String, Rect)> = Vec::new();
+        for _ in 0..400 {
+            window.key(Key::Tab);
+            let Some(focused) = window.focused() else { continue };
+            if seen.first().is_some_and(|first| *first == focused) && seen.len() > 5 {
+                break;
+            }
+            seen.push(focused);
+        }
+        assert!((60..350).contains(&seen.len()), "{} stops", seen.len());
+        let nameless: Vec<_> = seen.iter().filter(|(_, name, _)| name.trim().is_empty()).collect();
+        assert!(nameless.is_empty(), "{nameless:?}");
+        let mut times: BTreeMap<(String, [i32; 2]), usize> = BTreeMap::new();
+        for (_, name, rect) in &seen {
+            #[expect(clippy::cast_possible_truncation, reason = "places on a screen")]
+            let place = [rect.center().x as i32, rect.center().y as i32];
+            *times.entry((name.clone(), place)).or_default() += 1;
+        }
+        let twice: Vec<_> = times.iter().filter(|(_, times)| **times > 1).collect();
+        assert!(twice.is_empty(), "{twice:?}");
+        for pair in seen.windows(2) {
+            let [(_, a, before), (_, b, after)] = pair else { continue };
+            let is_one_row = (before.center().y - after.center().y).abs() < 3.0;
+            let is_near = (before.center().x - after.center().x).abs() < 260.0;
+            assert!(!(is_one_row && is_near) || before.left() < after.right(), "{a} {before}, then {b} {after}");
+        }
+        for picture in ["World", "Mundo"] {
+            assert!(
+                lang == Lang::PtBr || picture == "Mundo" || seen.iter().any(|(_, name, _)| name.starts_with(picture))
+            );
+        }
+    }
+}
+
+#[test]
+fn what_tab_reaches_is_scrolled_into_sight_and_marked_also_where_it_is_on() {
+    let mut state = Window::new(Lang::En);
+    let state = std::mem::replace(&mut state.app_mut().state, fresh());
+    let mut window = Window::with_state(state, [1280.0, 420.0]);
+    window.field("C x").focus();
+    window.run();
+    let (_, _, first) = window.focused().expect("the field");
+    let mut lowest = first.bottom();
+    for _ in 0..24 {
+        window.key(Key::Tab);
+        window.run();
+        let Some((_, name, rect)) = window.focused() else { continue };
+        assert!(rect.bottom() <= 420.0 && rect.top() >= 0.0, "{name} is at {rect}");
+        lowest = lowest.max(rect.bottom());
+    }
+    assert!(lowest > 380.0, "there is more than fits: {lowest}");
+    // A switch that is on looks the same with the focus but for its ring.
+    let ring = |window: &mut Window| {
+        let rect = window.harness.get_by_role_and_label(Role::Button, texts(Lang::En).parameters_panel).rect();
+        let image = window.harness.render().expect("a picture");
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a pixel")]
+        let pixel = image.get_pixel((rect.left() - 2.0) as u32, rect.center().y as u32);
+        pixel.0
+    };
+    // Whoever uses the mouse sees no ring.
+    window.harness.get_by_label_contains("Scene tab").click();
+    window.run();
+    let switch = window.harness.get_by_role_and_label(Role::Button, texts(Lang::En).parameters_panel);
+    switch.focus();
+    window.run();
+    let without = ring(&mut window);
+    window.key(Key::Tab);
+    window.harness.key_press_modifiers(Modifiers::SHIFT, Key::Tab);
+    window.run();
+    assert_eq!(window.focused_name(), texts(Lang::En).parameters_panel);
+    assert_ne!(ring(&mut window), without);
+}
+
+#[test]
+fn enter_chooses_in_an_open_list_and_closes_it_and_the_focus_comes_back() {
+    let mut window = Window::new(Lang::En);
+    window.key(Key::F7);
+    let list = |window: &Window| window.harness.get_by_role_and_label(Role::ComboBox, "faces").rect();
+    window.harness.get_by_role_and_label(Role::ComboBox, "faces").focus();
+    window.run();
+    window.key(Key::Enter);
+    window.run();
+    window.key(Key::ArrowDown);
+    window.run();
+    for _ in 0..4 {
+        if window.focused_name() == "wireframe" {
+            break;
+        }
+        window.key(Key::ArrowDown);
+    }
+    assert_eq!(window.focused_name(), "wireframe");
+    window.key(Key::Enter);
+    window.run();
+    assert_eq!(window.state().document.figure().style.shading, camera_lab::appearance::Shading::Wireframe);
+    assert_eq!(window.harness.query_all_by_role_and_label(Role::Button, "wireframe").count(), 0, "it is closed");
+    let (_, _, rect) = window.focused().expect("the list has the focus again");
+    assert_eq!(rect, list(&window));
+}
