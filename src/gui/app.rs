@@ -8,7 +8,6 @@ use eframe::egui::{self, ViewportCommand};
 use super::canvas::Canvas;
 use super::command::Command;
 use super::document::Document;
-use super::export::Export;
 use super::file_flow;
 use super::focus::{self, Focus, Region};
 use super::gallery::Part;
@@ -248,7 +247,8 @@ impl App {
             Command::Save => file_flow::save(ctx, state, None),
             Command::SaveAs => file_flow::ask(ctx, state, Purpose::Save(None)),
             Command::Export => {
-                state.file_flow.dialog = Some(Dialog::Export(Export::new(state.picture_sizes, state.screen_scale)));
+                state.export.fit_screen(state.picture_sizes, state.screen_scale);
+                state.file_flow.dialog = Some(Dialog::Export(state.export));
             }
             Command::Quit => file_flow::begin(ctx, state, AfterSave::Quit),
             Command::Undo => state.undo(),

@@ -308,14 +308,24 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
         (Views::One(View::Image), t.show_image),
     ];
     row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
-    let times = [(Some(1), "1 ×"), (Some(2), "2 ×"), (Some(3), "3 ×"), (Some(4), "4 ×"), (None, t.export_typed)];
+    let sizes = [
+        ((Some(1), false), "1 ×"),
+        ((Some(2), false), "2 ×"),
+        ((Some(3), false), "3 ×"),
+        ((Some(4), false), "4 ×"),
+        ((None, false), t.export_typed),
+        ((None, true), t.export_paper),
+    ];
+    let mut size = (export.times.filter(|_| !export.on_paper), export.on_paper);
     row(ui, "", t.export_size, t.export_size_hint, |ui| {
-        choice(ui, t.export_size, t.export_size_hint, &mut export.times, &times)
+        choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
     });
+    (export.times, export.on_paper) = size;
+    let mut errors = if export.on_paper { paper(ui, t, &mut export) } else { Vec::new() };
     export.fit_screen(state.picture_sizes, state.screen_scale);
-    let errors = row(ui, "", t.export_pixels, "", |ui| {
-        ui.add_enabled_ui(export.times.is_none(), |ui| pixels(ui, t, &mut export)).inner
-    });
+    errors.extend(row(ui, "", t.export_pixels, "", |ui| {
+        ui.add_enabled_ui(size == (None, false), |ui| pixels(ui, t, &mut export)).inner
+    }));
     for error in &errors {
         complaint(ui, &error.text(t.lang));
     }
@@ -324,13 +334,38 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
         choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
     });
     ui.add_space(4.0);
+    ui.checkbox(&mut export.transparent, t.export_transparent).on_hover_text(t.export_transparent_hint);
+    ui.checkbox(&mut export.crop, t.export_crop).on_hover_text(t.export_crop_hint);
     ui.label(RichText::new(t.export_note).small().weak());
     ui.add_space(10.0);
     match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
-        Pressed::Action(_) if errors.is_empty() => file_flow::ask(ui.ctx(), state, Purpose::Export(export)),
+        Pressed::Action(_) if errors.is_empty() => {
+            state.export = export;
+            file_flow::ask(ui.ctx(), state, Purpose::Export(export));
+        }
         Pressed::Cancel => {}
         Pressed::Action(_) | Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
     }
+}
+
+/// The size on paper; what is wrong with what was typed there.
+fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<FieldError> {
+    let field = |name: &str, most: f64| NumberField::new(name, Step::Add(1.0)).within(0.5..=most).width(64.0);
+    let paper = &mut export.paper;
+    let mut errors = Vec::new();
+    row(ui, "", t.export_centimetres, "", |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        errors.extend(field(t.export_height_cm, 200.0).show(ui, t, &mut paper.size[1]).error);
+        ui.label("×");
+        errors.extend(field(t.export_width_cm, 200.0).show(ui, t, &mut paper.size[0]).error);
+    });
+    row(ui, "", t.export_dpi, "", |ui| {
+        errors.extend(field(t.export_dpi, 2400.0).show(ui, t, &mut paper.dpi).error);
+    });
+    row(ui, "", t.export_letters, t.export_letters_hint, |ui| {
+        errors.extend(field(t.export_letters, 200.0).show(ui, t, &mut paper.letters).error);
+    });
+    errors
 }
 
 /// Width and height; what is wrong with what was typed there.

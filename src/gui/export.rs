@@ -19,7 +19,7 @@ use crate::picture::{self, PictureError, PictureFile, requests};
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
 use crate::scene::SceneError;
-use crate::views::{Request, SharedScene, Size, View, Views, scene_of};
+use crate::views::{Overlays, Request, SharedScene, Size, View, Views, scene_of};
 
 /// Which picture, how large, in which theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,10 +32,36 @@ pub struct Export {
     pub height: u32,
     /// How many times as large as on the screen; `None`: the size was typed.
     pub times: Option<u32>,
+    /// The size is that on paper, below; `times` does not count.
+    pub on_paper: bool,
+    /// Width and height on paper in centimetres, pixels per inch there, and the height of the letters of names in points.
+    pub paper: Paper,
+    /// Without ground, where the format has transparency.
+    pub transparent: bool,
+    /// Without the empty ground around what is shown.
+    pub crop: bool,
     /// The theme of the picture.
     pub theme: Theme,
     /// Thick strokes and large type by this factor.
     pub scale: f32,
+}
+
+/// A size on paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paper {
+    /// Width and height in centimetres.
+    pub size: [f64; 2],
+    /// Pixels per inch.
+    pub dpi: f64,
+    /// Height of the letters of names in points; strokes are in proportion.
+    pub letters: f64,
+}
+
+impl Default for Paper {
+    /// A picture in a column of a page.
+    fn default() -> Self {
+        Self { size: [8.0, 6.0], dpi: 300.0, letters: 9.0 }
+    }
 }
 
 impl Export {
@@ -43,14 +69,32 @@ impl Export {
     /// of [`View::ALL`]; `scale`: pixels there for one unit of stroke width.
     #[must_use]
     pub fn new(sizes: [[u32; 2]; 3], scale: f32) -> Self {
-        let mut export =
-            Self { what: Views::All, width: 0, height: 0, times: Some(2), theme: Theme::Print, scale: 1.0 };
+        let mut export = Self {
+            what: Views::All,
+            width: 0,
+            height: 0,
+            times: Some(2),
+            on_paper: false,
+            paper: Paper::default(),
+            transparent: false,
+            crop: false,
+            theme: Theme::Print,
+            scale: 1.0,
+        };
         export.fit_screen(sizes, scale);
         export
     }
 
-    /// Sets the size to that on the screen, `times` as large, which may be more than a picture can have; `sizes` and `scale` as in [`new`](Self::new).
+    /// Sets the size to that on paper, or to that on the screen, `times` as large, which may be more than a picture can have; `sizes` and `scale` as in [`new`](Self::new).
     pub fn fit_screen(&mut self, sizes: [[u32; 2]; 3], scale: f32) {
+        if self.on_paper {
+            let [width, height] = self.paper.size.map(|cm| pixels(cm / 2.54 * self.paper.dpi));
+            #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
+            let letters = (self.paper.letters / 72.0 * self.paper.dpi) as f32;
+            (self.width, self.height) = (width, height);
+            self.scale = Size::with_letters(width, height, letters).scale;
+            return;
+        }
         let Some(times) = self.times else { return };
         let [width, height] = match self.what {
             Views::One(view) => sizes[view.index()],
@@ -60,6 +104,13 @@ impl Export {
         (self.width, self.height) = (side(width), side(height));
         self.scale = times as f32 * scale;
     }
+}
+
+/// Whole pixels.
+fn pixels(side: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is told")]
+    let side = side.round().max(1.0) as u32;
+    side
 }
 
 /// Room for three pictures side by side: as on the screen, or, where they are stacked there, as large as the largest, 4 by 3.
@@ -219,14 +270,25 @@ impl Task {
         let size = Size { width: export.width, height: export.height, scale: export.scale };
         let labels = pictures::labels(*lang);
         let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
+        let overlays = Overlays { transparent: export.transparent, ..Overlays::default() };
+        let request = Request { overlays, ..request };
         let requests = requests(export.what, &request, &figure.observers).ok_or(PictureError::TooLarge)?;
-        Ok(picture::file(*format, &requests, false, &update(source, figure), progress)?)
+        Ok(picture::file(*format, &requests, export.crop, &update(source, figure), progress)?)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_size_on_paper_has_pixels_and_letters() {
+        let mut export = Export { on_paper: true, ..Export::new([[400, 300]; 3], 1.0) };
+        export.fit_screen([[400, 300]; 3], 1.0);
+        assert_eq!((export.width, export.height), (945, 709));
+        let size = Size { width: 945, height: 709, scale: export.scale };
+        assert!((size.letters() - 37.5).abs() < 0.1, "9 pt at 300 dpi: {}", size.letters());
+    }
 
     #[test]
     fn three_pictures_have_room_side_by_side() {

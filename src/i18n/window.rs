@@ -21,7 +21,7 @@ texts! {
     save_as: "Save as…", "Salvar como…";
     save_as_hint: "Writes the figure to another file", "Grava a figura em outro arquivo";
     export: "Export pictures…", "Exportar imagens…";
-    export_hint: "One picture or all three as PNG; the figure goes with it", "Uma imagem ou as três como PNG; a figura vai junto";
+    export_hint: "One picture or all three as PNG (the figure goes with it), WebP or JPEG, for screen or paper", "Uma imagem ou as três como PNG (a figura vai junto), WebP ou JPEG, para tela ou papel";
     quit: "Quit", "Sair";
     quit_hint: "Closes the window", "Fecha a janela";
     undo: "Undo", "Desfazer";
@@ -294,13 +294,24 @@ texts! {
     export_what: "pictures", "imagens";
     export_all: "all three", "as três";
     export_size: "size", "tamanho";
-    export_size_hint: "As many times as large as on the screen, or as typed", "Tantas vezes o tamanho na tela, ou como digitado";
+    export_size_hint: "As many times as large as on the screen, as typed, or in centimetres on paper", "Tantas vezes o tamanho na tela, como digitado, ou em centímetros no papel";
+    export_paper: "on paper", "no papel";
+    export_centimetres: "centimetres", "centímetros";
+    export_width_cm: "width in centimetres", "largura em centímetros";
+    export_height_cm: "height in centimetres", "altura em centímetros";
+    export_dpi: "pixels per inch", "pixels por polegada";
+    export_letters: "letters in points", "letras em pontos";
+    export_letters_hint: "Height of the letters of names on paper; strokes are in proportion", "Altura das letras dos nomes no papel; os traços são proporcionais";
+    export_transparent: "Without ground", "Sem fundo";
+    export_transparent_hint: "What is behind the picture shows through; JPEG has white there", "O que está atrás da imagem aparece; JPEG tem branco ali";
+    export_crop: "Crop to what is shown", "Cortar ao que é mostrado";
+    export_crop_hint: "Without the empty ground around it", "Sem o fundo vazio em volta";
     export_typed: "typed", "digitado";
     export_pixels: "pixels", "pixels";
     export_width: "picture width", "largura da imagem";
     export_height: "picture height", "altura da imagem";
     export_theme_hint: "print: white ground and strokes that survive greyscale", "impressão: fundo branco e traços que sobrevivem a tons de cinza";
-    export_note: "The figure goes with the picture: opening or dropping the PNG brings it back.", "A figura vai com a imagem: abrir ou soltar o PNG a traz de volta.";
+    export_note: "PNG, WebP or JPEG, by the ending of the name. Only a PNG carries its figure: opening or dropping it brings it back.", "PNG, WebP ou JPEG, pelo final do nome. Só um PNG leva sua figura: abri-lo ou soltá-lo a traz de volta.";
     export_action: "Export…", "Exportar…";
     drop_here: "Drop it here to open it", "Solte aqui para abrir";
 

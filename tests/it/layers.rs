@@ -35,7 +35,10 @@ const TABLE: &[(&str, &[&str])] = &[
     ("clock", &[]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
     // The enums of errors, warnings, labels and stages.
-    ("i18n", &["expression", "camera", "scene", "figure", "inspect", "export", "files", "views", "pipeline"]),
+    (
+        "i18n",
+        &["expression", "numbers", "camera", "scene", "figure", "inspect", "export", "files", "views", "pipeline"],
+    ),
     ("cli", EVERYTHING),
     ("gui", EVERYTHING),
 ];

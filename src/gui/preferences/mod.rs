@@ -15,7 +15,7 @@ use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS};
 use crate::figure::words::{self, THEMES, Words};
 use crate::i18n::Lang;
 use crate::numbers::EXACT_DIGITS;
-use crate::views::View;
+use crate::views::{View, Views};
 pub use store::Preferences;
 
 /// The languages, by the names that `--lang` has for them.
@@ -44,7 +44,7 @@ struct Key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 11] = [
+const KEYS: [Key; 21] = [
     Key {
         name: "language",
         of: |state| words::name(LANGUAGES, state.settings.lang).into(),
@@ -110,6 +110,63 @@ const KEYS: [Key; 11] = [
         name: "convention",
         of: |state| words::name(CONVENTIONS, state.operations.convention).into(),
         apply: |state, value| put(&mut state.operations.convention, word(CONVENTIONS, value)),
+    },
+    Key {
+        name: "export_theme",
+        of: |state| words::name(THEMES, state.export.theme).into(),
+        apply: |state, value| put(&mut state.export.theme, word(THEMES, value)),
+    },
+    Key {
+        name: "export_pictures",
+        of: |state| state.export.what.name().into(),
+        apply: |state, value| {
+            let what = value.as_str().and_then(|name| Views::CHOICES.into_iter().find(|views| views.name() == name));
+            put(&mut state.export.what, what);
+        },
+    },
+    Key {
+        name: "export_times",
+        of: |state| i64::from(state.export.times.unwrap_or_default()).into(),
+        apply: |state, value| {
+            let times =
+                value.as_integer().and_then(|times| u32::try_from(times).ok()).filter(|times| (1..=4).contains(times));
+            put(&mut state.export.times, times.map(Some));
+        },
+    },
+    Key {
+        name: "export_on_paper",
+        of: |state| state.export.on_paper.into(),
+        apply: |state, value| put(&mut state.export.on_paper, value.as_bool()),
+    },
+    Key {
+        name: "export_transparent",
+        of: |state| state.export.transparent.into(),
+        apply: |state, value| put(&mut state.export.transparent, value.as_bool()),
+    },
+    Key {
+        name: "export_crop",
+        of: |state| state.export.crop.into(),
+        apply: |state, value| put(&mut state.export.crop, value.as_bool()),
+    },
+    Key {
+        name: "export_width_cm",
+        of: |state| state.export.paper.size[0].into(),
+        apply: |state, value| put(&mut state.export.paper.size[0], number(value).filter(|v| (0.5..=200.0).contains(v))),
+    },
+    Key {
+        name: "export_height_cm",
+        of: |state| state.export.paper.size[1].into(),
+        apply: |state, value| put(&mut state.export.paper.size[1], number(value).filter(|v| (0.5..=200.0).contains(v))),
+    },
+    Key {
+        name: "export_dpi",
+        of: |state| state.export.paper.dpi.into(),
+        apply: |state, value| put(&mut state.export.paper.dpi, number(value).filter(|v| (0.5..=2400.0).contains(v))),
+    },
+    Key {
+        name: "export_letters",
+        of: |state| state.export.paper.letters.into(),
+        apply: |state, value| put(&mut state.export.paper.letters, number(value).filter(|v| (0.5..=200.0).contains(v))),
     },
 ];
 
@@ -184,6 +241,7 @@ mod tests {
     use super::*;
     use crate::appearance::Theme;
     use crate::gui::Start;
+    use crate::gui::export::{Export, Paper};
 
     fn state() -> State {
         State::new(Start::default()).unwrap()
@@ -204,6 +262,10 @@ mod tests {
         changed.layout.arrangement = Some(Arrangement::Beside);
         (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
         changed.operations.convention = Convention::Vtk;
+        let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0 };
+        let (theme, what, times) = (Theme::Light, Views::One(View::Image), Some(3));
+        changed.export =
+            Export { theme, what, times, on_paper: true, transparent: true, crop: true, paper, ..changed.export };
         changed.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
         let plain = values(&state());
         let told = values(&changed);

@@ -32,6 +32,7 @@ pub use view_history::ViewHistory;
 
 use super::Start;
 use super::document::Document;
+use super::export::Export;
 use super::gallery::{Gallery, Source};
 use super::scene_cache::SceneCache;
 
@@ -127,6 +128,8 @@ pub struct State {
     pub gallery: Gallery,
     /// Figures that were left with changes, by where they come from.
     pub kept: Vec<(Option<Source>, Document)>,
+    /// How pictures were exported last.
+    pub export: Export,
     /// What lies over the pictures.
     pub annotations: Annotations,
 }
@@ -188,6 +191,7 @@ impl State {
             recent: Recent::default(),
             gallery: Gallery::default(),
             kept: Vec::new(),
+            export: Export::new([[640, 480]; 3], 1.0),
             annotations: Annotations::default(),
         })
     }
