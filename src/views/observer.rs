@@ -10,9 +10,10 @@ use crate::geometry::Aabb;
 use super::Size;
 
 /// The share of the picture's width and height that [`enclosing`] leaves free on each side, and the least that this is in
-/// pixels at scale 1: a label has room there.
+/// pixels at scale 1: a label has room there. In a small picture with large letters it is no more than `MOST_MARGIN`.
 const MARGIN: f64 = 0.05;
 const LEAST_MARGIN: f64 = 26.0;
+const MOST_MARGIN: f64 = 0.11;
 
 /// A side to look from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -116,11 +117,11 @@ impl From<Observer> for Direction {
     }
 }
 
-/// The share of the picture's width and height that [`enclosing`] fills; half at least.
+/// The share of the picture's width and height that [`enclosing`] fills.
 fn fill(size: Size) -> DVec2 {
     let pixels = DVec2::new(f64::from(size.width), f64::from(size.height));
-    let margin = (LEAST_MARGIN * f64::from(size.scale) / pixels).max(DVec2::splat(MARGIN));
-    (1.0 - 2.0 * margin).max(DVec2::splat(0.5))
+    let wanted = LEAST_MARGIN * f64::from(size.scale) / pixels;
+    1.0 - 2.0 * wanted.clamp(DVec2::splat(MARGIN), DVec2::splat(MOST_MARGIN))
 }
 
 /// The nearest observer in a direction that has all `points` in a picture of this size, with a margin. Points that are
