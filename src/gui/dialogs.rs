@@ -355,9 +355,9 @@ fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Field
     let mut errors = Vec::new();
     row(ui, "", t.export_centimetres, "", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        errors.extend(field(t.export_height_cm, 200.0).show(ui, t, &mut paper.size[1]).error);
-        ui.label("×");
         errors.extend(field(t.export_width_cm, 200.0).show(ui, t, &mut paper.size[0]).error);
+        ui.label("×");
+        errors.extend(field(t.export_height_cm, 200.0).show(ui, t, &mut paper.size[1]).error);
     });
     row(ui, "", t.export_dpi, "", |ui| {
         errors.extend(field(t.export_dpi, 2400.0).show(ui, t, &mut paper.dpi).error);
@@ -374,9 +374,9 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Fiel
     let sides = 1.0..=f64::from(MAX_SIDE);
     let field = |name: &str| NumberField::new(name, Step::Add(16.0)).whole().within(sides.clone()).width(64.0);
     ui.spacing_mut().item_spacing.x = 4.0;
-    let of_height = field(t.export_height).show(ui, t, &mut height);
-    ui.label("×");
     let of_width = field(t.export_width).show(ui, t, &mut width);
+    ui.label("×");
+    let of_height = field(t.export_height).show(ui, t, &mut height);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
     let side = |v: f64| v as u32;
     (export.width, export.height) = (side(width), side(height));
