@@ -12,6 +12,7 @@ use super::file_flow;
 use super::focus::{self, Focus, Region};
 use super::gallery::Part;
 use super::held_key::HeldKey;
+use super::motion;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{News, Sessions};
@@ -113,6 +114,7 @@ impl App {
     /// One frame; `ui` is the whole window.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
+        motion::advance(&ctx, &mut self.state);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.document.commit();
         }
@@ -172,7 +174,8 @@ impl App {
         self.focus.end(&ctx);
         self.apply_settings(&ctx);
         self.update_title(&ctx);
-        if !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
+        let moving = self.state.operations.motion.is_some();
+        if !moving && !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
             self.state.document.commit();
             let now = ctx.input(|input| input.time);
             if let Some(left) = self.state.views.follow(self.state.document.figure().observers, now) {

@@ -26,6 +26,7 @@ mod highlight;
 mod history;
 pub mod menu;
 mod mesh_paths;
+mod motion;
 pub mod native;
 pub mod number_field;
 pub mod panels;

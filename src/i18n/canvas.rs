@@ -48,7 +48,9 @@ texts! {
     // What the pointer does in the image.
     pointer_in_image: "Click: pin the probe", "Clique: fixar a sonda";
     // Where nothing is pointed at: what can be done.
-    idle: "In the world C, PF, VUP and the planes can be dragged. Elsewhere a drag turns the view.", "No mundo, C, PF, VUP e os planos podem ser arrastados. Fora deles, arrastar gira a vista.";
+    idle: "Drag C, PF, VUP and the planes of the world; elsewhere: turn the view", "Arraste C, PF, VUP e os planos do mundo; fora deles: girar a vista";
+    // The same where the world is hidden.
+    idle_canonical: "Drag: turn the view", "Arraste: girar a vista";
     // What the keys do in the world.
     keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: turn the view · + −: zoom the view · Home: fit all", "Setas: erguer e girar a câmera · Shift + setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo";
     // What the keys do in the canonical volume.
@@ -73,6 +75,9 @@ texts! {
     strip_out: "left out:", "omitidas:";
     // What can be done with the strip.
     strip_hint: "point at a stage", "aponte para uma etapa";
+    // Of a stage that the pictures can show.
+    strip_reveal: "Click: show it in the pictures", "Clique: mostrar nas imagens";
+    strip_unreveal: "Click: show it no more", "Clique: não mostrar mais";
     // While the eye turns.
     turning: "Turning the view", "Girando a vista";
     // While the picture is moved.
@@ -91,13 +96,22 @@ texts! {
     given_up: "Cancelled; this picture is drawn again when the figure changes.", "Cancelada; esta imagem é desenhada de novo quando a figura mudar.";
     not_drawn: "This picture could not be drawn.", "Esta imagem não pôde ser desenhada.";
     // Where nothing is pointed at.
-    probe_hint: "Point at a vertex or at a pixel of the image: its coordinates in every space stand here.", "Aponte para um vértice ou para um pixel da imagem: suas coordenadas em cada espaço aparecem aqui.";
+    probe_hint: "Point at a vertex or at a pixel of the image: its coordinates stand here.", "Aponte para um vértice ou um pixel da imagem: suas coordenadas ficam aqui.";
     // While the probe is pinned.
     pinned: "pinned (Esc: release)", "fixada (Esc: soltar)";
     // Of a point outside the view volume.
     outside: "outside the volume", "fora do volume";
     // Of a point for which w = 0.
     no_image: "w = 0: in the plane of the eye, no image", "w = 0: no plano do olho, sem imagem";
+    // Before the place of the pointer, which is not that of a vertex near it.
+    pointer: "Pointer:", "Ponteiro:";
+    // Before the number and the object of a vertex.
+    vertex: "Vertex", "Vértice";
+    // Title of the card with what is pinned, and its buttons.
+    card: "Probe", "Sonda";
+    copy: "Copy", "Copiar";
+    copy_hint: "All digits, as text", "Todos os dígitos, como texto";
+    release: "Release (Esc)", "Soltar (Esc)";
     // The space.
     space_world: "World", "Mundo";
     space_view: "View", "Vista";

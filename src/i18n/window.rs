@@ -335,6 +335,8 @@ texts! {
     pan_u_effect: "C, PF along u", "C, PF ao longo de u";
     pan_v: "Pan along v", "Pan em v";
     pan_v_effect: "C, PF along v", "C, PF ao longo de v";
+    sign_right_hand: "+: counter-clockwise seen from the tip of the axis. The arrows show which way the camera goes, as the eye sees it", "+: anti-horário visto da ponta do eixo. As setas mostram para onde a câmera vai, como o olho vê";
+    sign_vtk: "Signs of VTK. The arrows show which way the camera goes, as the eye sees it", "Sinais do VTK. As setas mostram para onde a câmera vai, como o olho vê";
     step: "step", "passo";
     step_hint: "What the buttons − and + do at once", "O que os botões − e + fazem de uma vez";
     scrub: "slider", "controle";

@@ -564,3 +564,57 @@ fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     h.run();
     assert!(h.query_by_label("undistorted").is_none());
 }
+
+#[test]
+fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
+    let mut h = stage(|state| {
+        state.document.edit(|figure| {
+            figure.scene.preset = Preset::Empty;
+            let ends = [[DVec3::ZERO, DVec3::new(0.0, 0.0, 1.0)], [DVec3::new(1.0, 0.5, 0.0), DVec3::X]];
+            figure.scene.objects = vec![
+                ObjectSpec::new("box", Shape::Box),
+                ObjectSpec::new("edges", Shape::Segments(ends.to_vec())).at(0.0, 2.0, 0.0),
+            ];
+        });
+        state.layout.maximized = Some(View::Image);
+    });
+    let rect = place(&h, IMAGE);
+    let at = |h: &Harness<Stage>, p: DVec3| {
+        let camera = h.state().state.document.camera();
+        let clip = camera.clip_from_world() * p.extend(1.0);
+        let ndc = clip.truncate() / clip.w;
+        let height = rect.height().min(rect.width() * 0.75).round();
+        let frame = Rect::from_center_size(rect.center(), vec2((height / 0.75).round(), height));
+        frame.center() + frame.size() * 0.5 * vec2(ndc.x as f32, -ndc.y as f32)
+    };
+    let says = |h: &Harness<Stage>, text: &str| h.query_all_by_label_contains(text).next().is_some();
+    let place = at(&h, DVec3::new(1.0, 2.5, 0.0));
+    h.hover_at(place + vec2(2.0, 1.0));
+    h.run();
+    assert!(says(&h, "Vertex 3 – edges") && says(&h, "Pointer: Pixel ("));
+    let corner = at(&h, DVec3::ONE);
+    h.hover_at(corner);
+    h.run();
+    let status = h.get_by_label_contains("– box").accesskit_node().value().unwrap();
+    let number: usize = status.split_whitespace().nth(1).unwrap().parse().unwrap();
+    let mesh = &h.state().state.scene_cache.scene().objects[0].mesh;
+    assert_eq!(mesh.positions[number - 1], DVec3::ONE, "{status}");
+    // A click pins it: the card stays when the pointer has gone, until it is released.
+    h.drag_at(corner);
+    h.drop_at(corner);
+    h.run();
+    h.remove_cursor();
+    h.run();
+    assert!(says(&h, "Release (Esc)") && says(&h, "(1, 1, 1)"));
+    h.get_by_label("Copy").click();
+    h.step();
+    let commands = &h.output().platform_output.commands;
+    let copied = commands.iter().find_map(|command| match command {
+        eframe::egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    assert!(copied.is_some_and(|text| text.contains("World\t(1, 1, 1)\n") && text.contains("\nPixel\t(")));
+    h.get_by_label("Release (Esc)").click();
+    h.run();
+    assert!(!says(&h, "Release (Esc)"));
+}

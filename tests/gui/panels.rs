@@ -1,6 +1,7 @@
 //! The panels at the sides: fields, repairs, operations, numbers, undo.
 
-use camera_lab::camera::{Projection, ViewWindow};
+use camera_lab::camera::{Camera, Convention, Operation, Projection, ViewWindow};
+use camera_lab::geometry::Angle;
 use camera_lab::i18n::Lang;
 use eframe::egui::{Event, Key, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -401,4 +402,36 @@ fn a_multiple_of_the_screen_that_is_too_large_is_said_and_not_made_smaller() {
     assert!(window.says("must be between 1 and 16384"));
     window.click("Export…");
     assert!(window.says("Export pictures"), "the question stands");
+}
+
+#[test]
+fn a_step_moves_smoothly_ends_exactly_and_is_one_change() {
+    let mut window = Window::new(Lang::En);
+    let camera = |window: &Window| window.state().document.camera().clone();
+    let start = camera(&window);
+    let step = |camera: &Camera| {
+        Operation::Azimuth(Angle::from_degrees(15.0)).apply(camera, Convention::RightHand).expect("a camera")
+    };
+    let click = |window: &mut Window| {
+        window.harness.get_by_label("Azimuth +").click();
+        window.harness.step();
+    };
+    click(&mut window);
+    assert_eq!(camera(&window), start, "it begins");
+    window.run();
+    assert_eq!(camera(&window), step(&start));
+    // What is pressed on the way finds the camera where it was going: two steps, two changes.
+    click(&mut window);
+    click(&mut window);
+    window.run();
+    assert_eq!(camera(&window), step(&step(&step(&start))));
+    for expected in [step(&step(&start)), step(&start), start.clone()] {
+        window.command_key(Key::Z);
+        assert_eq!(camera(&window), expected);
+    }
+    assert!(!window.state().document.can_undo());
+    // Where motion is to be reduced it is there at once.
+    window.app_mut().state.settings.reduce_motion = true;
+    click(&mut window);
+    assert_eq!(camera(&window), step(&start));
 }

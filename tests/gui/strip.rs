@@ -105,3 +105,35 @@ fn a_window_with_the_strip_that_is_left_alone_does_not_repaint() {
     }
     assert_eq!(window.app_mut().canvas.drawn(), drawn);
 }
+
+#[test]
+fn a_click_on_a_stage_shows_what_it_does_where_the_pictures_can() {
+    let mut window = Window::new(Lang::En);
+    window.key(Key::F10);
+    let click = |window: &mut Window, name: &str| {
+        let starts = |label: &str| label.starts_with(name);
+        let at = window
+            .harness
+            .get_by(|node| node.label().is_some_and(|l| starts(&l)) && node.role() == Role::ListItem)
+            .rect()
+            .center();
+        window.harness.hover_at(at);
+        window.run();
+        window.harness.drag_at(at);
+        window.harness.drop_at(at);
+        window.run();
+    };
+    let reveal = |window: &Window| window.state().document.figure().reveal;
+    for _ in 0..2 {
+        let before = reveal(&window);
+        click(&mut window, "clip");
+        assert_ne!(reveal(&window).clipping, before.clipping);
+        click(&mut window, "back faces");
+        assert_ne!(reveal(&window).culled, before.culled);
+        click(&mut window, "hidden");
+        assert_ne!(reveal(&window).depth, before.depth);
+    }
+    let before = reveal(&window);
+    click(&mut window, "write");
+    assert_eq!(reveal(&window), before, "there is nothing to show");
+}

@@ -104,7 +104,13 @@ impl Canvas {
             self.say_drag(ui, state, &mut status, texts);
         }
         if status.message.is_empty() {
-            texts.idle.clone_into(&mut status.message);
+            let is_there = |view| panes.iter().any(|pane| pane.view == view);
+            let idle = match (is_there(View::World), is_there(View::Canonical)) {
+                (true, _) => texts.idle,
+                (false, true) => texts.idle_canonical,
+                (false, false) => texts.pointer_in_image,
+            };
+            idle.clone_into(&mut status.message);
         }
         self.overlays.probe = self.pinned.or(hovered);
         status
@@ -362,11 +368,16 @@ impl Canvas {
             View::Image => match pick::window_point_in_image(&request, pointer) {
                 Some(point) => {
                     let image = state.document.figure().image;
-                    let pixel = readout::pair(picking::pixel_of(image, camera, point), 17, texts);
-                    let point = readout::pair(point, 4, texts);
+                    let pixel = readout::pair(picking::pixel_of(image, camera, point), 17, texts.lang.mark());
+                    let point = readout::pair(point, 4, texts.lang.mark());
                     format!(
-                        "{} {pixel} / {} × {} · {} {point} · {}",
-                        texts.space_pixel, image.width, image.height, texts.space_window, texts.pointer_in_image
+                        "{} {} {pixel} / {} × {} · {} {point} · {}",
+                        texts.pointer,
+                        texts.space_pixel,
+                        image.width,
+                        image.height,
+                        texts.space_window,
+                        texts.pointer_in_image
                     )
                 }
                 None => texts.pointer_in_image.to_owned(),

@@ -15,12 +15,13 @@ mod status;
 mod strip;
 mod texture;
 mod title;
+mod vertex_name;
 
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Context, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
+    Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
 use self::arrange::{Axis, Framed, Shares, arrange};
@@ -28,11 +29,13 @@ use self::interaction::Drag;
 use self::long_work::LongWork;
 use self::orbit::Auto;
 use self::picking::{PickRequest, Picker, What};
+use self::readout::Cell;
 use self::rendering::{Job, Missing, Rendering};
-use self::status::{Status, StatusAction};
+use self::status::{CardAction, Status, StatusAction};
 use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
+use self::vertex_name::VertexNames;
 use crate::appearance::Rgba;
 use crate::figure::{Depth, Observer};
 use crate::gui::focus::{self, Region};
@@ -42,6 +45,7 @@ use crate::gui::selection_gizmo::Movable;
 use crate::gui::state::{Message, ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
+use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::picture::Account;
 use crate::pipeline::{Output, TooMuch};
 use crate::views::image_frame;
@@ -76,6 +80,7 @@ pub struct Canvas {
     depth_picker: Picker,
     drag: Option<Drag>,
     pinned: Option<Probe>,
+    vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
     pinned_before: Option<Probe>,
 }
@@ -99,6 +104,7 @@ impl Default for Canvas {
             depth_picker: Picker::default(),
             drag: None,
             pinned: None,
+            vertex_names: VertexNames::default(),
             pinned_before: None,
         }
     }
@@ -177,7 +183,7 @@ impl Canvas {
             self.strip(ui, stages, state, texts);
         }
 
-        self.describe_probe(&ctx, state, &mut status, texts);
+        self.describe_probe((ui, pictures), state, &mut status, texts);
         status.strip = state.layout.strip;
         let loading = loading(state);
         if !loading.is_empty() {
@@ -207,11 +213,15 @@ impl Canvas {
         let hidden = !state.layout.is_shown(view);
         let account = self.accounts[view.index()].as_ref().filter(|_| !hidden);
         focus::region(ui, room, Region::Strip, texts.strip);
-        let strip = Strip { lang: state.settings.lang, texts, view, account, hidden };
+        let strip =
+            Strip { lang: state.settings.lang, texts, view, account, hidden, reveal: state.document.figure().reveal };
         match strip.show(ui, room) {
             None => return,
             Some(StripAction::Of(view)) => state.layout.strip_of = view,
             Some(StripAction::Close) => state.layout.strip = false,
+            Some(StripAction::Reveal(stage)) => {
+                state.document.edit(|figure| strip::toggle(&mut figure.reveal, stage));
+            }
         }
         ui.request_repaint();
     }
@@ -361,7 +371,14 @@ impl Canvas {
         }
     }
 
-    fn describe_probe(&mut self, ctx: &Context, state: &State, status: &mut Status, texts: &'static CanvasTexts) {
+    fn describe_probe(
+        &mut self,
+        (ui, room): (&Ui, Rect),
+        state: &State,
+        status: &mut Status,
+        texts: &'static CanvasTexts,
+    ) {
+        let ctx = ui.ctx();
         let Some(probe) = self.overlays.probe else {
             status.note = texts.probe_hint;
             return;
@@ -376,8 +393,28 @@ impl Canvas {
                 self.depth_picker.ask(ctx, PickRequest { request: request.clone(), what: What::Depths(probe) }).depths
             })
             .flatten();
-        status.cells = readout::cells(probe, depths, &request, digits.min(4), texts);
-        status.exact = readout::cells(probe, depths, &request, digits, texts);
+        let (mark, scene) = (texts.lang.mark(), state.scene_cache.scene());
+        let vertex = match probe {
+            Probe::Point(p) => self.vertex_names.at(p, scene, &state.document.figure().scene),
+            Probe::Window(_) => None,
+        };
+        let vertex: Vec<_> = vertex.iter().map(|name| readout::vertex_cell(name, texts)).collect();
+        let cells = |digits, mark| {
+            let coordinates = readout::cells(probe, depths, &request, (digits, mark), texts);
+            vertex.iter().cloned().chain(coordinates).collect::<Vec<_>>()
+        };
+        status.cells = cells(digits.min(4), mark);
+        status.exact = cells(digits, mark);
+        if self.pinned.is_some() {
+            match status::card(ui, room, &status.exact, texts) {
+                None => {}
+                Some(CardAction::Copy) => ctx.copy_text(copied(&cells(EXACT_DIGITS, DecimalMark::Point))),
+                Some(CardAction::Release) => {
+                    self.pinned = None;
+                    ctx.request_repaint();
+                }
+            }
+        }
         if self.pinned.is_some() {
             status.aside = if status.aside.is_empty() {
                 texts.pinned.to_owned()
@@ -393,6 +430,11 @@ fn undistorted(state: &State) -> Option<bool> {
     let figure = state.document.figure();
     let differs = state.document.camera().aspect_warning(figure.image).is_some();
     (differs || figure.undistorted).then_some(figure.undistorted)
+}
+
+/// Cells as text, a space in a line, with numbers as programs read them.
+fn copied(cells: &[Cell]) -> String {
+    cells.iter().map(|cell| format!("{}\t{}\n", cell.space, cell.value)).collect::<String>().replace('−', "-")
 }
 
 /// Which mesh files are being read, in a sentence; empty where none is.

@@ -3,10 +3,12 @@
 use glam::{DVec2, DVec3};
 
 use super::picking::{Depths, pixel_of};
+use super::vertex_name::VertexName;
 use crate::camera::Projected;
+use crate::foreign::shown;
 use crate::gui::handle_drag::point;
 use crate::i18n::canvas::CanvasTexts;
-use crate::numbers::significant;
+use crate::numbers::{DecimalMark, significant};
 use crate::pipeline::clip_parts;
 use crate::views::depth::DepthReading;
 use crate::views::{Probe, Request};
@@ -16,8 +18,6 @@ use crate::views::{Probe, Request};
 pub(super) struct Cell {
     pub(super) space: &'static str,
     pub(super) value: String,
-    /// How much room the coordinates take: 1, or 2 for four numbers.
-    pub(super) slots: u8,
     /// Shown also where there is no room for all.
     pub(super) wanted: bool,
 }
@@ -27,22 +27,22 @@ pub(super) fn cells(
     probe: Probe,
     depths: Option<Depths>,
     request: &Request,
-    digits: usize,
+    (digits, mark): (usize, DecimalMark),
     texts: &CanvasTexts,
 ) -> Vec<Cell> {
-    let (look, camera, mark) = (&request.look, &request.camera, texts.lang.mark());
-    let wanted = |space, value| Cell { space, value, slots: 1, wanted: true };
-    let other = |space, value| Cell { space, value, slots: 1, wanted: false };
+    let (look, camera) = (&request.look, &request.camera);
+    let wanted = |space, value| Cell { space, value, wanted: true };
+    let other = |space, value| Cell { space, value, wanted: false };
     match probe {
         Probe::Point(p) => {
             let s = camera.stations(p, look.image, &look.viewport);
             let mut cells = vec![
                 wanted(texts.space_world, point(p, digits, mark)),
                 other(texts.space_view, point(s.view, digits, mark)),
-                Cell { slots: 2, ..other(texts.space_clip, mark.tuple(&s.clip.to_array(), digits)) },
+                other(texts.space_clip, mark.tuple(&s.clip.to_array(), digits)),
             ];
             if look.reveal.clipping {
-                cells.extend(clipping_cells(p, request, digits, texts));
+                cells.extend(clipping_cells(p, request, (digits, mark), texts));
             }
             let Some(Projected { ndc, window, pixel, viewport }) = s.projected else {
                 cells.push(wanted(texts.space_ndc, texts.no_image.to_owned()));
@@ -50,8 +50,8 @@ pub(super) fn cells(
             };
             let outside = if s.inside { String::new() } else { format!(" {}", texts.outside) };
             cells.push(wanted(texts.space_ndc, format!("{}{outside}", point(ndc, digits, mark))));
-            cells.push(other(texts.space_window, pair(window, digits, texts)));
-            cells.push(wanted(texts.space_pixel, pair(pixel, digits.max(6), texts)));
+            cells.push(other(texts.space_window, pair(window, digits, mark)));
+            cells.push(wanted(texts.space_pixel, pair(pixel, digits.max(6), mark)));
             let [x, y] = [viewport.x, viewport.y].map(|v| significant(v, digits.max(6)));
             let (x, y, z) = (mark.printed(&x), mark.printed(&y), mark.number(viewport.z, digits));
             cells.push(other(texts.space_viewport, format!("({})", [x, y, z].join(mark.separator()))));
@@ -60,10 +60,10 @@ pub(super) fn cells(
         Probe::Window(w) => {
             let ray = camera.ray_through_window(w);
             let mut cells = vec![
-                wanted(texts.space_pixel, pair(pixel_of(look.image, camera, w), 17, texts)),
-                other(texts.space_window, pair(w, digits, texts)),
+                wanted(texts.space_pixel, pair(pixel_of(look.image, camera, w), 17, mark)),
+                other(texts.space_window, pair(w, digits, mark)),
             ];
-            cells.extend(depth_cells(depths, digits, texts));
+            cells.extend(depth_cells(depths, (digits, mark), texts));
             let ray_cell = |space, p| Cell { wanted: depths.is_none(), ..other(space, point(p, digits, mark)) };
             cells.push(ray_cell(texts.ray_origin, ray.origin));
             cells.push(ray_cell(texts.ray_direction, ray.direction));
@@ -73,15 +73,15 @@ pub(super) fn cells(
 }
 
 /// The outcode of a point, with the planes that its bits name, and its homogeneous distances from them.
-fn clipping_cells(p: DVec3, request: &Request, digits: usize, texts: &CanvasTexts) -> [Cell; 4] {
-    let cell = |space, value| Cell { space, value, slots: 1, wanted: true };
+fn clipping_cells(p: DVec3, request: &Request, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> [Cell; 4] {
+    let cell = |space, value| Cell { space, value, wanted: true };
     let code = clip_parts::outcode_of(&request.camera, p).unwrap_or([true; 6]);
     let bits: String = code.iter().map(|outside| if *outside { '1' } else { '0' }).collect();
     let planes: Vec<&str> =
         request.labels.planes.into_iter().zip(code).filter(|(_, out)| *out).map(|(n, _)| n).collect();
     let meaning = if planes.is_empty() { texts.inside.to_owned() } else { planes.join(", ") };
     let d = clip_parts::homogeneous_distances(&request.camera, p);
-    let pair = |first: usize| texts.lang.mark().list(&d[first..first + 2], digits);
+    let pair = |first: usize| mark.list(&d[first..first + 2], digits);
     [
         cell(texts.outcode, format!("{bits} {meaning}")),
         cell("w + x, w − x", pair(0)),
@@ -90,10 +90,10 @@ fn clipping_cells(p: DVec3, request: &Request, digits: usize, texts: &CanvasText
     ]
 }
 
-fn depth_cells(depths: Option<Depths>, digits: usize, texts: &CanvasTexts) -> Vec<Cell> {
+fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> Vec<Cell> {
     // Depths differ late: near the back of the volume the first four digits are all alike.
-    let (digits, mark) = (digits.max(6), texts.lang.mark());
-    let cell = |space, value| Cell { space, value, slots: 1, wanted: true };
+    let digits = digits.max(6);
+    let cell = |space, value| Cell { space, value, wanted: true };
     match depths {
         None => Vec::new(),
         Some(None) => vec![cell(texts.depth, texts.nothing_here.to_owned())],
@@ -105,7 +105,13 @@ fn depth_cells(depths: Option<Depths>, digits: usize, texts: &CanvasTexts) -> Ve
     }
 }
 
+/// What the point of a probe is: which vertex of which object, numbered from 1.
+pub(super) fn vertex_cell(name: &VertexName, texts: &CanvasTexts) -> Cell {
+    let VertexName { object, number } = name;
+    Cell { space: texts.vertex, value: format!("{number} – {}", shown(object)), wanted: true }
+}
+
 /// Two coordinates.
-pub(super) fn pair(p: DVec2, digits: usize, texts: &CanvasTexts) -> String {
-    texts.lang.mark().tuple(&p.to_array(), digits)
+pub(super) fn pair(p: DVec2, digits: usize, mark: DecimalMark) -> String {
+    mark.tuple(&p.to_array(), digits)
 }

@@ -12,8 +12,8 @@ use crate::gui::state::Arrangement;
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::View;
 
-/// A cell is as wide as its space's name and three numbers of four digits, in heights of a line.
-const CELL_WIDTH: f32 = 11.5;
+/// Room between two cells, in heights of a line.
+const GAP: f32 = 1.0;
 
 /// The width of the bar that shows how far long work has come.
 const BAR: f32 = 120.0;
@@ -54,18 +54,15 @@ pub(super) struct Status {
     pub(super) note: &'static str,
 }
 
-/// How many lines and columns of cells there are. They depend on the room alone, so that nothing moves when the probe comes
-/// and goes.
-fn grid(ui: &Ui, width: f32) -> (u8, u8) {
-    let cell = CELL_WIDTH * line_height(ui);
-    if width >= 8.0 * cell {
-        (1, 8)
-    } else if width >= 4.0 * cell {
-        (2, 4)
-    } else if width >= 2.0 * cell {
-        (2, 2)
+/// How many lines of cells there are. They depend on the room alone, so that nothing moves when the probe comes and goes.
+fn lines(ui: &Ui, width: f32) -> u8 {
+    let em = line_height(ui);
+    if width >= 120.0 * em {
+        1
+    } else if width >= 46.0 * em {
+        2
     } else {
-        (3, 1)
+        3
     }
 }
 
@@ -83,7 +80,7 @@ fn first_line_height(ui: &Ui) -> f32 {
 
 /// The height of the lines under pictures that are so wide together.
 pub(super) fn height(ui: &Ui, width: f32) -> f32 {
-    first_line_height(ui) + f32::from(grid(ui, width).0) * line_height(ui) + 4.0
+    first_line_height(ui) + f32::from(lines(ui, width)) * line_height(ui) + 4.0
 }
 
 impl Status {
@@ -92,9 +89,9 @@ impl Status {
         let inner = rect.shrink2(vec2(6.0, 1.0));
         let first = Rect::from_min_size(inner.min, vec2(inner.width(), first_line_height(ui)));
         let action = self.first_line(ui, first, texts);
-        let (lines, columns) = grid(ui, rect.width());
+        let lines = lines(ui, rect.width());
         let cells = Rect::from_min_max(pos2(inner.left(), first.bottom()), inner.max);
-        self.cells(ui, cells, lines, columns);
+        self.cells(ui, cells, lines);
         action
     }
 
@@ -146,27 +143,22 @@ impl Status {
         ui.add(Label::new(text).truncate().selectable(false));
     }
 
-    fn cells(&self, ui: &mut Ui, rect: Rect, lines: u8, columns: u8) {
+    /// The cells one after the other, each as wide as it is: all of them, or those that are wanted most.
+    fn cells(&self, ui: &mut Ui, rect: Rect, lines: u8) {
         let response = ui
             .scope_builder(UiBuilder::new().id_salt("probe").max_rect(rect), |ui| {
                 ui.expand_to_include_rect(rect);
-                let slot = vec2(rect.width() / f32::from(columns), line_height(ui));
-                let all = self.cells.iter().map(|cell| cell.slots).sum::<u8>() <= lines * columns;
-                let (mut line, mut column) = (0, 0);
-                for cell in self.cells.iter().filter(|cell| all || cell.wanted) {
-                    if column + cell.slots > columns {
-                        (line, column) = (line + 1, 0);
-                    }
-                    if line == lines {
-                        break;
-                    }
-                    let corner = rect.min + slot * vec2(f32::from(column), f32::from(line));
-                    show_cell(ui, Rect::from_min_size(corner, slot * vec2(f32::from(cell.slots), 1.0)), cell);
-                    column += cell.slots;
+                let all: Vec<&Cell> = self.cells.iter().collect();
+                let wanted: Vec<&Cell> = self.cells.iter().filter(|cell| cell.wanted).collect();
+                let (places, fit) = flow(ui, rect, lines, &all);
+                let (cells, places) =
+                    if fit { (all, places) } else { (wanted.clone(), flow(ui, rect, lines, &wanted).0) };
+                for (cell, place) in cells.into_iter().zip(places) {
+                    show_cell(ui, place, cell);
                 }
                 if self.cells.is_empty() {
                     let text = RichText::new(self.note).small().weak();
-                    line_of_text(ui, Rect::from_min_size(rect.min, vec2(rect.width(), slot.y)), text);
+                    line_of_text(ui, Rect::from_min_size(rect.min, vec2(rect.width(), line_height(ui))), text);
                 }
             })
             .response;
@@ -190,14 +182,37 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     action
 }
 
-fn show_cell(ui: &mut Ui, place: Rect, cell: &Cell) {
+/// Where cells stand one after the other in so many lines, as many as there is room for; true where that is all of them.
+fn flow(ui: &Ui, rect: Rect, lines: u8, cells: &[&Cell]) -> (Vec<Rect>, bool) {
+    let height = line_height(ui);
+    let (mut places, mut line, mut x) = (Vec::new(), 0_u8, rect.left());
+    for cell in cells {
+        let width = (ui.painter().layout_job(cell_text(ui, cell)).size().x.ceil() + 1.0).min(rect.width());
+        if x > rect.left() && x + width > rect.right() {
+            (line, x) = (line + 1, rect.left());
+        }
+        if line == lines {
+            return (places, false);
+        }
+        places.push(Rect::from_min_size(pos2(x, rect.top() + f32::from(line) * height), vec2(width, height)));
+        x += width + GAP * height;
+    }
+    (places, true)
+}
+
+fn cell_text(ui: &Ui, cell: &Cell) -> egui::text::LayoutJob {
     let (weak, strong) = (ui.visuals().weak_text_color(), ui.visuals().text_color());
     let font = font(ui);
     let mut job = egui::text::LayoutJob::default();
     let format = |color: Color32| egui::TextFormat::simple(font.clone(), color);
     job.append(&format!("{} ", cell.space), 0.0, format(weak));
     job.append(&cell.value, 0.0, format(strong));
-    line_of_text(ui, place, job);
+    job
+}
+
+fn show_cell(ui: &mut Ui, place: Rect, cell: &Cell) {
+    let text = cell_text(ui, cell);
+    line_of_text(ui, place, text);
 }
 
 /// A text that is cut off where its place ends.
@@ -209,12 +224,50 @@ fn line_of_text(ui: &mut Ui, place: Rect, text: impl Into<egui::WidgetText>) {
     });
 }
 
+/// What the buttons of a card ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CardAction {
+    /// Copy all digits.
+    Copy,
+    /// Forget what is pinned.
+    Release,
+}
+
+/// The coordinates of what is pinned, on a card that stays until it is released; it can be moved.
+pub(super) fn card(ui: &Ui, room: Rect, cells: &[Cell], texts: &CanvasTexts) -> Option<CardAction> {
+    let mut action = None;
+    egui::Window::new(texts.card)
+        .id(egui::Id::unique("card of the probe"))
+        .pivot(egui::Align2::LEFT_BOTTOM)
+        .default_pos(room.left_bottom() + vec2(8.0, -8.0))
+        .constrain_to(room)
+        .title_bar(false)
+        .resizable(false)
+        .show(ui.ctx(), |ui| {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            let lines = line_height(ui);
+            let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, lines);
+            table(ui, cells);
+            ui.spacing_mut().interact_size.y = height;
+            ui.add_space(3.0);
+            ui.horizontal(|ui| {
+                if ui.button(texts.copy).on_hover_text(texts.copy_hint).clicked() {
+                    action = Some(CardAction::Copy);
+                }
+                if ui.button(texts.release).clicked() {
+                    action = Some(CardAction::Release);
+                }
+            });
+        });
+    action
+}
+
 /// The coordinates, one space in a line.
 fn table(ui: &mut Ui, cells: &[Cell]) {
     egui::Grid::new("probe table").num_columns(2).show(ui, |ui| {
         for cell in cells {
-            ui.label(cell.space);
-            ui.monospace(&cell.value);
+            ui.label(RichText::new(cell.space).small().weak());
+            ui.label(RichText::new(&cell.value).monospace());
             ui.end_row();
         }
     });

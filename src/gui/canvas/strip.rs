@@ -10,6 +10,7 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
+use crate::figure::{Depth, Reveal};
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::{Lang, pipeline as words};
 use crate::numbers;
@@ -27,6 +28,8 @@ pub(super) enum StripAction {
     Of(View),
     /// Hide the strip.
     Close,
+    /// Show in the pictures what a stage does, or no more.
+    Reveal(Stage),
 }
 
 /// What the strip shows.
@@ -38,6 +41,61 @@ pub(super) struct Strip<'a> {
     pub(super) account: Option<&'a Account>,
     /// The picture is hidden.
     pub(super) hidden: bool,
+    /// What is shown of the stages in the pictures.
+    pub(super) reveal: Reveal,
+}
+
+/// Whether the pictures show what a stage does; `None` where they cannot.
+fn revealed(reveal: &mut Reveal, stage: Stage) -> Option<Switch<'_>> {
+    match stage {
+        Stage::CullObjects | Stage::CullFaces => Some(Switch::Flag(&mut reveal.culled)),
+        Stage::Clip => Some(Switch::Flag(&mut reveal.clipping)),
+        Stage::HiddenSurfaces => Some(Switch::Depth(&mut reveal.depth)),
+        Stage::Traverse
+        | Stage::Normals
+        | Stage::Light
+        | Stage::Transform
+        | Stage::Oblique
+        | Stage::Divide
+        | Stage::Viewport
+        | Stage::Fill
+        | Stage::Interpolate
+        | Stage::Texture
+        | Stage::Blend
+        | Stage::Antialias
+        | Stage::Lines
+        | Stage::Write => None,
+    }
+}
+
+/// What shows a stage in the pictures.
+enum Switch<'a> {
+    Flag(&'a mut bool),
+    Depth(&'a mut Depth),
+}
+
+impl Switch<'_> {
+    fn is_on(&self) -> bool {
+        match self {
+            Self::Flag(on) => **on,
+            Self::Depth(depth) => **depth != Depth::Off,
+        }
+    }
+
+    fn toggle(self) {
+        let on = !self.is_on();
+        match self {
+            Self::Flag(flag) => *flag = on,
+            Self::Depth(depth) => *depth = if on { Depth::Stored } else { Depth::Off },
+        }
+    }
+}
+
+/// Shows in the pictures what a stage does, or no more.
+pub(super) fn toggle(reveal: &mut Reveal, stage: Stage) {
+    if let Some(switch) = revealed(reveal, stage) {
+        switch.toggle();
+    }
 }
 
 fn font(ui: &Ui) -> FontId {
@@ -76,8 +134,8 @@ impl Strip<'_> {
         ui.painter().hline(rect.x_range(), rect.top(), edge);
         let inner = rect.shrink2(vec2(6.0, 3.0));
         let (head, cells) = inner.split_top_bottom_at_y(inner.top() + ui.spacing().interact_size.y);
-        let pointed = self.cells(ui, cells.with_min_y(cells.min.y + 1.0));
-        self.head(ui, head, pointed)
+        let (pointed, clicked) = self.cells(ui, cells.with_min_y(cells.min.y + 1.0));
+        self.head(ui, head, pointed).or(clicked.map(StripAction::Reveal))
     }
 
     /// Whose stages they are, and in a sentence what is pointed at.
@@ -127,7 +185,7 @@ impl Strip<'_> {
         format!(
             "{}: {} · {} {ran} · {} {out} · {}",
             self.texts.strip_total,
-            numbers::duration(account.total),
+            self.duration(account.total),
             self.texts.strip_ran,
             self.texts.strip_out,
             self.texts.strip_hint
@@ -151,15 +209,16 @@ impl Strip<'_> {
             ));
         }
         if let Some(time) = report.time {
-            parts.push(numbers::duration(time));
+            parts.push(self.duration(time));
         }
         parts.push(reason);
         format!("{name}: {}", parts.join(" · "))
     }
 
     /// Draws the cells; the one that is pointed at, or has the keyboard.
-    fn cells(&self, ui: &mut Ui, rect: Rect) -> Option<Stage> {
-        let account = self.account?;
+    fn cells(&self, ui: &mut Ui, rect: Rect) -> (Option<Stage>, Option<Stage>) {
+        let Some(account) = self.account else { return (None, None) };
+        let mut clicked = None;
         let columns = columns(ui, rect.width() + 12.0);
         #[expect(clippy::cast_precision_loss, reason = "a few columns")]
         let size = vec2(rect.width() / columns as f32, cell_height(ui));
@@ -170,18 +229,60 @@ impl Strip<'_> {
             let place = Rect::from_min_size(corner, size).shrink2(vec2(1.5, 1.0));
             let response = ui.interact(place, Id::unique(("stage", report.stage)), Sense::CLICK);
             let said = self.line(report);
+            let mut reveal = self.reveal;
+            let shown = revealed(&mut reveal, report.stage).map(|switch| switch.is_on());
+            let response = match shown {
+                None => response,
+                Some(_) => response.on_hover_cursor(egui::CursorIcon::PointingHand),
+            };
+            if shown.is_some() && response.clicked() {
+                clicked = Some(report.stage);
+            }
             response.widget_info(|| WidgetInfo::labeled(Role::ListItem, true, &said));
             if response.has_focus() || (response.hovered() && pointed.is_none()) {
                 pointed = Some(report.stage);
             }
-            self.cell(ui, place, report, account.total, response.hovered() || response.has_focus());
+            let strong = response.hovered() || response.has_focus() || shown == Some(true);
+            self.cell(ui, place, report, account.total, strong);
             response.on_hover_ui(|ui| {
                 ui.strong(words::stage(self.lang, report.stage));
                 ui.label(words::purpose(self.lang, report.stage));
                 ui.label(said);
+                match shown {
+                    None => {}
+                    Some(false) => drop(ui.weak(self.texts.strip_reveal)),
+                    Some(true) => drop(ui.weak(self.texts.strip_unreveal)),
+                }
             });
         }
-        pointed
+        (pointed, clicked)
+    }
+
+    fn duration(&self, time: Duration) -> String {
+        self.lang.mark().printed(&numbers::duration(time))
+    }
+
+    /// What went in and came out, with its unit where that `fits`.
+    fn counts(&self, report: &StageReport, fits: impl Fn(&str) -> bool) -> String {
+        let Some((from, to)) = report.counts else { return String::new() };
+        let count = |n| self.lang.mark().printed(&numbers::count(n));
+        let unit = words::unit(self.lang, report);
+        let (short, long) = match unit.split_once(" → ") {
+            // What comes out is of another kind than what went in.
+            Some((before, after)) => {
+                let short = format!("{}→{}", count(from), count(to));
+                (
+                    short.clone(),
+                    vec![format!("{} {before}→{} {after}", count(from), count(to)), format!("{short} {after}")],
+                )
+            }
+            None if from == to => (count(to), vec![format!("{} {unit}", count(to))]),
+            None => {
+                let short = format!("{}→{}", count(from), count(to));
+                (short.clone(), vec![format!("{short} {unit}")])
+            }
+        };
+        long.into_iter().find(|text| fits(text)).unwrap_or(short)
     }
 
     fn cell(&self, ui: &Ui, place: Rect, report: &StageReport, total: Duration, strong: bool) {
@@ -197,12 +298,11 @@ impl Strip<'_> {
         let name = words::stage(self.lang, report.stage);
         let written = painter.text(at(0.0), Align2::LEFT_TOP, name, font.clone(), ink);
         if report.ran {
-            let counts = report
-                .counts
-                .map_or_else(String::new, |(from, to)| format!("{}→{}", numbers::count(from), numbers::count(to)));
+            let width = |text: &str| painter.layout_no_wrap(text.to_owned(), font.clone(), ink).size().x;
+            let counts = self.counts(report, |text| width(text) <= place.width() - 10.0);
             let counted = painter.text(at(1.0), Align2::LEFT_TOP, counts, font.clone(), visuals.weak_text_color());
             if let Some(time) = report.time {
-                let text = painter.layout_no_wrap(numbers::duration(time), font, ink);
+                let text = painter.layout_no_wrap(self.duration(time), font, ink);
                 let left = place.right() - 5.0 - text.size().x;
                 // Beside the counts, or above them where they take the room; where the name does too, the sentence tells it.
                 let rows = [(1.0, counted), (0.0, written)];

@@ -4,6 +4,7 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 
 use super::{TEXT_LINE, complaint, erratum, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
+use crate::gui::motion;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::{Scrub, State};
 use crate::gui::theme;
@@ -79,7 +80,8 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
         ui.spacing_mut().item_spacing.y = 1.0;
         let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, TEXT_LINE);
         ui.horizontal(|ui| {
-            ui.label(RichText::new(name(freedom, t)).strong());
+            let explained = explained(freedom, t, state.operations.convention);
+            ui.label(RichText::new(name(freedom, t)).strong()).on_hover_text(explained);
             match freedom {
                 Freedom::Yaw => erratum(ui, t, t.erratum_yaw),
                 Freedom::Pitch => erratum(ui, t, t.erratum_pitch),
@@ -146,10 +148,25 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
 
 fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, forwards: bool) {
     let sign = if forwards { "+" } else { "−" };
-    let button = egui::Button::new(sign).min_size(egui::vec2(24.0, 0.0));
+    let arrow = motion::arrow(state.document.camera(), freedom, forwards, state.operations.convention);
+    let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign}{arrow}"));
+    let button = egui::Button::new(text).min_size(egui::vec2(30.0, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
-    if ui.add(button).accessible_name(name).on_hover_text(effect(freedom, t)).clicked() {
-        state.operate(stepped(freedom, state.operations.steps[freedom as usize], forwards));
+    if ui.add(button).accessible_name(name).on_hover_text(explained(freedom, t, state.operations.convention)).clicked()
+    {
+        let step = state.operations.steps[freedom as usize];
+        let amount = if forwards { step } else { freedom.descriptor().amount.inverse(step) };
+        motion::begin(state, freedom, amount);
+    }
+}
+
+/// What changes, and which way a positive angle turns.
+fn explained(freedom: Freedom, t: &Texts, convention: Convention) -> String {
+    let effect = effect(freedom, t);
+    match (freedom.descriptor().amount, convention) {
+        (Amount::Factor | Amount::Length, _) => effect.to_owned(),
+        (Amount::Angle, Convention::RightHand) => format!("{effect}. {}", t.sign_right_hand),
+        (Amount::Angle, Convention::Vtk) => format!("{effect}. {}", t.sign_vtk),
     }
 }
 

@@ -201,6 +201,7 @@ impl State {
         let image = document.figure().image;
         self.settings.aspect_follows_image =
             document.draft().aspect == f64::from(image.width) / f64::from(image.height);
+        self.operations.motion = None;
         self.document = document;
         self.file_flow.theirs = None;
         self.file_flow.decided = None;

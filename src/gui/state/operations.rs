@@ -1,6 +1,7 @@
 //! Steps, signs and the slider that is held.
 
 use crate::camera::{Camera, Convention, Freedom, OPERATIONS};
+use crate::gui::motion::Motion;
 
 /// What the panel of operations remembers from one frame to the next.
 #[derive(Clone, Debug)]
@@ -10,6 +11,8 @@ pub struct Operations {
     /// Whose signs.
     pub convention: Convention,
     pub(in crate::gui) scrub: Option<Scrub>,
+    /// A step that is on its way.
+    pub(in crate::gui) motion: Option<Motion>,
 }
 
 /// A slider that is being held.
@@ -24,6 +27,11 @@ pub(in crate::gui) struct Scrub {
 
 impl Default for Operations {
     fn default() -> Self {
-        Self { steps: OPERATIONS.map(|descriptor| descriptor.step), convention: Convention::default(), scrub: None }
+        Self {
+            steps: OPERATIONS.map(|descriptor| descriptor.step),
+            convention: Convention::default(),
+            scrub: None,
+            motion: None,
+        }
     }
 }

@@ -1,0 +1,67 @@
+//! Which vertex of which object stands at a point.
+
+use glam::DVec3;
+
+use crate::gui::state::preset_objects;
+use crate::scene::edit::placements;
+use crate::scene::{Scene, SceneSpec, Shape};
+use crate::views::SharedScene;
+
+/// A vertex, as people call it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct VertexName {
+    /// The object's name.
+    pub(super) object: String,
+    /// Its place among the object's vertices, from 1.
+    pub(super) number: usize,
+}
+
+/// The name of the point that was asked for last: in a scene of millions of vertices it takes a while to find.
+#[derive(Debug, Default)]
+pub(super) struct VertexNames {
+    last: Option<(SharedScene, DVec3, Option<VertexName>)>,
+}
+
+impl VertexNames {
+    /// The vertex at a point of the world, if one is exactly there.
+    pub(super) fn at(&mut self, p: DVec3, scene: &SharedScene, spec: &SceneSpec) -> Option<VertexName> {
+        if let Some((_, _, name)) = self.last.as_ref().filter(|(of, at, _)| of == scene && *at == p) {
+            return name.clone();
+        }
+        let name = of_mesh(p, scene).or_else(|| of_list(p, spec));
+        self.last = Some((scene.clone(), p, name.clone()));
+        name
+    }
+}
+
+fn of_mesh(p: DVec3, scene: &Scene) -> Option<VertexName> {
+    let vertex = scene.vertices().find(|vertex| vertex.p_world == p)?;
+    Some(VertexName { object: vertex.object.to_owned(), number: vertex.index + 1 })
+}
+
+/// Points and segments are no objects of the built scene.
+fn of_list(p: DVec3, spec: &SceneSpec) -> Option<VertexName> {
+    let own: Vec<&str> = spec.objects.iter().map(|object| object.name.as_str()).collect();
+    let mut all = spec.clone();
+    all.objects.extend(preset_objects(spec.preset).into_iter().filter(|object| !own.contains(&object.name.as_str())));
+    let placed = placements(spec).ok()?;
+    all.objects.iter().find_map(|object| {
+        let points: &[DVec3] = match object.shape.as_ref()? {
+            Shape::Points(points) => points,
+            Shape::Segments(pairs) => pairs.as_flattened(),
+            Shape::Box
+            | Shape::Prism
+            | Shape::Pyramid
+            | Shape::Sphere
+            | Shape::Ellipsoid
+            | Shape::Cylinder
+            | Shape::Cone
+            | Shape::Torus
+            | Shape::Grid
+            | Shape::Mesh { .. } => return None,
+        };
+        let world = placed.get(&object.name)?;
+        let index = points.iter().position(|point| world.transform_point3(*point) == p)?;
+        Some(VertexName { object: object.name.clone(), number: index + 1 })
+    })
+}
