@@ -2,33 +2,11 @@
 
 use eframe::egui::{self, Event};
 
-use super::state::State;
-use crate::camera::{Amount, Camera, Convention, Freedom, Operation};
+use super::state::{Motion, State};
+use crate::camera::{Amount, Camera, Convention, Freedom};
 
 /// How long a step takes, in seconds.
 const DURATION: f64 = 0.2;
-
-/// A step on its way.
-#[derive(Clone, Debug)]
-pub(in crate::gui) struct Motion {
-    start: Camera,
-    freedom: Freedom,
-    amount: f64,
-    convention: Convention,
-    /// When it began, in seconds; `None`: with the next frame.
-    began: Option<f64>,
-}
-
-impl Motion {
-    /// The operation up to a share of the way: all of it at 1, exactly.
-    fn at(&self, share: f64) -> Operation {
-        self.freedom.by(match self.freedom.descriptor().amount {
-            _ if share >= 1.0 => self.amount,
-            Amount::Angle | Amount::Length => self.amount * share,
-            Amount::Factor => self.amount.powf(share),
-        })
-    }
-}
 
 /// Begins a step; at once at its end where motion is to be reduced, or where it leads to no camera.
 pub(in crate::gui) fn begin(state: &mut State, freedom: Freedom, amount: f64) {

@@ -74,6 +74,8 @@ pub fn ago(lang: Lang, age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     let (hours, days) = (minutes / 60, minutes / 1440);
     match (lang, minutes) {
+        (Lang::En, 0) => "just now".to_owned(),
+        (Lang::PtBr, 0) => "agora mesmo".to_owned(),
         (Lang::En, 0..60) => format!("{minutes} min ago"),
         (Lang::En, 60..2880) => format!("{hours} h ago"),
         (Lang::En, _) => format!("{days} days ago"),
@@ -91,7 +93,7 @@ mod tests {
     fn ages_are_told_in_the_unit_that_fits() {
         let told =
             |seconds| (ago(Lang::En, Duration::from_secs(seconds)), ago(Lang::PtBr, Duration::from_secs(seconds)));
-        assert_eq!(told(59), ("0 min ago".to_owned(), "há 0 min".to_owned()));
+        assert_eq!(told(59), ("just now".to_owned(), "agora mesmo".to_owned()));
         assert_eq!(told(7199), ("1 h ago".to_owned(), "há 1 h".to_owned()));
         assert_eq!(told(172_800), ("2 days ago".to_owned(), "há 2 dias".to_owned()));
     }

@@ -169,7 +169,7 @@ texts! {
     depth_range: "depth range", "profundidade";
     depth_range_hint: "glDepthRange: Z for z_n = −1 and for z_n = 1. [0] (5.25)", "glDepthRange: Z para z_n = −1 e para z_n = 1. [0] (5.25)";
     scene: "Scene", "Cena";
-    preset: "named scene", "cena pronta";
+    preset: "named scene", "cena nomeada";
     preset_hint: "What the camera looks at, besides the objects of your own", "O que a câmera olha, além dos seus próprios objetos";
     scene_empty: "none", "nenhuma";
     scene_primitives: "primitives", "primitivas";

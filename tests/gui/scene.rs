@@ -333,7 +333,7 @@ fn a_new_object_is_in_sight_and_touches_nothing() {
 #[test]
 fn a_named_scene_becomes_a_list_and_says_what_the_list_loses() {
     let mut window = Window::scene(Lang::PtBr);
-    window.pick("cena pronta", "cubo");
+    window.pick("cena nomeada", "cubo");
     window.run();
     window.click("Editar uma cópia");
     window.run();

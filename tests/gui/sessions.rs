@@ -105,7 +105,7 @@ fn a_start_with_a_file_lists_what_was_left() {
             Lang::En => ["Windows that did not close", "Restore", "Discard", "Save the changes?", "Don't save"],
             Lang::PtBr => ["Janelas que não fecharam", "Restaurar", "Descartar", "Salvar as mudanças?", "Não salvar"],
         };
-        let ago = if lang == Lang::En { "0 min ago" } else { "há 0 min" };
+        let ago = if lang == Lang::En { "just now" } else { "agora mesmo" };
         assert!(window.says(title) && window.says("a.toml") && window.says(ago));
         // It stays, whatever else is done, and what is unsaved here is asked about.
         window.enter("B", "51");

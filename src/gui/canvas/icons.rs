@@ -26,7 +26,7 @@ pub(super) enum Icon {
     Maximize,
     /// A small frame before another.
     Restore,
-    /// An eye, crossed out.
+    /// A cross.
     Hide,
     /// Three frames.
     Arrange,
@@ -101,18 +101,8 @@ fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {
             frame(at(0.0, 0.0), at(6.0, 5.0));
         }
         Icon::Hide => {
-            let lid = |sign: f32| -> Vec<Pos2> {
-                (0_i16..=8)
-                    .map(|k| {
-                        let x = f32::from(k) / 4.0 - 1.0;
-                        at(6.0 * x, sign * 3.6 * (1.0 - x * x))
-                    })
-                    .collect()
-            };
-            line(&lid(-1.0));
-            line(&lid(1.0));
-            painter.circle_filled(at(0.0, 0.0), 1.7 * unit, stroke.color);
-            painter.line_segment([at(-5.0, 5.0), at(5.0, -5.0)], stroke);
+            line(&[at(-4.5, -4.5), at(4.5, 4.5)]);
+            line(&[at(4.5, -4.5), at(-4.5, 4.5)]);
         }
     }
 }

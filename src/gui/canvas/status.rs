@@ -172,6 +172,8 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     let mut action = None;
     let button = icon_button(ui, Icon::Arrange, texts.arrange, false);
     Popup::menu(&button).show(|ui| {
+        // Menus leave borders out; without one, what is not chosen cannot be seen on a light ground.
+        ui.visuals_mut().widgets.inactive.bg_stroke = ui.visuals().widgets.noninteractive.fg_stroke;
         for choice in [None].into_iter().chain(Arrangement::ALL.map(Some)) {
             if ui.radio(choice == now, Arrangement::name(choice, texts)).clicked() {
                 action = Some(StatusAction::Arrange(choice));

@@ -149,8 +149,8 @@ fn controls(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: Fr
 fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, forwards: bool) {
     let sign = if forwards { "+" } else { "−" };
     let arrow = motion::arrow(state.document.camera(), freedom, forwards, state.operations.convention);
-    let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign}{arrow}"));
-    let button = egui::Button::new(text).min_size(egui::vec2(30.0, 0.0));
+    let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign} {arrow}"));
+    let button = egui::Button::new(text).min_size(egui::vec2(34.0, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
     if ui.add(button).accessible_name(name).on_hover_text(explained(freedom, t, state.operations.convention)).clicked()
     {

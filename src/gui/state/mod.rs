@@ -23,7 +23,7 @@ pub use layout::{Arrangement, Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use message::about_session;
 pub use message::{Message, NotExported};
 pub use operations::Operations;
-pub(super) use operations::Scrub;
+pub(super) use operations::{Motion, Scrub};
 pub use recent::Recent;
 pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};

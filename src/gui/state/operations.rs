@@ -1,7 +1,6 @@
 //! Steps, signs and the slider that is held.
 
-use crate::camera::{Camera, Convention, Freedom, OPERATIONS};
-use crate::gui::motion::Motion;
+use crate::camera::{Amount, Camera, Convention, Freedom, OPERATIONS, Operation};
 
 /// What the panel of operations remembers from one frame to the next.
 #[derive(Clone, Debug)]
@@ -23,6 +22,28 @@ pub(in crate::gui) struct Scrub {
     pub(in crate::gui) start: Camera,
     /// How far it has been pulled.
     pub(in crate::gui) amount: f64,
+}
+
+/// A step on its way to its end.
+#[derive(Clone, Debug)]
+pub(in crate::gui) struct Motion {
+    pub(in crate::gui) start: Camera,
+    pub(in crate::gui) freedom: Freedom,
+    pub(in crate::gui) amount: f64,
+    pub(in crate::gui) convention: Convention,
+    /// When it began, in seconds; `None`: with the next frame.
+    pub(in crate::gui) began: Option<f64>,
+}
+
+impl Motion {
+    /// The operation up to a share of the way: all of it at 1, exactly.
+    pub(in crate::gui) fn at(&self, share: f64) -> Operation {
+        self.freedom.by(match self.freedom.descriptor().amount {
+            _ if share >= 1.0 => self.amount,
+            Amount::Angle | Amount::Length => self.amount * share,
+            Amount::Factor => self.amount.powf(share),
+        })
+    }
 }
 
 impl Default for Operations {
