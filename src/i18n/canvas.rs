@@ -52,11 +52,11 @@ texts! {
     // The same where the world is hidden.
     idle_canonical: "Drag: turn the view", "Arraste: girar a vista";
     // What the keys do in the world.
-    keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: turn the view · + −: zoom the view · Home: fit all", "Setas: erguer e girar a câmera · Shift + setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo";
+    keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: turn the view · + −: zoom the view · Home: fit all · V: probe vertices", "Setas: erguer e girar a câmera · Shift + setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo · V: sondar vértices";
     // What the keys do in the canonical volume.
-    keys_in_canonical: "Arrows: turn the view · + −: zoom the view · Home: fit all", "Setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo";
+    keys_in_canonical: "Arrows: turn the view · + −: zoom the view · Home: fit all · V: probe vertices", "Setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo · V: sondar vértices";
     // What the keys do in the image.
-    keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther", "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe";
+    keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther · I, V: probe pixels, vertices", "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe · I, V: sondar pixels, vértices";
     // Title of the strip of stages, and the button that shows it.
     strip: "Pipeline", "Pipeline";
     // Tooltip of that button.

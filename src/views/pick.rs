@@ -21,11 +21,9 @@ pub fn ray_in_world(request: &Request, pointer: DVec2) -> Option<Ray> {
 /// only where no other is within reach; in the canonical volume and in the image only vertices inside the view volume are.
 #[must_use]
 pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    match request.view {
-        View::World => vertex_in_world(request, pointer, reach),
-        View::Canonical => vertex_in_canonical(request, pointer, reach),
-        View::Image => vertex_in_image(request, pointer, reach),
-    }
+    let catch = Catch::of(request)?;
+    let shown = vertices(&request.scene).filter_map(|p| Some((catch.shown(request, p)?, p)));
+    nearest(shown, catch.faces(request), &catch.screen, pointer, reach)
 }
 
 /// The name of the object whose face a place (pixels) of a picture shows; `None` where there is none, and in the canonical
@@ -39,22 +37,65 @@ pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
     }
 }
 
-fn vertex_in_world(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let screen = world_framing::screen(request)?;
-    nearest(vertices(&request.scene).map(|p| (p, p)), &request.scene, &screen, pointer, reach)
+/// The vertex (world) that comes next from `from` in a direction (pixels, y down) of a picture; without `from`, the one nearest to the
+/// middle. Only vertices that can be seen. `None` where there is none.
+#[must_use]
+pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> Option<DVec3> {
+    let catch = Catch::of(request)?;
+    let of_shown = |p: DVec3| catch.screen.place_inside(catch.shown(request, p)?);
+    let start = match from {
+        Some(p) => of_shown(p)?,
+        None => catch.screen.middle(),
+    };
+    // Straight on counts more than near: half the way to the side is as far as the way on.
+    let far = |way: DVec2| if from.is_some() { way.length_squared() / way.dot(toward) } else { way.length() };
+    let mut next: Vec<(f64, DVec3)> = vertices(&request.scene)
+        .filter_map(|p| {
+            let way = of_shown(p)? - start;
+            let is_on = from.is_none() || (way.length() > 0.5 && way.dot(toward) > 0.35 * way.length());
+            is_on.then(|| (far(way), p))
+        })
+        .collect();
+    next.sort_by(|a, b| a.0.total_cmp(&b.0));
+    next.dedup_by(|a, b| a.1 == b.1);
+    let seen = |p: &DVec3| {
+        catch.shown(request, *p).is_some_and(|shown| can_be_seen(shown, catch.faces(request), catch.screen.camera()))
+    };
+    next.into_iter().map(|(_, p)| p).find(seen)
 }
 
-fn vertex_in_canonical(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let screen = canonical::screen(request)?;
-    let shown = vertices(&request.scene)
-        .filter_map(|p| Some((displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0)?, p)));
-    nearest(shown, &canonical::contents(request), &screen, pointer, reach)
+/// What vertices are caught by in a picture.
+struct Catch {
+    screen: Screen,
+    /// The faces that hide them, where these are not those of the scene.
+    contents: Option<Scene>,
 }
 
-fn vertex_in_image(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let screen = image::screen(request);
-    let inside = |p: &DVec3| displayed_ndc(&request.camera, *p).is_some_and(|n| n.abs().max_element() <= 1.0);
-    nearest(vertices(&request.scene).filter(inside).map(|p| (p, p)), &request.scene, &screen, pointer, reach)
+impl Catch {
+    fn of(request: &Request) -> Option<Self> {
+        Some(match request.view {
+            View::World => Self { screen: world_framing::screen(request)?, contents: None },
+            View::Canonical => {
+                Self { screen: canonical::screen(request)?, contents: Some(canonical::contents(request)) }
+            }
+            View::Image => Self { screen: image::screen(request), contents: None },
+        })
+    }
+
+    fn faces<'a>(&'a self, request: &'a Request) -> &'a Scene {
+        self.contents.as_ref().unwrap_or(&request.scene)
+    }
+
+    /// Where a vertex (world) is shown, in the space of the picture; in the canonical volume and in the image only those inside
+    /// the view volume are.
+    fn shown(&self, request: &Request, p: DVec3) -> Option<DVec3> {
+        let inside = || displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0);
+        match request.view {
+            View::World => Some(p),
+            View::Canonical => inside(),
+            View::Image => inside().map(|_| p),
+        }
+    }
 }
 
 /// The point (x_p, y_p) of the view window at a place (pixels) of the image picture; `None` outside the frame.

@@ -56,6 +56,11 @@ impl Screen {
         self.place(p).filter(|&px| self.holds(px))
     }
 
+    /// The middle of the rectangle (pixels).
+    pub(super) fn middle(&self) -> DVec2 {
+        self.origin + self.extent * 0.5
+    }
+
     /// True for a place (pixels) within the rectangle.
     pub(super) fn holds(&self, px: DVec2) -> bool {
         px.cmpge(self.origin).all() && px.cmple(self.origin + self.extent).all()

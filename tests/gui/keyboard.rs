@@ -5,10 +5,15 @@ use std::collections::BTreeMap;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
+use camera_lab::scene::{ObjectSpec, Preset, Shape};
+use camera_lab::views::{Probe, View};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect};
+use egui_kittest::Harness;
 use egui_kittest::kittest::{By, NodeT, Queryable};
+use glam::{DVec2, DVec3};
 
+use super::canvas::{Stage, stage};
 use super::window::Window;
 
 impl Window {
@@ -174,4 +179,69 @@ fn enter_chooses_in_an_open_list_and_closes_it_and_the_focus_comes_back() {
     assert_eq!(window.harness.query_all_by_role_and_label(Role::Button, "wireframe").count(), 0, "it is closed");
     let (_, _, rect) = window.focused().expect("the list has the focus again");
     assert_eq!(rect, list(&window));
+}
+
+/// The middle of the image is at pixel (512, 384) of 1024 × 768.
+#[test]
+fn the_probe_goes_from_pixel_to_pixel_and_from_vertex_to_vertex() {
+    let mut h = stage(|state| {
+        state.document.edit(|figure| {
+            figure.scene.preset = Preset::Empty;
+            figure.scene.objects = vec![ObjectSpec::new("box", Shape::Box)];
+        });
+        state.layout.maximized = Some(View::Image);
+    });
+    h.get_by_label_contains("Image: ").focus();
+    h.run();
+    let probe = |h: &Harness<Stage>| h.state().state.probe;
+    let pixel = |h: &Harness<Stage>| match probe(h) {
+        Some(Probe::Window(point)) => {
+            let state = &h.state().state;
+            state.document.figure().image.image_from_window(&state.document.camera().window(), point).floor()
+        }
+        other => panic!("{other:?}"),
+    };
+    let press = |h: &mut Harness<Stage>, key, modifiers| {
+        h.key_press_modifiers(modifiers, key);
+        h.run();
+    };
+    let before = *h.state().state.document.draft();
+    press(&mut h, Key::I, Modifiers::NONE);
+    assert_eq!(pixel(&h), DVec2::new(512.0, 384.0));
+    press(&mut h, Key::ArrowRight, Modifiers::NONE);
+    press(&mut h, Key::ArrowUp, Modifiers::SHIFT);
+    assert_eq!(pixel(&h), DVec2::new(513.0, 374.0));
+    for _ in 0..60 {
+        press(&mut h, Key::ArrowLeft, Modifiers::SHIFT);
+    }
+    assert_eq!(pixel(&h), DVec2::new(0.0, 374.0), "at the border it stays");
+
+    press(&mut h, Key::V, Modifiers::NONE);
+    let vertex = |h: &Harness<Stage>| match probe(h) {
+        Some(Probe::Point(p)) => p,
+        other => panic!("{other:?}"),
+    };
+    // From (3, 4, 5) the corner (1, 1, 1) is nearest to the middle; six others can be seen around it.
+    assert_eq!(vertex(&h), DVec3::ONE);
+    let place = |h: &Harness<Stage>| {
+        let clip = h.state().state.document.camera().clip_point(vertex(h));
+        clip.truncate().truncate() / clip.w
+    };
+    let middle = place(&h);
+    press(&mut h, Key::ArrowRight, Modifiers::NONE);
+    assert!(place(&h).x > middle.x && vertex(&h) != DVec3::ONE);
+    for _ in 0..4 {
+        press(&mut h, Key::ArrowUp, Modifiers::NONE);
+    }
+    let top = place(&h);
+    press(&mut h, Key::ArrowUp, Modifiers::NONE);
+    assert_eq!(place(&h), top, "nothing is farther up");
+    assert_eq!(vertex(&h).y, 1.0);
+    assert_eq!(*h.state().state.document.draft(), before, "the camera stays");
+
+    // Escape ends it, and the arrows turn the camera again.
+    press(&mut h, Key::Escape, Modifiers::NONE);
+    assert_eq!(probe(&h), None);
+    press(&mut h, Key::ArrowUp, Modifiers::NONE);
+    assert_ne!(*h.state().state.document.draft(), before);
 }

@@ -6,6 +6,7 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
+use super::keyboard_probe::Probing;
 use super::picking::{self, PickRequest, What};
 use super::status::Status;
 use super::{Canvas, Pane, orbit, readout, toggle_maximized};
@@ -85,6 +86,7 @@ impl Canvas {
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
             self.pinned = None;
+            self.probing = None;
         }
         let mut hovered = None;
         self.overlays.hot = None;
@@ -125,6 +127,7 @@ impl Canvas {
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
             self.pinned_before = self.pinned;
             self.pinned = hovered;
+            self.probing = None;
             let beside = response.ctx.input(|i| i.modifiers.command);
             self.select(state, pane, beside);
         }
@@ -408,19 +411,37 @@ impl Canvas {
             i.events.iter().filter_map(key).collect()
         });
         for (key, modifiers) in pressed {
-            self.key(state, pane.view, key, modifiers);
+            if !self.probe_by_key(state, pane, key, modifiers) {
+                self.key(state, pane.view, key, modifiers);
+            }
             ui.request_repaint();
         }
     }
 
-    fn key(&mut self, state: &mut State, view: View, key: Key, modifiers: Modifiers) {
-        let arrow = match key {
-            Key::ArrowRight => DVec2::X,
-            Key::ArrowLeft => DVec2::NEG_X,
-            Key::ArrowUp => DVec2::Y,
-            Key::ArrowDown => DVec2::NEG_Y,
-            _ => DVec2::ZERO,
+    /// Lets the keys move the probe, once they were asked to; true where this key did.
+    fn probe_by_key(&mut self, state: &State, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
+        let request = Request { overlays: Overlays::default(), ..self.request(state, pane.view, pane.rect.size) };
+        if let Some(asked) = Probing::asked(key, pane.view) {
+            // The same key again ends it.
+            let is_on = self.probing == Some((pane.view, asked));
+            self.probing = (!is_on).then_some((pane.view, asked));
+            self.pinned = if is_on { None } else { asked.first(&request) };
+            return true;
+        }
+        let arrow = arrow_of(key);
+        let Some((view, probing)) = self.probing.filter(|_| arrow != DVec2::ZERO) else { return false };
+        if view != pane.view {
+            return false;
+        }
+        self.pinned = match self.pinned {
+            Some(now) => probing.moved(&request, now, arrow, modifiers).or(self.pinned),
+            None => probing.first(&request),
         };
+        true
+    }
+
+    fn key(&mut self, state: &mut State, view: View, key: Key, modifiers: Modifiers) {
+        let arrow = arrow_of(key);
         match (key, view) {
             (Key::Plus | Key::Equals | Key::Minus, _) => {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
@@ -465,6 +486,17 @@ impl Canvas {
         if arrow.x != 0.0 {
             state.operate(Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
         }
+    }
+}
+
+/// The direction of an arrow key: x right, y up; zero for any other.
+fn arrow_of(key: Key) -> DVec2 {
+    match key {
+        Key::ArrowRight => DVec2::X,
+        Key::ArrowLeft => DVec2::NEG_X,
+        Key::ArrowUp => DVec2::Y,
+        Key::ArrowDown => DVec2::NEG_Y,
+        _ => DVec2::ZERO,
     }
 }
 

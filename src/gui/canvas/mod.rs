@@ -6,6 +6,7 @@
 mod arrange;
 mod icons;
 mod interaction;
+mod keyboard_probe;
 mod long_work;
 mod orbit;
 mod picking;
@@ -26,6 +27,7 @@ use eframe::egui::{
 
 use self::arrange::{Axis, Framed, Shares, arrange};
 use self::interaction::Drag;
+use self::keyboard_probe::Probing;
 use self::long_work::LongWork;
 use self::orbit::Auto;
 use self::picking::{PickRequest, Picker, What};
@@ -83,6 +85,8 @@ pub struct Canvas {
     vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
     pinned_before: Option<Probe>,
+    /// What the arrow keys move the probe over, and in which picture.
+    probing: Option<(View, Probing)>,
 }
 
 impl Default for Canvas {
@@ -106,6 +110,7 @@ impl Default for Canvas {
             pinned: None,
             vertex_names: VertexNames::default(),
             pinned_before: None,
+            probing: None,
         }
     }
 }

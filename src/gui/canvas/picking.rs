@@ -88,7 +88,7 @@ pub(super) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2
 }
 
 /// The point of the view window at the centre of a pixel, `[0]` Eq. (5.23).
-fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
+pub(super) fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec2 {
     image.window_from_image(&camera.window(), pixel + 0.5)
 }
 
