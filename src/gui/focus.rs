@@ -59,9 +59,10 @@ impl Focus {
             std::mem::take(data.get_temp_mut_or_default::<Regions>(regions_id()))
         });
         // With Shift it is Ctrl+Tab as well: what needs more keys is asked first.
-        let back = ctx.input_mut(|input| input.consume_key(Modifiers::CTRL | Modifiers::SHIFT, Key::Tab));
-        let forward = !back && ctx.input_mut(|input| input.consume_key(Modifiers::CTRL, Key::Tab));
-        if (forward || back) && !dialog {
+        let taken = |modifiers| !dialog && ctx.input_mut(|input| input.consume_key(modifiers, Key::Tab));
+        let back = taken(Modifiers::CTRL | Modifiers::SHIFT);
+        let forward = !back && taken(Modifiers::CTRL);
+        if forward || back {
             Popup::close_all(ctx);
             if let Some(id) = next_region(ctx, regions, now, back) {
                 ctx.memory_mut(|memory| {

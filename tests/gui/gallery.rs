@@ -106,7 +106,7 @@ fn a_folder_shows_its_figures_in_natural_order_and_what_is_wrong_with_one() {
     window.wait_for("aula 9: ");
     window.wait_for("near < far");
     window.wait_for("aula 10: ");
-    assert!(!window.says("notes"));
+    assert!(!window.says("notes: "));
     let left = |label: &str| window.harness.get_by_label_contains(label).rect().left();
     assert!(left("aula 9: ") < left("aula 10: "));
 }
