@@ -224,7 +224,8 @@ fn a_drawing_for_vectors_needs_no_depth_buffer() {
             .zip(painted.pixels())
             .filter(|(a, b)| apart(a.red(), b.red()) || apart(a.green(), b.green()) || apart(a.blue(), b.blue()));
         let differ = differ.count();
-        assert!(differ * 200 < 320 * 240, "{view:?}: {differ}");
+        // Ends of dashes along the far edges, and joints.
+        assert!(differ * 160 < 320 * 240, "{view:?}: {differ}");
     }
 }
 
