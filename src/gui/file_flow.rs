@@ -14,6 +14,7 @@ use super::export::{ExportError, Exporting};
 use super::gallery::Source;
 use super::mesh_paths::{for_folder, named_in_figure};
 use super::native::{FileAnswer, FileQuestion, OpenFileDialog, Wanted};
+use super::sequence::source_of;
 use super::state::{
     AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab, Theirs,
 };
@@ -48,6 +49,10 @@ pub fn go_on(ctx: &egui::Context, state: &mut State, next: AfterSave) {
         AfterSave::Restore(slot) => state.file_flow.restore = Some(slot),
         AfterSave::Quit if !state.kept.is_empty() => {
             if let Some((_, document)) = state.kept.pop() {
+                // Whoever does not close after all has it still.
+                if state.document.is_changed() {
+                    state.given_up.push((source_of(&state.document), state.document.clone()));
+                }
                 state.take_over(document);
             }
             begin(ctx, state, AfterSave::Quit);
@@ -331,6 +336,9 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
         }
     }
     take_exports(ctx, state);
+    if !state.file_flow.is_closing() {
+        state.kept.append(&mut state.given_up);
+    }
     watch(ctx, state);
     let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| files::whole(file.path())));
     if let Some(path) = dropped {

@@ -53,6 +53,45 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
 }
 
 #[test]
+fn whoever_does_not_close_after_all_has_lost_no_figure() {
+    let folder = Folder::new("given-up");
+    for name in ["1.toml", "2.toml", "3.toml"] {
+        fs::write(folder.file(name), "[camera]\nfar = 50.0\n").expect("written");
+    }
+    let mut window = Window::opened(&folder.file("1.toml"));
+    for far in ["61", "62", "63"] {
+        window.enter("B", far);
+        window.command_key(Key::PageDown);
+    }
+    assert_eq!((name(&window).as_str(), window.state().kept.len()), ("3.toml", 2));
+    // Esc and the button alike; also in the question that comes in between.
+    for cancel in [true, false] {
+        window.command_key(Key::Q);
+        for _ in 0..2 {
+            window.click("Don't save");
+        }
+        assert!(window.says("Save the changes?") && !window.state().file_flow.may_close);
+        if cancel {
+            window.click("Cancel");
+        } else {
+            window.key(Key::Escape);
+        }
+        window.run();
+        let mut left: Vec<f64> = window.state().kept.iter().map(|(_, kept)| kept.figure().camera.far).collect();
+        left.push(window.state().document.figure().camera.far);
+        left.sort_by(f64::total_cmp);
+        assert_eq!(left, [61.0, 62.0, 63.0]);
+    }
+    // They are asked about again, all three of them.
+    window.command_key(Key::Q);
+    for _ in 0..3 {
+        assert!(!window.state().file_flow.may_close);
+        window.click("Don't save");
+    }
+    assert!(window.state().file_flow.may_close);
+}
+
+#[test]
 fn outside_of_a_presentation_the_keys_are_those_of_the_menu_and_a_new_figure_is_not_lost() {
     let mut window = Window::new(Lang::En);
     window.enter("B", "33");

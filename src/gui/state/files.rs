@@ -150,6 +150,22 @@ impl FileFlow {
         Self { native, ..Self::default() }
     }
 
+    /// True from the first question that is asked because the window is to close, until one is answered by *Cancel*.
+    pub(in crate::gui) fn is_closing(&self) -> bool {
+        let closes = |next: &AfterSave| *next == AfterSave::Quit;
+        let saves = |purpose: &Purpose| matches!(purpose, Purpose::Save(Some(next)) if closes(next));
+        let asked = match &self.dialog {
+            Some(Dialog::Closing) => true,
+            Some(Dialog::Unsaved(next)) => closes(next),
+            Some(Dialog::Path(purpose, _) | Dialog::Overwrite(purpose, _) | Dialog::ReadOnly(purpose, ..)) => {
+                saves(purpose)
+            }
+            Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
+            Some(Dialog::Export(_) | Dialog::Help | Dialog::Gallery | Dialog::Delete { .. }) | None => false,
+        };
+        asked || self.may_close || self.asking.as_ref().is_some_and(|(purpose, _)| saves(purpose))
+    }
+
     /// The pictures that are being written, and how far that has come.
     pub(in crate::gui) fn running(&self) -> impl Iterator<Item = (&Path, Running)> {
         self.exporting.iter().filter_map(|exporting| Some((exporting.path(), exporting.running()?)))

@@ -128,6 +128,9 @@ pub struct State {
     pub gallery: Gallery,
     /// Figures that were left with changes, by where they come from.
     pub kept: Vec<(Option<Source>, Document)>,
+    /// Those of them of which has been said, since the window is being closed, that they are not to be saved; kept again where it is not
+    /// closed.
+    pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// How pictures were exported last.
     pub export: Export,
     /// What lies over the pictures.
@@ -191,6 +194,7 @@ impl State {
             recent: Recent::default(),
             gallery: Gallery::default(),
             kept: Vec::new(),
+            given_up: Vec::new(),
             export: Export::new([[640, 480]; 3], 1.0),
             annotations: Annotations::default(),
         })
