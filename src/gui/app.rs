@@ -17,7 +17,7 @@ use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{News, Sessions};
 use super::state::{AfterSave, Dialog, Message, Purpose, Side, State};
-use super::{dialogs, menu, panels, presentation, sequence, theme};
+use super::{dialogs, menu, panels, presentation, sequence, theme, tooltip};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::Lang;
@@ -152,6 +152,7 @@ impl App {
         if sides.is_shown(Side::Left) {
             egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::RIGHT_START);
                 panels::parameters::ui(ui, &mut self.state);
             });
             name_handle(ui, "parameters", t.panel_width);
@@ -159,10 +160,12 @@ impl App {
         if sides.is_shown(Side::Right) {
             egui::Panel::right("numbers").default_size(300.0).size_range(260.0..=520.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Numbers, t.numbers_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
                 self.right(ui);
             });
             name_handle(ui, "numbers", t.panel_width);
         }
+        tooltip::beside_nothing(&ctx);
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
         presentation::show(&ctx, &mut self.state, pictures.response.rect);

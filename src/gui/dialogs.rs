@@ -17,6 +17,7 @@ use super::panels::{choice, complaint, row, scene};
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use crate::appearance::Theme;
 use crate::foreign;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{canvas, scenes};
 use crate::limits::MAX_SIDE;
@@ -334,8 +335,8 @@ fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut expor
         choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
     });
     ui.add_space(4.0);
-    ui.checkbox(&mut export.transparent, t.export_transparent).on_hover_text(t.export_transparent_hint);
-    ui.checkbox(&mut export.crop, t.export_crop).on_hover_text(t.export_crop_hint);
+    ui.checkbox(&mut export.transparent, t.export_transparent).explained(t.export_transparent_hint);
+    ui.checkbox(&mut export.crop, t.export_crop).explained(t.export_crop_hint);
     ui.label(RichText::new(t.export_note).small().weak());
     ui.add_space(10.0);
     match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
@@ -415,7 +416,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
             for command in Command::all() {
                 let keys = [Some(command.shortcut()), command.second_shortcut()].into_iter().flatten();
                 ui.monospace(keys.map(|keys| ui.ctx().format_shortcut(&keys)).collect::<Vec<_>>().join(", "));
-                ui.label(command.label(t)).on_hover_text(command.hint(t));
+                ui.label(command.label(t)).explained(command.hint(t));
                 ui.end_row();
             }
         });

@@ -7,6 +7,7 @@ use super::focus::with_room_before;
 use super::panels;
 use super::state::State;
 use crate::foreign::shown;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 
 /// Shows the bar; the chosen command, if any.
@@ -100,7 +101,7 @@ fn item(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command) -> bool {
         None => "",
     };
     let button = Button::new(format!("{mark}{}", command.label(t))).shortcut_text(keys);
-    ui.add_enabled(command.is_enabled(state), button).on_hover_text(command.hint(t)).clicked()
+    ui.add_enabled(command.is_enabled(state), button).explained(command.hint(t)).clicked()
 }
 
 fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {
@@ -108,8 +109,8 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
     let hint = format!("{} ({keys})\n{}", command.label(t), command.hint(t));
     let button = Button::selectable(command.is_on(state).unwrap_or(false), sign);
     ui.add_enabled(command.is_enabled(state), button)
-        .on_hover_text(&hint)
-        .on_disabled_hover_text(&hint)
+        .explained(&hint)
+        .explained_disabled(&hint)
         .accessible_name(command.label(t))
         .clicked()
 }
@@ -121,11 +122,11 @@ fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Comman
         // Whoever has just come in sees where there is more to see.
         let keys = ui.ctx().format_shortcut(&Command::Gallery.shortcut());
         let link = ui.link(format!("{} ({keys})", t.gallery.trim_end_matches('…')));
-        if link.on_hover_text(t.gallery_hint).clicked() {
+        if link.explained(t.gallery_hint).clicked() {
             *chosen = Some(Command::Gallery);
         }
     }
     let label = egui::Label::new(RichText::new(text).weak()).truncate();
     let hint = if state.document.is_changed() { t.changed_hint } else { t.unchanged_hint };
-    ui.add(label).on_hover_text(hint);
+    ui.add(label).explained(hint);
 }

@@ -39,6 +39,7 @@ mod sequence;
 pub mod session;
 pub mod state;
 pub mod theme;
+mod tooltip;
 mod watch;
 mod worker;
 

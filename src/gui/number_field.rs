@@ -9,6 +9,8 @@ use std::ops::RangeInclusive;
 use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextEdit, TextWrapMode, WidgetInfo};
 
 use crate::expression::{self, Dimension, ExpressionProblem};
+use crate::gui::tooltip::Explained;
+use crate::i18n::sources::with_titles;
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, messages};
 use crate::numbers::{self, round_to};
@@ -41,6 +43,7 @@ pub struct NumberField<'a> {
     name: String,
     owner: &'a str,
     hint: &'a str,
+    greyed: &'a str,
     prefix: &'a str,
     unit: &'static str,
     dimension: Dimension,
@@ -99,6 +102,7 @@ impl<'a> NumberField<'a> {
             name: name.into(),
             owner: "",
             hint: "",
+            greyed: "",
             prefix: "",
             unit: "",
             dimension: Dimension::Number,
@@ -116,6 +120,12 @@ impl<'a> NumberField<'a> {
     #[must_use]
     pub fn beside(self, greatest: f64) -> Self {
         Self { beside: greatest, ..self }
+    }
+
+    /// Why it is greyed, where it is.
+    #[must_use]
+    pub fn greyed(self, why: &'a str) -> Self {
+        Self { greyed: why, ..self }
     }
 
     /// Shows 4/3 where it is that to the last digit.
@@ -383,9 +393,10 @@ impl<'a> NumberField<'a> {
             ui.memory_mut(|memory| memory.request_focus(id));
         }
         self.drag(ui, &response, value);
-        response.on_hover_ui(|ui| {
+        let response = response.explained_disabled(if self.greyed.is_empty() { self.hint } else { self.greyed });
+        response.explained_by(|ui| {
             if !self.hint.is_empty() {
-                ui.label(self.hint);
+                ui.label(with_titles(self.hint));
             }
             ui.label(format!("= {}{}", texts.lang.mark().number(*value, numbers::EXACT_DIGITS), self.unit));
             ui.weak(texts.number_field_hint);

@@ -50,6 +50,7 @@ pub mod reasons;
 mod scene_errors;
 pub mod scenes;
 pub mod sessions;
+pub mod sources;
 pub mod toml_complaints;
 mod unreadable;
 pub mod window;

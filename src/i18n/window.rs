@@ -159,6 +159,7 @@ texts! {
     image_size_hint: "m × n pixels. [0] (5.22)", "m × n pixels. [0] (5.22)";
     aspect_follows: "A follows the image", "A segue a imagem";
     aspect_follows_hint: "Keeps A = m / n, so that pixels are square", "Mantém A = m / n, para que os pixels sejam quadrados";
+    aspect_greyed: "Greyed: A = m / n while “A follows the image” is on, under Image", "Em cinza: A = m / n enquanto “A segue a imagem” está ligado, em Imagem";
     aspect_follows_not: "The view window is given by l, r, b and t: A = W / H follows from them", "A janela de vista é dada por l, r, b e t: A = W / H vem deles";
     viewport: "Viewport", "Viewport";
     whole_image: "The whole image", "A imagem toda";

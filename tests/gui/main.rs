@@ -20,4 +20,5 @@ mod same_pixels;
 mod scene;
 mod sessions;
 mod strip;
+mod tooltips;
 mod window;

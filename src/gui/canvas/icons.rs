@@ -1,5 +1,6 @@
 //! Small buttons with drawn signs: no font has all of them, and they are the same in every language.
 
+use crate::gui::tooltip::Explained;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
@@ -57,7 +58,7 @@ pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, on: bool) -> Resp
         | Icon::Hide
         | Icon::Arrange => WidgetInfo::labeled(Role::Button, true, name),
     });
-    response.on_hover_text(name)
+    response.explained(name)
 }
 
 fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {

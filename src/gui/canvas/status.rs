@@ -9,6 +9,7 @@ use super::long_work::LongWork;
 use super::readout::Cell;
 use crate::gui::focus::with_room_before;
 use crate::gui::state::Arrangement;
+use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::View;
 
@@ -115,7 +116,7 @@ impl Status {
                         ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));
                     }
                     let stages = egui::Button::selectable(self.strip, RichText::new(texts.strip).small());
-                    if ui.add(stages.frame_when_inactive(true)).on_hover_text(texts.strip_show).clicked() {
+                    if ui.add(stages.frame_when_inactive(true)).explained(texts.strip_show).clicked() {
                         action = Some(StatusAction::Strip);
                     }
                     if let Some(now) = self.arrangement {
@@ -163,7 +164,7 @@ impl Status {
             })
             .response;
         if !self.exact.is_empty() {
-            response.on_hover_ui(|ui| table(ui, &self.exact));
+            response.explained_by(|ui| table(ui, &self.exact));
         }
     }
 }
@@ -253,7 +254,7 @@ pub(super) fn card(ui: &Ui, room: Rect, cells: &[Cell], texts: &CanvasTexts) -> 
             ui.spacing_mut().interact_size.y = height;
             ui.add_space(3.0);
             ui.horizontal(|ui| {
-                if ui.button(texts.copy).on_hover_text(texts.copy_hint).clicked() {
+                if ui.button(texts.copy).explained(texts.copy_hint).clicked() {
                     action = Some(CardAction::Copy);
                 }
                 if ui.button(texts.release).clicked() {

@@ -11,7 +11,9 @@ use eframe::egui::{
 
 use super::icons::{Icon, icon_button};
 use crate::figure::{Depth, Reveal};
+use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::sources::with_titles;
 use crate::i18n::{Lang, pipeline as words};
 use crate::numbers;
 use crate::picture::Account;
@@ -154,7 +156,7 @@ impl Strip<'_> {
                     }
                 })
                 .response
-                .on_hover_text(self.texts.strip_of)
+                .explained(self.texts.strip_of)
                 .accessible_name(self.texts.strip_of);
             if chosen != self.view {
                 action = Some(StripAction::Of(chosen));
@@ -244,9 +246,9 @@ impl Strip<'_> {
             }
             let strong = response.hovered() || response.has_focus() || shown == Some(true);
             self.cell(ui, place, report, account.total, strong);
-            response.on_hover_ui(|ui| {
+            response.explained_by(|ui| {
                 ui.strong(words::stage(self.lang, report.stage));
-                ui.label(words::purpose(self.lang, report.stage));
+                ui.label(with_titles(words::purpose(self.lang, report.stage)));
                 ui.label(said);
                 match shown {
                     None => {}

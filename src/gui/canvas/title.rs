@@ -4,6 +4,7 @@ use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui
 
 use super::icons::{Icon, icon_button, left_center};
 use crate::gui::state::ObserverChange;
+use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::View;
 use crate::views::observer::Viewpoint;
@@ -86,7 +87,7 @@ impl Title<'_> {
             }
             if let Some(on) = self.undistorted {
                 let switch = egui::Button::selectable(on, RichText::new(self.texts.undistorted).small());
-                if ui.add(switch.frame_when_inactive(true)).on_hover_text(self.texts.undistorted_hint).clicked() {
+                if ui.add(switch.frame_when_inactive(true)).explained(self.texts.undistorted_hint).clicked() {
                     action = Some(TitleAction::ToggleUndistorted);
                 }
             }

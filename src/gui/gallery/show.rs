@@ -10,6 +10,7 @@ use super::card::SIZE;
 use super::{Gallery, Part, Source};
 use crate::appearance::Theme;
 use crate::foreign;
+use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::gallery::{self as words, Texts};
 
@@ -208,6 +209,6 @@ fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response
     let painter = painter.with_clip_rect(rect.shrink(1.0).intersect(ui.clip_rect()));
     painter.galley(lower, words, visuals.text_color());
     if !sentence.is_empty() {
-        response.clone().on_hover_text(sentence);
+        response.clone().explained(sentence);
     }
 }

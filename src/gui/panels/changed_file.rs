@@ -6,6 +6,7 @@ use crate::foreign;
 use crate::gui::file_flow;
 use crate::gui::focus::with_room_before;
 use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window;
 
 /// Shows the bar, where there is something to say.
@@ -22,12 +23,12 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
         };
         ui.horizontal(|ui| {
             with_room_before(ui, told, |ui| {
-                if changed && ui.button(t.compare).on_hover_text(t.compare_hint).clicked() {
+                if changed && ui.button(t.compare).explained(t.compare_hint).clicked() {
                     file_flow::ask_about(state, theirs, None);
-                } else if !changed && ui.button(t.reload).on_hover_text(t.reload_hint).clicked() {
+                } else if !changed && ui.button(t.reload).explained(t.reload_hint).clicked() {
                     file_flow::reload(state);
                 }
-                if ui.button(t.keep_mine).on_hover_text(t.keep_mine_hint).clicked() {
+                if ui.button(t.keep_mine).explained(t.keep_mine_hint).clicked() {
                     file_flow::keep_mine(state);
                 }
             });

@@ -15,6 +15,7 @@ use glam::DVec3;
 use super::focus::at_right;
 use super::number_field::{FieldOutput, NumberField, Step};
 use super::theme;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window::Texts;
 
 /// A group of controls under a title that opens and closes it.
@@ -39,9 +40,9 @@ pub(super) fn caption(ui: &mut egui::Ui, symbol: &str, name: &str, hint: &str) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         if !symbol.is_empty() {
-            ui.label(theme::symbol(ui, symbol)).on_hover_text(hint);
+            ui.label(theme::symbol(ui, symbol)).explained(hint).explained_disabled(hint);
         }
-        ui.label(RichText::new(name)).on_hover_text(hint);
+        ui.label(RichText::new(name)).explained(hint).explained_disabled(hint);
     });
 }
 
@@ -147,7 +148,7 @@ pub(super) fn choice<T: PartialEq + Copy>(
             }
         })
         .response
-        .on_hover_text(hint)
+        .explained(hint)
         .accessible_name(name);
     *value != old
 }
@@ -155,7 +156,7 @@ pub(super) fn choice<T: PartialEq + Copy>(
 /// A quiet mark where the notes print something else; `text` says what, and what is right.
 pub(super) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
     let mark = RichText::new(t.erratum).small().weak();
-    ui.add(egui::Label::new(mark).sense(egui::Sense::hover())).on_hover_text(text);
+    ui.add(egui::Label::new(mark).sense(egui::Sense::hover())).explained(text);
 }
 
 /// A line that says what is wrong, with a sign, so that the colour is not alone.

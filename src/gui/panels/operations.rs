@@ -8,6 +8,7 @@ use crate::gui::motion;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::{Scrub, State};
 use crate::gui::theme;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::numbers::DecimalMark;
 use crate::views::Ghost;
@@ -66,7 +67,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
             }
         });
         let mut vtk = state.operations.convention == Convention::Vtk;
-        ui.checkbox(&mut vtk, t.vtk).on_hover_text(t.vtk_hint);
+        ui.checkbox(&mut vtk, t.vtk).explained(t.vtk_hint);
         state.operations.convention = if vtk { Convention::Vtk } else { Convention::RightHand };
     });
     if !ui.input(|input| input.pointer.any_down()) {
@@ -81,7 +82,7 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
         let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, TEXT_LINE);
         ui.horizontal(|ui| {
             let explained = explained(freedom, t, state.operations.convention);
-            ui.label(RichText::new(name(freedom, t)).strong()).on_hover_text(explained);
+            ui.label(RichText::new(name(freedom, t)).strong()).explained(explained);
             match freedom {
                 Freedom::Yaw => erratum(ui, t, t.erratum_yaw),
                 Freedom::Pitch => erratum(ui, t, t.erratum_pitch),
@@ -152,8 +153,7 @@ fn button(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom, for
     let text = arrow.map_or_else(|| sign.to_owned(), |arrow| format!("{sign} {arrow}"));
     let button = egui::Button::new(text).min_size(egui::vec2(34.0, 0.0));
     let name = format!("{} {sign}", name(freedom, t));
-    if ui.add(button).accessible_name(name).on_hover_text(explained(freedom, t, state.operations.convention)).clicked()
-    {
+    if ui.add(button).accessible_name(name).explained(explained(freedom, t, state.operations.convention)).clicked() {
         let step = state.operations.steps[freedom as usize];
         let amount = if forwards { step } else { freedom.descriptor().amount.inverse(step) };
         motion::begin(state, freedom, amount);
@@ -184,7 +184,7 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     ui.spacing_mut().slider_width = ui.available_width().max(40.0);
     theme::strengthen_rail(ui);
     let slider = Slider::new(&mut amount, -range..=range).show_value(false).step_by(grain);
-    let response = ui.add(slider).on_hover_text(t.scrub_hint);
+    let response = ui.add(slider).explained(t.scrub_hint);
     let response = response.accessible_name(format!("{}: {}", name(freedom, t), t.scrub));
     if response.drag_started() {
         state.operations.scrub = Some(Scrub { freedom, start: state.document.camera().clone(), amount: 0.0 });

@@ -5,6 +5,7 @@ use eframe::egui::{self, Align, Label, Layout, RichText, ScrollArea};
 use crate::foreign;
 use crate::gui::focus::with_room_before;
 use crate::gui::session::LeftOver;
+use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::sessions::ago;
 use crate::i18n::window;
@@ -41,10 +42,10 @@ pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision
                             ui.add(Label::new(described(lang, left)).truncate());
                         };
                         with_room_before(ui, which, |ui| {
-                            if ui.button(t.restore).on_hover_text(t.restore_hint).clicked() {
+                            if ui.button(t.restore).explained(t.restore_hint).clicked() {
                                 decision = Some(Decision::Restore(left.slot));
                             }
-                            if ui.button(t.discard).on_hover_text(t.discard_hint).clicked() {
+                            if ui.button(t.discard).explained(t.discard_hint).clicked() {
                                 decision = Some(Decision::Discard(left.slot));
                             }
                         });

@@ -3,6 +3,7 @@
 use eframe::egui::{self, Align, Button, Label, Layout, RichText};
 
 use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window;
 
 /// The news, as much of it as there is room for, and how many warnings there are.
@@ -12,12 +13,12 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         if !warnings.is_empty() {
             let text = RichText::new(format!("⚠ {}", warnings.len())).color(ui.visuals().warn_fg_color);
-            ui.label(text).on_hover_text(format!("{}:\n{}", t.warnings, warnings.join("\n")));
+            ui.label(text).explained(format!("{}:\n{}", t.warnings, warnings.join("\n")));
         }
         if let Some(message) = state.message.as_ref().filter(|message| !message.is_error()) {
             let text = message.text(state.settings.lang);
             let label = Label::new(RichText::new(&text).weak()).truncate().show_tooltip_when_elided(false);
-            ui.add(label).on_hover_text(text);
+            ui.add(label).explained(text);
         }
     });
 }
@@ -29,7 +30,7 @@ pub fn error(ui: &mut egui::Ui, state: &mut State) {
     let mut closed = false;
     egui::Panel::bottom("error").show(ui, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            closed = ui.add(Button::new("✕")).on_hover_text(t.close).accessible_name(t.close).clicked();
+            closed = ui.add(Button::new("✕")).explained(t.close).accessible_name(t.close).clicked();
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 super::complaint(ui, &message.text(state.settings.lang));
             });

@@ -6,6 +6,7 @@ use super::{TEXT_LINE, complaint, erratum, section};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::State;
 use crate::gui::theme;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
 use crate::numbers::{self, without_rests};
@@ -39,15 +40,15 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
 
 fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Report) {
     let error = ui.horizontal(|ui| {
-        ui.label(t.digits).on_hover_text(t.digits_hint);
+        ui.label(t.digits).explained(t.digits_hint);
         let mut digits = state.settings.digits as f64;
         let field = NumberField::new(t.digits, Step::Add(1.0)).whole().within(2.0..=17.0);
         let output = field.width(40.0).hint(t.digits_hint).show(ui, t, &mut digits);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole, between 2 and 17")]
         let digits = digits as usize;
         state.settings.digits = digits;
-        ui.checkbox(&mut state.settings.inverse, t.inverse).on_hover_text(t.inverse_hint);
-        if ui.button(t.copy).on_hover_text(t.copy_numbers_hint).clicked() {
+        ui.checkbox(&mut state.settings.inverse, t.inverse).explained(t.inverse_hint);
+        if ui.button(t.copy).explained(t.copy_numbers_hint).clicked() {
             ui.ctx().copy_text(text(t, report));
         }
         output.error

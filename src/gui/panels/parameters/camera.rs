@@ -7,6 +7,7 @@ use crate::camera::{Camera, Parameters, Projection, ViewWindow};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{erratum, section};
 use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window::Texts;
 use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
@@ -75,7 +76,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut Form, state: &mut State) 
                         symbol: "A",
                         name: t.aspect,
                         hint: t.aspect_hint,
-                        field: NumberField::new("A", Step::Multiply(1.1)).fractions(),
+                        field: NumberField::new("A", Step::Multiply(1.1)).fractions().greyed(t.aspect_greyed),
                         value: |p| &mut p.aspect,
                     },
                 );
@@ -116,7 +117,7 @@ fn kind(ui: &mut egui::Ui, form: &mut Form) {
         ] {
             columns[column].vertical_centered_justified(|ui| {
                 let button = egui::Button::selectable(chosen == projection, text).frame_when_inactive(true);
-                if ui.add(button).on_hover_text(hint).clicked() {
+                if ui.add(button).explained(hint).clicked() {
                     chosen = projection;
                 }
             });
@@ -172,7 +173,7 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut Form) {
         };
         let size = ui.scope(|ui| {
             row(ui, "W × H", "", t.window_size_hint, |ui| {
-                ui.label(sizes(5)).on_hover_text(sizes(EXACT_DIGITS));
+                ui.label(sizes(5)).explained(sizes(EXACT_DIGITS));
             });
         });
         form.point_at(ui, "aspect", size.response.rect);
@@ -188,7 +189,7 @@ pub(super) fn window(ui: &mut egui::Ui, form: &mut Form) {
 /// A padlock that is closed while the window is symmetric.
 fn padlock(ui: &mut egui::Ui, t: &Texts, closed: &mut bool) -> bool {
     ui.horizontal(|ui| {
-        let response = ui.checkbox(closed, t.symmetric).on_hover_text(t.symmetric_hint);
+        let response = ui.checkbox(closed, t.symmetric).explained(t.symmetric_hint);
         let height = ui.spacing().interact_size.y;
         let (rect, _) = ui.allocate_exact_size(egui::vec2(14.0, height), egui::Sense::hover());
         paint_padlock(ui, rect, *closed);

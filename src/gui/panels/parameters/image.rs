@@ -9,6 +9,7 @@ use crate::camera::{ImageSize, Viewport};
 use crate::gui::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::panels::section;
 use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::limits;
 
@@ -39,7 +40,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         let symmetric = state.document.draft().window.is_none();
         let mut follows = state.settings.aspect_follows_image && symmetric;
         let follow = ui.add_enabled(symmetric, egui::Checkbox::new(&mut follows, t.aspect_follows));
-        let follow = follow.on_hover_text(t.aspect_follows_hint).on_disabled_hover_text(t.aspect_follows_not);
+        let follow = follow.explained(t.aspect_follows_hint).explained_disabled(t.aspect_follows_not);
         if follow.changed() {
             state.settings.aspect_follows_image = follows;
         }
@@ -79,7 +80,7 @@ fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let whole = Viewport { x: 0, y: 0, width: image.width, height: image.height, depth_near: 0.0, depth_far: 1.0 };
     let old = figure.viewport;
     let mut is_whole = old.is_none();
-    ui.checkbox(&mut is_whole, t.whole_image).on_hover_text(t.whole_image_hint);
+    ui.checkbox(&mut is_whole, t.whole_image).explained(t.whole_image_hint);
     let mut new = old.unwrap_or(whole);
     if !is_whole {
         let mut pair =

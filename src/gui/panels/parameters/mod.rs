@@ -16,6 +16,7 @@ use crate::gui::focus::keep_in_sight;
 use crate::gui::number_field::{FieldOutput, NumberField};
 use crate::gui::repair::{Repair, repairs};
 use crate::gui::state::{State, Tab};
+use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{Lang, faults, scenes};
 use crate::numbers;
@@ -60,7 +61,7 @@ fn tabs(ui: &mut egui::Ui, state: &mut State) {
             let text = if impossible { format!("⚠ {text}") } else { text.to_owned() };
             column.vertical_centered_justified(|ui| {
                 let button = egui::Button::selectable(state.settings.tab == tab, text).frame_when_inactive(true);
-                if ui.add(button).on_hover_text(hint).accessible_name(command.label(t)).clicked() {
+                if ui.add(button).explained(hint).accessible_name(command.label(t)).clicked() {
                     state.settings.tab = tab;
                 }
             });
@@ -185,7 +186,7 @@ impl Form {
         row(ui, symbol, name, hint, |ui| {
             let number = |digits| self.t.lang.mark().number(value, digits);
             let exact = number(numbers::EXACT_DIGITS);
-            ui.label(format!("{}{unit}", number(6))).on_hover_text(format!("= {exact}{unit}"));
+            ui.label(format!("{}{unit}", number(6))).explained(format!("= {exact}{unit}"));
         });
     }
 }

@@ -6,6 +6,7 @@ use super::row;
 use crate::figure::{Depth, Outside};
 use crate::gui::panels::{choice, section};
 use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window;
 
 /// One control for each key of `[reveal]`.
@@ -32,7 +33,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             (&mut reveal.culled, t.culled_view, t.culled_view_hint),
             (&mut reveal.divide_first, t.divide_first, t.divide_first_hint),
         ] {
-            ui.checkbox(on, name).on_hover_text(hint);
+            ui.checkbox(on, name).explained(hint);
         }
     });
     if reveal != old {

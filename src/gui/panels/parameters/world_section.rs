@@ -5,6 +5,7 @@ use eframe::egui;
 use super::row;
 use crate::gui::panels::{choice, section};
 use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
 use crate::i18n::window;
 use crate::numbers::significant;
 
@@ -26,8 +27,8 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         row(ui, "", t.window_opacity, t.window_opacity_hint, |ui| {
             choice(ui, t.window_opacity, t.window_opacity_hint, &mut world.window_opacity, &all)
         });
-        ui.checkbox(&mut world.dimensions, t.dimensions).on_hover_text(t.dimensions_hint);
-        ui.checkbox(&mut world.section, t.section_view).on_hover_text(t.section_view_hint);
+        ui.checkbox(&mut world.dimensions, t.dimensions).explained(t.dimensions_hint);
+        ui.checkbox(&mut world.section, t.section_view).explained(t.section_view_hint);
     });
     if world != old {
         state.document.edit(|figure| figure.world = world);

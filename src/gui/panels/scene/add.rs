@@ -6,6 +6,7 @@ use glam::DVec3;
 use crate::camera::{Camera, Projection};
 use crate::gui::file_flow;
 use crate::gui::state::{MeshFor, Purpose, Selected, State, free_place, rounded};
+use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::Texts;
 use crate::numbers;
 use crate::scene::{LightSpec, ObjectSpec, Shape};
@@ -14,7 +15,7 @@ use crate::scene::{LightSpec, ObjectSpec, Shape};
 pub(super) fn menu(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let button = egui::Button::new(format!("+ {}", t.add));
     let response = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| entries(ui, state, t)).0;
-    response.on_hover_text(t.add_hint).accessible_name(t.add);
+    response.explained(t.add_hint).accessible_name(t.add);
 }
 
 fn entries(ui: &mut egui::Ui, state: &mut State, t: &Texts) {

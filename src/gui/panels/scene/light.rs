@@ -4,6 +4,7 @@ use eframe::egui;
 
 use super::{Edit, Form};
 use crate::gui::panels::{Vector, choice, row};
+use crate::gui::tooltip::Explained;
 use crate::scene::LightSpec;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -42,5 +43,5 @@ pub(super) fn ui(ui: &mut egui::Ui, form: &mut Form, index: usize) -> Option<Edi
         (Kind::Point, false) => LightSpec::Point(-vector * (10.0 * form.step)),
     };
     ui.add_space(2.0);
-    ui.button(t.delete).on_hover_text(t.delete_hint).clicked().then_some(Edit::RemoveLight(index))
+    ui.button(t.delete).explained(t.delete_hint).clicked().then_some(Edit::RemoveLight(index))
 }

@@ -13,6 +13,7 @@ use super::{choice, row, section};
 use crate::gui::focus::keep_in_sight;
 use crate::gui::number_field::FieldOutput;
 use crate::gui::state::{Dialog, Draft, Message, Selected, State};
+use crate::gui::tooltip::Explained;
 use crate::i18n::faults;
 use crate::i18n::scenes::{self, Texts};
 use crate::i18n::window;
@@ -106,7 +107,7 @@ fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         return;
     }
     let hint = format!("{}. {}", t.edit_copy_hint, scenes::lost(state.settings.lang, preset));
-    if !ui.button(t.edit_copy).on_hover_text(hint.trim()).clicked() {
+    if !ui.button(t.edit_copy).explained(hint.trim()).clicked() {
         return;
     }
     let theme = state.settings.theme;

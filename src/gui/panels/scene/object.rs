@@ -12,6 +12,7 @@ use crate::gui::file_flow;
 use crate::gui::number_field::{FieldError, NumberField, Step};
 use crate::gui::panels::{Vector, complaint, row};
 use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
+use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::{self, Texts};
 use crate::i18n::{faults, messages};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
@@ -41,7 +42,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: u
     data(ui, state, form, index);
     ui.add_space(3.0);
     ui.horizontal(|ui| {
-        if ui.button(t.duplicate).on_hover_text(t.duplicate_hint).clicked() {
+        if ui.button(t.duplicate).explained(t.duplicate_hint).clicked() {
             duplicate(state, form);
         }
         asked = asked.take().or(delete(ui, form, &state.tree.names(&form.scene)));
@@ -82,7 +83,7 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
             .desired_width(150.0)
             .align(egui::Align2::LEFT_CENTER)
             .margin(egui::Margin::symmetric(4, 2));
-        let response = ui.add(field).on_hover_text(t.name_hint).accessible_name(t.name);
+        let response = ui.add(field).explained(t.name_hint).accessible_name(t.name);
         left = response.lost_focus();
     });
     let wanted = typing.text.trim().to_owned();
@@ -153,7 +154,7 @@ fn kind(ui: &mut egui::Ui, form: &mut Form, index: usize) {
                 }
             })
             .response
-            .on_hover_text(t.kind_hint)
+            .explained(t.kind_hint)
             .accessible_name(t.kind);
     });
     if chosen != object.shape {
@@ -185,11 +186,11 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Op
                 }
             })
             .response
-            .on_hover_text(t.parent_hint)
+            .explained(t.parent_hint)
             .accessible_name(t.parent);
     });
     let mut stay = !state.tree.moves_with_parent;
-    ui.checkbox(&mut stay, t.stay).on_hover_text(t.stay_hint);
+    ui.checkbox(&mut stay, t.stay).explained(t.stay_hint);
     state.tree.moves_with_parent = !stay;
     (chosen != object.parent).then(|| Edit::Hang { name: object.name.clone(), parent: chosen })
 }
@@ -220,7 +221,7 @@ fn gizmo(ui: &mut egui::Ui, form: &Form, transforming: &mut Transforming) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         for (kind, name) in kinds {
-            ui.selectable_value(transforming, kind, name).on_hover_text(t.gizmo_hint);
+            ui.selectable_value(transforming, kind, name).explained(t.gizmo_hint);
         }
     });
 }
@@ -241,13 +242,13 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
     let (mut editing, mut left) = (false, false);
     row(ui, "", t.color, t.color_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        ui.checkbox(&mut is_automatic, t.color_auto).on_hover_text(t.color_auto_hint);
+        ui.checkbox(&mut is_automatic, t.color_auto).explained(t.color_auto_hint);
         let field = egui::TextEdit::singleline(&mut typing.text)
             .id(egui::Id::unique(("object colour", &owner)))
             .desired_width(66.0)
             .align(egui::Align2::LEFT_CENTER)
             .margin(egui::Margin::symmetric(4, 2));
-        let response = ui.add(field).on_hover_text(t.color_hint).accessible_name(format!("{} #", t.color));
+        let response = ui.add(field).explained(t.color_hint).accessible_name(format!("{} #", t.color));
         (editing, left) = (response.has_focus(), response.lost_focus());
         let mut bytes = [now.r, now.g, now.b, now.a];
         let picker = ui.color_edit_button_srgba_unmultiplied(&mut bytes).accessible_name(t.color);
@@ -368,7 +369,7 @@ fn point_list(
             };
             field.fields(ui, window, point, 26.0);
             if i % together == 0 {
-                let button = ui.small_button("✕").on_hover_text(t.remove_point);
+                let button = ui.small_button("✕").explained(t.remove_point);
                 if button.accessible_name(format!("{} {}", t.remove_point, i / together + 1)).clicked() {
                     removed = Some(i);
                 }
@@ -389,7 +390,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
             .desired_width(110.0)
             .align(egui::Align2::LEFT_CENTER)
             .margin(egui::Margin::symmetric(4, 2));
-        let response = ui.add(field).on_hover_text(t.path_hint).accessible_name(t.path);
+        let response = ui.add(field).explained(t.path_hint).accessible_name(t.path);
         if ui.button(t.browse).clicked() {
             file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
         }
@@ -416,11 +417,11 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
         let words = format!("⚠ {}", messages::mesh_notice(state.settings.lang, notice));
         ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
     }
-    if is_outside && ui.button(t.allow_files).on_hover_text(t.allow_files_hint).clicked() {
+    if is_outside && ui.button(t.allow_files).explained(t.allow_files_hint).clicked() {
         state.document.allow_files();
         state.message = None;
     }
-    if is_lacking && ui.button(t.read_again).on_hover_text(t.read_again_hint).clicked() {
+    if is_lacking && ui.button(t.read_again).explained(t.read_again_hint).clicked() {
         state.scene_cache.read_again();
         state.message = None;
     }
@@ -440,7 +441,7 @@ fn delete(ui: &mut egui::Ui, form: &Form, names: &BTreeSet<String>) -> Option<Ed
     let below = transform::below(&form.scene, names);
     let remove = |children| Some(Edit::Remove { names: names.clone(), children });
     if below == 0 {
-        let button = ui.button(t.delete).on_hover_text(t.delete_hint);
+        let button = ui.button(t.delete).explained(t.delete_hint);
         return button.clicked().then(|| remove(Children::Removed)).flatten();
     }
     let mut asked = None;
@@ -454,7 +455,7 @@ fn delete(ui: &mut egui::Ui, form: &Form, names: &BTreeSet<String>) -> Option<Ed
             ui.close();
         }
     });
-    button.response.on_hover_text(t.delete_hint).accessible_name(t.delete);
+    button.response.explained(t.delete_hint).accessible_name(t.delete);
     asked
 }
 

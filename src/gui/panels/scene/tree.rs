@@ -13,6 +13,7 @@ use crate::appearance::Rgba;
 use crate::foreign::shown;
 use crate::gui::focus::keep_in_sight;
 use crate::gui::state::{Selected, State, preset_objects};
+use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::Texts;
 use crate::scene::edit::descendants;
 use crate::scene::{LightSpec, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
@@ -222,7 +223,7 @@ fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
         TextStyle::Body.resolve(ui.style()),
         color,
     );
-    response.on_hover_text(row.hint)
+    response.explained(row.hint)
 }
 
 fn triangle_place(row: &Row, rect: Rect) -> Rect {

@@ -1,0 +1,98 @@
+//! What is said when the pointer rests on something: when, where, and with the titles of the notes that it cites.
+
+use eframe::egui::{self, Id, LayerId, Rect, RectAlign, Response, Tooltip, Ui};
+
+use crate::i18n::sources::with_titles;
+
+/// Where the tooltips of a panel go.
+#[derive(Clone, Copy)]
+struct Beside {
+    panel: Rect,
+    layer: LayerId,
+    align: RectAlign,
+}
+
+/// The margin of a panel's frame.
+const MARGIN: f32 = 8.0;
+
+fn key() -> Id {
+    Id::unique("tooltips beside the panel")
+}
+
+/// From here on tooltips of what is in this panel stand at its side and cover none of its other fields: `RIGHT_START` to its
+/// right, `LEFT_START` to its left.
+pub(super) fn beside_panel(ui: &Ui, align: RectAlign) {
+    let beside = Beside { panel: ui.max_rect(), layer: ui.layer_id(), align };
+    ui.ctx().data_mut(|data| data.insert_temp(key(), beside));
+}
+
+/// No panel any more: tooltips stand where there is room.
+pub(super) fn beside_nothing(ctx: &egui::Context) {
+    ctx.data_mut(|data| data.remove::<Beside>(key()));
+}
+
+/// Says more when the pointer rests on a control.
+pub(super) trait Explained {
+    /// Says `text`.
+    fn explained(self, text: impl AsRef<str>) -> Self;
+
+    /// Says `text` where the control is greyed.
+    fn explained_disabled(self, text: impl AsRef<str>) -> Self;
+
+    /// Shows what `content` draws.
+    fn explained_by(self, content: impl FnOnce(&mut Ui)) -> Self;
+}
+
+impl Explained for Response {
+    fn explained(self, text: impl AsRef<str>) -> Self {
+        let text = with_titles(text.as_ref());
+        describe(&self, &text);
+        show(&self, Tooltip::for_enabled(&self), |ui| drop(ui.label(text)));
+        self
+    }
+
+    fn explained_disabled(self, text: impl AsRef<str>) -> Self {
+        show(&self, Tooltip::for_disabled(&self), |ui| drop(ui.label(with_titles(text.as_ref()))));
+        self
+    }
+
+    fn explained_by(self, content: impl FnOnce(&mut Ui)) -> Self {
+        show(&self, Tooltip::for_enabled(&self), content);
+        self
+    }
+}
+
+/// What screen readers say of it, and its name where it has none.
+fn describe(response: &Response, text: &str) {
+    if !response.ctx.has_accesskit_node(response.id) {
+        return;
+    }
+    response.ctx.accesskit_node_builder(response.id, |node| {
+        if node.description().is_none() {
+            node.set_description(text);
+        }
+        let is_named = node.label().is_some_and(|label| !label.is_empty()) || !node.labelled_by().is_empty();
+        if node.role() != egui::accesskit::Role::Label && !is_named {
+            node.set_label(text);
+        }
+    });
+}
+
+fn show(response: &Response, mut tooltip: Tooltip<'_>, content: impl FnOnce(&mut Ui)) {
+    let ctx = &response.ctx;
+    // A dialog has come before it.
+    if !ctx.memory(|memory| memory.is_above_modal_layer(response.layer_id)) {
+        return;
+    }
+    let beside = ctx.data(|data| data.get_temp::<Beside>(key()));
+    let in_panel = |beside: &Beside| beside.layer == response.layer_id && beside.panel.intersects(response.rect);
+    if let Some(beside) = beside.filter(in_panel) {
+        let place = Rect::from_x_y_ranges(beside.panel.x_range().expand(MARGIN), response.rect.y_range());
+        tooltip.popup = tooltip.popup.anchor(place).align(beside.align);
+    }
+    tooltip.show(|ui| {
+        // It has the room of every tooltip: egui's own has that of the one before, and breaks numbers.
+        ui.set_max_width(ui.spacing().tooltip_width);
+        content(ui);
+    });
+}
