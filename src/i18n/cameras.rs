@@ -197,6 +197,7 @@ pub fn warning(lang: Lang, warning: &Warning) -> String {
 /// What is possible, but probably not what was meant. The full form in English is the warning's own.
 pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
     let english = |in_symbols: String| Wording::new(warning.to_string(), in_symbols);
+    let printed = |number: String| lang.mark().printed(&number);
     match (lang, warning) {
         (Lang::En, Warning::ViewUpNearlyCollinear { degrees }) => {
             english(format!("VUP is only {degrees:.2e}° away from DOP: its last digits decide where up is"))
@@ -205,7 +206,10 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
             format!(
                 "view_up está a apenas {degrees:.3e} graus da direção de projeção: seus últimos dígitos decidem o que fica para cima"
             ),
-            format!("VUP está a só {degrees:.2e}° de DOP: seus últimos dígitos decidem onde é em cima"),
+            format!(
+                "VUP está a só {degrees}° de DOP: seus últimos dígitos decidem onde é em cima",
+                degrees = printed(format!("{degrees:.2e}"))
+            ),
         ),
         (Lang::En, Warning::DepthPrecision { ratio, step }) => english(format!(
             "B/F is {ratio:.2e}: at the back a 24-bit depth buffer cannot tell depths apart that differ by less than {step:.2e}; move F away from the camera"
@@ -215,7 +219,9 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
                 "far / near é {ratio:.3e}: um z-buffer de 24 bits não distingue profundidades que diferem menos de {step:.3e} no plano far; afaste near da câmera"
             ),
             format!(
-                "B/F é {ratio:.2e}: um buffer de 24 bits não distingue, no fundo, profundidades a menos de {step:.2e}; afaste F da câmera"
+                "B/F é {ratio}: um buffer de 24 bits não distingue, no fundo, profundidades a menos de {step}; afaste F da câmera",
+                ratio = printed(format!("{ratio:.2e}")),
+                step = printed(format!("{step:.2e}"))
             ),
         ),
         (Lang::En, Warning::FocalPointClipped { .. }) => {
@@ -232,7 +238,10 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
         }
         (Lang::PtBr, Warning::WideAngle { degrees }) => Wording::new(
             format!("a janela abrange {degrees:.6} graus: perto das bordas tudo fica esticado"),
-            format!("A janela abrange {degrees:.1}°: perto das bordas tudo se estica"),
+            format!(
+                "A janela abrange {degrees}°: perto das bordas tudo se estica",
+                degrees = printed(format!("{degrees:.1}"))
+            ),
         ),
         (Lang::En, Warning::FarFromOrigin { ratio, digits }) => english(format!(
             "The camera is {ratio:.2e} times farther from the origin than from PF: only {digits} of 15 digits are left for what it sees"
@@ -242,7 +251,8 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
                 "a câmera está {ratio:.3e} vezes mais longe da origem que de focal_point: restam só {digits} de 15 dígitos para o que ela vê"
             ),
             format!(
-                "A câmera está {ratio:.2e} vezes mais longe da origem que de PF: só {digits} de 15 dígitos sobram para o que ela vê"
+                "A câmera está {ratio} vezes mais longe da origem que de PF: só {digits} de 15 dígitos sobram para o que ela vê",
+                ratio = printed(format!("{ratio:.2e}"))
             ),
         ),
         (Lang::En, Warning::AspectMismatch { window, image }) => {
@@ -252,7 +262,11 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
             format!(
                 "a janela de projeção tem razão de aspecto {window:.6} e a imagem {image:.6}: as formas são esticadas"
             ),
-            format!("A janela tem aspecto {window:.4} e a imagem {image:.4}: as formas se esticam"),
+            format!(
+                "A janela tem aspecto {window} e a imagem {image}: as formas se esticam",
+                window = printed(format!("{window:.4}")),
+                image = printed(format!("{image:.4}"))
+            ),
         ),
     }
 }

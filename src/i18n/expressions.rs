@@ -41,10 +41,11 @@ pub fn not_whole(lang: Lang) -> &'static str {
 /// A number is outside a range, which may be that of all numbers greater than 0.
 #[must_use]
 pub fn outside(lang: Lang, low: f64, high: f64) -> String {
+    let [least, greatest] = [low, high].map(|bound| lang.mark().printed(&bound.to_string()));
     match (lang, low == f64::MIN_POSITIVE) {
         (Lang::En, true) => "must be greater than 0".to_owned(),
-        (Lang::En, false) => format!("must be between {low} and {high}"),
+        (Lang::En, false) => format!("must be between {least} and {greatest}"),
         (Lang::PtBr, true) => "tem de ser maior que 0".to_owned(),
-        (Lang::PtBr, false) => format!("tem de estar entre {low} e {high}"),
+        (Lang::PtBr, false) => format!("tem de estar entre {least} e {greatest}"),
     }
 }

@@ -2,10 +2,11 @@
 
 use super::Lang;
 use super::meshes::mesh;
+use super::unreadable::read_problem;
 use super::wording::Wording;
 use crate::foreign::shown;
 use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
-use crate::scene::{SceneError, chain_text};
+use crate::scene::{MeshError, SceneError, chain_text};
 
 /// Why the objects and lights of a figure make no scene; names the object and the key.
 #[must_use]
@@ -68,8 +69,8 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             segments_allowed(lang),
         ),
         (_, SceneError::Mesh { path, error, .. }) => {
-            let (path, why) = (shown(path), mesh(lang, error));
-            Wording::new(format!("\"{path}\": {why}"), format!("{path}: {why}"))
+            let (path, why) = (shown(path), after_path(lang, &shown(path), error));
+            Wording::new(format!("\"{path}\"{why}"), format!("{path}{why}"))
         }
         (Lang::En, SceneError::TooManyLights { .. }) => english(&format!("at most {MAX_LIGHTS} lights")),
         (Lang::PtBr, SceneError::TooManyLights { found }) => Wording::new(
@@ -82,6 +83,14 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             "deve ter três números finitos, nem todos 0 numa direção",
             if *key == "direction" { "a direção não pode ser nula" } else { "a posição tem de ser finita" },
         ),
+    }
+}
+
+/// Why a mesh file cannot be used, after its name, which is not said twice.
+fn after_path(lang: Lang, path: &str, error: &MeshError) -> String {
+    match error {
+        MeshError::Unreadable(error) if error.file == path => format!(" {}", read_problem(lang, &error.problem)),
+        error => format!(": {}", mesh(lang, error)),
     }
 }
 
@@ -99,7 +108,7 @@ mod tests {
     use super::*;
     use crate::figure::read;
     use crate::i18n::messages::figure;
-    use crate::scene::{MeshError, ReadError, ReadProblem};
+    use crate::scene::{ReadError, ReadProblem};
 
     #[test]
     fn every_error_is_worded_twice_in_both_languages() {
@@ -121,6 +130,24 @@ mod tests {
             assert_ne!(en.full, pt.full);
             assert_ne!(en.in_symbols, pt.in_symbols);
             assert!(scene(Lang::PtBr, &error).ends_with(&pt.full));
+        }
+    }
+
+    #[test]
+    fn a_path_is_said_once_where_it_was_looked_for_under_the_same() {
+        let of = |file: &str| SceneError::Mesh {
+            name: "a".to_owned(),
+            path: "a.obj".to_owned(),
+            error: MeshError::Unreadable(Box::new(ReadError {
+                file: file.to_owned(),
+                problem: ReadProblem::Directory,
+            })),
+        };
+        for lang in [Lang::En, Lang::PtBr] {
+            for text in [scene(lang, &of("a.obj")), scene_wording(lang, &of("a.obj")).in_symbols] {
+                assert_eq!(text.matches("a.obj").count(), 1, "{text}");
+            }
+            assert!(scene(lang, &of("/elsewhere/a.obj")).contains("\"a.obj\": /elsewhere/a.obj"));
         }
     }
 

@@ -153,6 +153,51 @@ impl Texts {
     }
 }
 
+/// What an object of a named scene is called where it is shown; figure files have the name itself.
+#[must_use]
+pub fn preset_object(lang: Lang, name: &str) -> String {
+    match lang {
+        Lang::En => name.to_owned(),
+        Lang::PtBr => name.split(' ').map(in_portuguese).collect::<Vec<_>>().join(" "),
+    }
+}
+
+fn in_portuguese(word: &str) -> &str {
+    match word {
+        "ball" => "bola",
+        "beam" => "viga",
+        "box" => "caixa",
+        "chimney" => "chaminé",
+        "column" => "coluna",
+        "cone" => "cone",
+        "crown" => "copa",
+        "cube" => "cubo",
+        "cylinder" => "cilindro",
+        "door" => "porta",
+        "ellipsoid" => "elipsoide",
+        "floor" => "piso",
+        "grid" => "grade",
+        "ground" => "chão",
+        "house" => "casa",
+        "left" => "esquerda",
+        "points" => "pontos",
+        "prism" => "prisma",
+        "pyramid" => "pirâmide",
+        "right" => "direita",
+        "roof" => "telhado",
+        "segments" => "segmentos",
+        "sphere" => "esfera",
+        "step" => "degrau",
+        "table" => "mesa",
+        "torus" => "toro",
+        "tree" => "árvore",
+        "trunk" => "tronco",
+        "walls" => "paredes",
+        "window" => "janela",
+        other => other,
+    }
+}
+
 /// What the list of a named scene's objects cannot say, as a sentence; empty where it says everything.
 #[must_use]
 pub fn lost(lang: Lang, preset: Preset) -> String {
@@ -180,4 +225,38 @@ pub fn beyond(lang: Lang, lost: &[Beyond]) -> String {
         (Lang::PtBr, Beyond::Rays) => "as setas da construção",
     };
     lost.iter().map(word).collect::<Vec<_>>().join("; ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::appearance::Theme;
+    use crate::scene::palette::SceneColors;
+    use crate::scene::preset_objects;
+
+    #[test]
+    fn every_object_of_a_named_scene_has_a_name_in_both_languages() {
+        let mut same = std::collections::BTreeSet::new();
+        for preset in [
+            Preset::Primitives,
+            Preset::Cube,
+            Preset::House,
+            Preset::Corridor,
+            Preset::Pyramid,
+            Preset::NdcCube,
+            Preset::Exercise51,
+            Preset::Exercise52,
+            Preset::Exercise53,
+        ] {
+            for object in preset_objects(preset, &SceneColors::of(Theme::Light)) {
+                assert_eq!(preset_object(Lang::En, &object.name), object.name);
+                let shown = preset_object(Lang::PtBr, &object.name);
+                if shown == object.name {
+                    same.insert(shown);
+                }
+            }
+        }
+        assert_eq!(same.into_iter().collect::<Vec<_>>(), ["P", "cone"]);
+        assert_eq!(preset_object(Lang::PtBr, "column left 3"), "coluna esquerda 3");
+    }
 }

@@ -52,7 +52,7 @@ pub enum SceneError {
         found: u32,
     },
     /// A mesh file cannot be used.
-    #[error("\"{}\": {error}", shown(path))]
+    #[error("\"{}\"{}", shown(path), error.after(&shown(path)))]
     Mesh {
         /// The object.
         name: String,

@@ -50,6 +50,14 @@ pub enum MeshError {
 }
 
 impl MeshError {
+    /// As it stands after the path of the mesh as it is shown, which is not said twice.
+    pub(super) fn after(&self, path: &str) -> String {
+        match self {
+            Self::Unreadable(error) if error.file == path => format!(" {}", error.problem),
+            error => format!(": {error}"),
+        }
+    }
+
     /// True where a file lies outside of what the figure may name: the user can let it.
     #[must_use]
     pub fn is_outside(&self) -> bool {

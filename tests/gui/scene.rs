@@ -1,6 +1,7 @@
 //! The tree of the scene: objects and lights added, renamed, hung elsewhere, moved, deleted, undone and saved.
 
 use camera_lab::figure::read::parse;
+use camera_lab::gui::state::Selected;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
 use eframe::egui::accesskit::Role;
@@ -459,4 +460,22 @@ fn a_figure_that_is_saved_elsewhere_takes_the_way_to_its_meshes_along() {
     let whole = folder.file("tent.obj").display().to_string();
     assert_eq!(window.objects()[0].shape, Some(Shape::Mesh { path: whole }));
     assert_eq!(window.state().scene_cache.scene().objects.len(), 1);
+}
+
+#[test]
+fn names_of_any_length_leave_the_panel_as_wide_as_it_is() {
+    let mut window = Window::new(Lang::En);
+    let width = |window: &Window| window.harness.get_by_label("Drawing tab").rect().right();
+    window.key(Key::F6);
+    let before = width(&window);
+    let long = ["a", "b"].map(|letter| letter.repeat(5_000));
+    let state = &mut window.app_mut().state;
+    state.document.edit(|figure| {
+        let of = |name: &str| ObjectSpec::new(name, Shape::Box);
+        figure.scene.objects = vec![of(&long[0]), of(&long[1]).under(&long[0])];
+    });
+    state.tree.select(Some(Selected::Object(long[1].clone())));
+    window.harness.run_steps(4);
+    assert!(window.says("aaaaaaaaaa…"));
+    assert_eq!(width(&window), before);
 }

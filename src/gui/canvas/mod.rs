@@ -4,6 +4,7 @@
 //! for which that has changed is drawn again.
 
 mod arrange;
+mod fitted;
 mod icons;
 mod interaction;
 mod keyboard_probe;

@@ -8,6 +8,7 @@ use crate::camera::Projected;
 use crate::foreign::shown;
 use crate::gui::handle_drag::point;
 use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::scenes::preset_object;
 use crate::numbers::{DecimalMark, significant};
 use crate::pipeline::clip_parts;
 use crate::views::depth::DepthReading;
@@ -107,8 +108,9 @@ fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), tex
 
 /// What the point of a probe is: which vertex of which object, numbered from 1.
 pub(super) fn vertex_cell(name: &VertexName, texts: &CanvasTexts) -> Cell {
-    let VertexName { object, number } = name;
-    Cell { space: texts.vertex, value: format!("{number} – {}", shown(object)), wanted: true }
+    let VertexName { object, of_preset, number } = name;
+    let object = if *of_preset { preset_object(texts.lang, object) } else { shown(object) };
+    Cell { space: texts.vertex, value: format!("{number} – {object}"), wanted: true }
 }
 
 /// Two coordinates.

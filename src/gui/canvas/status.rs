@@ -4,6 +4,7 @@ use eframe::egui::{
     self, Align, Color32, FontId, Label, Layout, Popup, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2,
 };
 
+use super::fitted;
 use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
@@ -137,11 +138,16 @@ impl Status {
             ui.add(Label::new(RichText::new(&work.text).small().strong()).truncate().selectable(false));
             return;
         }
-        let mut text = RichText::new(&self.message).small();
+        let room = ui.available_width();
+        let said = fitted::parts(&self.message, |text| fitted::width(ui, &font(ui), text) <= room);
+        let mut text = RichText::new(&said).small();
         if self.warning {
             text = text.color(ui.visuals().warn_fg_color).strong();
         }
-        ui.add(Label::new(text).truncate().selectable(false));
+        let shown = ui.add(Label::new(text).truncate().selectable(false));
+        if said != self.message {
+            shown.explained(&self.message);
+        }
     }
 
     /// The cells one after the other, each as wide as it is: all of them, or those that are wanted most.

@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    self, Align, Align2, Color32, FontId, FontSelection, Id, Label, Layout, Rect, RichText, Sense, Stroke, StrokeKind,
-    TextStyle, TextWrapMode, Ui, UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
+    self, Align, Align2, Color32, FontId, Id, Label, Layout, Rect, RichText, Sense, Stroke, StrokeKind, TextStyle, Ui,
+    UiBuilder, WidgetInfo, pos2, vec2,
 };
 
+use super::fitted;
 use super::icons::{Icon, icon_button};
 use crate::figure::{Depth, Reveal};
 use crate::gui::tooltip::Explained;
@@ -166,7 +167,8 @@ impl Strip<'_> {
                     action = Some(StripAction::Close);
                 }
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    let text = self.sentence(pointed);
+                    let (room, body) = (ui.available_width(), TextStyle::Body.resolve(ui.style()));
+                    let text = fitted::words(&self.sentence(pointed), |text| fitted::width(ui, &body, text) <= room);
                     ui.add(Label::new(text).truncate().selectable(false));
                 });
             });
@@ -321,11 +323,11 @@ impl Strip<'_> {
         } else {
             let middle = written.center().y + 0.5;
             painter.hline(written.x_range(), middle, Stroke::new(1.0, ink));
-            // A reason that is too long ends in dots; the sentence above the cells tells it whole.
-            let reason = WidgetText::from(RichText::new(words::reason(self.lang, report.reason)).font(font).color(ink));
+            // Of a reason that is too long the first words; the tooltip tells it whole.
             let room = place.width() - 10.0;
-            let reason = reason.into_galley(ui, Some(TextWrapMode::Truncate), room, FontSelection::Default);
-            painter.galley(at(1.0), reason, ink);
+            let whole = words::reason(self.lang, report.reason);
+            let reason = fitted::words(&whole, |text| fitted::width(ui, &font, text) <= room);
+            painter.text(at(1.0), Align2::LEFT_TOP, reason, font, ink);
         }
     }
 }

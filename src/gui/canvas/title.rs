@@ -3,6 +3,7 @@
 use eframe::egui::{self, Align2, Id, Popup, Rect, RichText, Sense, TextStyle, Ui, UiBuilder, WidgetText};
 
 use super::icons::{Icon, icon_button, left_center};
+use crate::gui::command::Command;
 use crate::gui::state::ObserverChange;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
@@ -60,15 +61,22 @@ impl Title<'_> {
         let side = ui.spacing().interact_size.y;
         let solid = matches!(self.view, View::World | View::Canonical);
         let all: u8 = if self.view == View::World { 9 } else { 6 };
-        let room_for_all = rect.width() >= galley.size().x + f32::from(all + 2) * (side + 1.0) + 18.0;
+        let word = self.menu_width(ui);
+        let room_beside = |extra: f32, buttons: u8| {
+            rect.width() >= galley.size().x + f32::from(buttons + 2) * (side + 1.0) + 18.0 + extra
+        };
+        let room_for_all = room_beside(0.0, all);
+        // The menu has its word where that costs no button.
+        let worded = solid && (room_beside(word, all) || !room_for_all && room_beside(word, 0));
         let observer_buttons: u8 = match (solid, room_for_all) {
             (false, _) => 0,
             (true, true) => all,
-            (true, false) => 1,
+            (true, false) => u8::from(!worded),
         };
         let buttons = observer_buttons + 1 + u8::from(self.can_hide);
         let room_for_switch = self.undistorted.map_or(0.0, |_| self.switch_width(ui));
-        let width = f32::from(buttons) * (side + 1.0) + if solid { 5.0 } else { 1.0 } + room_for_switch;
+        let room_for_word = if worded { word } else { 0.0 };
+        let width = f32::from(buttons) * (side + 1.0) + if solid { 5.0 } else { 1.0 } + room_for_switch + room_for_word;
 
         let bar = ui.interact(rect, Id::unique(("picture title", self.view)), Sense::CLICK);
         if bar.double_clicked() {
@@ -82,7 +90,12 @@ impl Title<'_> {
         ui.scope_builder(builder, |ui| {
             ui.spacing_mut().item_spacing.x = 1.0;
             if solid {
-                action = if room_for_all { self.observer_buttons(ui) } else { self.observer_menu(ui) }.or(action);
+                if worded || !room_for_all {
+                    action = self.observer_menu(ui, worded).or(action);
+                }
+                if room_for_all {
+                    action = self.observer_buttons(ui).or(action);
+                }
                 ui.add_space(4.0);
             }
             if let Some(on) = self.undistorted {
@@ -118,6 +131,17 @@ impl Title<'_> {
         galley.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
     }
 
+    fn menu_text(&self) -> RichText {
+        RichText::new(format!("{} ▾", self.texts.look)).small()
+    }
+
+    /// How much room the menu takes with its word.
+    fn menu_width(&self, ui: &Ui) -> f32 {
+        let extend = Some(egui::TextWrapMode::Extend);
+        let galley = WidgetText::from(self.menu_text()).into_galley(ui, extend, f32::INFINITY, TextStyle::Small);
+        galley.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
+    }
+
     fn changes(&self) -> impl Iterator<Item = (ObserverChange, Icon)> + use<> {
         CHANGES.into_iter().take(if self.view == View::World { CHANGES.len() } else { OF_THE_CUBE })
     }
@@ -135,12 +159,20 @@ impl Title<'_> {
         action
     }
 
-    fn observer_menu(&self, ui: &mut Ui) -> Option<TitleAction> {
+    /// From where to look, in words and with the keys for it.
+    fn observer_menu(&self, ui: &mut Ui, worded: bool) -> Option<TitleAction> {
         let mut action = None;
-        let button = icon_button(ui, Icon::Iso, self.texts.look_menu, false);
+        let button = if worded {
+            let button = ui.add(egui::Button::new(self.menu_text()).frame_when_inactive(false));
+            button.explained(self.texts.look_menu).accessible_name(self.texts.look_menu)
+        } else {
+            icon_button(ui, Icon::Iso, self.texts.look_menu, false)
+        };
         Popup::menu(&button).show(|ui| {
             for (change, _) in self.changes() {
-                if ui.button(change_name(self.texts, change)).clicked() {
+                let keys = ui.ctx().format_shortcut(&Command::Observe(change).shortcut());
+                let entry = egui::Button::new(change_name(self.texts, change)).shortcut_text(keys);
+                if ui.add(entry).clicked() {
                     action = Some(TitleAction::Observe(change));
                 }
             }

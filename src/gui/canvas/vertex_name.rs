@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::gui::state::preset_objects;
+use crate::gui::state::{Selected, preset_objects};
 use crate::scene::edit::placements;
 use crate::scene::{Scene, SceneSpec, Shape};
 use crate::views::SharedScene;
@@ -12,6 +12,8 @@ use crate::views::SharedScene;
 pub(super) struct VertexName {
     /// The object's name.
     pub(super) object: String,
+    /// It belongs to the named scene.
+    pub(super) of_preset: bool,
     /// Its place among the object's vertices, from 1.
     pub(super) number: usize,
 }
@@ -28,15 +30,16 @@ impl VertexNames {
         if let Some((_, _, name)) = self.last.as_ref().filter(|(of, at, _)| of == scene && *at == p) {
             return name.clone();
         }
-        let name = of_mesh(p, scene).or_else(|| of_list(p, spec));
+        let name = of_mesh(p, scene, spec).or_else(|| of_list(p, spec));
         self.last = Some((scene.clone(), p, name.clone()));
         name
     }
 }
 
-fn of_mesh(p: DVec3, scene: &Scene) -> Option<VertexName> {
+fn of_mesh(p: DVec3, scene: &Scene, spec: &SceneSpec) -> Option<VertexName> {
     let vertex = scene.vertices().find(|vertex| vertex.p_world == p)?;
-    Some(VertexName { object: vertex.object.to_owned(), number: vertex.index + 1 })
+    let of_preset = !matches!(Selected::of_object(spec, vertex.object), Some(Selected::Object(_)));
+    Some(VertexName { object: vertex.object.to_owned(), of_preset, number: vertex.index + 1 })
 }
 
 /// Points and segments are no objects of the built scene.
@@ -62,6 +65,7 @@ fn of_list(p: DVec3, spec: &SceneSpec) -> Option<VertexName> {
         };
         let world = placed.get(&object.name)?;
         let index = points.iter().position(|point| world.transform_point3(*point) == p)?;
-        Some(VertexName { object: object.name.clone(), number: index + 1 })
+        let of_preset = !own.contains(&object.name.as_str());
+        Some(VertexName { object: object.name.clone(), of_preset, number: index + 1 })
     })
 }

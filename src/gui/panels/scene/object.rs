@@ -13,7 +13,7 @@ use crate::gui::number_field::{FieldError, NumberField, Step};
 use crate::gui::panels::{Vector, complaint, row};
 use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
 use crate::gui::tooltip::Explained;
-use crate::i18n::scenes::{self, Texts};
+use crate::i18n::scenes::{self, Texts, preset_object};
 use crate::i18n::{faults, messages};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::numbers::without_rests;
@@ -59,7 +59,8 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, name: &str) {
     ui.add(egui::Label::new(RichText::new(t.of_preset_hint).weak()).wrap());
     row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
     row(ui, "", t.parent, t.parent_hint, |ui| {
-        ui.label(object.parent.as_deref().map_or_else(|| t.no_parent.to_owned(), shown))
+        let parent = object.parent.as_deref().map(|name| preset_object(t.lang, name));
+        ui.add(egui::Label::new(parent.unwrap_or_else(|| t.no_parent.to_owned())).truncate())
     });
     for (symbol, name, hint, v, unit) in [
         ("T", t.translate, t.translate_hint, object.translate, ""),
@@ -174,15 +175,18 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Op
     let preset = preset_objects(form.scene.preset);
     let mut names: Vec<&String> = own.filter(|name| **name != object.name && !below.contains(*name)).collect();
     names.extend(preset.iter().map(|o| &o.name).filter(|name| form.scene.objects.iter().all(|o| o.name != **name)));
+    let is_own = |name: &str| form.scene.objects.iter().any(|o| o.name == name);
+    let called = |name: &str| if is_own(name) { shown(name) } else { preset_object(t.lang, name) };
     let mut chosen = object.parent.clone();
     row(ui, "", t.parent, t.parent_hint, |ui| {
         egui::ComboBox::from_id_salt(t.parent)
-            .selected_text(chosen.as_deref().map_or_else(|| t.no_parent.to_owned(), shown))
+            .selected_text(chosen.as_deref().map_or_else(|| t.no_parent.to_owned(), called))
             .width(116.0)
+            .truncate()
             .show_ui(ui, |ui| {
                 ui.selectable_value(&mut chosen, None, t.no_parent);
                 for name in names {
-                    ui.selectable_value(&mut chosen, Some(name.clone()), shown(name));
+                    ui.selectable_value(&mut chosen, Some(name.clone()), called(name));
                 }
             })
             .response

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    self, Align2, Color32, EventFilter, Id, Key, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, WidgetInfo,
-    pos2, vec2,
+    self, Align2, Color32, EventFilter, Id, Key, Rect, Response, RichText, Sense, Stroke, StrokeKind, TextStyle,
+    WidgetInfo, WidgetText, pos2, vec2,
 };
 
 use super::Edit;
@@ -14,7 +14,7 @@ use crate::foreign::shown;
 use crate::gui::focus::keep_in_sight;
 use crate::gui::state::{Selected, State, preset_objects};
 use crate::gui::tooltip::Explained;
-use crate::i18n::scenes::Texts;
+use crate::i18n::scenes::{Texts, preset_object};
 use crate::scene::edit::descendants;
 use crate::scene::{LightSpec, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
 
@@ -25,7 +25,10 @@ const INDENT: f32 = 13.0;
 struct Row {
     /// `None`: the world, on which everything hangs.
     what: Option<Selected>,
+    /// What it is called in the figure.
     name: String,
+    /// What stands there.
+    shown: String,
     kind: &'static str,
     depth: u16,
     /// Its children are shown; `None`: it has none.
@@ -173,7 +176,7 @@ fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), height));
     let sense = if matches!(row.what, Some(Selected::Object(_))) { Sense::click_and_drag() } else { Sense::CLICK };
     let response = ui.interact(rect, Id::unique(("row of the scene", format!("{:?} {}", row.what, row.kind))), sense);
-    response.widget_info(|| WidgetInfo::selected(Role::TreeItem, true, selected, shown(&row.name)));
+    response.widget_info(|| WidgetInfo::selected(Role::TreeItem, true, selected, &row.shown));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_level(row.depth.into());
         node.set_description(row.kind);
@@ -215,14 +218,11 @@ fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
         Some(Selected::Object(_) | Selected::Light(_)) => visuals.text_color(),
         Some(Selected::OfPreset(_)) | None => weak,
     };
-    let clip = Rect::from_min_max(rect.min, pos2(room - 4.0, rect.bottom()));
-    ui.painter().with_clip_rect(clip.intersect(ui.clip_rect())).text(
-        pos2(left, rect.center().y),
-        Align2::LEFT_CENTER,
-        shown(&row.name),
-        TextStyle::Body.resolve(ui.style()),
-        color,
-    );
+    let name = WidgetText::from(RichText::new(&row.shown).color(color));
+    let width = (room - 4.0 - left).max(0.0);
+    let name = name.into_galley(ui, Some(egui::TextWrapMode::Truncate), width, TextStyle::Body);
+    let place = Align2::LEFT_CENTER.anchor_size(pos2(left, rect.center().y), name.size());
+    ui.painter().galley(place.min, name, color);
     response.explained(row.hint)
 }
 
@@ -270,6 +270,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
     let world = Row {
         what: None,
         name: t.root.to_owned(),
+        shown: t.root.to_owned(),
         kind: "",
         depth: 0,
         open: (count > 0).then_some(true),
@@ -290,6 +291,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
             depth,
             open: (!below.is_empty()).then_some(is_open),
             hint: if is_own { t.row_hint } else { t.of_preset_hint },
+            shown: if is_own { shown(&name) } else { preset_object(t.lang, &name) },
             what: Some(if is_own { Selected::Object(name.clone()) } else { Selected::OfPreset(name.clone()) }),
             name,
         });
@@ -300,6 +302,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
     rows.extend(scene.lights.iter().enumerate().map(|(i, light)| Row {
         what: Some(Selected::Light(i)),
         name: format!("{} {}", t.light, i + 1),
+        shown: format!("{} {}", t.light, i + 1),
         kind: t.light(*light),
         depth: 0,
         open: None,
@@ -310,6 +313,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
         rows.push(Row {
             what: None,
             name: t.default_light.to_owned(),
+            shown: t.default_light.to_owned(),
             kind: t.light(LightSpec::Directional(glam::DVec3::Y)),
             depth: 0,
             open: None,
