@@ -6,6 +6,9 @@ pub const MAX_SIDE: u32 = 16_384;
 /// The most pixels of a picture: 15360 × 8640, with a little room.
 pub const MAX_PIXELS: u64 = 1 << 27;
 
+/// The most pixels of a picture on the clipboard: 128 MiB there, and as much again in each program that takes it.
+pub const MAX_COPIED_PIXELS: u64 = 1 << 25;
+
 /// How far the corner of a viewport may lie outside the image, in pixels: twice the longest side.
 pub const MAX_OFFSET: i64 = 2 * MAX_SIDE as i64;
 

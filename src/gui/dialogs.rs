@@ -6,29 +6,26 @@ use std::path::{Path, PathBuf};
 
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
+use super::answers::{CANCEL, Pressed, buttons};
 use super::command::Command;
 use super::comparison::{Comparison, Whose};
-use super::export::Export;
+use super::export_dialog;
 use super::file_flow;
-use super::focus::at_right;
 use super::gallery::{self, Chosen, Source};
-use super::number_field::{FieldError, NumberField, Step};
-use super::panels::{choice, complaint, row, scene};
+use super::panels::{complaint, scene};
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
-use crate::appearance::Theme;
 use crate::foreign;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{canvas, scenes};
-use crate::limits::MAX_SIDE;
 use crate::scene::edit::Children;
-use crate::views::{View, Views};
 
 /// Shows the question that is open, if any, and acts on the answer.
 pub fn show(ctx: &egui::Context, state: &mut State) {
     let shown = Id::unique("dialog shown");
     let Some(dialog) = state.file_flow.dialog.take() else {
         ctx.data_mut(|data| data.remove::<Option<Discriminant<Dialog>>>(shown));
+        state.file_flow.preview = None;
         return;
     };
     let kind = Some(discriminant(&dialog));
@@ -41,13 +38,11 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             Dialog::Help | Dialog::Delete { .. } => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
             Dialog::Gallery => 1110.0,
+            Dialog::Export(_) => export_dialog::WIDTH,
             Dialog::Changed(_) => 480.0,
-            Dialog::Unsaved(_)
-            | Dialog::Path(..)
-            | Dialog::Overwrite(..)
-            | Dialog::ReadOnly(..)
-            | Dialog::Export(_)
-            | Dialog::Closing => 380.0_f32,
+            Dialog::Unsaved(_) | Dialog::Path(..) | Dialog::Overwrite(..) | Dialog::ReadOnly(..) | Dialog::Closing => {
+                380.0_f32
+            }
         };
         ui.set_width(width.min(ui.ctx().content_rect().width() - 40.0));
         match dialog {
@@ -82,7 +77,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 }
             }
             Dialog::Path(purpose, path) => ask_path(ui, t, state, purpose, path, first),
-            Dialog::Export(export) => ask_export(ui, t, state, export, first),
+            Dialog::Export(export) => export_dialog::show(ui, t, state, export, first),
             Dialog::Closing => {
                 text(ui, t.closing_title, t.closing_text);
                 match buttons(ui, t.cancel, &[t.close_now], first.then_some(CANCEL)) {
@@ -116,6 +111,9 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
         state.gallery.end();
         state.file_flow.dialog = None;
     }
+    if !matches!(state.file_flow.dialog, Some(Dialog::Export(_))) {
+        state.file_flow.preview = None;
+    }
 }
 
 fn text(ui: &mut egui::Ui, title: &str, text: &str) {
@@ -123,49 +121,6 @@ fn text(ui: &mut egui::Ui, title: &str, text: &str) {
     ui.add_space(6.0);
     ui.label(text);
     ui.add_space(10.0);
-}
-
-/// What was done with the buttons of a question.
-enum Pressed {
-    /// The button with this number.
-    Action(usize),
-    /// The one that changes nothing.
-    Cancel,
-    /// None yet.
-    Nothing,
-}
-
-/// The number of the button that changes nothing.
-const CANCEL: usize = usize::MAX;
-
-/// Buttons at the lower right, the one that is most wanted last. `focus` is the one that Enter presses.
-fn buttons(ui: &mut egui::Ui, cancel: &str, actions: &[&str], focus: Option<usize>) -> Pressed {
-    let mut pressed = Pressed::Nothing;
-    let size = egui::vec2(80.0, 26.0);
-    let show = |ui: &mut egui::Ui| {
-        let response = ui.add(egui::Button::new(cancel).min_size(size));
-        if focus == Some(CANCEL) {
-            response.request_focus();
-        }
-        if response.clicked() {
-            pressed = Pressed::Cancel;
-        }
-        for (index, action) in actions.iter().enumerate() {
-            let mut button = egui::Button::new(*action).min_size(size);
-            if index + 1 == actions.len() {
-                button = button.fill(ui.visuals().selection.bg_fill);
-            }
-            let response = ui.add(button);
-            if focus == Some(index) {
-                response.request_focus();
-            }
-            if response.clicked() {
-                pressed = Pressed::Action(index);
-            }
-        }
-    };
-    ui.horizontal(|ui| at_right(ui, show));
-    pressed
 }
 
 /// What is to become of what hangs on an object that is deleted.
@@ -297,93 +252,6 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         state.file_flow.dialog = Some(Dialog::Path(purpose, path));
         response.request_focus();
     }
-}
-
-fn ask_export(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
-    ui.heading(t.export_heading);
-    ui.add_space(6.0);
-    let what = [
-        (Views::All, t.export_all),
-        (Views::One(View::World), t.show_world),
-        (Views::One(View::Canonical), t.show_canonical),
-        (Views::One(View::Image), t.show_image),
-    ];
-    row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
-    let sizes = [
-        ((Some(1), false), "1 ×"),
-        ((Some(2), false), "2 ×"),
-        ((Some(3), false), "3 ×"),
-        ((Some(4), false), "4 ×"),
-        ((None, false), t.export_typed),
-        ((None, true), t.export_paper),
-    ];
-    let mut size = (export.times.filter(|_| !export.on_paper), export.on_paper);
-    row(ui, "", t.export_size, t.export_size_hint, |ui| {
-        choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
-    });
-    (export.times, export.on_paper) = size;
-    let mut errors = if export.on_paper { paper(ui, t, &mut export) } else { Vec::new() };
-    export.fit_screen(state.picture_sizes, state.screen_scale);
-    errors.extend(row(ui, "", t.export_pixels, "", |ui| {
-        ui.add_enabled_ui(size == (None, false), |ui| pixels(ui, t, &mut export)).inner
-    }));
-    for error in &errors {
-        complaint(ui, &error.text(t.lang));
-    }
-    let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
-    row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
-        choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
-    });
-    ui.add_space(4.0);
-    ui.checkbox(&mut export.transparent, t.export_transparent).explained(t.export_transparent_hint);
-    ui.checkbox(&mut export.crop, t.export_crop).explained(t.export_crop_hint);
-    ui.label(RichText::new(t.export_note).small().weak());
-    ui.add_space(10.0);
-    match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
-        Pressed::Action(_) if errors.is_empty() => {
-            state.export = export;
-            file_flow::ask(ui.ctx(), state, Purpose::Export(export));
-        }
-        Pressed::Cancel => {}
-        Pressed::Action(_) | Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
-    }
-}
-
-/// The size on paper; what is wrong with what was typed there.
-fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<FieldError> {
-    let field = |name: &str, most: f64| NumberField::new(name, Step::Add(1.0)).within(0.5..=most).width(64.0);
-    let paper = &mut export.paper;
-    let mut errors = Vec::new();
-    row(ui, "", t.export_centimetres, "", |ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        errors.extend(field(t.export_width_cm, 200.0).show(ui, t, &mut paper.size[0]).error);
-        ui.label("×");
-        errors.extend(field(t.export_height_cm, 200.0).show(ui, t, &mut paper.size[1]).error);
-    });
-    row(ui, "", t.export_dpi, "", |ui| {
-        errors.extend(field(t.export_dpi, 2400.0).show(ui, t, &mut paper.dpi).error);
-    });
-    row(ui, "", t.export_letters, t.export_letters_hint, |ui| {
-        errors.extend(field(t.export_letters, 200.0).show(ui, t, &mut paper.letters).error);
-    });
-    errors
-}
-
-/// Width and height; what is wrong with what was typed there.
-fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<FieldError> {
-    let [mut width, mut height] = [f64::from(export.width), f64::from(export.height)];
-    let sides = 1.0..=f64::from(MAX_SIDE);
-    let field = |name: &str| NumberField::new(name, Step::Add(16.0)).whole().within(sides.clone()).width(64.0);
-    ui.spacing_mut().item_spacing.x = 4.0;
-    let of_width = field(t.export_width).show(ui, t, &mut width);
-    ui.label("×");
-    let of_height = field(t.export_height).show(ui, t, &mut height);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
-    let side = |v: f64| v as u32;
-    (export.width, export.height) = (side(width), side(height));
-    let fits = |side: u32| sides.contains(&f64::from(side));
-    let too_large = (!fits(export.width) || !fits(export.height)).then(|| FieldError::Outside(sides.clone()));
-    [of_width.error, of_height.error, too_large].into_iter().flatten().collect()
 }
 
 fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {

@@ -106,6 +106,14 @@ impl Export {
     }
 }
 
+impl Export {
+    /// The size of the picture.
+    #[must_use]
+    pub fn size(&self) -> Size {
+        Size { width: self.width, height: self.height, scale: self.scale }
+    }
+}
+
 /// Whole pixels.
 fn pixels(side: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is told")]
@@ -170,13 +178,46 @@ pub(super) struct Exporting {
     worker: Worker<Task, Exported>,
 }
 
-/// Everything that a picture in a file depends on.
-pub(super) struct Task {
+/// What pictures are made of.
+pub(super) struct Subject {
     figure: Figure,
-    source: String,
     folder: PathBuf,
     reach: Reach,
     lang: Lang,
+}
+
+impl Subject {
+    /// A figure in a theme.
+    pub(super) fn of(document: &Document, lang: Lang, theme: Theme) -> Self {
+        let mut figure = document.figure().clone();
+        figure.style.theme = theme;
+        let folder = document.folder().map(Path::to_owned).unwrap_or_default();
+        Self { figure, folder, reach: document.reach(), lang }
+    }
+
+    /// What is drawn at this `size`, which is that of the export or a smaller one.
+    pub(super) fn requests(
+        &self,
+        export: &Export,
+        size: Size,
+        progress: &Progress,
+    ) -> Result<Vec<Request>, ExportError> {
+        let Self { figure, folder, reach, lang } = self;
+        let camera = Camera::new(&figure.camera)?;
+        let mut files = FigureFiles::new(folder, *reach);
+        let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
+        let labels = pictures::labels(*lang);
+        let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
+        let overlays = Overlays { transparent: export.transparent, ..Overlays::default() };
+        let request = Request { overlays, ..request };
+        Ok(requests(export.what, &request, &figure.observers).ok_or(PictureError::TooLarge)?)
+    }
+}
+
+/// Everything that a picture in a file depends on.
+pub(super) struct Task {
+    subject: Subject,
+    source: String,
     export: Export,
     format: PictureFormat,
     path: PathBuf,
@@ -205,27 +246,11 @@ impl Exporting {
         (path, overwrite): (PathBuf, Overwrite),
         make: fn() -> Work<Task, Exported>,
     ) -> Self {
-        let mut figure = document.figure().clone();
-        figure.style.theme = export.theme;
+        let subject = Subject::of(document, lang, export.theme);
         let source = document.source().to_owned();
-        let folder = document.folder().map(Path::to_owned).unwrap_or_default();
         let format = PictureFormat::of(&path).unwrap_or(PictureFormat::ALL[0]);
         let mut worker = Worker::new("export", clock::now, make);
-        worker.ask(
-            ctx,
-            0,
-            Task {
-                figure,
-                source,
-                folder,
-                reach: document.reach(),
-                lang,
-                export,
-                format,
-                path: path.clone(),
-                overwrite,
-            },
-        );
+        worker.ask(ctx, 0, Task { subject, source, export, format, path: path.clone(), overwrite });
         Self { path, worker }
     }
 
@@ -263,17 +288,9 @@ impl Task {
 
     /// The file, with the figure file in it.
     fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
-        let Self { figure, source, folder, reach, lang, export, format, .. } = self;
-        let camera = Camera::new(&figure.camera)?;
-        let mut files = FigureFiles::new(folder, *reach);
-        let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
-        let size = Size { width: export.width, height: export.height, scale: export.scale };
-        let labels = pictures::labels(*lang);
-        let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
-        let overlays = Overlays { transparent: export.transparent, ..Overlays::default() };
-        let request = Request { overlays, ..request };
-        let requests = requests(export.what, &request, &figure.observers).ok_or(PictureError::TooLarge)?;
-        Ok(picture::file(*format, &requests, export.crop, &update(source, figure), progress)?)
+        let Self { subject, source, export, format, .. } = self;
+        let requests = subject.requests(export, export.size(), progress)?;
+        Ok(picture::file(*format, &requests, export.crop, &update(source, &subject.figure), progress)?)
     }
 }
 

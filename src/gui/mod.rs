@@ -10,6 +10,7 @@
 //! | [`preferences`] | what is remembered from one time to the next |
 //! | [`canvas`] | the three pictures in the middle |
 
+mod answers;
 pub mod app;
 pub mod canvas;
 pub mod command;
@@ -17,6 +18,7 @@ pub mod comparison;
 pub mod dialogs;
 pub mod document;
 pub mod export;
+mod export_dialog;
 pub mod file_flow;
 mod focus;
 pub mod gallery;
@@ -32,6 +34,7 @@ pub mod number_field;
 pub mod panels;
 pub mod preferences;
 mod presentation;
+pub mod preview;
 pub mod repair;
 pub mod scene_cache;
 mod selection_gizmo;

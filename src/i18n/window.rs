@@ -313,6 +313,11 @@ texts! {
     export_height: "picture height", "altura da imagem";
     export_theme_hint: "print: white ground and strokes that survive greyscale", "impressão: fundo branco e traços que sobrevivem a tons de cinza";
     export_note: "PNG, WebP or JPEG, by the ending of the name. Only a PNG carries its figure: opening or dropping it brings it back.", "PNG, WebP ou JPEG, pelo final do nome. Só um PNG leva sua figura: abri-lo ou soltá-lo a traz de volta.";
+    export_preview: "the picture as it will be", "a imagem como vai ficar";
+    export_drawing: "The picture is being drawn …", "A imagem está sendo desenhada …";
+    export_copy: "Copy the picture", "Copiar a imagem";
+    export_copy_hint: "To the clipboard, at its full size; it carries no figure there", "Para a área de transferência, no tamanho inteiro; lá ela não leva sua figura";
+    export_copy_too_large: "Too large for the clipboard; allowed: at most 33 million pixels", "Grande demais para a área de transferência; permitido: no máximo 33 milhões de pixels";
     export_action: "Export…", "Exportar…";
     drop_here: "Drop it here to open it", "Solte aqui para abrir";
 

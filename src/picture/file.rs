@@ -1,6 +1,6 @@
 //! Pictures as files, in the format that is asked for.
 
-use super::{Renderer, gap};
+use super::{Picture, Renderer, gap};
 use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
 use crate::export::web;
@@ -39,6 +39,24 @@ pub struct PictureFile {
     pub too_much: Option<TooMuch>,
 }
 
+/// What is in such a file: `requests` side by side, and what could not be done as it was asked for; `crop`: without the empty ground
+/// around them.
+///
+/// # Errors
+/// [`PictureError::TooLarge`] and [`PictureError::Cancelled`].
+pub fn assembled(
+    requests: &[Request],
+    crop: bool,
+    progress: &Progress,
+) -> Result<(Picture, Option<TooMuch>), PictureError> {
+    let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
+    let mut renderer = Renderer::default();
+    renderer.watch(progress);
+    let (picture, too_much) = renderer.sheet(requests).ok_or(PictureError::TooLarge).map_err(or_cancelled)?;
+    let scale = requests.first().map_or(1.0, |request| request.size.scale);
+    Ok((if crop { picture.cropped(gap(scale)) } else { picture }, too_much))
+}
+
 /// The file that shows `requests` side by side, with a figure file in it where the format can carry one; `crop`: without the empty
 /// ground around them.
 ///
@@ -54,11 +72,7 @@ pub fn file(
     progress: &Progress,
 ) -> Result<PictureFile, PictureError> {
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
-    let mut renderer = Renderer::default();
-    renderer.watch(progress);
-    let (picture, too_much) = renderer.sheet(requests).ok_or(PictureError::TooLarge).map_err(or_cancelled)?;
-    let scale = requests.first().map_or(1.0, |request| request.size.scale);
-    let mut picture = if crop { picture.cropped(gap(scale)) } else { picture };
+    let (mut picture, too_much) = assembled(requests, crop, progress)?;
     let encode = |bytes: Result<Vec<u8>, String>| bytes.map_err(|why| PictureError::Encode { format, why });
     let bytes = match format {
         PictureFormat::Png => picture.into_png(figure, progress).map_err(|error| or_cancelled(error.into()))?,

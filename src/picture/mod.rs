@@ -14,7 +14,7 @@ use crate::export::png::{self, PngError};
 use crate::export::sheet::side_by_side;
 use crate::progress::Progress;
 pub use account::Account;
-pub use file::{PictureError, PictureFile, file};
+pub use file::{PictureError, PictureFile, assembled, file};
 pub use renderer::Renderer;
 pub use sheet::{gap, requests, widths};
 

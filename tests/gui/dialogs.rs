@@ -1,14 +1,15 @@
 //! Dialogs: their lists, their focus, and what they ask.
 
 use std::fs;
+use std::time::{Duration, Instant};
 
 use camera_lab::appearance::Theme;
 use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::views::{View, Views};
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2};
-use egui_kittest::kittest::Queryable;
+use eframe::egui::{ColorImage, Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, TextureId};
+use egui_kittest::kittest::{NodeT as _, Queryable};
 
 use super::files::Folder;
 use super::window::Window;
@@ -61,6 +62,88 @@ fn lists_of_the_export_dialog_open_before_it_every_time() {
         window.key(Key::Escape);
         assert_eq!(window.state().file_flow.dialog, None);
     }
+}
+
+/// The picture in the export dialog and its size, once it is another one than `before`.
+fn preview(window: &mut Window, before: Option<TextureId>) -> (TextureId, [usize; 2]) {
+    let since = Instant::now();
+    loop {
+        let texture = window.state().file_flow.preview.as_ref().and_then(|preview| preview.texture());
+        match texture.map(|texture| (texture.id(), texture.size())) {
+            Some((id, size)) if before != Some(id) => return (id, size),
+            _ => assert!(since.elapsed() < Duration::from_secs(60), "no other picture than {before:?}"),
+        }
+        std::thread::sleep(Duration::from_millis(5));
+        window.harness.step();
+    }
+}
+
+#[test]
+fn the_export_dialog_shows_the_picture_as_it_will_be() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::E);
+    window.quick_choice("pictures", "Image");
+    window.quick_choice("size", "typed");
+    // Not larger than it will be, and nothing is enlarged.
+    window.enter("picture width", "320");
+    window.enter("picture height", "200");
+    let since = Instant::now();
+    let mut shown = preview(&mut window, None);
+    while shown.1 != [320, 200] {
+        assert!(since.elapsed() < Duration::from_secs(60), "{shown:?}");
+        shown = preview(&mut window, Some(shown.0));
+    }
+    let pixels = |window: &Window| window.textures.only([320, 200]);
+    let print = pixels(&window);
+    assert!(print.chunks_exact(4).all(|pixel| pixel[3] == 255));
+    window.quick_choice("theme", "dark");
+    let dark = preview(&mut window, Some(shown.0));
+    assert_eq!(dark.1, [320, 200]);
+    assert_ne!(pixels(&window), print);
+    window.click("Without ground");
+    let clear = preview(&mut window, Some(dark.0));
+    assert_eq!(pixels(&window)[3], 0, "transparent at the corner");
+    // A large one is shown with its proportions.
+    window.enter("picture width", "3000");
+    let wide = preview(&mut window, Some(clear.0));
+    assert_eq!(wide.1, [720, 48]);
+    // What cannot be made has no picture, but a reason.
+    window.enter("picture height", "16384");
+    window.enter("picture width", "16384");
+    window.wait_for("no memory for a picture");
+    window.key(Key::Escape);
+    assert!(window.state().file_flow.preview.is_none(), "nothing is kept of it");
+}
+
+#[test]
+fn a_picture_is_copied_at_its_full_size() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::E);
+    window.quick_choice("pictures", "Image");
+    window.quick_choice("size", "typed");
+    window.enter("picture width", "900");
+    window.enter("picture height", "600");
+    window.harness.get_by_label("Copy the picture").click();
+    let copied = |window: &Window| -> Option<ColorImage> {
+        window.harness.output().platform_output.commands.iter().find_map(|command| match command {
+            OutputCommand::CopyImage(image) => Some(image.clone()),
+            _ => None,
+        })
+    };
+    let since = Instant::now();
+    let image = loop {
+        window.harness.step();
+        if let Some(image) = copied(&window) {
+            break image;
+        }
+        assert!(since.elapsed() < Duration::from_secs(60), "nothing on the clipboard");
+        std::thread::sleep(Duration::from_millis(5));
+    };
+    assert_eq!(image.size, [900, 600]);
+    assert!(window.says("Copied."));
+    window.enter("picture width", "16000");
+    window.enter("picture height", "4000");
+    assert!(window.harness.get_by_label("Copy the picture").accesskit_node().is_disabled());
 }
 
 #[test]

@@ -8,6 +8,7 @@ use crate::files::Overwrite;
 use crate::gui::comparison::Comparison;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::native::OpenFileDialog;
+use crate::gui::preview::Preview;
 use crate::gui::session::News;
 use crate::gui::watch::Watch;
 use crate::gui::worker::Running;
@@ -141,6 +142,8 @@ pub struct FileFlow {
     pub(in crate::gui) watch: Watch,
     pub(in crate::gui) asking: Option<(Purpose, OpenFileDialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
+    /// What the export dialog shows while it is open.
+    pub preview: Option<Preview>,
 }
 
 impl FileFlow {

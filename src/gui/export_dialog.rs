@@ -1,0 +1,213 @@
+//! The question of how pictures are exported, with the picture as it will be.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{self, Color32, Rect, RichText, Sense, Vec2, WidgetInfo, vec2};
+
+use super::answers::{Pressed, buttons};
+use super::export::{Export, Subject};
+use super::file_flow;
+use super::number_field::{FieldError, NumberField, Step};
+use super::panels::{choice, complaint, row};
+use super::preview::{Preview, can_be_copied};
+use super::state::{Dialog, Purpose, State};
+use crate::appearance::Theme;
+use crate::gui::tooltip::Explained;
+use crate::i18n::window::Texts;
+use crate::limits::MAX_SIDE;
+use crate::views::{View, Views};
+
+/// The width of the settings, of the picture beside them and of both with what lies between, in points.
+const SETTINGS: f32 = 360.0;
+const PICTURE: Vec2 = vec2(360.0, 240.0);
+const BETWEEN: f32 = 20.0;
+pub(super) const WIDTH: f32 = SETTINGS + BETWEEN + PICTURE.x;
+
+/// The narrowest picture that is worth its room.
+const LEAST_PICTURE: f32 = 120.0;
+
+/// Asks how; goes on to the question where.
+pub(super) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
+    ui.heading(t.export_heading);
+    ui.add_space(6.0);
+    let room = (ui.available_width() - SETTINGS - BETWEEN).min(PICTURE.x);
+    let errors = ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = BETWEEN;
+        let width = SETTINGS.min(ui.available_width());
+        let column = |ui: &mut egui::Ui| {
+            ui.set_width(width);
+            ui.spacing_mut().item_spacing.x = 8.0;
+            settings(ui, t, state, &mut export)
+        };
+        let errors = ui.vertical(column).inner;
+        if room >= LEAST_PICTURE {
+            ui.vertical(|ui| {
+                ui.set_width(room);
+                picture(ui, t, state, &export, (vec2(room, PICTURE.y), errors.is_empty()));
+            });
+        }
+        errors
+    });
+    let errors = errors.inner;
+    ui.add_space(10.0);
+    match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
+        Pressed::Action(_) if errors.is_empty() => {
+            state.export = export;
+            file_flow::ask(ui.ctx(), state, Purpose::Export(export));
+        }
+        Pressed::Cancel => {}
+        Pressed::Action(_) | Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
+    }
+}
+
+/// The picture as it will be, how large it is, and the button that copies it.
+fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Export, (room, valid): (Vec2, bool)) {
+    let ctx = ui.ctx().clone();
+    let mut preview = state.file_flow.preview.take().unwrap_or_default();
+    let subject = || Subject::of(&state.document, state.settings.lang, export.theme);
+    if valid {
+        preview.follow(&ctx, export, [room.x, room.y].map(|side| side * ctx.pixels_per_point()), subject);
+    }
+    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, t.export_preview));
+    paint(ui, &preview, rect, export.transparent);
+    if preview.texture().is_none() {
+        let why = preview.fault.as_ref().map_or_else(|| t.export_drawing.to_owned(), |error| error.text(t.lang, ""));
+        // A child of its own: what stands below does not move.
+        let middle = egui::Layout::centered_and_justified(egui::Direction::TopDown);
+        let place = egui::UiBuilder::new().max_rect(rect.shrink(12.0)).layout(middle);
+        ui.new_child(place).add(egui::Label::new(RichText::new(why).weak()).wrap());
+    }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 8.0;
+        let copying = preview.is_copying();
+        let fits = can_be_copied(export);
+        let button = ui.add_enabled(valid && fits && !copying, egui::Button::new(t.export_copy));
+        let hint = if fits { t.export_copy_hint } else { t.export_copy_too_large };
+        if button.explained(hint).explained_disabled(hint).clicked() {
+            state.export = *export;
+            preview.copy(&ctx, export, subject());
+        }
+        match &preview.copied {
+            _ if copying => {
+                ui.label(t.export_drawing);
+            }
+            Some(Ok(())) => {
+                ui.label(t.copied);
+            }
+            Some(Err(error)) => complaint(ui, &error.text(t.lang, "")),
+            None => {}
+        }
+    });
+    state.file_flow.preview = Some(preview);
+}
+
+/// The picture in the middle of a place, on a chequered ground where it has none of its own.
+fn paint(ui: &egui::Ui, preview: &Preview, room: Rect, transparent: bool) {
+    let painter = ui.painter().with_clip_rect(room.expand(1.0).intersect(ui.clip_rect()));
+    let border = ui.visuals().widgets.noninteractive.bg_stroke;
+    let Some(texture) = preview.texture() else {
+        painter.rect_stroke(room, 0.0, border, egui::StrokeKind::Inside);
+        return;
+    };
+    let size = texture.size_vec2();
+    let factor = (room.width() / size.x).min(room.height() / size.y).min(1.0 / ui.ctx().pixels_per_point());
+    let rect = Rect::from_center_size(room.center(), size * factor);
+    if transparent {
+        chequers(&painter.with_clip_rect(rect), rect);
+    }
+    let whole = Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
+    painter.image(texture.id(), rect, whole, Color32::WHITE);
+    painter.rect_stroke(rect, 0.0, border, egui::StrokeKind::Outside);
+}
+
+/// Squares of two greys, as image editors show that there is nothing.
+fn chequers(painter: &egui::Painter, rect: Rect) {
+    const SIDE: f32 = 8.0;
+    painter.rect_filled(rect, 0.0, Color32::from_gray(250));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few squares")]
+    let count = |length: f32| (length / SIDE).ceil() as u16;
+    for row in 0..count(rect.height()) {
+        for column in (row % 2..count(rect.width())).step_by(2) {
+            let at = rect.min + SIDE * vec2(f32::from(column), f32::from(row));
+            painter.rect_filled(Rect::from_min_size(at, Vec2::splat(SIDE)), 0.0, Color32::from_gray(215));
+        }
+    }
+}
+
+/// How; what is wrong with what was typed.
+fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Export) -> Vec<FieldError> {
+    let what = [
+        (Views::All, t.export_all),
+        (Views::One(View::World), t.show_world),
+        (Views::One(View::Canonical), t.show_canonical),
+        (Views::One(View::Image), t.show_image),
+    ];
+    row(ui, "", t.export_what, "", |ui| choice(ui, t.export_what, "", &mut export.what, &what));
+    let sizes = [
+        ((Some(1), false), "1 ×"),
+        ((Some(2), false), "2 ×"),
+        ((Some(3), false), "3 ×"),
+        ((Some(4), false), "4 ×"),
+        ((None, false), t.export_typed),
+        ((None, true), t.export_paper),
+    ];
+    let mut size = (export.times.filter(|_| !export.on_paper), export.on_paper);
+    row(ui, "", t.export_size, t.export_size_hint, |ui| {
+        choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
+    });
+    (export.times, export.on_paper) = size;
+    let mut errors = if export.on_paper { paper(ui, t, export) } else { Vec::new() };
+    export.fit_screen(state.picture_sizes, state.screen_scale);
+    errors.extend(row(ui, "", t.export_pixels, "", |ui| {
+        ui.add_enabled_ui(size == (None, false), |ui| pixels(ui, t, export)).inner
+    }));
+    for error in &errors {
+        complaint(ui, &error.text(t.lang));
+    }
+    let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
+    row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
+        choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
+    });
+    ui.add_space(4.0);
+    ui.checkbox(&mut export.transparent, t.export_transparent).explained(t.export_transparent_hint);
+    ui.checkbox(&mut export.crop, t.export_crop).explained(t.export_crop_hint);
+    ui.label(RichText::new(t.export_note).small().weak());
+    errors
+}
+
+/// The size on paper; what is wrong with what was typed there.
+fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<FieldError> {
+    let field = |name: &str, most: f64| NumberField::new(name, Step::Add(1.0)).within(0.5..=most).width(64.0);
+    let paper = &mut export.paper;
+    let mut errors = Vec::new();
+    row(ui, "", t.export_centimetres, "", |ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        errors.extend(field(t.export_width_cm, 200.0).show(ui, t, &mut paper.size[0]).error);
+        ui.label("×");
+        errors.extend(field(t.export_height_cm, 200.0).show(ui, t, &mut paper.size[1]).error);
+    });
+    row(ui, "", t.export_dpi, "", |ui| {
+        errors.extend(field(t.export_dpi, 2400.0).show(ui, t, &mut paper.dpi).error);
+    });
+    row(ui, "", t.export_letters, t.export_letters_hint, |ui| {
+        errors.extend(field(t.export_letters, 200.0).show(ui, t, &mut paper.letters).error);
+    });
+    errors
+}
+
+/// Width and height; what is wrong with what was typed there.
+fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<FieldError> {
+    let [mut width, mut height] = [f64::from(export.width), f64::from(export.height)];
+    let sides = 1.0..=f64::from(MAX_SIDE);
+    let field = |name: &str| NumberField::new(name, Step::Add(16.0)).whole().within(sides.clone()).width(64.0);
+    ui.spacing_mut().item_spacing.x = 4.0;
+    let of_width = field(t.export_width).show(ui, t, &mut width);
+    ui.label("×");
+    let of_height = field(t.export_height).show(ui, t, &mut height);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers that fit")]
+    let side = |v: f64| v as u32;
+    (export.width, export.height) = (side(width), side(height));
+    let fits = |side: u32| sides.contains(&f64::from(side));
+    let too_large = (!fits(export.width) || !fits(export.height)).then(|| FieldError::Outside(sides.clone()));
+    [of_width.error, of_height.error, too_large].into_iter().flatten().collect()
+}
