@@ -12,6 +12,7 @@ use super::file_flow;
 use super::focus::{self, Focus, Region};
 use super::gallery::Part;
 use super::held_key::HeldKey;
+use super::key_order::KeyOrder;
 use super::motion;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
@@ -33,6 +34,7 @@ pub struct App {
     preferences: Option<Preferences>,
     held_key: HeldKey,
     focus: Focus,
+    key_order: KeyOrder,
     title: String,
 }
 
@@ -55,6 +57,7 @@ impl App {
             preferences: None,
             held_key: HeldKey::default(),
             focus: Focus::default(),
+            key_order: KeyOrder::default(),
             title: String::new(),
         };
         app.apply_settings(ctx);
@@ -385,6 +388,12 @@ fn drop_hint(ctx: &egui::Context, state: &State) {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
+    }
+
+    fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
+        if self.key_order.hold(&mut input.events) {
+            ctx.request_repaint();
+        }
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {

@@ -224,7 +224,8 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     };
     ui.heading(title);
     ui.add_space(6.0);
-    ui.label(t.path_text);
+    let is_folder = matches!(purpose, Purpose::Folder);
+    ui.label(if is_folder { crate::i18n::gallery::texts(state.settings.lang).which_folder } else { t.path_text });
     let field = egui::TextEdit::singleline(&mut path).desired_width(f32::INFINITY).hint_text(t.path_hint);
     let response = ui.add(field).accessible_name(t.path_name);
     if first {

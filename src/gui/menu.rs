@@ -26,8 +26,8 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         for (title, commands) in menus {
             ui.menu_button(title, |ui| {
                 ui.set_min_width(220.0);
-                for command in commands {
-                    if is_first_of_group(*command) {
+                for (place, command) in commands.iter().enumerate() {
+                    if place > 0 && is_first_of_group(*command) {
                         ui.separator();
                     }
                     if item(ui, t, state, *command) {

@@ -26,6 +26,7 @@ mod handle_drag;
 mod held_key;
 mod highlight;
 mod history;
+mod key_order;
 pub mod menu;
 mod mesh_paths;
 mod motion;

@@ -11,6 +11,8 @@ texts! {
     folder: "Folder", "Pasta";
     // A button.
     choose: "Choose a folder…", "Escolher uma pasta…";
+    // The question for the path of a folder.
+    which_folder: "Which folder?", "Qual pasta?";
     // What the keys do.
     keys: "Arrows: choose · Enter: open · Ctrl+Tab: next part · Esc: close", "Setas: escolher · Enter: abrir · Ctrl+Tab: parte seguinte · Esc: fechar";
     // Where there is nothing to show.

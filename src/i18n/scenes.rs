@@ -100,7 +100,7 @@ texts! {
     gizmo_move: "T move", "T mover";
     gizmo_turn: "R turn", "R girar";
     gizmo_scale: "S scale", "S escalar";
-    several: "objects are selected: dragging in the world, Duplicate and Delete act on all of them; the fields are those of", "objetos selecionados: arrastar no mundo, Duplicar e Apagar agem em todos; os campos são de";
+    several: "objects are selected: dragging in the world, Duplicate and Delete act on all of them; the fields are those of", "objetos selecionados: arrastar no mundo, Duplicar e Excluir agem em todos; os campos são de";
 
     group: "group", "grupo";
     shape_box: "box", "caixa";

@@ -303,7 +303,7 @@ texts! {
     export_dpi: "pixels per inch", "pixels por polegada";
     export_letters: "letters in points", "letras em pontos";
     export_letters_hint: "Height of the letters of names on paper; strokes are in proportion", "Altura das letras dos nomes no papel; os traços são proporcionais";
-    export_transparent: "Without ground", "Sem fundo";
+    export_transparent: "Transparent", "Transparente";
     export_transparent_hint: "What is behind the picture shows through; JPEG has white there", "O que está atrás da imagem aparece; JPEG tem branco ali";
     export_crop: "Crop to what is shown", "Cortar ao que é mostrado";
     export_crop_hint: "Without the empty ground around it", "Sem o fundo vazio em volta";

@@ -45,6 +45,8 @@ pub struct Gallery {
     pub part: Part,
     /// The figure that is chosen, by its place in each part.
     chosen: [usize; 3],
+    /// The chosen card gets the keyboard once there are cards.
+    wants_focus: bool,
     /// The files that were used last, and which of them are gone.
     recent: Vec<PathBuf>,
     gone: HashSet<PathBuf>,
@@ -78,6 +80,7 @@ impl Default for Gallery {
         Self {
             part: Part::default(),
             chosen: [0; 3],
+            wants_focus: false,
             recent: Vec::new(),
             gone: HashSet::new(),
             folder: None,
@@ -102,10 +105,21 @@ impl Gallery {
         self.waiting.extend(self.folder.clone().map(Job::List));
     }
 
+    /// The folder whose figures are shown.
+    pub(super) fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    /// The folder that was chosen when the program ran last.
+    pub(super) fn remember(&mut self, folder: PathBuf) {
+        self.folder = Some(folder);
+    }
+
     /// Shows the figures of this folder from now on.
     pub(super) fn look_into(&mut self, folder: PathBuf) {
         self.part = Part::Folder;
         self.chosen[Part::Folder as usize] = 0;
+        self.wants_focus = true;
         self.files = Ok(Vec::new());
         self.waiting.push(Job::List(folder.clone()));
         self.folder = Some(folder);

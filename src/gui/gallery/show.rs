@@ -62,9 +62,9 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
     ui.add_space(6.0);
     let height = (ui.ctx().content_rect().height() - 130.0).max(120.0);
     let area = ScrollArea::vertical().id_salt(gallery.part).max_height(height).min_scrolled_height(height);
-    let focus = first || before != gallery.part;
+    gallery.wants_focus |= first || before != gallery.part;
     area.auto_shrink(false).show(ui, |ui| {
-        if let Some(source) = cards(ui, t, gallery, &sources, (style.1, focus)) {
+        if let Some(source) = cards(ui, t, gallery, &sources, style.1) {
             asked = Some(Chosen::Open(source));
         }
         if more > 0 {
@@ -90,14 +90,8 @@ fn parts(ui: &mut Ui, t: &Texts, part: &mut Part) {
     }
 }
 
-/// The cards in rows; the figure of the one that was pressed. `focus`: the chosen card gets the keyboard.
-fn cards(
-    ui: &mut Ui,
-    t: &Texts,
-    gallery: &mut Gallery,
-    sources: &[Source],
-    (lang, mut focus): (Lang, bool),
-) -> Option<Source> {
+/// The cards in rows; the figure of the one that was pressed.
+fn cards(ui: &mut Ui, t: &Texts, gallery: &mut Gallery, sources: &[Source], lang: Lang) -> Option<Source> {
     if sources.is_empty() {
         let text = match (gallery.part, &gallery.files) {
             (Part::Folder, Err(why)) => why.as_str(),
@@ -108,6 +102,7 @@ fn cards(
         ui.label(text);
         return None;
     }
+    let mut focus = std::mem::take(&mut gallery.wants_focus);
     let card = card_size();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of columns")]
     let columns = (((ui.available_width() + GAP) / (card.x + GAP)) as usize).max(1);

@@ -164,10 +164,18 @@ fn show(ui: &mut egui::Ui, t: &'static Texts, (report, table): (&Report, &Table)
             erratum(ui, t, text);
         }
     });
+    let room = ui.available_width() - 18.0;
     egui::ScrollArea::horizontal().id_salt(table.name).show(ui, |ui| {
-        let write = |value: f64| t.lang.mark().number(value, digits);
-        let text = lines(&table.shown(digits), write).join("\n");
-        let label = egui::Label::new(RichText::new(text).monospace()).extend();
+        let written = |digits: usize| {
+            let write = |value: f64| t.lang.mark().number(value, digits);
+            lines(&table.shown(digits), write).join("\n")
+        };
+        // Few digits are rounded to what fits; whoever wants many scrolls.
+        let mut fitting = digits;
+        while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, &written(fitting)) > room {
+            fitting -= 1;
+        }
+        let label = egui::Label::new(RichText::new(written(fitting)).monospace()).extend();
         if table.is_matrix() {
             let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 0));
             let place = frame.show(ui, |ui| ui.add(label)).response.rect;
@@ -176,6 +184,14 @@ fn show(ui: &mut egui::Ui, t: &'static Texts, (report, table): (&Report, &Table)
             ui.add(label);
         }
     });
+}
+
+/// So many digits are rounded further where they do not fit.
+const MOST_TO_FIT: usize = 7;
+
+fn width(ui: &egui::Ui, text: &str) -> f32 {
+    let font = egui::TextStyle::Monospace.resolve(ui.style());
+    ui.painter().layout_no_wrap(text.to_owned(), font, ui.visuals().text_color()).size().x
 }
 
 /// What a table is, with the equation that is in force.

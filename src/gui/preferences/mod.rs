@@ -6,7 +6,7 @@
 mod store;
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Value};
 
@@ -44,7 +44,7 @@ struct Key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 21] = [
+const KEYS: [Key; 22] = [
     Key {
         name: "language",
         of: |state| words::name(LANGUAGES, state.settings.lang).into(),
@@ -110,6 +110,15 @@ const KEYS: [Key; 21] = [
         name: "convention",
         of: |state| words::name(CONVENTIONS, state.operations.convention).into(),
         apply: |state, value| put(&mut state.operations.convention, word(CONVENTIONS, value)),
+    },
+    Key {
+        name: "gallery_folder",
+        of: |state| state.gallery.folder().and_then(Path::to_str).unwrap_or_default().into(),
+        apply: |state, value| {
+            if let Some(folder) = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute()) {
+                state.gallery.remember(folder);
+            }
+        },
     },
     Key {
         name: "export_theme",
