@@ -73,6 +73,7 @@ fn object(mesh: Arc<Mesh>, world_from_object: DMat4) -> Object {
         two_sided: false,
         faces: true,
         edges: None,
+        outline: None,
     }
 }
 

@@ -17,7 +17,7 @@ use super::projector::{ClipPoint, Projector, ViewFromObject};
 use super::resample::{Remake, normals, object_paint};
 use crate::appearance::LineStyle;
 use crate::camera::{Camera, Projection};
-use crate::scene::{Line, Mesh, Object, Scene};
+use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 
 /// The bits of an outcode, `true` where a point is outside: left, right, bottom, top, near, far. `None` for a point with a
 /// coordinate that is not a number.
@@ -166,6 +166,14 @@ impl Splitter {
                 made.push(([a, b, b], kept));
             }
         }
+        for shared in &mesh.adjacency.edges {
+            let [a, b] = shared.ends;
+            let Some((kept, cut)) = parted(&[a, b]) else { continue };
+            inside.shared([a, b, b], &kept, shared);
+            for piece in &cut {
+                outside.shared([a, b, b], piece, shared);
+            }
+        }
         let place = |of: [u32; 3], corner: &Corner| {
             object.world_from_object.transform_point3(corner.origin(of).of(|i| mesh.positions[i as usize]))
         };
@@ -279,10 +287,20 @@ impl<'a> ObjectPart<'a> {
     }
 
     fn edge(&mut self, of: [u32; 3], ends: &[Corner]) {
-        if let [a, b] = ends {
-            let ends = [a, b].map(|end| self.remake.vertex(end.origin(of)));
+        if let Some(ends) = self.ends(of, ends) {
             self.remake.edges.push(ends);
         }
+    }
+
+    fn shared(&mut self, of: [u32; 3], ends: &[Corner], whole: &SharedEdge) {
+        if let Some(ends) = self.ends(of, ends) {
+            self.remake.shared.push(SharedEdge { ends, ..*whole });
+        }
+    }
+
+    fn ends(&mut self, of: [u32; 3], ends: &[Corner]) -> Option<[u32; 2]> {
+        let [a, b] = ends else { return None };
+        Some([a, b].map(|end| self.remake.vertex(end.origin(of))))
     }
 
     fn finish(self) -> Option<Object> {
@@ -294,7 +312,9 @@ impl<'a> ObjectPart<'a> {
         let positions = origins.iter().map(|origin| origin.of(|i| old.positions[i as usize])).collect();
         let paint = object_paint(&object.paint, origins.iter().copied(), &remake.sources);
         let normals = normals(old, origins);
-        let mesh = Mesh { positions, normals, triangles: remake.triangles, edges: remake.edges, ..Mesh::default() };
+        let adjacency = Adjacency { planes: old.adjacency.planes.clone(), edges: remake.shared };
+        let mesh =
+            Mesh { positions, normals, triangles: remake.triangles, edges: remake.edges, adjacency, ..Mesh::default() };
         // Open now, so that its inside shows.
         let two_sided = object.two_sided || old.closed;
         Some(Object { mesh: Arc::new(mesh), paint, two_sided, ..object.clone() })

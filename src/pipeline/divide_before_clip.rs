@@ -108,6 +108,7 @@ impl Divide {
         let right: Vec<u32> =
             (0..).zip(&mesh.triangles).filter(|(_, triangle)| !behind(&triangle[..])).map(|(face, _)| face).collect();
         let edges = mesh.edges.iter().copied().filter(|edge| !behind(&edge[..])).collect();
+        let outlined = mesh.adjacency.edges.iter().copied().filter(|edge| !behind(&edge.ends)).collect();
         let mut wrong = Wrong { remake: Remake::new(mesh), positions: Vec::new() };
         for (face, triangle) in (0_u32..).zip(&mesh.triangles).filter(|(_, triangle)| behind(&triangle[..])) {
             let polygon = wrong.vertices(*triangle, &inside(triangle));
@@ -120,7 +121,7 @@ impl Divide {
         }
         // Open now, so that its inside shows, as where clipping has cut it open.
         let two_sided = object.two_sided || mesh.closed;
-        let right = Object { two_sided, ..with_triangles(object, &right, edges) };
+        let right = Object { two_sided, ..with_triangles(object, &right, edges, outlined) };
         (right, wrong.finish(object))
     }
 
@@ -176,6 +177,8 @@ impl Wrong {
             paint,
             lit: false,
             two_sided: true,
+            // Turned round the eye, no face has a side that is seen.
+            outline: None,
             ..object.clone()
         })
     }

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::Target;
 use super::clip::Clipper;
+use super::outline::outline;
 use super::planes::outcode;
 use super::projector::{ClipPoint, Projector};
 use super::transform::{Screen, Vertices, off_grid};
@@ -21,7 +22,7 @@ pub(super) struct Strokes<'a> {
     background: Rgba,
     clipper: Clipper,
     pub(super) sets: Vec<StrokeSet>,
-    /// How many edges, lines, marks and texts were to be drawn.
+    /// How many edges, polylines of outlines, lines, marks and texts were to be drawn.
     pub(super) asked: usize,
 }
 
@@ -75,6 +76,17 @@ impl<'a> Strokes<'a> {
             }
         }
         2 * object.mesh.edges.len()
+    }
+
+    /// The outline of an object: silhouette and creases. Gives how many points were transformed.
+    pub(super) fn outline(&mut self, object: &Object, vertices: &Vertices, style: &Style) -> usize {
+        let Some(line_style) = object.outline.filter(|_| style.shading != Shading::Wireframe) else { return 0 };
+        let polylines = outline(&object.mesh, vertices.view_from_object.seen_from());
+        self.asked += polylines.len();
+        for polyline in &polylines {
+            self.polyline(polyline.iter().map(|&i| vertices.view(i)), line_style);
+        }
+        polylines.iter().map(Vec::len).sum()
     }
 
     /// The lines that stand in the world.

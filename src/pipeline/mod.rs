@@ -9,7 +9,7 @@
 //! | clipping, before the divide | clip | `faces`, `clip` |
 //! | light on what is left | view | `light`, `shade` |
 //! | order of faces, where no depth buffer decides | view | `visibility` |
-//! | edges, lines, marks, texts | world → pixels | `lines` |
+//! | edges, outlines, lines, marks, texts | world → pixels | `lines`, `outline` |
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
 //! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
@@ -32,6 +32,7 @@ pub mod divide_before_clip;
 mod faces;
 mod light;
 mod lines;
+mod outline;
 pub mod plan;
 mod planes;
 mod pool;
@@ -199,7 +200,7 @@ impl Pipeline {
                 }
                 meter.lap(Stage::Light);
             }
-            let ends = strokes.edges(object, &vertices, style);
+            let ends = strokes.edges(object, &vertices, style) + strokes.outline(object, &vertices, style);
             if !todo.faces {
                 meter.count_ends(ends);
             }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec3, DVec4};
 
 use super::clip::Clipper;
 use super::light::{Lights, ObjectLight};
@@ -12,7 +12,7 @@ use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
 use super::transform::{Vertices, each_chunk};
 use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
-use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
+use crate::scene::{Adjacency, Line, Mesh, Object, ObjectPaint, PointMark, Scene, SharedEdge, Text};
 
 /// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed, with z
 /// away from the eye, and this is how they are shown in a right-handed space.
@@ -59,6 +59,22 @@ pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
 /// `(x_n, y_n, −z_n)`; the last is twice the depth of the picture less one, so it has no cancellation either.
 pub(super) fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
     DVec3::new(p.x / p.w, p.y / p.w, 2.0 * projector.picture_depth(p.depth) - 1.0)
+}
+
+/// [`displayed`] as a matrix, from view space: the divide is still to be done.
+fn display_from_view(projector: &Projector) -> DMat4 {
+    let [sx, sy] = projector.scale;
+    // w as a function of (x, y, z, 1).
+    let w = if projector.perspective { DVec4::NEG_Z } else { DVec4::W };
+    // 2 · depth of the picture · w: of F (B − d)/(B − F) in perspective, (B − d)/(B − F) else, with d = −z.
+    let slope = 2.0 * if projector.perspective { projector.near } else { 1.0 } / (projector.far - projector.near);
+    let rows = [
+        DVec4::X * sx - w * projector.shift[0],
+        DVec4::Y * sy - w * projector.shift[1],
+        (DVec4::Z + DVec4::W * projector.far) * slope - w,
+        w,
+    ];
+    DMat4::from_cols(rows[0], rows[1], rows[2], rows[3]).transpose()
 }
 
 fn clipped_line(line: &Line, projector: &Projector) -> Vec<Line> {
@@ -117,22 +133,40 @@ fn clipped_object(object: &Object, projector: &Projector, lights: Option<&Lights
     };
     projected.triangles(&object.mesh.triangles, view_from_object.mirrored());
     projected.edges(&object.mesh.edges);
+    projected.shared(&object.mesh.adjacency.edges);
+    let planes = match object.mesh.adjacency.planes.as_slice() {
+        [] => Vec::new(),
+        planes => {
+            let display_from_object = display_from_view(projector) * view_from_object.matrix();
+            let of_planes = display_from_object.inverse().transpose();
+            planes.iter().map(|&plane| of_planes * plane).collect()
+        }
+    };
     if projected.remake.is_empty() {
         return None;
     }
     let whole = !projected.cut && projected.remake.sources.len() == object.mesh.triangles.len();
     let paint = projected.paint(object, lights.filter(|_| object.lit), shading);
-    let Projected { remake: Remake { triangles, edges, .. }, positions, .. } = projected;
+    let Projected { remake: Remake { triangles, edges, shared, .. }, positions, .. } = projected;
     let (closed, convex) = (whole && object.mesh.closed, whole && object.mesh.convex);
     Some(Object {
         name: object.name.clone(),
-        mesh: Arc::new(Mesh { positions, normals: Vec::new(), triangles, edges, closed, convex }),
+        mesh: Arc::new(Mesh {
+            positions,
+            normals: Vec::new(),
+            triangles,
+            edges,
+            adjacency: Adjacency { planes, edges: shared },
+            closed,
+            convex,
+        }),
         world_from_object: DMat4::IDENTITY,
         paint,
         lit: false,
         two_sided: object.two_sided || !whole,
         faces: object.faces,
         edges: object.edges,
+        outline: object.outline,
     })
 }
 
@@ -163,21 +197,34 @@ impl Projected<'_> {
 
     fn edges(&mut self, edges: &[[u32; 2]]) {
         let mut clipper = Clipper::default();
-        for &[a, b] in edges {
-            if self.codes([a, b, b]).is_none() {
-                continue;
+        for &ends in edges {
+            if let Some(ends) = self.edge(ends, &mut clipper) {
+                self.remake.edges.push(ends);
             }
-            let ends = [a, b].map(|i| self.vertices.clip(i));
-            let Some(kept) = clipper.segment(self.projector, ends) else { continue };
-            let index: [u32; 2] = std::array::from_fn(|k| {
-                let (point, cut) = kept[k];
-                let own = [a, b][k];
-                // An edge has no colour: what its new ends are made of does not matter.
-                let between = VertexOrigin::Between { of: [own; 3], weights: [1.0, 0.0, 0.0] };
-                self.vertex(point, if cut { between } else { VertexOrigin::Vertex(own) })
-            });
-            self.remake.edges.push(index);
         }
+    }
+
+    fn shared(&mut self, edges: &[SharedEdge]) {
+        let mut clipper = Clipper::default();
+        for &edge in edges {
+            if let Some(ends) = self.edge(edge.ends, &mut clipper) {
+                self.remake.shared.push(SharedEdge { ends, ..edge });
+            }
+        }
+    }
+
+    /// The part of an edge that is in the volume.
+    fn edge(&mut self, ends: [u32; 2], clipper: &mut Clipper) -> Option<[u32; 2]> {
+        let [a, b] = ends;
+        self.codes([a, b, b])?;
+        let kept = clipper.segment(self.projector, ends.map(|i| self.vertices.clip(i)))?;
+        Some(std::array::from_fn(|k| {
+            let (point, cut) = kept[k];
+            let own = ends[k];
+            // An edge has no colour: what its new ends are made of does not matter.
+            let between = VertexOrigin::Between { of: [own; 3], weights: [1.0, 0.0, 0.0] };
+            self.vertex(point, if cut { between } else { VertexOrigin::Vertex(own) })
+        }))
     }
 
     /// The outcodes of three vertices; `None` where the mesh has no such vertices.

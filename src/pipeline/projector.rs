@@ -1,6 +1,6 @@
 //! The camera as the pipeline applies it, point by point: object → world → view → clip, in `f64`.
 
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use crate::camera::{Basis, Camera, Projection};
 
@@ -102,6 +102,11 @@ impl Projector {
         let view_from_world = DMat3::from_cols(u, v, n).transpose();
         let inverse = linear.inverse();
         let determinant = linear.determinant();
+        let seen_from = if self.perspective {
+            (inverse * (self.position - translation)).extend(1.0)
+        } else {
+            (inverse * n).extend(0.0)
+        };
         // With the eye in object space, one subtraction and one 3×3 product take a vertex to view space, and objects far from
         // the origin lose nothing. The inverse costs digits where the scales along the axes differ wildly.
         let condition = norm(linear) * norm(inverse);
@@ -111,6 +116,7 @@ impl Projector {
                 linear: view_from_world * linear,
                 through_world: None,
                 determinant,
+                seen_from,
             }
         } else {
             ViewFromObject {
@@ -118,6 +124,7 @@ impl Projector {
                 linear: view_from_world,
                 through_world: Some((linear, translation)),
                 determinant,
+                seen_from,
             }
         }
     }
@@ -157,6 +164,7 @@ pub(super) struct ViewFromObject {
     through_world: Option<(DMat3, DVec3)>,
     /// Of the model matrix: negative where it mirrors.
     determinant: f64,
+    seen_from: DVec4,
 }
 
 impl ViewFromObject {
@@ -220,6 +228,23 @@ impl ViewFromObject {
             Some((linear, _)) => self.linear * linear,
         };
         (linear.transpose() * gradient).length()
+    }
+
+    /// The eye in object space, homogeneous: a point, or in parallel projection the direction towards it (w = 0). Not finite for a
+    /// flattened object.
+    pub(super) fn seen_from(&self) -> DVec4 {
+        self.seen_from
+    }
+
+    /// [`point`](Self::point) as a matrix.
+    pub(super) fn matrix(&self) -> DMat4 {
+        let view_from_world = DMat4::from_mat3(self.linear) * DMat4::from_translation(-self.eye);
+        match self.through_world {
+            None => view_from_world,
+            Some((linear, translation)) => {
+                view_from_world * DMat4::from_translation(translation) * DMat4::from_mat3(linear)
+            }
+        }
     }
 
     /// True where the object is mirrored, so that its triangles turn the other way round.

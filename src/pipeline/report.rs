@@ -53,12 +53,12 @@ pub struct StageReport {
     /// | cull objects | objects of the scene | those that may be in view |
     /// | normals | vertices whose normals are taken to view space | the same |
     /// | light | faces or vertices, whatever is lit before there are pixels | the same |
-    /// | transform, oblique window | vertices of objects that may be in view and have faces, ends of edges of the others | the same |
+    /// | transform, oblique window | vertices of objects that may be in view and have faces, ends of edges and points of outlines of the others | the same |
     /// | cull faces | triangles of these objects | those that do not turn their back |
     /// | clip | these triangles | triangles inside the volume |
     /// | divide, viewport | vertices of these objects, and those that clipping made | the same |
     /// | hidden surfaces, painted in order | triangles | the pieces that they were split into |
-    /// | lines | edges, lines, marks and texts | strokes, marks and texts that are in view |
+    /// | lines | edges, outlines (by polyline), lines, marks and texts | strokes, marks and texts that are in view |
     pub counts: Option<(usize, usize)>,
     /// How long it took; `None` without a clock, and for stages that run together with another.
     pub time: Option<Duration>,
@@ -133,7 +133,7 @@ impl Meter {
         }
     }
 
-    /// Counts the ends of the edges of an object whose faces are not drawn.
+    /// Counts the points of the edges and outline of an object whose faces are not drawn.
     pub(super) fn count_ends(&mut self, ends: usize) {
         self.vertices += ends;
     }

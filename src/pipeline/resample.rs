@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::appearance::Rgba;
 use crate::drawing::{Paint, Phong};
 use crate::geometry::try_unit;
-use crate::scene::{Mesh, Object, ObjectPaint};
+use crate::scene::{Adjacency, Mesh, Object, ObjectPaint, SharedEdge};
 
 /// What a vertex is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,6 +163,8 @@ pub(super) struct Remake {
     /// The old triangle of each new one.
     pub(super) sources: Vec<u32>,
     pub(super) edges: Vec<[u32; 2]>,
+    /// What is left of the edges of the old mesh's adjacency; the faces are still the old ones.
+    pub(super) shared: Vec<SharedEdge>,
 }
 
 impl Remake {
@@ -173,6 +175,7 @@ impl Remake {
             triangles: Vec::new(),
             sources: Vec::new(),
             edges: Vec::new(),
+            shared: Vec::new(),
         }
     }
 
@@ -206,14 +209,16 @@ impl Remake {
     }
 }
 
-/// An object with some of its triangles and edges only: open, unless it keeps all. `triangles`: their indices, ascending.
+/// An object with some of its triangles and edges only: open, unless it keeps all. `triangles`: their indices, ascending;
+/// `outlined`: the edges of the mesh's adjacency that may still be on its outline.
 #[must_use]
-pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>) -> Object {
+pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, outlined: Vec<SharedEdge>) -> Object {
     let old = &object.mesh;
     let all = triangles.len() == old.triangles.len();
     let mesh = Mesh {
         triangles: triangles.iter().filter_map(|&k| old.triangles.get(k as usize).copied()).collect(),
         edges,
+        adjacency: Adjacency { planes: old.adjacency.planes.clone(), edges: outlined },
         closed: old.closed && all,
         convex: old.convex && all,
         positions: old.positions.clone(),

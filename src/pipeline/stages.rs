@@ -39,7 +39,7 @@ pub enum Stage {
     Blend,
     /// Several samples for a pixel.
     Antialias,
-    /// Edges, lines, marks and texts, over the finished surfaces.
+    /// Edges, outlines, lines, marks and texts, over the finished surfaces.
     Lines,
     /// Colours go to the memory of the image.
     Write,

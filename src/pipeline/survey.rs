@@ -46,6 +46,7 @@ impl Survey {
             Containment::Crosses(planes) => planes,
             Containment::Outside(_) | Containment::Empty => 0,
         };
+        let outline = |object: &Object| object.outline.filter(|_| !wireframe);
         let asks = |hidden: HiddenLines| hidden != HiddenLines::Shown;
         // The inside of an object that the near plane may cut open is hidden by its outside.
         let hides_itself = |object: &Object, plan: &ObjectPlan| {
@@ -69,10 +70,11 @@ impl Survey {
             translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
             hides_itself: faces.iter().any(|(object, plan)| hides_itself(object, plan)),
             lines_ask: in_view.iter().any(|(object, _)| object.edges.is_some_and(|style| asks(style.hidden)))
+                || in_view.iter().any(|(object, _)| outline(object).is_some_and(|style| asks(style.hidden)))
                 || scene.lines.iter().any(|line| asks(line.style.hidden))
                 || scene.marks.iter().any(|mark| mark.fade_if_hidden)
                 || scene.texts.iter().any(|text| text.fade_if_hidden),
-            lines: in_view.iter().any(|(object, _)| wireframe || object.edges.is_some())
+            lines: in_view.iter().any(|(object, _)| wireframe || object.edges.is_some() || outline(object).is_some())
                 || !(scene.lines.is_empty() && scene.marks.is_empty() && scene.texts.is_empty()),
         }
     }

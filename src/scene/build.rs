@@ -9,7 +9,8 @@ use super::marks::{point_mark, point_name};
 use super::palette::{PALETTE, SceneColors};
 use super::resolve::{Placed, allowed_segments, lights, place};
 use super::{
-    Line, Mesh, MeshFiles, Object, ObjectPaint, ReadFile, Scene, SceneError, SceneSpec, Shape, presets, primitives,
+    Adjacency, Line, Mesh, MeshFiles, Object, ObjectPaint, ReadFile, Scene, SceneError, SceneSpec, Shape, presets,
+    primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
 use crate::foreign::shown;
@@ -139,12 +140,13 @@ impl Maker<'_, '_> {
                 two_sided: part.two_sided,
                 faces: true,
                 edges: None,
+                outline: None,
             });
         }
         Ok(())
     }
 
-    /// A solid, whose mesh is made once for each number of segments; faceted ones show their edges.
+    /// A solid, whose mesh is made once for each number of segments; faceted ones show their edges, curved ones their outline.
     fn solid(
         &mut self,
         scene: &mut Scene,
@@ -157,7 +159,14 @@ impl Maker<'_, '_> {
         let segments = if shape.has_segments() { allowed_segments(placed.spec)? } else { 0 };
         let key = (shape.name(), segments);
         let before = self.before.remove(&key);
-        let made = || before.unwrap_or_else(|| Arc::new(make(segments)));
+        let made = || {
+            before.unwrap_or_else(|| {
+                let mesh = make(segments);
+                let adjacency =
+                    if faceted { Adjacency::default() } else { Adjacency::of(&mesh.positions, &mesh.triangles) };
+                Arc::new(Mesh { adjacency, ..mesh })
+            })
+        };
         let mesh = Arc::clone(self.files.primitives.entry(key).or_insert_with(made));
         scene.objects.push(Object {
             name: placed.spec.name.clone(),
@@ -168,6 +177,7 @@ impl Maker<'_, '_> {
             two_sided: false,
             faces: true,
             edges: faceted.then(|| self.colors.edge_style()),
+            outline: (!faceted).then(|| self.colors.edge_style()),
         });
         Ok(())
     }
@@ -188,5 +198,6 @@ fn bare(name: &str, mesh: Mesh, placed: &Placed<'_>, color: Rgba, edges: Option<
         two_sided: true,
         faces: false,
         edges,
+        outline: None,
     }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use glam::DVec3;
 
+use super::adjacency::Adjacency;
 use super::polygon;
 use crate::geometry::Aabb;
 use crate::limits::MAX_VERTICES;
@@ -21,6 +22,8 @@ pub struct Mesh {
     /// edge once (also where vertices are doubled). Curved shapes name only some of their sides: see
     /// [`primitives`](super::primitives).
     pub edges: Vec<[u32; 2]>,
+    /// Where faces meet, of curved solids: what their outline is found from. Empty for other meshes.
+    pub adjacency: Adjacency,
     /// The surface has no border: from outside no back face can be seen.
     pub closed: bool,
     /// The surface is convex (and closed).

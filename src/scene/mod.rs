@@ -1,5 +1,6 @@
 //! What is drawn: meshes in world space, lights, and the lines, marks and texts that stand in the world.
 
+mod adjacency;
 mod build;
 pub mod edit;
 mod error;
@@ -26,6 +27,7 @@ use glam::{DMat4, DVec3};
 
 use crate::appearance::{LineStyle, MarkShape, Rgba};
 use crate::geometry::Aabb;
+pub use adjacency::{Adjacency, SharedEdge};
 pub use build::{build, build_with};
 pub use error::{SceneError, chain_text};
 pub use import::MeshFiles;
@@ -106,6 +108,9 @@ pub struct Object {
     pub faces: bool,
     /// How its edges are drawn; `None`: not at all (except in wireframe, which draws them in the object's colour).
     pub edges: Option<LineStyle>,
+    /// How the silhouette and the creases of a curved solid are drawn, by the [`adjacency`](Mesh::adjacency) of its mesh; `None`, and in
+    /// wireframe: not at all.
+    pub outline: Option<LineStyle>,
 }
 
 impl Object {

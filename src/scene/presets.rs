@@ -198,6 +198,7 @@ fn tiled_floor(colors: &SceneColors) -> Object {
         two_sided: true,
         faces: true,
         edges: None,
+        outline: None,
     }
 }
 
@@ -243,6 +244,7 @@ fn letter_f(colors: &SceneColors) -> Object {
         two_sided: false,
         faces: true,
         edges: Some(colors.edge_style()),
+        outline: None,
     }
 }
 
@@ -353,6 +355,7 @@ fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
                 hidden: HiddenLines::Hidden,
                 arrow: false,
             }),
+            outline: None,
         });
     }
 }

@@ -51,7 +51,7 @@ pub(super) fn only(scene: &mut Scene) {
     scene.lines.clear();
     scene.marks.clear();
     scene.texts.clear();
-    scene.objects.iter_mut().for_each(|object| object.edges = None);
+    scene.objects.iter_mut().for_each(|object| (object.edges, object.outline) = (None, None));
 }
 
 /// Depths, as grey levels of 0 … 1.

@@ -43,6 +43,7 @@ fn camera_before(builder: &mut SceneBuilder, request: &Request, palette: Palette
         two_sided: false,
         faces: true,
         edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
+        outline: None,
     });
     builder.line(vec![c, before.focal_point()], color, 0.9, Dash::Dotted);
     let corners = before.volume_corners();

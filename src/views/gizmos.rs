@@ -110,6 +110,7 @@ impl SceneBuilder<'_> {
             two_sided: true,
             faces: true,
             edges: None,
+            outline: None,
         });
     }
 }
@@ -132,6 +133,7 @@ pub(super) fn wired(mut scene: Scene, style: &Style) -> (Scene, Style) {
             }
         };
         object.edges = Some(stroke(own, 1.25, Dash::Solid, style.hidden_lines));
+        object.outline = None;
         object.faces = false;
     }
     (scene, Style { shading: Shading::Flat, ..*style })

@@ -276,17 +276,18 @@ fn reason(planes: PlaneSet, labels: &Labels) -> String {
     format!("{}: {}", labels.outside_of, names.join(", "))
 }
 
-/// An object in two: its front faces with its edges, and its back faces in one colour.
+/// An object in two: its front faces with its edges and its outline, and its back faces in one colour.
 fn parted(object: &Object, back: &[bool], color: Rgba) -> [Object; 2] {
     let of = |side: bool| -> Vec<u32> { (0..).zip(back).filter(|(_, b)| **b == side).map(|(i, _)| i).collect() };
     let (fronts, backs) = (of(false), of(true));
     [
-        with_triangles(object, &fronts, object.mesh.edges.clone()),
+        with_triangles(object, &fronts, object.mesh.edges.clone(), object.mesh.adjacency.edges.clone()),
         Object {
             paint: ObjectPaint::Solid(color),
             lit: false,
             edges: None,
-            ..with_triangles(object, &backs, Vec::new())
+            outline: None,
+            ..with_triangles(object, &backs, Vec::new(), Vec::new())
         },
     ]
 }
@@ -297,8 +298,8 @@ fn glass(mut scene: Scene, color: Rgba) -> Scene {
     for object in &mut scene.objects {
         object.paint = ObjectPaint::Solid(color);
         object.two_sided = true;
-        if let Some(edges) = &mut object.edges {
-            edges.color = strong;
+        for style in [&mut object.edges, &mut object.outline].into_iter().flatten() {
+            style.color = strong;
         }
     }
     scene.lines.iter_mut().for_each(|line| line.style.color = strong);

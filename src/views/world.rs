@@ -229,6 +229,7 @@ impl World<'_> {
             two_sided: false,
             faces: true,
             edges: Some(edge),
+            outline: None,
         });
         self.builder.mark_above(c, MarkShape::Disc, 2.4, self.palette.ink);
         let screen = self.builder.screen;
@@ -326,5 +327,6 @@ fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
         two_sided: true,
         faces: true,
         edges: None,
+        outline: None,
     }
 }

@@ -21,6 +21,7 @@ mod image_pixels;
 mod inspect_report;
 mod layers;
 mod meshes;
+mod outline;
 mod pipeline;
 mod pipeline_bounds;
 mod pipeline_counts;

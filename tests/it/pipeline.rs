@@ -63,6 +63,7 @@ pub(crate) fn object(mesh: Mesh, world_from_object: DMat4) -> Object {
         lit: true,
         faces: true,
         edges: None,
+        outline: None,
     }
 }
 

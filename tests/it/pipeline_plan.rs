@@ -9,7 +9,7 @@ use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::pipeline::plan::{Options, Output, Reason, Stage};
 use camera_lab::pipeline::{Containment, FacesDone, Frame, Pipeline, Target};
 use camera_lab::raster::Rasterizer;
-use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene, primitives};
+use camera_lab::scene::{Adjacency, Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene, primitives};
 use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3, Vec3Swizzles};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -257,7 +257,9 @@ pub(crate) fn any_object() -> impl Strategy<Value = Object> {
                 _ => ObjectPaint::Solid(color),
             };
             let name = "thing".into();
-            Object { name, mesh: Arc::new(mesh), world_from_object, paint, lit, two_sided, faces, edges }
+            let outline = edges.filter(|_| kind % 2 == 0);
+            let mesh = Arc::new(Mesh { adjacency: Adjacency::of(&mesh.positions, &mesh.triangles), ..mesh });
+            Object { name, mesh, world_from_object, paint, lit, two_sided, faces, edges, outline }
         },
     )
 }

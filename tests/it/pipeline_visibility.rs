@@ -128,6 +128,7 @@ proptest! {
         let objects = objects.into_iter().zip(colors).enumerate().map(|(k, (thing, color))| Object {
             paint: ObjectPaint::Solid(color),
             edges: None,
+            outline: None,
             faces: true,
             // Nothing that is pressed flat: a face seen on edge is nothing but edge.
             world_from_object: match thing.world_from_object.determinant().abs() {

@@ -400,6 +400,7 @@ fn passing_the_eye(paint: ObjectPaint) -> Scene {
         two_sided: true,
         faces: true,
         edges: None,
+        outline: None,
     };
     Scene { objects: vec![floor], ..Scene::default() }
 }
