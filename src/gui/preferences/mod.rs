@@ -271,6 +271,7 @@ mod tests {
         changed.layout.arrangement = Some(Arrangement::Beside);
         (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
         changed.operations.convention = Convention::Vtk;
+        changed.gallery.remember(PathBuf::from("/lectures"));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0 };
         let (theme, what, times) = (Theme::Light, Views::One(View::Image), Some(3));
         changed.export =
