@@ -100,7 +100,7 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
     let dark = preview(&mut window, Some(shown.0));
     assert_eq!(dark.1, [320, 200]);
     assert_ne!(pixels(&window), print);
-    window.click("Without ground");
+    window.click("Transparent");
     let clear = preview(&mut window, Some(dark.0));
     assert_eq!(pixels(&window)[3], 0, "transparent at the corner");
     // A large one is shown with its proportions.
