@@ -91,6 +91,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         background: &[],
         reserved: revealed_scene::room(legend.as_ref()),
         first: &["x_n", "y_n", "z_n"],
+        dispensable: Some(palette.soft),
         leader: Some((palette.soft, 0.8 * request.size.scale)),
     };
     placing::settle(&mut drawn.drawing, &rules);

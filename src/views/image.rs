@@ -64,7 +64,10 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         rows.extend(greys.legend(request, palette));
     }
     rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
-    placing::settle(&mut drawn.drawing, &Rules { background: &[], reserved: None, first: &[], leader: None });
+    placing::settle(
+        &mut drawn.drawing,
+        &Rules { background: &[], reserved: None, first: &[], dispensable: None, leader: None },
+    );
     if rect != PixelRect::whole(request.size) {
         drawn.drawing = mounted(drawn.drawing, rect, request.size, palette);
         if request.overlays.transparent {

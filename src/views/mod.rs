@@ -34,6 +34,7 @@ mod request;
 mod revealed_scene;
 mod screen;
 mod section;
+mod solids;
 mod timed_pipeline;
 pub mod transform_gizmo;
 mod view;

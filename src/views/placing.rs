@@ -6,6 +6,8 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba};
 use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
 use crate::text::{measure, x_height};
 
+use super::solids::Solids;
+
 /// A rectangle in pixels: its middle and half its size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Box2 {
@@ -47,6 +49,8 @@ pub(super) struct Rules<'a> {
     pub(super) reserved: Option<Box2>,
     /// The texts that have the choice before all others, the first of them first; of the rest, larger ones come first.
     pub(super) first: &'a [&'a str],
+    /// Texts in this colour are left out where they would cover a body.
+    pub(super) dispensable: Option<Rgba>,
     /// Colour and width of the lines that lead from a text to its point where there is no room beside it.
     pub(super) leader: Option<(Rgba, f32)>,
 }
@@ -54,41 +58,97 @@ pub(super) struct Rules<'a> {
 /// Places the labels of a drawing: the offset of each is the direction and distance that it would like. One that finds no free
 /// place stands farther off with a line that leads to its point; where there is none either, it is left out.
 pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
-    let lines = lines(&drawing.strokes, rules.background);
-    let mut taken = marked(drawing);
-    let marks = taken.len();
-    taken.extend(rules.reserved);
-    let picture = DVec2::new(f64::from(drawing.width), f64::from(drawing.height));
+    if drawing.labels.is_empty() {
+        return;
+    }
+    let mut taken = Taken::of(drawing, rules);
     let rank = |label: &Label| rules.first.iter().position(|text| *text == label.text).unwrap_or(rules.first.len());
     drawing.labels.sort_by(|a, b| rank(a).cmp(&rank(b)).then(b.size.total_cmp(&a.size)));
     let mut kept = Vec::with_capacity(drawing.labels.len());
-    let mut leaders = Vec::new();
     for mut label in std::mem::take(&mut drawing.labels) {
-        let em = f64::from(label.size);
         let important = rank(&label) < rules.first.len();
         let best = candidates(&label, rules.leader.is_some())
-            .map(|c| (c, c.dislike + cost(&c.place, &taken, marks, &lines, picture, em)))
+            .map(|c| (c, c.dislike + taken.cost(&c)))
             .min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((best, cost)) = best else { continue };
-        if !cost.is_finite() || (cost > COVERS && !important) {
+        let dispensable = rules.dispensable == Some(label.color) && taken.covered(&best.place) > 0.2;
+        if !cost.is_finite() || (cost > COVERS && !important) || dispensable {
             continue;
         }
-        let at = point(label.position);
-        let offset = best.place.center - at;
+        let offset = best.place.center - best.at;
         label.offset = [pixels(offset.x), pixels(offset.y)];
         label.anchor = Anchor::Center;
-        taken.push(best.place);
-        if best.leads {
-            // From the border of the text's box towards its point.
-            let share = (best.place.half / offset.abs()).min_element().min(1.0);
-            let stop = at + offset.normalize_or_zero() * (0.25 * em);
-            leaders.push([best.place.center - offset * share, stop]);
+        taken.texts.push(best.place);
+        if let Some(leader) = best.leader() {
+            taken.leaders.push(leader);
         }
         kept.push(label);
     }
     drawing.labels = kept;
-    if let (Some((color, width)), false) = (rules.leader, leaders.is_empty()) {
-        drawing.strokes.push(leading(&leaders, color, width));
+    if let (Some((color, width)), false) = (rules.leader, taken.leaders.is_empty()) {
+        drawing.strokes.push(leading(&taken.leaders, color, width));
+    }
+}
+
+/// What a text should not stand on.
+struct Taken {
+    picture: DVec2,
+    /// Marks, and the heads of arrows.
+    marks: Vec<Box2>,
+    /// Texts, and what is reserved.
+    texts: Vec<Box2>,
+    /// The lines from texts to their points.
+    leaders: Vec<[DVec2; 2]>,
+    /// Other lines, and how bad it is to cover a part of them as long as a letter is high.
+    lines: Vec<([DVec2; 2], f64)>,
+    solids: Solids,
+}
+
+impl Taken {
+    fn of(drawing: &Drawing, rules: &Rules<'_>) -> Self {
+        Self {
+            picture: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)),
+            marks: marked(drawing),
+            texts: rules.reserved.into_iter().collect(),
+            leaders: Vec::new(),
+            lines: lines(&drawing.strokes, rules.background),
+            solids: Solids::of(drawing),
+        }
+    }
+
+    /// The share of a place that bodies cover.
+    fn covered(&self, place: &Box2) -> f64 {
+        self.solids.share(place.center, place.half)
+    }
+
+    /// How bad a place is; infinite where a text must not stand.
+    fn cost(&self, candidate: &Candidate) -> f64 {
+        /// Standing wholly before a body; less than standing far off with a line.
+        const BEFORE_A_BODY: f64 = 9.0;
+        /// How near texts come to each other, in ems.
+        const APART: f64 = 0.18;
+        let Candidate { place: b, em, .. } = *candidate;
+        let (low, high) = (b.center - b.half, b.center + b.half);
+        if low.min_element() < 0.0 || (high - self.picture).max_element() > 0.0 {
+            return f64::INFINITY;
+        }
+        let roomy = Box2 { half: b.half + APART * em, ..b };
+        let leader = candidate.leader();
+        let hides =
+            |text: &Box2| roomy.overlap(text) > 0.0 || leader.is_some_and(|[p, q]| text.length_inside(p, q) > 0.0);
+        if self.texts.iter().any(hides) || self.leaders.iter().any(|[p, q]| b.length_inside(*p, *q) > 0.0) {
+            return f64::INFINITY;
+        }
+        let mut sum = 0.0;
+        for mark in &self.marks {
+            let overlap = b.overlap(mark);
+            if overlap > 0.02 * em * em {
+                sum += COVERS;
+            }
+            sum += 8.0 * overlap / (em * em);
+        }
+        let crossed: f64 = self.lines.iter().map(|([p, q], weight)| weight * b.length_inside(*p, *q)).sum();
+        sum + crossed / em + BEFORE_A_BODY * self.covered(&b)
     }
 }
 
@@ -134,16 +194,22 @@ fn point(p: [f32; 3]) -> DVec2 {
     DVec2::new(f64::from(p[0]), f64::from(p[1]))
 }
 
-/// The segments that a text should not cover.
-fn lines(strokes: &[StrokeSet], background: &[Rgba]) -> Vec<[DVec2; 2]> {
+/// How bad it is to cover a part of a line that is as long as a letter is high.
+const PLAIN: f64 = 1.2;
+/// The same, of an arrow's shaft.
+const STRONG: f64 = 3.0;
+
+/// The segments that a text should not cover, and how bad that is.
+fn lines(strokes: &[StrokeSet], background: &[Rgba]) -> Vec<([DVec2; 2], f64)> {
     /// Beyond this, a picture is a mesh of edges, and there is no place without them.
     const MOST: usize = 4000;
     let strong = strokes.iter().filter(|s| !background.contains(&s.style.color) && s.points.len() <= MOST);
     strong
         .flat_map(|s| {
-            s.polylines.iter().flat_map(|range| {
+            let weight = if s.style.arrow { STRONG } else { PLAIN };
+            s.polylines.iter().flat_map(move |range| {
                 let points = s.points.get(range.start as usize..range.end as usize).unwrap_or_default();
-                points.windows(2).map(|w| [point(w[0]), point(w[1])])
+                points.windows(2).map(move |w| ([point(w[0]), point(w[1])], weight))
             })
         })
         .collect()
@@ -153,9 +219,23 @@ fn lines(strokes: &[StrokeSet], background: &[Rgba]) -> Vec<[DVec2; 2]> {
 #[derive(Clone, Copy, Debug)]
 struct Candidate {
     place: Box2,
+    /// The label's point.
+    at: DVec2,
+    /// The height of its type.
+    em: f64,
     dislike: f64,
     /// So far from its point that a line must lead there.
     leads: bool,
+}
+
+impl Candidate {
+    /// The line from the border of the text's box towards its point, if there must be one.
+    fn leader(&self) -> Option<[DVec2; 2]> {
+        let offset = self.place.center - self.at;
+        let share = (self.place.half / offset.abs()).min_element().min(1.0);
+        let stop = self.at + offset.normalize_or_zero() * (0.25 * self.em);
+        self.leads.then_some([self.place.center - offset * share, stop])
+    }
 }
 
 /// Places around a label's point and how little each is liked; those farther off if a line may lead to the point.
@@ -165,36 +245,16 @@ fn candidates(label: &Label, leaders: bool) -> impl Iterator<Item = Candidate> +
     let (direction, gap) = (offset.normalize_or(DVec2::X), offset.length());
     let (at, em) = (point(label.position), f64::from(label.size));
     let angles = [0.0_f64, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 110.0, -110.0, 145.0, -145.0, 180.0];
-    let gaps = [(0.0, false), (0.5, false), (1.0, false), (1.6, true), (2.4, true), (3.4, true), (4.6, true)];
+    let gaps =
+        [(0.0, false), (0.5, false), (1.0, false), (1.6, true), (2.4, true), (3.4, true), (4.6, true), (6.0, true)];
     gaps.into_iter().filter(move |(_, leads)| leaders || !leads).flat_map(move |(more, leads)| {
         angles.into_iter().map(move |angle| {
             let d = DVec2::from_angle(angle.to_radians()).rotate(direction);
             let reach = gap + more * em + (d.abs() * half).element_sum();
-            let dislike = angle.abs() / 90.0 + 1.5 * more + if leads { 2.0 } else { 0.0 };
-            Candidate { place: Box2 { center: at + d * reach, half }, dislike, leads }
+            let dislike = angle.abs() / 90.0 + if leads { 2.5 + more } else { 1.5 * more };
+            Candidate { place: Box2 { center: at + d * reach, half }, at, em, dislike, leads }
         })
     })
-}
-
-/// How bad a place is; infinite where a text must not stand.
-fn cost(b: &Box2, taken: &[Box2], marks: usize, lines: &[[DVec2; 2]], picture: DVec2, em: f64) -> f64 {
-    let (low, high) = (b.center - b.half, b.center + b.half);
-    if low.min_element() < 0.0 || (high - picture).max_element() > 0.0 {
-        return f64::INFINITY;
-    }
-    let mut sum = 0.0;
-    for (i, other) in taken.iter().enumerate() {
-        let overlap = b.overlap(other);
-        if overlap > 0.0 && i >= marks {
-            return f64::INFINITY;
-        }
-        if overlap > 0.02 * em * em {
-            sum += COVERS;
-        }
-        sum += 8.0 * overlap / (em * em);
-    }
-    let crossed: f64 = lines.iter().map(|[p, q]| b.length_inside(*p, *q)).sum();
-    sum + 1.2 * crossed / em
 }
 
 /// Half the width and height in pixels of what a text takes around its middle, its halo included.
@@ -211,8 +271,9 @@ pub(super) fn half_size(text: &str, size: f32) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::{Paint, Surface};
 
-    const RULES: Rules<'_> = Rules { background: &[], reserved: None, first: &[], leader: None };
+    const RULES: Rules<'_> = Rules { background: &[], reserved: None, first: &[], dispensable: None, leader: None };
 
     fn label(x: f32, y: f32, text: &str) -> Label {
         Label {
@@ -307,18 +368,20 @@ mod tests {
 
     #[test]
     fn what_comes_first_has_the_choice_and_the_rest_stands_off_with_a_line_to_its_point() {
-        let mut d = drawing((0..14).map(|i| label(100.0, 50.0, if i == 13 { "C" } else { "window" })).collect());
+        let points = (0..6_u8).map(|i| label(122.0, 10.0 + 16.0 * f32::from(i), "P"));
+        let mut d = drawing(points.chain([label(170.0, 50.0, "C")]).collect());
+        d.surfaces.push(body());
         let color = Rgba::rgb(1, 2, 3);
         settle(&mut d, &Rules { first: &["C"], leader: Some((color, 1.0)), ..RULES });
         let all = boxes(&d);
         assert_eq!(d.labels[0].text, "C");
-        assert!((all[0].center.y - 50.0).abs() < 1e-3 && all[0].center.x > 100.0, "where it wishes");
+        assert!((all[0].center.y - 50.0).abs() < 1e-3 && all[0].center.x > 170.0, "where it wishes");
         let lines = &d.strokes[0];
         assert_eq!(lines.style.color, color);
         assert!(!lines.polylines.is_empty() && lines.polylines.len() < d.labels.len());
         for range in &lines.polylines {
             let [from, to] = [range.start, range.start + 1].map(|i| point(lines.points[i as usize]));
-            assert!(to.distance(DVec2::new(100.0, 50.0)) < 5.0, "{to}");
+            assert!(d.labels.iter().any(|l| to.distance(point(l.position)) < 5.0), "ends at a point: {to}");
             assert!(all.iter().any(|b| b.length_inside(from, from + (from - to) * 1e-3) > 0.0), "begins at a text");
         }
     }
@@ -335,5 +398,54 @@ mod tests {
         });
         settle(&mut d, &RULES);
         assert!(marked(&d).iter().all(|head| head.overlap(&boxes(&d)[0]) < 4.0));
+    }
+
+    /// A body that fills all but the right 60 px.
+    fn body() -> Surface {
+        Surface {
+            positions: vec![[0.0, 0.0, 0.5], [140.0, 0.0, 0.5], [140.0, 100.0, 0.5], [0.0, 100.0, 0.5]],
+            inverse_w: Vec::new(),
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            paint: Paint::Solid(Rgba::rgb(90, 90, 90)),
+            translucent: false,
+            depth_test: true,
+        }
+    }
+
+    #[test]
+    fn a_text_stands_beside_a_body_with_a_line_to_its_point_on_it() {
+        let mut d = drawing(vec![label(110.0, 50.0, "PF")]);
+        d.labels[0].offset = [-6.0, 0.0];
+        d.surfaces.push(body());
+        settle(&mut d, &Rules { leader: Some((Rgba::rgb(1, 2, 3), 1.0)), ..RULES });
+        let b = boxes(&d)[0];
+        assert!(b.center.x - b.half.x >= 139.0, "{b:?}");
+        assert_eq!(d.strokes[0].polylines.len(), 1);
+    }
+
+    #[test]
+    fn a_dispensable_text_is_left_out_where_it_would_hide_a_body() {
+        let (soft, ink) = (Rgba::rgb(120, 120, 120), Rgba::rgb(0, 0, 0));
+        let with = |color| Label { color, ..label(40.0, 50.0, "(1, 1, 1)") };
+        let mut d = drawing(vec![with(soft), with(ink)]);
+        d.surfaces.push(body());
+        settle(&mut d, &Rules { dispensable: Some(soft), ..RULES });
+        assert_eq!(d.labels.iter().map(|l| l.color).collect::<Vec<_>>(), [ink]);
+    }
+
+    #[test]
+    fn a_line_to_a_point_crosses_no_text() {
+        let points = (0..14_u8).map(|i| label(96.0 + 26.0 * f32::from(i % 2), 5.0 + 7.0 * f32::from(i), "P"));
+        let mut d = drawing(points.collect());
+        d.surfaces.push(body());
+        settle(&mut d, &Rules { leader: Some((Rgba::rgb(1, 2, 3), 1.0)), ..RULES });
+        let all = boxes(&d);
+        let leaders = &d.strokes[0];
+        assert!(leaders.polylines.len() > 5);
+        for range in &leaders.polylines {
+            let [from, to] = [range.start, range.start + 1].map(|i| point(leaders.points[i as usize]));
+            let crossed = all.iter().filter(|b| b.length_inside(from, to) > 1e-3).count();
+            assert_eq!(crossed, 0);
+        }
     }
 }

@@ -14,7 +14,7 @@ const END: f64 = 1.22;
 const GAP: [f64; 2] = [1.06, 1.105];
 
 /// How far the corners of a wide volume may pull the picture's border, measured by the radius of all else.
-const WIDEST: f64 = 3.2;
+const WIDEST: f64 = 26.0;
 
 /// The volume as it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]

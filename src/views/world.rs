@@ -63,6 +63,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         background: &[palette.grid],
         reserved: revealed_scene::room(legend.as_ref()),
         first: &["C", "PF", "u", "v", "n", "VUP", &names[0], &names[1], "DOP"],
+        dispensable: None,
         leader: Some((palette.soft, 0.8 * request.size.scale)),
     };
     placing::settle(&mut drawn.drawing, &rules);

@@ -1,0 +1,154 @@
+//! Which parts of a picture bodies cover: a text that stands there hides what the picture is about.
+
+use glam::DVec2;
+
+use crate::drawing::{Drawing, Paint};
+
+/// How many cells the shorter side of a picture has.
+const CELLS: u32 = 90;
+/// The least side of a cell in pixels.
+const LEAST: f64 = 3.0;
+/// From this on, a face is more than glass.
+const OPAQUE: u8 = 110;
+
+/// The parts of a picture that faces cover, in square cells.
+pub(super) struct Solids {
+    cell: f64,
+    columns: usize,
+    rows: usize,
+    /// How many covered cells lie above and to the left of each corner of a cell, by rows.
+    sums: Vec<u32>,
+}
+
+impl Solids {
+    /// What the faces of a drawing cover, glass not counted.
+    pub(super) fn of(drawing: &Drawing) -> Self {
+        let cell = (f64::from(drawing.width.min(drawing.height)) / f64::from(CELLS)).max(LEAST);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of cells")]
+        let cells = |side: u32| (f64::from(side) / cell).ceil() as usize;
+        let (columns, rows) = (cells(drawing.width), cells(drawing.height));
+        let mut covered = vec![false; columns * rows];
+        for surface in &drawing.surfaces {
+            let positions: Vec<DVec2> =
+                surface.positions.iter().map(|p| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell).collect();
+            let opaque = surface.triangles.iter().enumerate().filter(|(i, t)| is_opaque(&surface.paint, *i, t[0]));
+            for (_, triangle) in opaque {
+                let corners = triangle.map(|i| positions.get(i as usize).copied().unwrap_or(DVec2::NAN));
+                cover(&mut covered, columns, rows, corners);
+            }
+        }
+        Self { cell, columns, rows, sums: sums(&covered, columns, rows) }
+    }
+
+    /// The share of a rectangle (pixels) that is covered, 0 … 1.
+    pub(super) fn share(&self, center: DVec2, half: DVec2) -> f64 {
+        let limit = |p: DVec2| (p / self.cell).clamp(DVec2::ZERO, self.extent());
+        let (low, high) = (limit(center - half).floor(), limit(center + half).ceil());
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "cells of the picture")]
+        let at = |x: f64, y: f64| f64::from(self.sums[y as usize * (self.columns + 1) + x as usize]);
+        let inside = at(high.x, high.y) - at(low.x, high.y) - at(high.x, low.y) + at(low.x, low.y);
+        inside / ((high - low).element_product()).max(1.0)
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "a number of cells")]
+    fn extent(&self) -> DVec2 {
+        DVec2::new(self.columns as f64, self.rows as f64)
+    }
+}
+
+/// True for a triangle that hides what is behind it; `first`: the first of its vertices.
+fn is_opaque(paint: &Paint, triangle: usize, first: u32) -> bool {
+    let alpha = match paint {
+        Paint::Solid(color) => Some(color.a),
+        Paint::Faces(colors) => colors.get(triangle).map(|color| color.a),
+        Paint::Vertices(colors) => colors.get(first as usize).map(|color| color.a),
+        Paint::Phong(phong) => Some(phong.color.a),
+        Paint::Texture { opacity, .. } => Some(*opacity),
+    };
+    alpha.is_some_and(|alpha| alpha >= OPAQUE)
+}
+
+/// Marks the cells whose middle is in a triangle (in cells), and those of its corners.
+fn cover(covered: &mut [bool], columns: usize, rows: usize, [a, b, c]: [DVec2; 3]) {
+    if !(a.is_finite() && b.is_finite() && c.is_finite()) {
+        return;
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cell of the picture")]
+    let index = |v: f64, count: usize| (v.max(0.0) as usize).min(count.saturating_sub(1));
+    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    let side = |p: DVec2, q: DVec2, at: DVec2| (q - p).perp_dot(at - p);
+    for y in index(low.y, rows)..=index(high.y, rows) {
+        for x in index(low.x, columns)..=index(high.x, columns) {
+            #[expect(clippy::cast_precision_loss, reason = "a cell of the picture")]
+            let middle = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+            let sides = [side(a, b, middle), side(b, c, middle), side(c, a, middle)];
+            if sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0) {
+                covered[y * columns + x] = true;
+            }
+        }
+    }
+    for p in [a, b, c] {
+        covered[index(p.y, rows) * columns + index(p.x, columns)] = true;
+    }
+}
+
+/// Sums over all cells above and to the left of each corner (Crow 1984).
+fn sums(covered: &[bool], columns: usize, rows: usize) -> Vec<u32> {
+    let width = columns + 1;
+    let mut sums = vec![0_u32; width * (rows + 1)];
+    for y in 0..rows {
+        let mut row = 0;
+        for x in 0..columns {
+            row += u32::from(covered[y * columns + x]);
+            sums[(y + 1) * width + x + 1] = sums[y * width + x + 1] + row;
+        }
+    }
+    sums
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::appearance::Rgba;
+    use crate::drawing::Surface;
+
+    /// A picture of 200 × 100 pixels with a triangle in its left half.
+    fn drawing(alpha: u8) -> Drawing {
+        Drawing {
+            width: 200,
+            height: 100,
+            background: Rgba::rgb(255, 255, 255),
+            antialias: 1,
+            painted_in_order: false,
+            surfaces: vec![Surface {
+                positions: vec![[0.0, 0.0, 0.5], [0.0, 100.0, 0.5], [100.0, 100.0, 0.5]],
+                inverse_w: Vec::new(),
+                triangles: vec![[0, 1, 2]],
+                paint: Paint::Solid(Rgba::rgb(1, 2, 3).with_alpha(alpha)),
+                translucent: alpha < 255,
+                depth_test: true,
+            }],
+            strokes: Vec::new(),
+            areas: Vec::new(),
+            marks: Vec::new(),
+            labels: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn the_share_of_a_rectangle_under_a_triangle() {
+        let solids = Solids::of(&drawing(255));
+        let share = |x, y, half| solids.share(DVec2::new(x, y), DVec2::splat(half));
+        assert!((share(50.0, 50.0, 50.0) - 0.5).abs() < 0.03, "half of a square: {}", share(50.0, 50.0, 50.0));
+        assert_eq!(share(20.0, 80.0, 8.0), 1.0);
+        assert_eq!(share(80.0, 20.0, 8.0), 0.0);
+        assert_eq!(share(150.0, 50.0, 40.0), 0.0);
+        assert_eq!(share(-50.0, 500.0, 20.0), 0.0, "outside of the picture");
+    }
+
+    #[test]
+    fn glass_covers_nothing() {
+        let solids = Solids::of(&drawing(40));
+        assert_eq!(solids.share(DVec2::splat(50.0), DVec2::splat(50.0)), 0.0);
+    }
+}
