@@ -15,6 +15,7 @@ use crate::expression::{self, Dimension};
 use crate::foreign::shown;
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::limits::MAX_SIDE;
+use crate::picture::OnPaper;
 use crate::views::{View, Views};
 
 /// An interactive laboratory for the virtual camera of computer graphics.
@@ -81,19 +82,26 @@ pub(super) struct RenderArgs {
     /// 1920x1080 grow with it, by the smaller of width/1920 and height/1080
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     scale: Option<String>,
-    /// Width in centimetres on paper, in place of --size; the height follows from the figure's image
+    /// Width in centimetres on paper, in place of --size; without --height-cm, the height follows from the figure's image
     #[arg(long, value_name = "CM", allow_hyphen_values = true, conflicts_with_all = ["size", "scale"])]
     width_cm: Option<String>,
-    /// Pixels per inch on paper, for --width-cm and --letters
-    #[arg(long, value_name = "N", default_value = "300", allow_hyphen_values = true)]
-    dpi: String,
-    /// Height of the letters of names in points on paper; strokes are in proportion
+    /// Height in centimetres on paper; `all` then arranges the three so that they become as large as the paper allows
+    #[arg(long, value_name = "CM", allow_hyphen_values = true, requires = "width_cm")]
+    height_cm: Option<String>,
+    /// Pixels per inch on paper, 300 where it is not given; it is written into a PNG or JPEG where it or --width-cm is given
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    dpi: Option<String>,
+    /// Height of the letters of names in points on paper; strokes are in proportion. On a sheet of all three they are smaller, as long as
+    /// they can be read (6 points), where a picture has no room for them
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
-    /// Without ground, where the format has transparency
+    /// Width of the edges of solids in points on paper, other strokes in proportion; without it, in proportion to the letters
+    #[arg(long, value_name = "PT", allow_hyphen_values = true)]
+    lines: Option<String>,
+    /// Without ground; not for JPEG, which has no transparency
     #[arg(long)]
     pub(super) transparent: bool,
-    /// Without the empty ground around what is shown
+    /// Each picture without the empty ground around what it shows
     #[arg(long)]
     pub(super) crop: bool,
     /// Colours; without it, the figure's
@@ -328,18 +336,32 @@ impl RenderArgs {
     }
 }
 
+/// Pixels per inch where nothing is said: what offices print with.
+const DPI: f64 = 300.0;
+
 impl RenderArgs {
-    /// The width in pixels, where it is given in centimetres.
-    pub(super) fn paper_width(&self, lang: Lang) -> Result<Option<f64>, Failure> {
-        let Some(text) = &self.width_cm else { return Ok(None) };
-        Ok(Some(positive("--width-cm", text, lang)? / 2.54 * positive("--dpi", &self.dpi, lang)?))
+    /// Width and height in centimetres, where they are given.
+    pub(super) fn centimetres(&self, lang: Lang) -> Result<[Option<f64>; 2], Failure> {
+        Ok([option("--width-cm", &self.width_cm, lang)?, option("--height-cm", &self.height_cm, lang)?])
     }
 
-    /// The height of letters in pixels, if it is given.
-    pub(super) fn letters(&self, lang: Lang) -> Result<Option<f64>, Failure> {
-        let Some(text) = &self.letters else { return Ok(None) };
-        Ok(Some(positive("--letters", text, lang)? / 72.0 * positive("--dpi", &self.dpi, lang)?))
+    /// What is asked in units of paper; `None` where nothing is.
+    pub(super) fn paper(&self, lang: Lang) -> Result<Option<OnPaper>, Failure> {
+        let (letters, lines) = (option("--letters", &self.letters, lang)?, option("--lines", &self.lines, lang)?);
+        let [width, height] = self.centimetres(lang)?;
+        let dpi = option("--dpi", &self.dpi, lang)?;
+        let any = [letters, lines, width, dpi].iter().any(Option::is_some);
+        Ok(any.then(|| OnPaper { dpi: dpi.unwrap_or(DPI), letters, lines, arranged: height.is_some() }))
     }
+
+    /// True where the number of pixels per inch is more than a guess: it is given, or a size on paper is.
+    pub(super) fn is_for_paper(&self) -> bool {
+        self.dpi.is_some() || self.width_cm.is_some()
+    }
+}
+
+fn option(name: &str, text: &Option<String>, lang: Lang) -> Result<Option<f64>, Failure> {
+    text.as_ref().map(|text| positive(name, text, lang)).transpose()
 }
 
 fn positive(option: &str, text: &str, lang: Lang) -> Result<f64, Failure> {

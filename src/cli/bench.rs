@@ -8,7 +8,7 @@ use super::args::{BenchArgs, TableFormat};
 use super::{Failure, Subject, print};
 use crate::clock;
 use crate::i18n::{Lang, command_line as texts};
-use crate::picture::{Picture, Renderer, requests};
+use crate::picture::{Picture, Renderer, Sheet};
 use crate::views::{Request, View};
 
 /// Pictures that are drawn before the clock starts, so that buffers have their size.
@@ -32,8 +32,8 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
     let Subject { opened, scene, size, lang, .. } = &subject;
     let request = subject.request(View::Image, args.force_all_stages);
-    let requests = requests(args.view, &request, &opened.figure.observers).ok_or_else(|| subject.too_large())?;
-    let times = measure(&requests, frames).ok_or_else(|| subject.too_large())?;
+    let sheet = Sheet::of(args.view, &request, &opened.figure.observers, None).ok_or_else(|| subject.too_large())?;
+    let times = measure(&sheet.requests, frames).ok_or_else(|| subject.too_large())?;
     let measurement = Measurement {
         view: args.view.name(),
         width: size.width,

@@ -8,34 +8,39 @@ use crate::figure::update;
 use crate::files::{self, Overwrite};
 use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
-use crate::picture::{self, PictureError, PictureFile, gap, requests};
+use crate::picture::{self, Form, OnPaper, PictureError, PictureFile, Sheet, gap};
 use crate::views::{Overlays, Request, SharedScene, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let name = foreign::path(&args.output);
     let format = PictureFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::ending(lang, &name)))?;
+    if args.transparent && !format.has_transparency() {
+        return Err(Failure::BadInput(texts::no_transparency(lang, format)));
+    }
     let (given, scale) = (args.size(lang)?, args.scale(lang)?);
+    let (paper, centimetres) = (args.paper(lang)?, args.centimetres(lang)?);
     let (mut opened, camera) = open(&args.figure, &args.common, lang)?;
     opened.figure.style.theme = args.theme().unwrap_or(opened.figure.style.theme);
     let scene = SharedScene::new(scene(&args.figure, &opened, &args.common, lang)?);
     let figure = &opened.figure;
     let all = args.view == Views::All;
-    let [width, height] = match args.paper_width(lang)? {
-        Some(width) => on_paper(width, figure.image, all),
-        None => pixels(given, figure.image, all, scale.unwrap_or(1.0)),
+    let [width, height] = match (&paper, centimetres) {
+        (Some(paper), [Some(width), height]) => on_paper(paper, width, height, figure.image, all),
+        _ => pixels(given, figure.image, all, scale.unwrap_or(1.0)),
     };
     let too_large = || Failure::BadInput(texts::too_large(lang, width, height));
     let size = match (u32::try_from(width), u32::try_from(height)) {
-        (Ok(width), Ok(height)) => sized(width, height, scale, args.letters(lang)?),
+        (Ok(width), Ok(height)) => sized(width, height, scale, paper.as_ref()),
         _ => return Err(too_large()),
     };
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
     let request = Request::of(figure, View::Image, &camera, &scene, labels, size);
     let overlays = Overlays { transparent: args.transparent, ..Overlays::default() };
     let request = Request { force_all_stages: args.force_all_stages, overlays, ..request };
-    let requests = requests(args.view, &request, &figure.observers).ok_or_else(too_large)?;
+    let sheet = Sheet::of(args.view, &request, &figure.observers, paper.as_ref()).ok_or_else(too_large)?;
     let text = update(&opened.text, &opened.figure);
-    let made = progress::watched(lang, |progress| picture::file(format, &requests, args.crop, &text, progress));
+    let form = Form { format, crop: args.crop, dpi: paper.filter(|_| args.is_for_paper()).map(|paper| paper.dpi) };
+    let made = progress::watched(lang, |progress| picture::file(&sheet, form, &text, progress));
     let PictureFile { bytes, too_much } = made.map_err(|error| match error {
         PictureError::TooLarge => too_large(),
         // Nobody cancels it: whoever wants to ends the program.
@@ -48,12 +53,16 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     if let Some(too_much) = too_much {
         say(&format!("{}: {}", foreign::path(&args.figure), messages::too_much(lang, &too_much)));
     }
+    if let Some(crowded) = &sheet.crowded {
+        say(&format!("{name}: {}", pictures::crowded(lang, crowded)));
+    }
     files::save(&args.output, &bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }
 
 /// A picture with strokes and letters as they are wanted: by a scale, by the height of letters in pixels, or as on a screen.
-fn sized(width: u32, height: u32, scale: Option<f32>, letters: Option<f64>) -> Size {
+fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -> Size {
+    let letters = paper.and_then(|paper| Some(paper.pixels(paper.letters?)));
     #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
     match (scale, letters) {
         (Some(scale), _) => Size { width, height, scale },
@@ -62,10 +71,13 @@ fn sized(width: u32, height: u32, scale: Option<f32>, letters: Option<f64>) -> S
     }
 }
 
-/// Width and height in pixels of a picture so many pixels wide, as high as the figure's image, or as three of them side by side.
-fn on_paper(width: f64, image: ImageSize, all: bool) -> [u64; 2] {
+/// Width and height in pixels of a picture so many centimetres wide; where nothing is said, as high as the figure's image, or as three of
+/// them side by side.
+fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, all: bool) -> [u64; 2] {
+    let pixels = |centimetres: f64| centimetres / 2.54 * paper.dpi;
+    let width = pixels(width);
     let of_one = if all { width / 3.0 } else { width };
-    let height = of_one * f64::from(image.height) / f64::from(image.width);
+    let height = height.map_or(of_one * f64::from(image.height) / f64::from(image.width), pixels);
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -93,10 +105,12 @@ mod tests {
     #[test]
     fn paper_has_pixels_and_letters_have_points() {
         let image = ImageSize { width: 640, height: 480 };
-        assert_eq!(on_paper(8.0 / 2.54 * 300.0, image, false), [945, 709]);
-        assert_eq!(on_paper(945.0, image, true), [945, 236]);
+        let paper = OnPaper { dpi: 300.0, letters: Some(9.0), lines: None, arranged: false };
+        assert_eq!(on_paper(&paper, 8.0, None, image, false), [945, 709]);
+        assert_eq!(on_paper(&paper, 8.0, None, image, true), [945, 236]);
+        assert_eq!(on_paper(&paper, 8.0, Some(6.0), image, true), [945, 709]);
         // 9 pt at 300 dpi.
-        assert!((sized(945, 709, None, Some(9.0 / 72.0 * 300.0)).letters() - 37.5).abs() < 0.1);
+        assert!((sized(945, 709, None, Some(&paper)).letters() - 37.5).abs() < 0.1);
         assert_eq!(sized(3000, 2250, None, None).scale, 3000.0 / 1920.0);
         assert_eq!(sized(3000, 2250, Some(1.0), None).scale, 1.0);
     }

@@ -46,6 +46,15 @@ impl PictureFormat {
         }
     }
 
+    /// True where a picture may be without ground.
+    #[must_use]
+    pub const fn has_transparency(self) -> bool {
+        match self {
+            Self::Png | Self::WebP => true,
+            Self::Jpeg => false,
+        }
+    }
+
     /// The usual one of [`endings`](Self::endings).
     #[must_use]
     pub const fn ending(self) -> &'static str {

@@ -2,12 +2,12 @@
 
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::state::{Arrangement, ObserverChange, Side, State, Tab};
+use super::state::{ObserverChange, Side, State, Tab};
 use crate::appearance::Theme;
 use crate::i18n::canvas;
 use crate::i18n::window::Texts;
-use crate::views::View;
 use crate::views::observer::Viewpoint;
+use crate::views::{Arrangement, View};
 
 /// Something that can be done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -213,7 +213,7 @@ impl Command {
             Self::Show(View::World) => (t.show_world, t.show_picture_hint),
             Self::Show(View::Canonical) => (t.show_canonical, t.show_picture_hint),
             Self::Show(View::Image) => (t.show_image, t.show_picture_hint),
-            Self::Arrange(arrangement) => (Arrangement::name(arrangement, canvas::texts(t.lang)), t.arrange_hint),
+            Self::Arrange(arrangement) => (canvas::texts(t.lang).arrangement(arrangement), t.arrange_hint),
             Self::Observe(ObserverChange::From(Viewpoint::Front)) => (t.look_front, t.look_front_hint),
             Self::Observe(ObserverChange::From(Viewpoint::Top)) => (t.look_top, t.look_top_hint),
             Self::Observe(ObserverChange::From(Viewpoint::Side)) => (t.look_side, t.look_side_hint),

@@ -1,5 +1,6 @@
 //! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
 
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -15,7 +16,8 @@ use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, FigureFiles, FileError, Overwrite, Reach};
 use crate::i18n::{Lang, messages, pictures, window};
-use crate::picture::{self, PictureError, PictureFile, requests};
+use crate::numbers::round_to;
+use crate::picture::{self, Form, OnPaper, PictureError, PictureFile, Sheet};
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
 use crate::scene::SceneError;
@@ -24,7 +26,7 @@ use crate::views::{Overlays, Request, SharedScene, Size, View, Views, scene_of};
 /// Which picture, how large, in which theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Export {
-    /// One picture, or all three side by side.
+    /// One picture, or all three on a sheet.
     pub what: Views,
     /// Pixels.
     pub width: u32,
@@ -34,16 +36,35 @@ pub struct Export {
     pub times: Option<u32>,
     /// The size is that on paper, below; `times` does not count.
     pub on_paper: bool,
-    /// Width and height on paper in centimetres, pixels per inch there, and the height of the letters of names in points.
+    /// What is set for paper.
     pub paper: Paper,
+    /// The format that is proposed; the name of the file decides.
+    pub format: PictureFormat,
     /// Without ground, where the format has transparency.
     pub transparent: bool,
-    /// Without the empty ground around what is shown.
+    /// Each picture without the empty ground around what it shows.
     pub crop: bool,
     /// The theme of the picture.
     pub theme: Theme,
     /// Thick strokes and large type by this factor.
     pub scale: f32,
+}
+
+/// The sides that a picture can have on paper, in centimetres.
+pub(super) const SIDE_CM: RangeInclusive<f64> = 0.5..=200.0;
+
+/// How many pixels per inch paper can have.
+pub(super) const DPI: RangeInclusive<f64> = 0.5..=2400.0;
+
+/// The heights that letters can have on paper, in points.
+pub(super) const LETTERS: RangeInclusive<f64> = 0.5..=200.0;
+
+/// The widths that lines can have on paper, in points.
+pub(super) const LINES: RangeInclusive<f64> = 0.05..=20.0;
+
+/// The width of lines in proportion to letters of a height, both in points, to two decimals.
+pub(super) fn as_letters(letters: f64) -> f64 {
+    round_to(letters * Size::EDGES_TO_LETTERS, 0.01).max(*LINES.start())
 }
 
 /// A size on paper.
@@ -53,14 +74,16 @@ pub struct Paper {
     pub size: [f64; 2],
     /// Pixels per inch.
     pub dpi: f64,
-    /// Height of the letters of names in points; strokes are in proportion.
+    /// Height of the letters of names in points.
     pub letters: f64,
+    /// Width of the edges of solids in points; `None`: in proportion to the letters.
+    pub lines: Option<f64>,
 }
 
 impl Default for Paper {
     /// A picture in a column of a page.
     fn default() -> Self {
-        Self { size: [8.0, 6.0], dpi: 300.0, letters: 9.0 }
+        Self { size: [8.0, 6.0], dpi: 300.0, letters: 9.0, lines: None }
     }
 }
 
@@ -76,6 +99,7 @@ impl Export {
             times: Some(2),
             on_paper: false,
             paper: Paper::default(),
+            format: PictureFormat::ALL[0],
             transparent: false,
             crop: false,
             theme: Theme::Print,
@@ -112,6 +136,12 @@ impl Export {
     pub fn size(&self) -> Size {
         Size { width: self.width, height: self.height, scale: self.scale }
     }
+
+    /// True where the picture is going to have no ground.
+    #[must_use]
+    pub fn is_without_ground(&self) -> bool {
+        self.transparent && self.format.has_transparency()
+    }
 }
 
 /// Whole pixels.
@@ -143,6 +173,9 @@ pub(super) enum ExportError {
     Picture(#[from] PictureError),
     #[error(transparent)]
     File(#[from] FileError),
+    /// It was to be without ground, in a format that has no transparency.
+    #[error("{} has no transparency", .0.name())]
+    NoTransparency(PictureFormat),
     /// The user does not want it any more.
     #[error("cancelled")]
     Cancelled,
@@ -166,6 +199,7 @@ impl ExportError {
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, *format, why),
             Self::File(error) => messages::file(lang, name, error),
+            Self::NoTransparency(format) => format!("{} {}", format.name(), t.export_no_transparency),
             Self::Panic => format!("{} {name}", t.picture_failed),
         }
     }
@@ -195,22 +229,20 @@ impl Subject {
         Self { figure, folder, reach: document.reach(), lang }
     }
 
-    /// What is drawn at this `size`, which is that of the export or a smaller one.
-    pub(super) fn requests(
-        &self,
-        export: &Export,
-        size: Size,
-        progress: &Progress,
-    ) -> Result<Vec<Request>, ExportError> {
+    /// What is drawn.
+    pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Sheet, ExportError> {
         let Self { figure, folder, reach, lang } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
         let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
         let labels = pictures::labels(*lang);
-        let request = Request::of(figure, View::Image, &camera, &SharedScene::new(scene), labels, size);
-        let overlays = Overlays { transparent: export.transparent, ..Overlays::default() };
+        let scene = SharedScene::new(scene);
+        let request = Request::of(figure, View::Image, &camera, &scene, labels, export.size());
+        let overlays = Overlays { transparent: export.is_without_ground(), ..Overlays::default() };
         let request = Request { overlays, ..request };
-        Ok(requests(export.what, &request, &figure.observers).ok_or(PictureError::TooLarge)?)
+        let Paper { dpi, letters, lines, .. } = export.paper;
+        let paper = export.on_paper.then_some(OnPaper { dpi, letters: Some(letters), lines, arranged: true });
+        Ok(Sheet::of(export.what, &request, &figure.observers, paper.as_ref()).ok_or(PictureError::TooLarge)?)
     }
 }
 
@@ -219,7 +251,6 @@ pub(super) struct Task {
     subject: Subject,
     source: String,
     export: Export,
-    format: PictureFormat,
     path: PathBuf,
     overwrite: Overwrite,
 }
@@ -248,9 +279,8 @@ impl Exporting {
     ) -> Self {
         let subject = Subject::of(document, lang, export.theme);
         let source = document.source().to_owned();
-        let format = PictureFormat::of(&path).unwrap_or(PictureFormat::ALL[0]);
         let mut worker = Worker::new("export", clock::now, make);
-        worker.ask(ctx, 0, Task { subject, source, export, format, path: path.clone(), overwrite });
+        worker.ask(ctx, 0, Task { subject, source, export, path: path.clone(), overwrite });
         Self { path, worker }
     }
 
@@ -288,9 +318,10 @@ impl Task {
 
     /// The file, with the figure file in it.
     fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
-        let Self { subject, source, export, format, .. } = self;
-        let requests = subject.requests(export, export.size(), progress)?;
-        Ok(picture::file(*format, &requests, export.crop, &update(source, &subject.figure), progress)?)
+        let Self { subject, source, export, .. } = self;
+        let sheet = subject.sheet(export, progress)?;
+        let form = Form { format: export.format, crop: export.crop, dpi: export.on_paper.then_some(export.paper.dpi) };
+        Ok(picture::file(&sheet, form, &update(source, &subject.figure), progress)?)
     }
 }
 

@@ -1,19 +1,22 @@
 //! The question of how pictures are exported, with the picture as it will be.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{self, Color32, Rect, RichText, Sense, Vec2, WidgetInfo, vec2};
+use eframe::egui::{self, Color32, Id, Key, Modifiers, Rect, RichText, Sense, Vec2, WidgetInfo, vec2};
 
 use super::answers::{Pressed, buttons};
-use super::export::{Export, Subject};
+use super::export::{DPI, Export, LETTERS, LINES, SIDE_CM, Subject, as_letters};
 use super::file_flow;
 use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row};
 use super::preview::{Preview, can_be_copied};
 use super::state::{Dialog, Purpose, State};
 use crate::appearance::Theme;
+use crate::export::format::PictureFormat;
 use crate::gui::tooltip::Explained;
+use crate::i18n::pictures;
 use crate::i18n::window::Texts;
 use crate::limits::MAX_SIDE;
+use crate::picture::Crowded;
 use crate::views::{View, Views};
 
 /// The width of the settings, of the picture beside them and of both with what lies between, in points.
@@ -27,6 +30,7 @@ const LEAST_PICTURE: f32 = 120.0;
 
 /// Asks how; goes on to the question where.
 pub(super) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut export: Export, first: bool) {
+    let enter = !first && enter(ui);
     ui.heading(t.export_heading);
     ui.add_space(6.0);
     let room = (ui.available_width() - SETTINGS - BETWEEN).min(PICTURE.x);
@@ -49,13 +53,37 @@ pub(super) fn show(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut 
     });
     let errors = errors.inner;
     ui.add_space(10.0);
-    match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
+    let pressed = match buttons(ui, t.cancel, &[t.export_action], first.then_some(0)) {
+        Pressed::Nothing if enter => Pressed::Action(0),
+        pressed => pressed,
+    };
+    match pressed {
         Pressed::Action(_) if errors.is_empty() => {
             state.export = export;
             file_flow::ask(ui.ctx(), state, Purpose::Export(export));
         }
         Pressed::Cancel => {}
         Pressed::Action(_) | Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Export(export)),
+    }
+}
+
+/// True, under this name, where a checkbox of the dialog has the focus.
+fn on_checkbox() -> Id {
+    Id::unique("checkbox of the export dialog has the focus")
+}
+
+/// Enter exports wherever it has nothing else to do: where nothing has the focus, and on checkboxes, which the space bar switches.
+fn enter(ui: &egui::Ui) -> bool {
+    let free = ui.memory(|memory| memory.focused()).is_none() && !egui::Popup::is_any_open(ui.ctx());
+    let on_checkbox = ui.data_mut(|data| data.remove_temp::<bool>(on_checkbox())).is_some();
+    (free || on_checkbox) && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter))
+}
+
+/// A switch.
+fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>, hint: &str) {
+    let response = ui.checkbox(on, text.into()).explained(hint).explained_disabled(hint);
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(on_checkbox(), true));
     }
 }
 
@@ -69,7 +97,7 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
     }
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, t.export_preview));
-    paint(ui, &preview, rect, export.transparent);
+    paint(ui, &preview, rect, export.is_without_ground());
     if preview.texture().is_none() {
         let why = preview.fault.as_ref().map_or_else(|| t.export_drawing.to_owned(), |error| error.text(t.lang, ""));
         // A child of its own: what stands below does not move.
@@ -98,6 +126,10 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
             None => {}
         }
     });
+    if let Some(crowded) = &preview.crowded {
+        let text = format!("⚠ {}", pictures::crowded(t.lang, crowded));
+        ui.add(egui::Label::new(RichText::new(text).color(ui.visuals().warn_fg_color)).wrap());
+    }
     state.file_flow.preview = Some(preview);
 }
 
@@ -156,7 +188,8 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Ex
         choice(ui, t.export_size, t.export_size_hint, &mut size, &sizes)
     });
     (export.times, export.on_paper) = size;
-    let mut errors = if export.on_paper { paper(ui, t, export) } else { Vec::new() };
+    let crowded = state.file_flow.preview.as_ref().and_then(|preview| preview.crowded);
+    let mut errors = if export.on_paper { paper(ui, t, export, crowded) } else { Vec::new() };
     export.fit_screen(state.picture_sizes, state.screen_scale);
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
         ui.add_enabled_ui(size == (None, false), |ui| pixels(ui, t, export)).inner
@@ -168,31 +201,63 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Ex
     row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
         choice(ui, t.theme_name, t.export_theme_hint, &mut export.theme, &themes)
     });
+    let formats = PictureFormat::ALL.map(|format| (format, format.name()));
+    row(ui, "", t.export_format, t.export_format_hint, |ui| {
+        choice(ui, t.export_format, t.export_format_hint, &mut export.format, &formats)
+    });
     ui.add_space(4.0);
-    ui.checkbox(&mut export.transparent, t.export_transparent).explained(t.export_transparent_hint);
-    ui.checkbox(&mut export.crop, t.export_crop).explained(t.export_crop_hint);
+    let able = export.format.has_transparency();
+    ui.add_enabled_ui(able, |ui| {
+        let hint = if able { t.export_transparent_hint } else { t.export_opaque_hint };
+        // A format without transparency shows what it does, and forgets nothing.
+        let mut shown = export.is_without_ground();
+        checkbox(ui, &mut shown, t.export_transparent, hint);
+        if able {
+            export.transparent = shown;
+        }
+    });
+    checkbox(ui, &mut export.crop, t.export_crop, t.export_crop_hint);
     ui.label(RichText::new(t.export_note).small().weak());
     errors
 }
 
 /// The size on paper; what is wrong with what was typed there.
-fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<FieldError> {
-    let field = |name: &str, most: f64| NumberField::new(name, Step::Add(1.0)).within(0.5..=most).width(64.0);
+fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Option<Crowded>) -> Vec<FieldError> {
+    let field = |name, range| NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
     let paper = &mut export.paper;
     let mut errors = Vec::new();
     row(ui, "", t.export_centimetres, "", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        errors.extend(field(t.export_width_cm, 200.0).show(ui, t, &mut paper.size[0]).error);
+        errors.extend(field(t.export_width_cm, SIDE_CM).show(ui, t, &mut paper.size[0]).error);
         ui.label("×");
-        errors.extend(field(t.export_height_cm, 200.0).show(ui, t, &mut paper.size[1]).error);
+        errors.extend(field(t.export_height_cm, SIDE_CM).show(ui, t, &mut paper.size[1]).error);
     });
     row(ui, "", t.export_dpi, "", |ui| {
-        errors.extend(field(t.export_dpi, 2400.0).show(ui, t, &mut paper.dpi).error);
+        errors.extend(field(t.export_dpi, DPI).show(ui, t, &mut paper.dpi).error);
     });
     row(ui, "", t.export_letters, t.export_letters_hint, |ui| {
-        errors.extend(field(t.export_letters, 200.0).show(ui, t, &mut paper.letters).error);
+        errors.extend(field(t.export_letters, LETTERS).show(ui, t, &mut paper.letters).error);
     });
+    let letters = crowded.map_or(paper.letters, |crowded| crowded.letters);
+    errors.extend(lines(ui, t, &mut paper.lines, as_letters(letters)));
     errors
+}
+
+/// The width of lines, which follows the letters as long as it has none of its own; what is wrong with what was typed there.
+fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_letters: f64) -> Option<FieldError> {
+    let mut error = None;
+    row(ui, "", t.export_lines, t.export_lines_hint, |ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        let mut points = lines.unwrap_or(as_letters);
+        let mut own = lines.is_some();
+        ui.add_enabled_ui(own, |ui| {
+            let field = NumberField::new(t.export_lines, Step::Add(0.1)).within(LINES).width(64.0);
+            error = field.show(ui, t, &mut points).error;
+        });
+        checkbox(ui, &mut own, t.export_lines_own, t.export_lines_hint);
+        *lines = own.then_some(points);
+    });
+    error
 }
 
 /// Width and height; what is wrong with what was typed there.

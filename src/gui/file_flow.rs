@@ -104,9 +104,10 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion
             let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];
             FileQuestion { wanted: Wanted::NewFile, title: t.save_title, filters, name, folder }
         }
-        Purpose::Export(_) => {
-            let filters =
-                PictureFormat::ALL.map(|format| (format!("{} {}", t.picture_filter, format.name()), format.endings()));
+        Purpose::Export(export) => {
+            let mut formats = PictureFormat::ALL;
+            formats.sort_by_key(|format| *format != export.format);
+            let filters = formats.map(|format| (format!("{} {}", t.picture_filter, format.name()), format.endings()));
             FileQuestion { wanted: Wanted::NewFile, title: t.export_title, filters: filters.to_vec(), name, folder }
         }
         Purpose::Folder => {
@@ -136,21 +137,29 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
         Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
         Purpose::Export(export) => {
             let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let ending = PictureFormat::ALL[0].ending();
+            let ending = export.format.ending();
             folder.join(format!("{stem}-{}.{ending}", export.what.name())).display().to_string()
         }
     }
 }
 
 /// Goes on with the file that was chosen; asks before a file is replaced.
-pub fn chosen(ctx: &egui::Context, state: &mut State, purpose: Purpose, path: PathBuf) {
+pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path: PathBuf) {
     let path = files::whole(&path);
     let path = match &purpose {
         Purpose::Open | Purpose::Mesh(_) | Purpose::Folder => path,
         Purpose::Save(_) => with_ending(path, "toml"),
         Purpose::Export(_) if PictureFormat::of(&path).is_some() => path,
-        Purpose::Export(_) => with_ending(path, PictureFormat::ALL[0].ending()),
+        Purpose::Export(export) => with_ending(path, export.format.ending()),
     };
+    if let Purpose::Export(export) = &mut purpose {
+        export.transparent = export.is_without_ground();
+        export.format = PictureFormat::of(&path).unwrap_or(export.format);
+        if export.transparent && !export.format.has_transparency() {
+            let error = ExportError::NoTransparency(export.format);
+            return state.say(Message::NotExported(path, NotExported(error)));
+        }
+    }
     let own = state.document.path() == Some(&path);
     let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_) | Purpose::Folder);
     if !reads && !own && path.exists() {

@@ -8,9 +8,8 @@ use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use super::export::{Export, ExportError, Subject};
 use super::worker::{Work, Worker};
 use crate::clock;
-use crate::limits::{MAX_COPIED_PIXELS, MAX_PIXELS};
-use crate::picture::{self, Picture, PictureError};
-use crate::views::Size;
+use crate::limits::MAX_COPIED_PIXELS;
+use crate::picture::{self, Crowded, Picture};
 
 /// The small picture is drawn so many times as large as it is shown: thin strokes stay whole.
 const FINENESS: f32 = 2.0;
@@ -24,6 +23,8 @@ pub struct Preview {
     /// What was asked for last.
     asked: Option<Export>,
     texture: Option<TextureHandle>,
+    /// What to tell where three pictures have little room on their paper.
+    pub(super) crowded: Option<Crowded>,
     /// Why there is no picture.
     pub(super) fault: Option<ExportError>,
     /// What became of the last copy.
@@ -34,10 +35,11 @@ pub struct Preview {
 struct Job {
     subject: Subject,
     export: Export,
-    size: Size,
+    /// What it is reduced by; 1: the size of the export.
+    factor: f32,
 }
 
-type Drawn = Result<Picture, ExportError>;
+type Drawn = Result<(Picture, Option<Crowded>), ExportError>;
 
 impl std::fmt::Debug for Preview {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -48,17 +50,14 @@ impl std::fmt::Debug for Preview {
 impl Default for Preview {
     fn default() -> Self {
         let worker = Worker::new("preview", clock::now, work);
-        Self { worker, asked: None, texture: None, fault: None, copied: None }
+        Self { worker, asked: None, texture: None, crowded: None, fault: None, copied: None }
     }
 }
 
 fn work() -> Work<Job, Drawn> {
-    Box::new(|Job { subject, export, size }, progress| {
-        if u64::from(export.width) * u64::from(export.height) > MAX_PIXELS {
-            return Err(PictureError::TooLarge.into());
-        }
-        let requests = subject.requests(&export, size, progress)?;
-        Ok(picture::assembled(&requests, export.crop, progress)?.0)
+    Box::new(|Job { subject, export, factor }, progress| {
+        let sheet = subject.sheet(&export, progress)?.reduced(factor);
+        Ok((picture::assembled(&sheet, export.crop, progress)?.0, sheet.crowded))
     })
 }
 
@@ -68,22 +67,23 @@ impl Preview {
     pub(super) fn follow(&mut self, ctx: &Context, export: &Export, room: [f32; 2], subject: impl FnOnce() -> Subject) {
         let [shown, copied] = self.worker.take(Duration::ZERO);
         match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
-            Some(Ok(picture)) => {
+            Some(Ok((picture, crowded))) => {
+                self.crowded = crowded;
                 self.texture = Some(ctx.load_texture("export preview", image(&picture), TextureOptions::LINEAR));
                 self.fault = None;
             }
-            Some(Err(error)) => (self.texture, self.fault) = (None, Some(error)),
+            Some(Err(error)) => (self.texture, self.crowded, self.fault) = (None, None, Some(error)),
             None => {}
         }
         if let Some(done) = copied {
             let outcome = done.outcome.unwrap_or(Err(ExportError::Panic));
-            self.copied = Some(outcome.map(|picture| ctx.copy_image(image(&picture))));
+            self.copied = Some(outcome.map(|(picture, _)| ctx.copy_image(image(&picture))));
         }
         if self.asked != Some(*export) {
             self.asked = Some(*export);
             self.copied = None;
-            let size = reduced(export, room.map(|side| FINENESS * side));
-            self.worker.ask(ctx, SHOWN, Job { subject: subject(), export: *export, size });
+            let factor = factor(export, room.map(|side| FINENESS * side));
+            self.worker.ask(ctx, SHOWN, Job { subject: subject(), export: *export, factor });
         }
     }
 
@@ -96,7 +96,7 @@ impl Preview {
     /// Draws the picture at its size, and puts it on the clipboard then.
     pub(super) fn copy(&mut self, ctx: &Context, export: &Export, subject: Subject) {
         self.copied = None;
-        self.worker.ask(ctx, COPIED, Job { subject, export: *export, size: export.size() });
+        self.worker.ask(ctx, COPIED, Job { subject, export: *export, factor: 1.0 });
     }
 
     /// True while the picture for the clipboard is drawn.
@@ -115,16 +115,11 @@ fn image(picture: &Picture) -> ColorImage {
     ColorImage::from_rgba_premultiplied(size, picture.rgba())
 }
 
-/// The size of the export where it has room in so many pixels, or else a smaller one with the same proportions: letters and strokes
-/// are smaller by the same factor.
-fn reduced(export: &Export, room: [f32; 2]) -> Size {
-    let whole = export.size();
+/// What the export is reduced by so that it has room in so many pixels; 1 where it has.
+fn factor(export: &Export, room: [f32; 2]) -> f32 {
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
-    let sides = [whole.width.max(1) as f32, whole.height.max(1) as f32];
-    let factor = (room[0] / sides[0]).min(room[1] / sides[1]).min(1.0);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "less than the room")]
-    let [width, height] = sides.map(|side| (side * factor).round().max(1.0) as u32);
-    Size { width, height, scale: whole.scale * factor }
+    let [width, height] = [export.width.max(1) as f32, export.height.max(1) as f32];
+    (room[0] / width).min(room[1] / height).min(1.0)
 }
 
 #[cfg(test)]
@@ -132,16 +127,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_smaller_picture_has_the_same_proportions_in_letters_too() {
-        for [width, height] in [[6000, 3000], [945, 709], [400, 4000]] {
-            let export = Export { width, height, scale: 3.0, ..Export::new([[640, 480]; 3], 1.0) };
-            let (whole, small) = (export.size(), reduced(&export, [720.0, 480.0]));
-            assert!(small.width <= 720 && small.height <= 480, "{small:?}");
-            assert!((small.aspect() / whole.aspect() - 1.0).abs() < 0.02, "{small:?}");
-            let letters = |size: Size| f64::from(size.letters()) / f64::from(size.height);
-            assert!((letters(small) / letters(whole) - 1.0).abs() < 0.02, "{small:?}");
+    fn what_is_larger_than_its_room_is_reduced_to_it() {
+        for ([width, height], expected) in [([6000, 3000], 0.12), ([960, 960], 0.5), ([64, 48], 1.0)] {
+            let export = Export { width, height, ..Export::new([[640, 480]; 3], 1.0) };
+            assert_eq!(factor(&export, [720.0, 480.0]), expected);
         }
-        let export = Export { width: 64, height: 48, scale: 1.0, ..Export::new([[640, 480]; 3], 1.0) };
-        assert_eq!(reduced(&export, [720.0, 480.0]), export.size(), "nothing is enlarged");
     }
 }

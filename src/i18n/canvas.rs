@@ -1,7 +1,7 @@
 //! The words around the three pictures: titles, hints, readouts, and descriptions for screen readers.
 
 use super::Lang;
-use crate::views::View;
+use crate::views::{Arrangement, View};
 
 /// The texts of the canvas in one language, under a name that tells them from the window's, which are often at hand too.
 pub type CanvasTexts = Texts;
@@ -139,6 +139,20 @@ texts! {
     near_plane: "front plane", "plano da frente";
     // The distance of the back plane.
     far_plane: "back plane", "plano de fundo";
+}
+
+impl CanvasTexts {
+    /// What an arrangement is called; `None`: as suits the room.
+    #[must_use]
+    pub fn arrangement(&self, arrangement: Option<Arrangement>) -> &'static str {
+        match arrangement {
+            None => self.arrange_auto,
+            Some(Arrangement::Row) => self.arrange_row,
+            Some(Arrangement::Column) => self.arrange_column,
+            Some(Arrangement::Above) => self.arrange_above,
+            Some(Arrangement::Beside) => self.arrange_beside,
+        }
+    }
 }
 
 impl Texts {

@@ -284,6 +284,20 @@ pub fn ending(lang: Lang, name: &str) -> String {
     }
 }
 
+/// A picture without ground in a format that has none.
+#[must_use]
+pub fn no_transparency(lang: Lang, format: PictureFormat) -> String {
+    let able = PictureFormat::ALL.into_iter().filter(|format| format.has_transparency());
+    let endings = able.map(|format| format!(".{}", format.ending())).collect::<Vec<_>>().join(", ");
+    let name = format.name();
+    match lang {
+        Lang::En => format!("--transparent: {name} has no transparency; allowed: an --output that ends in {endings}"),
+        Lang::PtBr => {
+            format!("--transparent: {name} não tem transparência; permitido: um --output que termina em {endings}")
+        }
+    }
+}
+
 /// The place where numbers are printed.
 #[must_use]
 pub const fn standard_output(lang: Lang) -> &'static str {

@@ -1,6 +1,7 @@
 //! The words in the three pictures.
 
 use super::Lang;
+use crate::picture::Crowded;
 use crate::views::Labels;
 
 texts! {
@@ -38,6 +39,24 @@ pub const fn labels(lang: Lang) -> &'static Labels {
     match lang {
         Lang::En => &LABELS_EN,
         Lang::PtBr => &LABELS_PT_BR,
+    }
+}
+
+/// Three pictures with less room on their paper than their letters want.
+#[must_use]
+pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
+    let Crowded { smallest, letters, wanted, room } = crowded;
+    let number = |value: &f64| lang.mark().printed(&format!("{value:.1}"));
+    let size = |size: &[f64; 2]| format!("{} × {} cm", number(&size[0]), number(&size[1]));
+    let (smallest, letters, room) = (size(smallest), number(letters), size(room));
+    let wanted = lang.mark().number(*wanted, 3);
+    match lang {
+        Lang::En => format!(
+            "the smallest of the three pictures is {smallest}, with letters of {letters} pt; letters of {wanted} pt want pictures of at least {room}"
+        ),
+        Lang::PtBr => format!(
+            "a menor das três imagens tem {smallest}, com letras de {letters} pt; letras de {wanted} pt pedem imagens de pelo menos {room}"
+        ),
     }
 }
 

@@ -1,12 +1,11 @@
 //! Pictures as files, in the format that is asked for.
 
-use super::{Picture, Renderer, gap};
+use super::{Picture, Renderer, Sheet};
 use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
 use crate::export::web;
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
-use crate::views::Request;
 
 /// Why there is no picture file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -39,45 +38,44 @@ pub struct PictureFile {
     pub too_much: Option<TooMuch>,
 }
 
-/// What is in such a file: `requests` side by side, and what could not be done as it was asked for; `crop`: without the empty ground
-/// around them.
+/// How a picture becomes a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Form {
+    /// The format.
+    pub format: PictureFormat,
+    /// Each picture without the empty ground around what it shows.
+    pub crop: bool,
+    /// Pixels per inch on paper, which PNG and JPEG can tell to who prints them; `None`: not for paper.
+    pub dpi: Option<f64>,
+}
+
+/// What is in such a file: the pictures of `sheet`, and what could not be done as it was asked for; `crop`: each without the empty ground
+/// around what it shows.
 ///
 /// # Errors
 /// [`PictureError::TooLarge`] and [`PictureError::Cancelled`].
-pub fn assembled(
-    requests: &[Request],
-    crop: bool,
-    progress: &Progress,
-) -> Result<(Picture, Option<TooMuch>), PictureError> {
+pub fn assembled(sheet: &Sheet, crop: bool, progress: &Progress) -> Result<(Picture, Option<TooMuch>), PictureError> {
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
     let mut renderer = Renderer::default();
     renderer.watch(progress);
-    let (picture, too_much) = renderer.sheet(requests).ok_or(PictureError::TooLarge).map_err(or_cancelled)?;
-    let scale = requests.first().map_or(1.0, |request| request.size.scale);
-    Ok((if crop { picture.cropped(gap(scale)) } else { picture }, too_much))
+    renderer.sheet(sheet, crop).ok_or(PictureError::TooLarge).map_err(or_cancelled)
 }
 
-/// The file that shows `requests` side by side, with a figure file in it where the format can carry one; `crop`: without the empty
-/// ground around them.
+/// The file that shows the pictures of `sheet`, with a figure file in it where the format can carry one.
 ///
-/// *Guarantees*: the same requests and text give the same bytes.
+/// *Guarantees*: the same sheet, form and text give the same bytes.
 ///
 /// # Errors
 /// [`PictureError`].
-pub fn file(
-    format: PictureFormat,
-    requests: &[Request],
-    crop: bool,
-    figure: &str,
-    progress: &Progress,
-) -> Result<PictureFile, PictureError> {
+pub fn file(sheet: &Sheet, form: Form, figure: &str, progress: &Progress) -> Result<PictureFile, PictureError> {
+    let Form { format, crop, dpi } = form;
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
-    let (mut picture, too_much) = assembled(requests, crop, progress)?;
+    let (mut picture, too_much) = assembled(sheet, crop, progress)?;
     let encode = |bytes: Result<Vec<u8>, String>| bytes.map_err(|why| PictureError::Encode { format, why });
     let bytes = match format {
-        PictureFormat::Png => picture.into_png(figure, progress).map_err(|error| or_cancelled(error.into()))?,
+        PictureFormat::Png => picture.into_png(figure, dpi, progress).map_err(|error| or_cancelled(error.into()))?,
         PictureFormat::WebP => encode(web::webp(picture.take_pixmap().ok_or(PictureError::TooLarge)?))?,
-        PictureFormat::Jpeg => encode(web::jpeg(&picture.take_pixmap().ok_or(PictureError::TooLarge)?))?,
+        PictureFormat::Jpeg => encode(web::jpeg(&picture.take_pixmap().ok_or(PictureError::TooLarge)?, dpi))?,
     };
     Ok(PictureFile { bytes, too_much })
 }

@@ -11,12 +11,13 @@ use tiny_skia::{IntSize, Pixmap};
 use crate::appearance::{Rgba, Texture};
 use crate::export::crop::cropped;
 use crate::export::png::{self, PngError};
-use crate::export::sheet::side_by_side;
+use crate::export::sheet::{column, row};
 use crate::progress::Progress;
+use crate::views::Arrangement;
 pub use account::Account;
-pub use file::{PictureError, PictureFile, assembled, file};
+pub use file::{Form, PictureError, PictureFile, assembled, file};
 pub use renderer::Renderer;
-pub use sheet::{gap, requests, widths};
+pub use sheet::{Crowded, OnPaper, Sheet, gap};
 
 /// A finished picture; without pixels until something has been drawn on it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -51,21 +52,35 @@ impl Picture {
         self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).into())
     }
 
-    /// The picture as a PNG with a figure file in it.
+    /// The picture as a PNG with a figure file in it, and with the number of pixels per inch of its paper.
     ///
     /// *Guarantees*: the same picture and text give the same bytes.
     ///
     /// # Errors
     /// [`PngError::Encode`] for a picture without pixels, and when the encoder fails or the work is cancelled.
-    pub fn into_png(mut self, figure: &str, progress: &Progress) -> Result<Vec<u8>, PngError> {
+    pub fn into_png(mut self, figure: &str, dpi: Option<f64>, progress: &Progress) -> Result<Vec<u8>, PngError> {
         let pixmap = self.take_pixmap().ok_or_else(|| PngError::Encode("no pixels".to_owned()))?;
-        png::encode(pixmap, figure, progress)
+        png::encode(pixmap, figure, dpi, progress)
     }
 
-    /// Pictures side by side on a ground. `None` where that would be empty or too large for memory.
-    fn side_by_side(pictures: Vec<Self>, gap: u32, ground: Rgba) -> Option<Self> {
+    /// Pictures on a sheet with a ground. `None` where that would be empty or too large for memory.
+    fn arranged(pictures: Vec<Self>, arrangement: Arrangement, gap: u32, ground: Rgba) -> Option<Self> {
         let pixmaps: Option<Vec<Pixmap>> = pictures.into_iter().map(|mut picture| picture.take_pixmap()).collect();
-        side_by_side(&pixmaps?, gap, ground).map(Self::from)
+        let mut pixmaps = pixmaps?;
+        let sheet = match arrangement {
+            Arrangement::Row => row(&pixmaps, gap, ground),
+            Arrangement::Column => column(&pixmaps, gap, ground),
+            Arrangement::Above | Arrangement::Beside if pixmaps.is_empty() => None,
+            Arrangement::Above => {
+                let rest = row(&pixmaps.split_off(1), gap, ground)?;
+                column(&[pixmaps.pop()?, rest], gap, ground)
+            }
+            Arrangement::Beside => {
+                let rest = column(&pixmaps.split_off(1), gap, ground)?;
+                row(&[pixmaps.pop()?, rest], gap, ground)
+            }
+        };
+        sheet.map(Self::from)
     }
 
     /// The pixels, without copying them; the picture has none afterwards.

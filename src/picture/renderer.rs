@@ -5,13 +5,12 @@ use std::time::Duration;
 
 use tiny_skia::Pixmap;
 
-use super::sheet::gap;
-use super::{Account, Picture};
+use super::{Account, Picture, Sheet};
 use crate::appearance::Texture;
 use crate::pipeline::{Frame, TooMuch};
 use crate::progress::Progress;
 use crate::raster::Rasterizer;
-use crate::views::{self, Palette, Request, TimedPipeline, View};
+use crate::views::{self, Request, TimedPipeline, View};
 
 /// Makes pictures; keeps its buffers, and the image on the view window, from one to the next.
 ///
@@ -78,22 +77,20 @@ impl Renderer {
         Some(account)
     }
 
-    /// Pictures side by side; of one, the picture itself; and what could not be done in any of them as it was asked for. `None` as
-    /// for [`pixels`](Self::pixels), and without requests.
-    pub fn sheet(&mut self, requests: &[Request]) -> Option<(Picture, Option<TooMuch>)> {
-        let first = requests.first()?;
+    /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty ground around what it shows. And what could
+    /// not be done in any of them as it was asked for. `None` as for [`pixels`](Self::pixels), and without pictures.
+    pub fn sheet(&mut self, sheet: &Sheet, crop: bool) -> Option<(Picture, Option<TooMuch>)> {
         let (mut pictures, mut too_much) = (Vec::new(), None);
-        for request in requests {
+        for request in &sheet.requests {
             let mut picture = Picture::default();
             let account = self.pixels_into(request, &mut picture)?;
             too_much = too_much.or(account.too_much);
-            pictures.push(picture);
+            pictures.push(if crop { picture.cropped(sheet.gap) } else { picture });
         }
         let picture = if pictures.len() == 1 {
             pictures.pop()
         } else {
-            let ground = Palette::of(first.look.style.theme).surround;
-            Picture::side_by_side(pictures, gap(first.size.scale), ground)
+            Picture::arranged(pictures, sheet.arrangement, sheet.gap, sheet.ground)
         };
         Some((picture?, too_much))
     }
@@ -146,11 +143,12 @@ mod tests {
     use super::*;
     use crate::camera::Camera;
     use crate::clock;
+    use crate::drawing::Drawing;
     use crate::figure::read::parse;
     use crate::i18n::{Lang, pictures};
     use crate::pipeline::{Output, Reason, Stage};
     use crate::scene::no_files;
-    use crate::views::{Overlays, SharedScene, Size};
+    use crate::views::{Overlays, SharedScene, Size, Views};
 
     /// Three boxes through one another, with some glass: a BSP tree splits them into more than fifty pieces.
     fn request(view: View, visibility: &str) -> Request {
@@ -205,6 +203,57 @@ mod tests {
             let mut picture = Picture::default();
             let account = Renderer::default().pixels_into(&split, &mut picture).unwrap();
             assert_eq!(account.too_much, None);
+        }
+    }
+
+    #[test]
+    fn each_picture_of_a_sheet_is_cropped_and_nothing_stands_between_pictures_without_ground() {
+        let pixel = |picture: &Picture, [x, y]: [u32; 2]| {
+            let at = 4 * (y * picture.width() + x) as usize;
+            <[u8; 4]>::try_from(&picture.rgba()[at..at + 4]).unwrap()
+        };
+        let request =
+            Request { size: Size { width: 720, height: 200, scale: 1.0 }, ..request(View::Image, "depth-buffer") };
+        let sheet = |transparent| {
+            let overlays = Overlays { transparent, ..Overlays::default() };
+            let request = Request { overlays, ..request.clone() };
+            Sheet::of(Views::All, &request, &Default::default(), None).unwrap()
+        };
+        let (whole, _) = Renderer::default().sheet(&sheet(false), false).unwrap();
+        let (clear, _) = Renderer::default().sheet(&sheet(true), false).unwrap();
+        let first = sheet(false).requests[0].size;
+        let gap = [first.width + 1, 100];
+        assert_eq!((pixel(&whole, gap)[3], pixel(&clear, gap)), (255, [0; 4]));
+
+        let (cropped, _) = Renderer::default().sheet(&sheet(false), true).unwrap();
+        let each: Vec<Picture> = sheet(false)
+            .requests
+            .iter()
+            .map(|request| Renderer::default().pixels(request).unwrap().cropped(sheet(false).gap))
+            .collect();
+        let wide: u32 = each.iter().map(Picture::width).sum();
+        assert_eq!(cropped.width(), wide + 2 * sheet(false).gap);
+        assert_eq!(cropped.height(), each.iter().map(Picture::height).max().unwrap());
+        assert!(each.iter().all(|picture| picture.width() < first.width), "there was ground to crop");
+    }
+
+    #[test]
+    fn strokes_are_wider_by_their_factor_also_on_the_window_and_nothing_else_changes() {
+        for view in View::ALL {
+            let request = request(view, "depth-buffer");
+            let of = |stroke_factor| {
+                let overlays = Overlays { stroke_factor, ..Overlays::default() };
+                Renderer::default().drawing(&Request { overlays, ..request.clone() }).unwrap().drawing
+            };
+            let (plain, same, mut wide) = (of(None), of(Some(1.0)), of(Some(2.5)));
+            assert!(plain == same && !plain.strokes.is_empty());
+            wide.strokes.iter_mut().for_each(|stroke| stroke.style.width /= 2.5);
+            let width = |drawing: &Drawing| drawing.strokes.iter().map(|s| f64::from(s.style.width)).sum::<f64>();
+            assert!((width(&wide) / width(&plain) - 1.0).abs() < 1e-5);
+            assert!((&wide.labels, &wide.marks, &wide.areas) == (&plain.labels, &plain.marks, &plain.areas));
+            let wide = Overlays { stroke_factor: Some(2.5), ..Overlays::default() };
+            let on_window = Request { overlays: wide, ..request.clone() }.image_on_window();
+            assert_eq!(on_window.overlays.stroke_factor, Some(2.5));
         }
     }
 

@@ -1,39 +1,211 @@
-//! One picture, or all three side by side: which size each has, and how far apart they stand.
+//! One picture, or all three on a sheet: which size each has, how they are arranged, and how far apart they stand.
 
+use crate::appearance::Rgba;
 use crate::figure::Observers;
 use crate::limits::MAX_PIXELS;
-use crate::views::{Request, Size, View, Views, observer_in};
+use crate::views::{Arrangement, Palette, Request, Size, View, Views, aspect_shown, observer_in, used_area};
 
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
 
-/// What is drawn for `views`, from left to right: `request` for each of them, seen by its observer. All three together are as
-/// large as `request` says. `None` where there is no room for three, or where they would have more
-/// pixels than any picture.
-#[must_use]
-pub fn requests(views: Views, request: &Request, observers: &Observers) -> Option<Vec<Request>> {
-    let of = |view, width| Request {
-        view,
-        observer: observer_in(observers, view),
-        size: Size { width, ..request.size },
-        ..request.clone()
-    };
-    // Each of the three may be as large as a picture can be; the sheet of them may not be larger.
-    if u64::from(request.size.width) * u64::from(request.size.height) > MAX_PIXELS {
-        return None;
+/// The room that a picture wants, width and height, as multiples of the height of its letters: with less, names cover what they name.
+const ROOM_IN_LETTERS: [f64; 2] = [16.0, 11.0];
+
+/// The height of the smallest letters that can be read on paper, in points.
+const LEAST_LETTERS: f64 = 6.0;
+
+/// What paper asks of a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnPaper {
+    /// Pixels per inch.
+    pub dpi: f64,
+    /// Height of the letters of names in points; `None`: by the scale of the picture. Where there are three pictures, they are smaller
+    /// as long as they can be read if they would cover what they name: [`Sheet::crowded`] tells.
+    pub letters: Option<f64>,
+    /// Width of the edges of solids in points, and other strokes in proportion; `None`: in proportion to the letters.
+    pub lines: Option<f64>,
+    /// Three pictures are arranged so that they become as large as the shape of the paper allows; otherwise they are side by side.
+    pub arranged: bool,
+}
+
+impl OnPaper {
+    /// Points in pixels.
+    #[must_use]
+    pub fn pixels(&self, points: f64) -> f64 {
+        points / 72.0 * self.dpi
     }
-    Some(match views {
-        Views::One(view) => vec![of(view, request.size.width)],
-        Views::All => View::ALL.into_iter().zip(widths(request.size)?).map(|(view, width)| of(view, width)).collect(),
+
+    /// Pixels in points.
+    fn points(&self, pixels: f64) -> f64 {
+        pixels * 72.0 / self.dpi
+    }
+
+    /// Pixels in centimetres.
+    fn centimetres(&self, pixels: u32) -> f64 {
+        f64::from(pixels) / self.dpi * 2.54
+    }
+}
+
+/// Three pictures with less room on paper than their letters want.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crowded {
+    /// Width and height of the smallest picture in centimetres.
+    pub smallest: [f64; 2],
+    /// The height of its letters in points.
+    pub letters: f64,
+    /// The height of letters that was asked for, or else of the smallest that can be read, in points.
+    pub wanted: f64,
+    /// Width and height in centimetres of a picture with room for those.
+    pub room: [f64; 2],
+}
+
+/// Pictures that belong together, and how they stand on their sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// What is drawn, in the order of [`View::ALL`].
+    pub requests: Vec<Request>,
+    /// How they share the sheet.
+    pub arrangement: Arrangement,
+    /// Pixels between two of them.
+    pub(super) gap: u32,
+    /// What is between them.
+    pub(super) ground: Rgba,
+    /// What to tell where three pictures have little room on their paper.
+    pub crowded: Option<Crowded>,
+}
+
+impl Sheet {
+    /// What is drawn for `views`: `request` for each of them, seen by its observer. All three together are as large as `request` says.
+    /// `None` where there is no room for three, or where they would have more pixels than any picture.
+    #[must_use]
+    pub fn of(views: Views, request: &Request, observers: &Observers, paper: Option<&OnPaper>) -> Option<Self> {
+        // Each of the three may be as large as a picture can be; the sheet of them may not be larger.
+        let whole = request.size;
+        if u64::from(whole.width) * u64::from(whole.height) > MAX_PIXELS {
+            return None;
+        }
+        let (arrangement, mut sizes, crowded) = match views {
+            Views::One(_) => (Arrangement::Row, vec![whole], None),
+            Views::All => {
+                let arranged = paper.is_some_and(|paper| paper.arranged);
+                let arrangement = if arranged { best(request) } else { Arrangement::Row };
+                (arrangement, sizes(arrangement, whole)?.to_vec(), None)
+            }
+        };
+        let crowded = match (views, paper) {
+            (Views::All, Some(paper)) => lettered(&mut sizes, paper),
+            _ => crowded,
+        };
+        let views: &[View] = match &views {
+            Views::One(view) => std::slice::from_ref(view),
+            Views::All => &View::ALL,
+        };
+        let requests = views.iter().zip(sizes).map(|(view, size)| of(request, *view, size, observers, paper));
+        let ground = Palette::of(request.look.style.theme).surround;
+        let ground = if request.overlays.transparent { ground.with_alpha(0) } else { ground };
+        Some(Self { requests: requests.collect(), arrangement, gap: gap(whole.scale), ground, crowded })
+    }
+}
+
+impl Sheet {
+    /// The same sheet, smaller by a factor, with letters and strokes: to be looked at before it is made.
+    #[must_use]
+    pub fn reduced(mut self, factor: f32) -> Self {
+        #[expect(clippy::cast_precision_loss, reason = "pixels")]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "no more than it was")]
+        let side = |side: u32| (side as f32 * factor.min(1.0)).round().max(1.0) as u32;
+        for Size { width, height, scale } in self.requests.iter_mut().map(|request| &mut request.size) {
+            (*width, *height, *scale) = (side(*width), side(*height), *scale * factor.min(1.0));
+        }
+        self.gap = side(self.gap);
+        self
+    }
+}
+
+/// One of the pictures.
+fn of(request: &Request, view: View, size: Size, observers: &Observers, paper: Option<&OnPaper>) -> Request {
+    let mut request = Request { view, observer: observer_in(observers, view), size, ..request.clone() };
+    if let Some((paper, lines)) = paper.and_then(|paper| Some((paper, paper.lines?))) {
+        #[expect(clippy::cast_possible_truncation, reason = "the width of a line")]
+        let edges = paper.pixels(lines) as f32;
+        request.overlays.stroke_factor = Some(size.stroke_factor(edges));
+    }
+    request
+}
+
+/// Gives three pictures the letters that paper asks for, as far as the smallest has room for them; what to tell where it has little.
+fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
+    let room_of = |size: &Size| {
+        let [wide, high] = ROOM_IN_LETTERS;
+        (f64::from(size.width) / wide).min(f64::from(size.height) / high)
+    };
+    let smallest = sizes.iter_mut().min_by(|a, b| room_of(a).total_cmp(&room_of(b)))?;
+    let room = room_of(smallest);
+    let smallest = *smallest;
+    let wanted = paper.letters.unwrap_or(LEAST_LETTERS);
+    if let Some(letters) = paper.letters {
+        let least = paper.pixels(LEAST_LETTERS);
+        #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
+        let letters = paper.pixels(letters).min(room.max(least)) as f32;
+        sizes.iter_mut().for_each(|size| *size = Size::with_letters(size.width, size.height, letters));
+    }
+    let of_smallest = sizes.iter().find(|size| (size.width, size.height) == (smallest.width, smallest.height))?;
+    (room < paper.pixels(wanted)).then(|| Crowded {
+        smallest: [smallest.width, smallest.height].map(|side| paper.centimetres(side)),
+        letters: paper.points(f64::from(of_smallest.letters())),
+        wanted,
+        room: ROOM_IN_LETTERS.map(|letters| letters * wanted / 72.0 * 2.54),
     })
 }
 
-/// The widths of three pictures side by side; `None` where there is no room for them. What does not divide by three goes to the
-/// first ones, a pixel each.
-#[must_use]
-pub fn widths(sheet: Size) -> Option<[u32; 3]> {
-    let room = sheet.width.checked_sub(2 * gap(sheet.scale))?;
-    Some([room.div_ceil(3), (room + 1) / 3, room / 3])
+/// The arrangement in which the three pictures use most of a sheet.
+fn best(request: &Request) -> Arrangement {
+    let aspects = View::ALL.map(|view| aspect_shown(view, request.look.image));
+    #[expect(clippy::cast_precision_loss, reason = "pixels")]
+    let used = |(size, aspect): (Size, f32)| used_area(size.width as f32, size.height as f32, aspect);
+    Arrangement::best(View::ALL.len(), |arrangement| {
+        sizes(arrangement, request.size).map_or(0.0, |sizes| sizes.into_iter().zip(aspects).map(used).sum())
+    })
+}
+
+/// The sizes of three pictures on a sheet; `None` where there is no room for them.
+fn sizes(arrangement: Arrangement, sheet: Size) -> Option<[Size; 3]> {
+    let gap = gap(sheet.scale);
+    let wide = |width| Size { width, ..sheet };
+    let high = |height, of: Size| Size { height, ..of };
+    Some(match arrangement {
+        Arrangement::Row => parts(sheet.width, gap)?.map(wide),
+        Arrangement::Column => parts(sheet.height, gap)?.map(|height| high(height, sheet)),
+        Arrangement::Above => {
+            let [first, rest] = first_and_rest(sheet.height, gap, arrangement)?;
+            let [a, b] = parts(sheet.width, gap)?.map(|width| high(rest, wide(width)));
+            [high(first, sheet), a, b]
+        }
+        Arrangement::Beside => {
+            let [first, rest] = first_and_rest(sheet.width, gap, arrangement)?;
+            let [a, b] = parts(sheet.height, gap)?.map(|height| high(height, wide(rest)));
+            [wide(first), a, b]
+        }
+    })
+}
+
+/// Equal parts of a length with gaps between them; what does not divide goes to the first ones, a pixel each.
+fn parts<const N: usize>(length: u32, gap: u32) -> Option<[u32; N]> {
+    let count = u32::try_from(N).ok()?;
+    let room = length.checked_sub(count.checked_sub(1)?.checked_mul(gap)?)?;
+    let mut later = count;
+    Some([(); N].map(|()| {
+        later -= 1;
+        (room + later) / count
+    }))
+}
+
+/// What the first picture has of a length, and what the two others have.
+fn first_and_rest(length: u32, gap: u32, arrangement: Arrangement) -> Option<[u32; 2]> {
+    let room = length.checked_sub(gap)?;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of the room")]
+    let first = (f64::from(room) * f64::from(arrangement.share_of_first())).round() as u32;
+    Some([first, room - first])
 }
 
 /// Room between two pictures on a sheet, in pixels.
@@ -46,16 +218,114 @@ pub fn gap(scale: f32) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
     use super::*;
+    use crate::camera::Camera;
+    use crate::figure::Figure;
+    use crate::i18n::{Lang, pictures};
+    use crate::scene::Scene;
+    use crate::views::SharedScene;
+
+    /// A sheet of the figure that is there at first, so many pixels large.
+    fn sheet(views: Views, [width, height]: [u32; 2], paper: Option<OnPaper>) -> Sheet {
+        let figure = Figure::default();
+        let camera = Camera::new(&figure.camera).unwrap();
+        let size = Size { width, height, scale: 1.0 };
+        let scene = SharedScene::new(Scene::default());
+        let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size);
+        Sheet::of(views, &request, &figure.observers, paper.as_ref()).unwrap()
+    }
+
+    const PAPER: OnPaper = OnPaper { dpi: 300.0, letters: Some(9.0), lines: None, arranged: true };
 
     #[test]
-    fn three_widths_and_two_gaps_are_the_sheet() {
-        for (width, scale) in [(200, 1.0), (201, 1.0), (202, 1.0), (9, 1.0), (1000, 2.5)] {
-            let size = Size { width, height: 10, scale };
-            let Some(widths) = widths(size) else { panic!("{width}") };
-            assert_eq!(widths.iter().sum::<u32>() + 2 * gap(scale), width);
-            assert!(widths[0] >= widths[1] && widths[1] >= widths[2] && widths[0] - widths[2] <= 1, "{widths:?}");
+    fn the_pictures_and_the_gaps_between_them_are_the_sheet() {
+        for (width, height, scale) in [(200, 100, 1.0), (201, 77, 1.0), (202, 300, 1.0), (9, 9, 1.0), (1000, 400, 2.5)]
+        {
+            let (size, gap) = (Size { width, height, scale }, gap(scale));
+            for arrangement in Arrangement::ALL {
+                let [a, b, c] = sizes(arrangement, size).unwrap().map(|size| [size.width, size.height]);
+                let (wide, high) = match arrangement {
+                    Arrangement::Row => (a[0] + b[0] + c[0] + 2 * gap, [a[1], b[1], c[1]]),
+                    Arrangement::Column => (a[0], [a[1] + b[1] + c[1] + 2 * gap; 3]),
+                    Arrangement::Above => (b[0] + c[0] + gap, [a[1] + b[1] + gap, a[1] + c[1] + gap, height]),
+                    Arrangement::Beside => (a[0] + b[0] + gap, [a[1], b[1] + c[1] + gap, height]),
+                };
+                assert_eq!((wide, high), (width, [height; 3]), "{arrangement:?}");
+            }
+            let [a, b, c] = sizes(Arrangement::Row, size).unwrap().map(|size| size.width);
+            assert!(a >= b && b >= c && a - c <= 1, "{a} {b} {c}");
         }
-        assert_eq!(widths(Size { width: 7, height: 10, scale: 1.0 }), None);
+        for arrangement in Arrangement::ALL {
+            assert_eq!(sizes(arrangement, Size { width: 3, height: 3, scale: 1.0 }), None);
+        }
+    }
+
+    #[test]
+    fn on_paper_three_pictures_are_arranged_for_its_shape_and_elsewhere_side_by_side() {
+        let of = |size, paper| sheet(Views::All, size, paper).arrangement;
+        assert_eq!(of([945, 709], Some(PAPER)), Arrangement::Beside);
+        assert_eq!(of([900, 900], Some(PAPER)), Arrangement::Above);
+        assert_eq!(of([2000, 480], Some(PAPER)), Arrangement::Row);
+        assert_eq!(of([500, 1600], Some(PAPER)), Arrangement::Column);
+        assert_eq!(of([945, 709], None), Arrangement::Row);
+        assert_eq!(of([945, 709], Some(OnPaper { arranged: false, ..PAPER })), Arrangement::Row);
+    }
+
+    #[test]
+    fn letters_have_their_height_where_there_is_room_and_are_smaller_but_legible_elsewhere() {
+        let heights = |size, paper: OnPaper| {
+            let sheet = sheet(Views::All, size, Some(paper));
+            let letters: Vec<f32> = sheet.requests.iter().map(|request| request.size.letters()).collect();
+            assert!(letters.iter().all(|height| (height - letters[0]).abs() < 0.01 * height), "{letters:?}");
+            (paper.points(f64::from(letters[0])), sheet.crowded)
+        };
+        let about = |a: f64, b: f64| assert!((a - b).abs() < 0.02 * b, "{a} {b}");
+        // 16 × 12 cm: 9 points have room.
+        let (letters, crowded) = heights([1890, 1417], PAPER);
+        about(letters, 9.0);
+        assert_eq!(crowded, None);
+        // 8 × 6 cm: the two at the right are 3.5 cm wide, sixteen letters of 6.2 points.
+        let (letters, crowded) = heights([945, 709], PAPER);
+        let crowded = crowded.unwrap();
+        about(letters, 6.2);
+        about(crowded.letters, letters);
+        about(crowded.smallest[0], 3.5);
+        assert_eq!(crowded.wanted, 9.0);
+        about(crowded.room[0], 16.0 * 9.0 / 72.0 * 2.54);
+        // 3 × 2 cm: no smaller than 6 points, unless that is what is wanted.
+        about(heights([354, 236], PAPER).0, 6.0);
+        about(heights([354, 236], OnPaper { letters: Some(4.0), ..PAPER }).0, 4.0);
+        // One picture has what is asked for.
+        assert_eq!(sheet(Views::One(View::World), [354, 236], Some(PAPER)).crowded, None);
+    }
+
+    #[test]
+    fn a_smaller_sheet_has_the_same_proportions_in_letters_too() {
+        for (size, factor) in [([6000, 3000], 0.12), ([945, 709], 0.7), ([400, 4000], 0.12)] {
+            let whole = sheet(Views::All, size, Some(PAPER));
+            let small = whole.clone().reduced(factor);
+            for (whole, small) in whole.requests.iter().zip(&small.requests) {
+                assert!((small.size.width as f32 - factor * whole.size.width as f32).abs() <= 0.5, "{small:?}");
+                assert!((small.size.letters() / whole.size.letters() / factor - 1.0).abs() < 0.02, "{small:?}");
+            }
+            assert_eq!((small.arrangement, small.crowded), (whole.arrangement, whole.crowded));
+            assert_eq!(whole.clone().reduced(2.0), whole, "nothing is enlarged");
+        }
+    }
+
+    #[test]
+    fn lines_are_as_wide_as_they_are_asked_for_in_each_picture() {
+        let widths = |lines| {
+            let sheet = sheet(Views::All, [1890, 1417], Some(OnPaper { lines, ..PAPER }));
+            let width = |request: &Request| Some(request.size.letters() / 14.0 * request.overlays.stroke_factor?);
+            sheet.requests.iter().map(width).collect::<Vec<_>>()
+        };
+        assert_eq!(widths(None), [None; 3]);
+        // 1.2 points are 5 pixels at 300 per inch.
+        for width in widths(Some(1.2)) {
+            assert!((width.unwrap() - 5.0).abs() < 0.01, "{width:?}");
+        }
     }
 }

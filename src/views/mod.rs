@@ -11,6 +11,7 @@
 //! | `world` | world | [`Observer`] |
 //! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed | [`Observer`] |
 
+mod arrangement;
 mod canonical;
 mod content;
 pub mod depth;
@@ -50,6 +51,7 @@ use crate::figure::{Figure, Observer};
 use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
+pub use arrangement::{Arrangement, aspect_shown, used_area};
 pub use labels::Labels;
 use observer::Viewpoint;
 pub use overlays::{Ghost, GizmoPart, Handle, Measure, Overlays, Probe, TransformGizmo, Transforming};
@@ -70,6 +72,9 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     };
     if request.overlays.transparent {
         frame.drawing.background.a = 0;
+    }
+    if let Some(factor) = request.overlays.stroke_factor {
+        frame.drawing.strokes.iter_mut().for_each(|stroke| stroke.style.width *= factor);
     }
     if let Some(too_much) = &mut frame.too_much {
         let of_scene: BTreeSet<&str> = request.scene.objects.iter().map(|object| object.name.as_str()).collect();

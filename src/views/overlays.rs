@@ -22,6 +22,8 @@ pub struct Overlays {
     pub bare: bool,
     /// Without ground: what is behind the picture shows through.
     pub transparent: bool,
+    /// What the widths of strokes are multiplied by; `None`: they are in proportion to the letters.
+    pub stroke_factor: Option<f32>,
 }
 
 impl Overlays {

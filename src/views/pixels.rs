@@ -26,6 +26,9 @@ fn growth(side: f32) -> f32 {
 }
 
 impl Size {
+    /// The width of the edges of solids to the height of the letters of names, where strokes are in proportion.
+    pub const EDGES_TO_LETTERS: f64 = 1.0 / LETTERS as f64;
+
     /// Letters and strokes as on a screen of 1920 × 1080: a picture that is larger in both directions has them larger by the same factor.
     #[must_use]
     pub fn as_on_a_screen(width: u32, height: u32) -> Self {
@@ -52,6 +55,12 @@ impl Size {
     #[must_use]
     pub fn letters(self) -> f32 {
         LETTERS * self.type_scale()
+    }
+
+    /// What the widths of strokes are multiplied by so that the edges of solids are so many pixels wide.
+    #[must_use]
+    pub fn stroke_factor(self, edges: f32) -> f32 {
+        edges / self.type_scale()
     }
 
     /// Pixels for one unit of stroke width and of type size.

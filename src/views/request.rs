@@ -74,7 +74,7 @@ impl Request {
             view: View::Image,
             look: Look { undistorted: true, ..self.look },
             observer: None,
-            overlays: Overlays { bare: true, ..Overlays::default() },
+            overlays: Overlays { bare: true, stroke_factor: self.overlays.stroke_factor, ..Overlays::default() },
             size: Size { width: frame.width, height: frame.height, scale: 1.0 },
             // Also in a vector picture it is a texture.
             output: Output::Pixels,

@@ -4,7 +4,7 @@ use std::fs;
 use std::time::{Duration, Instant};
 
 use camera_lab::appearance::Theme;
-use camera_lab::gui::state::Dialog;
+use camera_lab::gui::state::{Dialog, Purpose};
 use camera_lab::i18n::Lang;
 use camera_lab::views::{View, Views};
 use eframe::egui::accesskit::Role;
@@ -181,4 +181,84 @@ fn what_is_wrong_elsewhere_is_not_said_in_the_dialog_of_files() {
     window.run();
     assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(..))));
     assert_eq!(times(&window), 1, "in its bar, and there alone");
+}
+
+#[test]
+fn enter_exports_also_after_a_checkbox_was_clicked_or_walked_to() {
+    let mut window = Window::new(Lang::En);
+    let asked = |window: &Window| match &window.state().file_flow.dialog {
+        Some(Dialog::Path(Purpose::Export(export), _)) => Some(*export),
+        _ => None,
+    };
+    window.command_key(Key::E);
+    let at = window.harness.get_by_label("Crop to what is shown").rect().center();
+    window.quick_click(at);
+    assert!(window.export().crop);
+    window.key(Key::Enter);
+    assert!(asked(&window).expect("it goes on to the name").crop, "and the switch is as it was set");
+    window.key(Key::Escape);
+
+    // By the keyboard alone: the space bar switches.
+    window.command_key(Key::E);
+    window.harness.get_by_label("Crop to what is shown").focus();
+    window.run();
+    window.key(Key::Space);
+    assert!(!window.export().crop);
+    window.key(Key::Enter);
+    assert!(!asked(&window).expect("it goes on to the name").crop);
+    window.key(Key::Escape);
+
+    // In a field Enter takes what was typed, and the next one exports.
+    window.command_key(Key::E);
+    window.quick_choice("size", "typed");
+    window.enter("picture width", "333");
+    assert_eq!((asked(&window), window.export().width), (None, 333));
+    window.key(Key::Enter);
+    assert_eq!(asked(&window).expect("it goes on to the name").width, 333);
+}
+
+#[test]
+fn a_format_without_transparency_greys_it_and_a_name_that_says_so_is_refused() {
+    let folder = Folder::new("opaque");
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::E);
+    window.quick_choice("pictures", "Image");
+    window.click("Transparent");
+    let greyed = |window: &Window| window.harness.get_by_label("Transparent").accesskit_node().is_disabled();
+    assert!(window.export().is_without_ground() && !greyed(&window));
+    window.quick_choice("format", "JPEG");
+    assert!(!window.export().is_without_ground() && greyed(&window));
+    window.quick_choice("format", "WebP");
+    assert!(window.export().is_without_ground() && !greyed(&window), "nothing is forgotten");
+    window.key(Key::Enter);
+    assert!(matches!(&window.state().file_flow.dialog, Some(Dialog::Path(_, path)) if path.ends_with(".webp")));
+    let file = folder.file("a.jpg");
+    window.choose(&file);
+    assert!(window.says("JPEG has no transparency; allowed: a name that ends in .png or .webp"));
+    assert!(matches!(window.state().file_flow.dialog, Some(Dialog::Path(..))), "another name can be typed");
+    assert!(!file.exists());
+}
+
+#[test]
+fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
+    let mut window = Window::new(Lang::En);
+    window.command_key(Key::E);
+    window.quick_choice("size", "on paper");
+    window.wait_for("the smallest of the three pictures is 3.5 × 2.9 cm");
+    let lines = |window: &Window| window.export().paper.lines;
+    assert_eq!(lines(&window), None);
+    assert!(window.field("lines in points").accesskit_node().is_disabled());
+    window.click("own width");
+    // Nothing jumps: it begins with the width that they have.
+    assert_eq!(lines(&window), Some(0.44));
+    window.enter("lines in points", "1.25");
+    assert_eq!(lines(&window), Some(1.25));
+    window.enter("width in centimetres", "16");
+    window.enter("height in centimetres", "12");
+    let since = Instant::now();
+    while window.says("the smallest of the three pictures") {
+        assert!(since.elapsed() < Duration::from_secs(60), "there is room");
+        std::thread::sleep(Duration::from_millis(5));
+        window.harness.step();
+    }
 }

@@ -214,6 +214,7 @@ fn a_picture_is_never_replaced_by_text_whatever_its_name_says() {
     let picture = png::encode(
         pixmap,
         "[camera]\nnear = 0.5\n\n[scene]\npreset = \"empty\"\n",
+        None,
         &camera_lab::progress::Progress::default(),
     )
     .expect("encoded");

@@ -123,11 +123,79 @@ fn pictures_for_paper_and_for_the_web() {
     // Letters in points: larger ones change the picture with words.
     let nine = render(&["--view", "world", "--width-cm", "8", "--letters", "9"], "e.png");
     assert_ne!(nine, render(&["--view", "world", "--width-cm", "8", "--letters", "12"], "f.png"));
-    for (option, given) in [("--letters", "--letters=0"), ("--width-cm", "--width-cm=-3"), ("--dpi", "--dpi=x")] {
-        let letters = if option == "--dpi" { "--letters=9" } else { "--crop" };
-        let run = bench.run(&["render", "figure.toml", "-o", "g.png", letters, given]);
+    for given in ["--letters=0", "--width-cm=-3", "--dpi=x", "--lines=-1", "--height-cm=0"] {
+        let (option, _) = given.split_once('=').unwrap();
+        let width = if option == "--width-cm" { "--crop" } else { "--width-cm=8" };
+        let run = bench.run(&["render", "figure.toml", "-o", "g.png", width, given]);
         assert!(run.refused(2).contains(option), "{}", run.err);
     }
+}
+
+#[test]
+fn what_is_measured_in_points_is_told_to_who_prints_it() {
+    let bench = bench("points");
+    let density = |arguments: &[&str]| {
+        let run = bench.run(&[&["render", "figure.toml", "-o", "a.png"], arguments].concat());
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        let bytes = bench.read("a.png");
+        let reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+        reader.info().pixel_dims.map(|dims| (dims.xppu, dims.yppu))
+    };
+    assert_eq!(density(&[]), None);
+    assert_eq!(density(&["--letters", "9", "--lines", "1"]), None, "a guess is not written");
+    assert_eq!(density(&["--width-cm", "8"]), Some((11_811, 11_811)));
+    assert_eq!(density(&["--dpi", "150"]), Some((5906, 5906)));
+    // A PNG with it still carries its figure.
+    bench.run(&["render", "figure.toml", "--width-cm", "4", "-o", "first.png"]).done();
+    bench.run(&["render", "first.png", "--width-cm", "4", "-o", "again.png"]).done();
+    assert!(bench.read("first.png") == bench.read("again.png"));
+    // The dots per inch alone change no pixel.
+    let bytes = |arguments: &[&str]| {
+        bench.run(&[&["render", "figure.toml", "--view", "world", "-o", "b.png"], arguments].concat()).done();
+        pixels(&bench.read("b.png")).2
+    };
+    let plain = bytes(&["--width-cm", "8", "--letters", "9"]);
+    assert!(bytes(&["--width-cm", "8", "--letters", "9", "--dpi", "300"]) == plain);
+    // Wider lines leave more ink, narrower ones less.
+    let dark = |lines: &str| {
+        let pixels = bytes(&["--width-cm", "8", "--letters", "9", "--theme", "print", "--lines", lines]);
+        pixels.iter().map(|byte| u64::from(255 - byte)).sum::<u64>()
+    };
+    assert!(dark("0.2") < dark("0.6") && dark("0.6") < dark("2"));
+}
+
+#[test]
+fn three_pictures_on_small_paper_are_arranged_and_said_to_be_small() {
+    let bench = bench("sheet");
+    let all = |arguments: &[&str]| {
+        bench.run(&[&["render", "figure.toml", "--view", "all", "-o", "a.png", "--width-cm"], arguments].concat())
+    };
+    let run = all(&["8", "--height-cm", "6", "--letters", "9", "--lang", "en"]);
+    assert_eq!(run.status, Some(0));
+    assert!(
+        run.err.contains("a.png: the smallest of the three pictures is 3.5 × 2.9 cm, with letters of 6.2 pt"),
+        "{}",
+        run.err
+    );
+    assert!(run.err.contains("letters of 9 pt want pictures of at least 5.1 × 3.5 cm"), "{}", run.err);
+    let (width, height, _) = pixels(&bench.read("a.png"));
+    assert_eq!((width, height), (945, 709));
+    let run = all(&["8", "--height-cm", "6", "--letters", "9", "--lang", "pt-BR"]);
+    assert!(run.err.contains("a menor das três imagens tem 3,5 × 2,9 cm"), "{}", run.err);
+    all(&["16", "--height-cm", "12", "--letters", "9"]).done();
+}
+
+#[test]
+fn jpeg_has_no_transparency_and_says_so() {
+    let bench = bench("opaque");
+    let run = bench.run(&["render", "figure.toml", "--transparent", "-o", "a.jpg", "--lang", "en"]);
+    assert!(
+        run.refused(2).contains("JPEG has no transparency; allowed: an --output that ends in .png, .webp"),
+        "{}",
+        run.err
+    );
+    assert!(!bench.path("a.jpg").exists());
+    bench.run(&["render", "figure.toml", "--transparent", "-o", "a.webp"]).done();
 }
 
 #[test]

@@ -37,7 +37,19 @@ const TABLE: &[(&str, &[&str])] = &[
     // The enums of errors, warnings, labels and stages.
     (
         "i18n",
-        &["expression", "numbers", "camera", "scene", "figure", "inspect", "export", "files", "views", "pipeline"],
+        &[
+            "expression",
+            "numbers",
+            "camera",
+            "scene",
+            "figure",
+            "inspect",
+            "export",
+            "files",
+            "views",
+            "pipeline",
+            "picture",
+        ],
     ),
     ("cli", EVERYTHING),
     ("gui", EVERYTHING),

@@ -2,8 +2,7 @@
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-use crate::gui::state::Arrangement;
-use crate::views::View;
+use crate::views::{Arrangement, View, used_area};
 
 /// Room between two pictures, in points: the bar that is dragged.
 pub(super) const GAP: f32 = 5.0;
@@ -42,9 +41,11 @@ pub(super) struct Shares([[f32; 2]; 8]);
 
 impl Default for Shares {
     fn default() -> Self {
-        let thirds = [1.0 / 3.0, 0.5];
-        let halves = [0.5, 0.5];
-        Self([halves, halves, halves, halves, thirds, thirds, [0.54, 0.5], [0.56, 0.5]])
+        let mut shares = [[0.5, 0.5]; 8];
+        for arrangement in Arrangement::ALL {
+            shares[Self::place(arrangement, 3)][0] = arrangement.share_of_first();
+        }
+        Self(shares)
     }
 }
 
@@ -128,23 +129,18 @@ fn lay_out(room: Rect, count: usize, arrangement: Arrangement, shares: &Shares) 
     }
 }
 
-/// The arrangement in which the pictures use most of a room; where two are about as good, the one that is named first.
+/// The arrangement in which the pictures use most of a room.
 fn best(room: Rect, pictures: &[Framed]) -> Arrangement {
-    use Arrangement::{Above, Beside, Column, Row};
-    let used = |arrangement| {
+    Arrangement::best(pictures.len(), |arrangement| {
         let (panes, _) = lay_out(room, pictures.len(), arrangement, &Shares::default());
-        pictures.iter().zip(panes).map(|(picture, pane)| used_area(pane.size(), picture.aspect)).sum::<f32>()
-    };
-    let candidates: &[Arrangement] = if pictures.len() < 3 { &[Column] } else { &[Above, Beside, Column] };
-    let better = |best, next: &Arrangement| if used(*next) > 1.05 * used(best) { *next } else { best };
-    candidates.iter().fold(Row, better)
+        pictures.iter().zip(panes).map(|(picture, pane)| used_of(pane.size(), picture.aspect)).sum()
+    })
 }
 
 /// The area of the largest picture of a shape (width by height) in a pane, below its title; points².
-fn used_area(pane: Vec2, aspect: f32) -> f32 {
+fn used_of(pane: Vec2, aspect: f32) -> f32 {
     let room = vec2(pane.x, pane.y - TITLE).max(Vec2::ZERO);
-    let width = room.x.min(room.y * aspect);
-    width * width / aspect
+    used_area(room.x, room.y, aspect)
 }
 
 fn divide(span: Rect, axis: Axis, share: f32, index: (usize, usize)) -> (Rect, Bar, Rect) {
@@ -196,14 +192,14 @@ mod tests {
 
     #[test]
     fn a_picture_uses_what_its_shape_allows_of_a_pane() {
-        assert_eq!(used_area(vec2(400.0, 300.0 + TITLE), 4.0 / 3.0), 120_000.0);
-        assert_eq!(used_area(vec2(400.0, 1000.0), 2.0), 80_000.0);
-        assert_eq!(used_area(vec2(1000.0, 100.0 + TITLE), 2.0), 20_000.0);
-        assert_eq!(used_area(vec2(1000.0, 10.0), 2.0), 0.0);
+        assert_eq!(used_of(vec2(400.0, 300.0 + TITLE), 4.0 / 3.0), 120_000.0);
+        assert_eq!(used_of(vec2(400.0, 1000.0), 2.0), 80_000.0);
+        assert_eq!(used_of(vec2(1000.0, 100.0 + TITLE), 2.0), 20_000.0);
+        assert_eq!(used_of(vec2(1000.0, 10.0), 2.0), 0.0);
         // Three tall strips waste two thirds of a large screen.
         let area = |arrangement| -> f32 {
             let (panes, _) = lay_out(room(1364.0, 1000.0), 3, arrangement, &Shares::default());
-            panes.into_iter().map(|pane| used_area(pane.size(), 4.0 / 3.0)).sum()
+            panes.into_iter().map(|pane| used_of(pane.size(), 4.0 / 3.0)).sum()
         };
         assert!(area(Arrangement::Beside) > 2.0 * area(Arrangement::Row));
         assert!(area(Arrangement::Beside) > 0.65 * 1364.0 * 1000.0);

@@ -52,7 +52,7 @@ use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::picture::Account;
 use crate::pipeline::{Output, TooMuch};
 use crate::views::image_frame;
-use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, observer_in};
+use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, aspect_shown, observer_in};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
@@ -238,8 +238,10 @@ impl Canvas {
             Some(view) => vec![view],
             None => View::ALL.into_iter().filter(|p| state.layout.shown[p.index()]).collect(),
         };
-        let framed: Vec<Framed> =
-            visible.iter().map(|view| Framed { view: *view, aspect: aspect_of(*view, state) }).collect();
+        let framed: Vec<Framed> = visible
+            .iter()
+            .map(|view| Framed { view: *view, aspect: aspect_shown(*view, state.document.figure().image) })
+            .collect();
         let (rects, bars) = arrange(room, &framed, state.layout.arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
             let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);
@@ -463,18 +465,6 @@ fn note(ui: &Ui, picture: Rect, text: &str) {
     let place = Align2::CENTER_CENTER.anchor_size(picture.center(), galley.size());
     ui.painter().rect_filled(place.expand2(eframe::egui::vec2(8.0, 4.0)), 3.0, ui.visuals().panel_fill);
     ui.painter().galley(place.min, galley, color);
-}
-
-/// Width by height of what a picture shows; very long images count as less so, because their pane cannot follow them.
-fn aspect_of(view: View, state: &State) -> f32 {
-    match view {
-        View::World => 4.0 / 3.0,
-        View::Canonical => 1.1,
-        View::Image => {
-            let image = state.document.figure().image;
-            (image.width as f32 / image.height as f32).clamp(0.5, 2.0)
-        }
-    }
 }
 
 /// Gives a picture all the room, or gives it back.

@@ -9,10 +9,9 @@ use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
 use crate::gui::focus::with_room_before;
-use crate::gui::state::Arrangement;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
-use crate::views::View;
+use crate::views::{Arrangement, View};
 
 /// Room between two cells, in heights of a line.
 const GAP: f32 = 1.0;
@@ -182,7 +181,7 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
         // Menus leave borders out; without one, what is not chosen cannot be seen on a light ground.
         ui.visuals_mut().widgets.inactive.bg_stroke = ui.visuals().widgets.noninteractive.fg_stroke;
         for choice in [None].into_iter().chain(Arrangement::ALL.map(Some)) {
-            if ui.radio(choice == now, Arrangement::name(choice, texts)).clicked() {
+            if ui.radio(choice == now, texts.arrangement(choice)).clicked() {
                 action = Some(StatusAction::Arrange(choice));
                 ui.close();
             }

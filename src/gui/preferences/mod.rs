@@ -10,12 +10,14 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Value};
 
-use super::state::{Arrangement, State};
+use super::export::{DPI, LETTERS, LINES, SIDE_CM};
+use super::state::State;
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS};
+use crate::export::format::PictureFormat;
 use crate::figure::words::{self, THEMES, Words};
 use crate::i18n::Lang;
 use crate::numbers::EXACT_DIGITS;
-use crate::views::{View, Views};
+use crate::views::{Arrangement, View, Views};
 pub use store::Preferences;
 
 /// The languages, by the names that `--lang` has for them.
@@ -43,18 +45,35 @@ struct Key {
     apply: fn(&mut State, &Value),
 }
 
+/// A key whose value stands at one place of the window: a switch, a word of a list, or a number within bounds.
+macro_rules! key {
+    ($name:literal, switch, $($place:tt)+) => {
+        Key {
+            name: $name,
+            of: |state| state.$($place)+.into(),
+            apply: |state, value| put(&mut state.$($place)+, value.as_bool()),
+        }
+    };
+    ($name:literal, one of $words:ident, $($place:tt)+) => {
+        Key {
+            name: $name,
+            of: |state| words::name($words, state.$($place)+).into(),
+            apply: |state, value| put(&mut state.$($place)+, word($words, value)),
+        }
+    };
+    ($name:literal, within $range:expr, $($place:tt)+) => {
+        Key {
+            name: $name,
+            of: |state| state.$($place)+.into(),
+            apply: |state, value| put(&mut state.$($place)+, number(value).filter(|v| $range.contains(v))),
+        }
+    };
+}
+
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 22] = [
-    Key {
-        name: "language",
-        of: |state| words::name(LANGUAGES, state.settings.lang).into(),
-        apply: |state, value| put(&mut state.settings.lang, word(LANGUAGES, value)),
-    },
-    Key {
-        name: "theme",
-        of: |state| words::name(THEMES, state.settings.theme).into(),
-        apply: |state, value| put(&mut state.settings.theme, word(THEMES, value)),
-    },
+const KEYS: [Key; 24] = [
+    key!("language", one of LANGUAGES, settings.lang),
+    key!("theme", one of THEMES, settings.theme),
     Key {
         name: "zoom",
         of: |state| ((f64::from(state.settings.zoom) * 100.0).round() / 100.0).into(),
@@ -64,21 +83,9 @@ const KEYS: [Key; 22] = [
             put(&mut state.settings.zoom, zoom.map(|zoom| zoom as f32));
         },
     },
-    Key {
-        name: "parameters_panel",
-        of: |state| state.settings.panels.wanted[0].into(),
-        apply: |state, value| put(&mut state.settings.panels.wanted[0], value.as_bool()),
-    },
-    Key {
-        name: "numbers_panel",
-        of: |state| state.settings.panels.wanted[1].into(),
-        apply: |state, value| put(&mut state.settings.panels.wanted[1], value.as_bool()),
-    },
-    Key {
-        name: "layout",
-        of: |state| words::name(LAYOUTS, state.layout.arrangement).into(),
-        apply: |state, value| put(&mut state.layout.arrangement, word(LAYOUTS, value)),
-    },
+    key!("parameters_panel", switch, settings.panels.wanted[0]),
+    key!("numbers_panel", switch, settings.panels.wanted[1]),
+    key!("layout", one of LAYOUTS, layout.arrangement),
     Key {
         name: "pictures",
         of: |state| View::ALL.into_iter().filter(|view| state.layout.shown[view.index()]).map(View::name).collect(),
@@ -88,11 +95,7 @@ const KEYS: [Key; 22] = [
             put(&mut state.layout.shown, Some(shown).filter(|shown| *shown != [false; 3]));
         },
     },
-    Key {
-        name: "pipeline",
-        of: |state| state.layout.strip.into(),
-        apply: |state, value| put(&mut state.layout.strip, value.as_bool()),
-    },
+    key!("pipeline", switch, layout.strip),
     Key {
         name: "digits",
         of: |state| i64::try_from(state.settings.digits).unwrap_or_default().into(),
@@ -101,16 +104,8 @@ const KEYS: [Key; 22] = [
             put(&mut state.settings.digits, digits.filter(|digits| (2..=EXACT_DIGITS).contains(digits)));
         },
     },
-    Key {
-        name: "reduce_motion",
-        of: |state| state.settings.reduce_motion.into(),
-        apply: |state, value| put(&mut state.settings.reduce_motion, value.as_bool()),
-    },
-    Key {
-        name: "convention",
-        of: |state| words::name(CONVENTIONS, state.operations.convention).into(),
-        apply: |state, value| put(&mut state.operations.convention, word(CONVENTIONS, value)),
-    },
+    key!("reduce_motion", switch, settings.reduce_motion),
+    key!("convention", one of CONVENTIONS, operations.convention),
     Key {
         name: "gallery_folder",
         of: |state| state.gallery.folder().and_then(Path::to_str).unwrap_or_default().into(),
@@ -120,11 +115,7 @@ const KEYS: [Key; 22] = [
             }
         },
     },
-    Key {
-        name: "export_theme",
-        of: |state| words::name(THEMES, state.export.theme).into(),
-        apply: |state, value| put(&mut state.export.theme, word(THEMES, value)),
-    },
+    key!("export_theme", one of THEMES, export.theme),
     Key {
         name: "export_pictures",
         of: |state| state.export.what.name().into(),
@@ -143,39 +134,28 @@ const KEYS: [Key; 22] = [
         },
     },
     Key {
-        name: "export_on_paper",
-        of: |state| state.export.on_paper.into(),
-        apply: |state, value| put(&mut state.export.on_paper, value.as_bool()),
+        name: "export_format",
+        of: |state| state.export.format.ending().into(),
+        apply: |state, value| {
+            let format = value.as_str().and_then(|ending| PictureFormat::of(&Path::new("a").with_extension(ending)));
+            put(&mut state.export.format, format);
+        },
     },
+    key!("export_on_paper", switch, export.on_paper),
+    key!("export_transparent", switch, export.transparent),
+    key!("export_crop", switch, export.crop),
+    key!("export_width_cm", within SIDE_CM, export.paper.size[0]),
+    key!("export_height_cm", within SIDE_CM, export.paper.size[1]),
+    key!("export_dpi", within DPI, export.paper.dpi),
+    key!("export_letters", within LETTERS, export.paper.letters),
+    // 0: in proportion to the letters.
     Key {
-        name: "export_transparent",
-        of: |state| state.export.transparent.into(),
-        apply: |state, value| put(&mut state.export.transparent, value.as_bool()),
-    },
-    Key {
-        name: "export_crop",
-        of: |state| state.export.crop.into(),
-        apply: |state, value| put(&mut state.export.crop, value.as_bool()),
-    },
-    Key {
-        name: "export_width_cm",
-        of: |state| state.export.paper.size[0].into(),
-        apply: |state, value| put(&mut state.export.paper.size[0], number(value).filter(|v| (0.5..=200.0).contains(v))),
-    },
-    Key {
-        name: "export_height_cm",
-        of: |state| state.export.paper.size[1].into(),
-        apply: |state, value| put(&mut state.export.paper.size[1], number(value).filter(|v| (0.5..=200.0).contains(v))),
-    },
-    Key {
-        name: "export_dpi",
-        of: |state| state.export.paper.dpi.into(),
-        apply: |state, value| put(&mut state.export.paper.dpi, number(value).filter(|v| (0.5..=2400.0).contains(v))),
-    },
-    Key {
-        name: "export_letters",
-        of: |state| state.export.paper.letters.into(),
-        apply: |state, value| put(&mut state.export.paper.letters, number(value).filter(|v| (0.5..=200.0).contains(v))),
+        name: "export_lines",
+        of: |state| state.export.paper.lines.unwrap_or_default().into(),
+        apply: |state, value| match number(value) {
+            Some(0.0) => state.export.paper.lines = None,
+            lines => put(&mut state.export.paper.lines, lines.filter(|lines| LINES.contains(lines)).map(Some)),
+        },
     },
 ];
 
@@ -272,10 +252,19 @@ mod tests {
         (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
         changed.operations.convention = Convention::Vtk;
         changed.gallery.remember(PathBuf::from("/lectures"));
-        let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0 };
-        let (theme, what, times) = (Theme::Light, Views::One(View::Image), Some(3));
-        changed.export =
-            Export { theme, what, times, on_paper: true, transparent: true, crop: true, paper, ..changed.export };
+        let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
+        let (theme, what, times, format) = (Theme::Light, Views::One(View::Image), Some(3), PictureFormat::WebP);
+        changed.export = Export {
+            theme,
+            what,
+            times,
+            format,
+            on_paper: true,
+            transparent: true,
+            crop: true,
+            paper,
+            ..changed.export
+        };
         changed.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
         let plain = values(&state());
         let told = values(&changed);

@@ -1,8 +1,7 @@
 //! How the room in the window is shared, and what is asked of the pictures.
 
-use crate::i18n::canvas::CanvasTexts;
-use crate::views::View;
 use crate::views::observer::Viewpoint;
+use crate::views::{Arrangement, View};
 
 /// From where a three-dimensional picture is to be seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -11,36 +10,6 @@ pub enum ObserverChange {
     From(Viewpoint),
     /// As now, but with everything in the picture.
     Fit,
-}
-
-/// How several pictures share the room.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Arrangement {
-    /// Side by side.
-    Row,
-    /// One above the other.
-    Column,
-    /// The first above the two others.
-    Above,
-    /// The first to the left of the two others.
-    Beside,
-}
-
-impl Arrangement {
-    /// All.
-    pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
-
-    /// What it is called; `None`: as suits the room.
-    #[must_use]
-    pub fn name(arrangement: Option<Self>, texts: &CanvasTexts) -> &'static str {
-        match arrangement {
-            None => texts.arrange_auto,
-            Some(Self::Row) => texts.arrange_row,
-            Some(Self::Column) => texts.arrange_column,
-            Some(Self::Above) => texts.arrange_above,
-            Some(Self::Beside) => texts.arrange_beside,
-        }
-    }
 }
 
 /// Which pictures are shown, and how.

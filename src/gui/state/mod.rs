@@ -19,7 +19,7 @@ use crate::views::{Ghost, Measure, Probe};
 pub use annotations::Annotations;
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::{free_place, rounded};
-pub use layout::{Arrangement, Layout, ObserverChange, Panels, Side, Tab};
+pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use message::about_session;
 pub use message::{Message, NotExported};
 pub use operations::Operations;

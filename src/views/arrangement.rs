@@ -1,0 +1,59 @@
+//! How several pictures share a room, on a screen or on a sheet.
+
+use super::View;
+use crate::camera::ImageSize;
+
+/// How several pictures share the room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Arrangement {
+    /// Side by side.
+    Row,
+    /// One above the other.
+    Column,
+    /// The first above the two others.
+    Above,
+    /// The first to the left of the two others.
+    Beside,
+}
+
+impl Arrangement {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::Row, Self::Column, Self::Above, Self::Beside];
+
+    /// What the first of three pictures has of the room, where nobody has said otherwise; the two others have the same.
+    #[must_use]
+    pub const fn share_of_first(self) -> f32 {
+        match self {
+            Self::Row | Self::Column => 1.0 / 3.0,
+            Self::Above => 0.54,
+            Self::Beside => 0.56,
+        }
+    }
+
+    /// The arrangement in which so many pictures use most of a room; where two are about as good, the one that is named first.
+    /// `used`: the area that they use, in any unit.
+    #[must_use]
+    pub fn best(count: usize, used: impl Fn(Self) -> f32) -> Self {
+        let candidates: &[Self] = if count < 3 { &[Self::Column] } else { &[Self::Above, Self::Beside, Self::Column] };
+        let better = |best, next: &Self| if used(*next) > 1.05 * used(best) { *next } else { best };
+        candidates.iter().fold(Self::Row, better)
+    }
+}
+
+/// Width by height of what a picture shows; very long images count as less so, because their room cannot follow them.
+#[must_use]
+pub fn aspect_shown(view: View, image: ImageSize) -> f32 {
+    match view {
+        View::World => 4.0 / 3.0,
+        View::Canonical => 1.1,
+        #[expect(clippy::cast_possible_truncation, reason = "0.5 … 2")]
+        View::Image => image.aspect().clamp(0.5, 2.0) as f32,
+    }
+}
+
+/// The area of the largest picture of a shape (width by height) in a room.
+#[must_use]
+pub fn used_area(width: f32, height: f32, aspect: f32) -> f32 {
+    let width = width.min(height * aspect);
+    width * width / aspect
+}
