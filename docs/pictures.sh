@@ -1,8 +1,10 @@
 #!/bin/sh
 # Draws the pictures of the guides' chapter on the pipeline anew: docs/pictures.sh [CAMERA_LAB]
 set -eu
+program=${1:-$(dirname "$0")/../target/release/camera-lab}
+# The folder changes below.
+program=$(realpath "$program")
 cd "$(dirname "$0")"
-program=${1:-../target/release/camera-lab}
 
 draw() { # FIGURE PICTURE [OPTION]...
     figure=figures/pipeline-$1.toml picture=images/pipeline-$2.png

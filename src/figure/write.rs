@@ -8,7 +8,7 @@ use super::{Depth, Figure, Observer, Outside, Reveal, WorldLook};
 use crate::appearance::Style;
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
-use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape};
+use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
 /// The figure file of `figure`, its keys in the order of the documentation.
 ///
@@ -103,19 +103,10 @@ fn object(object: &ObjectSpec) -> Table {
     let mut keys: Vec<(&str, Value)> = vec![("name", quoted(&object.name))];
     if let Some(shape) = &object.shape {
         keys.push(("shape", shape.name().into()));
-        match shape {
-            Shape::Points(points) => keys.push(("points", vectors(points))),
-            Shape::Segments(pairs) => keys.push(("points", vectors(pairs.as_flattened()))),
-            Shape::Mesh { path } => keys.push(("path", quoted(path))),
-            Shape::Box
-            | Shape::Prism
-            | Shape::Pyramid
-            | Shape::Sphere
-            | Shape::Ellipsoid
-            | Shape::Cylinder
-            | Shape::Cone
-            | Shape::Torus
-            | Shape::Grid => {}
+        match shape.data() {
+            ShapeData::Points(points) => keys.push(("points", vectors(points))),
+            ShapeData::Path(path) => keys.push(("path", quoted(path))),
+            ShapeData::None => {}
         }
     }
     if let Some(parent) = &object.parent {

@@ -6,7 +6,7 @@ use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Viewport};
 use crate::figure::{Figure, Observers, Reveal, WorldLook};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
-use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape};
+use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
 /// What one undo step brings back: everything but the observers.
 #[derive(Clone, Debug)]
@@ -152,19 +152,10 @@ fn bytes_of(scene: &SceneSpec) -> usize {
 }
 
 fn data_of(shape: &Shape) -> usize {
-    match shape {
-        Shape::Points(points) => size_of_val(&points[..]),
-        Shape::Segments(segments) => size_of_val(&segments[..]),
-        Shape::Mesh { path } => path.len(),
-        Shape::Box
-        | Shape::Prism
-        | Shape::Pyramid
-        | Shape::Sphere
-        | Shape::Ellipsoid
-        | Shape::Cylinder
-        | Shape::Cone
-        | Shape::Torus
-        | Shape::Grid => 0,
+    match shape.data() {
+        ShapeData::Points(points) => size_of_val(points),
+        ShapeData::Path(path) => path.len(),
+        ShapeData::None => 0,
     }
 }
 

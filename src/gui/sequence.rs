@@ -75,6 +75,9 @@ pub(super) fn step(state: &mut State, forwards: bool) -> bool {
                 if left.is_changed() {
                     state.kept.push((places[at].clone(), left));
                 }
+                if let Some(Source::File(path)) = &places[index] {
+                    state.recent.add(path);
+                }
                 // Another program may have gone on with the file.
                 state.file_flow.look = true;
                 state.annotations.strokes.clear();

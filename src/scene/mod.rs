@@ -36,7 +36,7 @@ pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjF
 pub use presets::{Beyond, objects as preset_objects};
 pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, no_files, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
-pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
+pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape, ShapeData};
 
 /// A scene, flat: every transform has been multiplied out.
 #[derive(Clone, Debug, Default, PartialEq)]

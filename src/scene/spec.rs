@@ -135,6 +135,17 @@ named! { Shape {
     "mesh": Self::Mesh { .. }, Self::Mesh { path: String::new() };
 } }
 
+/// What a figure says of a shape besides its name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ShapeData<'a> {
+    /// Nothing.
+    None,
+    /// Its points; of segments, both ends of each.
+    Points(&'a [DVec3]),
+    /// The file that it comes from.
+    Path(&'a str),
+}
+
 impl Shape {
     /// What `segments` means where a figure does not say it, for a shape or for a group.
     #[must_use]
@@ -162,11 +173,13 @@ impl Shape {
         }
     }
 
-    /// The file that it comes from, relative to the figure file.
+    /// What a figure says of it besides its name.
     #[must_use]
-    pub fn mesh_file(&self) -> Option<&str> {
+    pub fn data(&self) -> ShapeData<'_> {
         match self {
-            Self::Mesh { path } => Some(path),
+            Self::Points(points) => ShapeData::Points(points),
+            Self::Segments(pairs) => ShapeData::Points(pairs.as_flattened()),
+            Self::Mesh { path } => ShapeData::Path(path),
             Self::Box
             | Self::Prism
             | Self::Pyramid
@@ -175,9 +188,16 @@ impl Shape {
             | Self::Cylinder
             | Self::Cone
             | Self::Torus
-            | Self::Grid
-            | Self::Points(_)
-            | Self::Segments(_) => None,
+            | Self::Grid => ShapeData::None,
+        }
+    }
+
+    /// The file that it comes from, relative to the figure file.
+    #[must_use]
+    pub fn mesh_file(&self) -> Option<&str> {
+        match self.data() {
+            ShapeData::Path(path) => Some(path),
+            ShapeData::None | ShapeData::Points(_) => None,
         }
     }
 

@@ -1,26 +1,24 @@
-//! The three pictures: what pointer and keys do in them, and that nothing is drawn twice.
+//! The three pictures: what the pointer does in them, how they are arranged, and that nothing is drawn twice.
 
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests; places on a small screen")]
 
 use std::time::Duration;
 
-use camera_lab::camera::{Camera, Parameters, Projection};
+use camera_lab::camera::{Camera, Parameters};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::gui::canvas::Canvas;
 use camera_lab::gui::{Start, State, theme};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::pictures::labels;
-use camera_lab::scene::{ObjectSpec, Preset, Shape};
-use camera_lab::views::Handle;
+use camera_lab::scene::Preset;
 use camera_lab::views::handles::handles;
-use camera_lab::views::image_frame;
-use camera_lab::views::{Probe, Request, Size, View};
+use camera_lab::views::{Handle, Request, Size, View};
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, vec2,
 };
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
-use glam::{DVec2, DVec3};
+use egui_kittest::kittest::Queryable;
+use glam::DVec3;
 
 pub(super) struct Stage {
     pub(super) state: State,
@@ -28,10 +26,10 @@ pub(super) struct Stage {
 }
 
 pub(super) const WORLD: &str = "World: the scene";
-const CANONICAL: &str = "Canonical volume: the scene";
-const IMAGE: &str = "Image: what the camera sees";
+pub(super) const CANONICAL: &str = "Canonical volume: the scene";
+pub(super) const IMAGE: &str = "Image: what the camera sees";
 
-fn observer() -> Observer {
+pub(super) fn observer() -> Observer {
     Observer {
         target: DVec3::new(1.0, 1.5, 2.0),
         distance: 22.0,
@@ -66,15 +64,15 @@ pub(super) fn place(harness: &Harness<Stage>, label: &str) -> Rect {
     harness.get_by_label_contains(label).rect()
 }
 
-fn parameters(harness: &Harness<Stage>) -> Parameters {
+pub(super) fn parameters(harness: &Harness<Stage>) -> Parameters {
     *harness.state().state.document.draft()
 }
 
-fn world_observer(harness: &Harness<Stage>) -> Observer {
+pub(super) fn world_observer(harness: &Harness<Stage>) -> Observer {
     harness.state().state.document.figure().observers.world.unwrap()
 }
 
-fn canonical_observer(harness: &Harness<Stage>) -> Observer {
+pub(super) fn canonical_observer(harness: &Harness<Stage>) -> Observer {
     harness.state().state.document.figure().observers.canonical.unwrap()
 }
 
@@ -88,7 +86,7 @@ pub(super) fn world(harness: &Harness<Stage>, rect: Rect) -> Request {
 }
 
 /// Where a handle is on the screen.
-fn handle(harness: &Harness<Stage>, wanted: Handle) -> Pos2 {
+pub(super) fn handle(harness: &Harness<Stage>, wanted: Handle) -> Pos2 {
     let rect = place(harness, WORLD);
     let all = handles(&world(harness, rect));
     let (_, p) = all.into_iter().find(|(h, _)| *h == wanted).unwrap();
@@ -118,12 +116,12 @@ pub(super) fn drag(
     harness.state_mut().state.document.commit();
 }
 
-fn drag_primary(harness: &mut Harness<Stage>, from: Pos2, motion: Vec2) {
+pub(super) fn drag_primary(harness: &mut Harness<Stage>, from: Pos2, motion: Vec2) {
     drag(harness, from, motion, PointerButton::Primary, Modifiers::NONE);
 }
 
 /// A place in the world where nothing can be taken.
-fn free_place(harness: &Harness<Stage>) -> Pos2 {
+pub(super) fn free_place(harness: &Harness<Stage>) -> Pos2 {
     place(harness, WORLD).left_bottom() + vec2(30.0, -30.0)
 }
 
@@ -287,75 +285,6 @@ fn a_double_click_gives_a_picture_all_the_room_and_takes_it_back() {
 }
 
 #[test]
-fn the_pixel_under_the_pointer_is_named_and_its_ray_is_probed() {
-    let mut h = stage(|_| ());
-    let rect = place(&h, IMAGE);
-    let window = h.state().state.document.camera().window();
-    let frame = image_frame(world(&h, rect).size, window.aspect());
-    let share = DVec2::new(0.03, 0.96);
-    let inside = DVec2::new(f64::from(frame.width), f64::from(frame.height)) * share;
-    let at = rect.min + vec2((f64::from(frame.x) + inside.x) as f32, (f64::from(frame.y) + inside.y) as f32);
-    h.hover_at(at);
-    h.run();
-    let pixel = (DVec2::new(1024.0, 768.0) * share).floor();
-    let near = |text: &str| {
-        let numbers: Vec<f64> = text.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
-        (numbers[0] - pixel.x).abs() <= 3.0 && (numbers[1] - pixel.y).abs() <= 3.0 && numbers[2..4] == [1024.0, 768.0]
-    };
-    let text = h.get_by_label_contains("/ 1024 × 768").accesskit_node().value().unwrap();
-    assert!(near(&text), "{text} is not near {pixel}");
-    let Some(Probe::Window(point)) = h.state().state.probe else { panic!("{:?}", h.state().state.probe) };
-    assert!((point.x - (window.left + share.x * window.width())).abs() < 0.01 * window.width());
-    assert!((point.y - (window.top - share.y * window.height())).abs() < 0.01 * window.height());
-
-    h.remove_cursor();
-    h.run();
-    assert_eq!(h.state().state.probe, None);
-    h.hover_at(at);
-    h.run();
-    h.drag_at(at);
-    h.drop_at(at);
-    h.run();
-    h.remove_cursor();
-    h.run();
-    assert_eq!(h.state().state.probe, Some(Probe::Window(point)), "a click pins it");
-    h.key_press(Key::Escape);
-    h.run();
-    assert_eq!(h.state().state.probe, None, "Esc releases it");
-}
-
-#[test]
-fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
-    let observer = Observer { azimuth: 40.0, distance: 12.0, ..observer() };
-    let mut h = stage(|state| state.document.observers_mut().world = Some(observer));
-    let [_, _, back] = observer.axes();
-    let eye = observer.target + back * observer.distance;
-    let scene = h.state().state.scene_cache.scene().clone();
-    let object = &scene.objects[0];
-    let corners = object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p));
-    let corner = corners.min_by(|a, b| a.distance(eye).total_cmp(&b.distance(eye))).unwrap();
-
-    let rect = place(&h, WORLD);
-    let camera = observer.camera(None, f64::from(rect.width() / rect.height())).unwrap();
-    let clip = camera.clip_point(corner);
-    let at = rect.center()
-        + vec2((clip.x / clip.w) as f32 * rect.width() / 2.0, -(clip.y / clip.w) as f32 * rect.height() / 2.0);
-    h.hover_at(free_place(&h));
-    h.run();
-    let drawn = h.state().canvas.drawn();
-    h.hover_at(at + vec2(2.0, -1.0));
-    h.run();
-    assert_eq!(h.state().state.probe, Some(Probe::Point(corner)));
-    for (after, before) in h.state().canvas.drawn().iter().zip(drawn) {
-        assert_eq!(*after, before + 1);
-    }
-    let text = h.get_by_label_contains("NDC").accesskit_node().value().unwrap();
-    let ndc = h.state().state.document.camera().clip_point(corner);
-    let x = format!("{:.4}", ndc.x / ndc.w);
-    assert!(text.contains(&x), "{text} has no {x}");
-}
-
-#[test]
 fn only_what_has_changed_is_drawn_again() {
     let mut h = stage(|_| ());
     let drawn = h.state().canvas.drawn();
@@ -377,42 +306,6 @@ fn only_what_has_changed_is_drawn_again() {
     h.run();
     let changed = h.state().canvas.drawn();
     assert_eq!((changed[0], changed[1], changed[2]), (hidden[0] + 1, hidden[1], hidden[2] + 1));
-}
-
-#[test]
-fn keys_raise_the_camera_and_turn_the_view() {
-    let mut h = stage(|_| ());
-    let before = parameters(&h);
-    h.get_by_label_contains(IMAGE).focus();
-    h.run();
-    h.key_press(Key::ArrowUp);
-    h.run();
-    let raised = parameters(&h);
-    assert!(raised.position.y > before.position.y, "up raises the camera");
-    let distance = |p: &Parameters| p.position.distance(p.focal_point);
-    assert!((distance(&raised) - distance(&before)).abs() < 1e-12);
-
-    let right = Camera::new(&raised).unwrap().basis().u;
-    h.key_press(Key::ArrowRight);
-    h.run();
-    let turned = parameters(&h);
-    assert!((turned.position - raised.position).dot(right) > 0.3, "right moves it to the right");
-
-    h.key_press(Key::Minus);
-    h.run();
-    assert!(parameters(&h).view_angle > turned.view_angle);
-    let wider = parameters(&h);
-    h.key_press(Key::PageUp);
-    h.run();
-    assert!((distance(&parameters(&h)) - distance(&wider) / 1.1).abs() < 1e-12);
-
-    let camera = parameters(&h);
-    h.get_by_label_contains(WORLD).focus();
-    h.run();
-    h.key_press_modifiers(Modifiers::SHIFT, Key::ArrowRight);
-    h.run();
-    assert!((world_observer(&h).azimuth - 105.0).abs() < 1e-4, "the eye goes to the right");
-    assert_eq!(parameters(&h), camera);
 }
 
 #[test]
@@ -453,168 +346,4 @@ fn pictures_are_arranged_as_asked() {
     let (world, canonical, image) = (place(&h, WORLD), place(&h, CANONICAL), place(&h, IMAGE));
     assert!(canonical.top() > world.bottom() && image.top() == canonical.top() && image.left() > canonical.right());
     assert!(world.width() > canonical.width() + image.width());
-}
-
-/// The image alone, with the focus.
-fn focused_image() -> Harness<'static, Stage> {
-    let mut h = stage(|state| state.layout.maximized = Some(View::Image));
-    h.get_by_label_contains(IMAGE).focus();
-    h.run();
-    h
-}
-
-#[test]
-fn keys_all_the_way_round_give_the_camera_back() {
-    let mut h = focused_image();
-    let before = parameters(&h);
-    for key in [Key::ArrowRight, Key::ArrowUp] {
-        for _ in 0..72 {
-            h.key_press(key);
-            h.step();
-        }
-        let after = parameters(&h);
-        assert_eq!((after.position, after.focal_point), (before.position, before.focal_point), "{key:?}: 72 times 5°");
-        // What is left of a zero is far below the last bit of anything else.
-        assert!(after.view_up.distance(before.view_up) < 1e-30, "{key:?}: {}", after.view_up);
-    }
-}
-
-#[test]
-fn keys_raise_the_camera_by_the_signs_that_are_chosen() {
-    use camera_lab::camera::{Convention, Operation};
-    use camera_lab::geometry::Angle;
-    for (convention, degrees) in [(Convention::RightHand, -5.0), (Convention::Vtk, 5.0)] {
-        let mut h = focused_image();
-        h.state_mut().state.operations.convention = convention;
-        let camera = h.state().state.document.camera().clone();
-        h.key_press(Key::ArrowUp);
-        h.run();
-        let elevated = Operation::Elevation(Angle::from_degrees(degrees)).apply(&camera, convention).unwrap();
-        assert_eq!(parameters(&h), *elevated.parameters());
-        assert!(parameters(&h).position.y > camera.position().y, "up raises it");
-    }
-}
-
-#[test]
-fn a_key_that_can_do_nothing_says_why() {
-    let mut h = focused_image();
-    let impossible = Parameters { near: 100.0, ..parameters(&h) };
-    h.state_mut().state.document.set_parameters(impossible);
-    h.run();
-    for key in [Key::PageUp, Key::ArrowLeft, Key::Plus] {
-        h.state_mut().state.message = None;
-        h.key_press(key);
-        h.run();
-        assert_eq!(parameters(&h), impossible, "what was typed stays");
-        let message = h.state().state.message.as_ref().unwrap();
-        assert!(message.is_error() && message.text(Lang::En).contains("F must be less than B"), "{message:?}");
-    }
-}
-
-/// A window of 3 × 4 over 1024 × 768 pixels, as in exercise 5.2: the pointer, the probe and the cross of lines name the pixels of
-/// the m × n image, which are those of `inspect` and of the PNG (`tests/it/image_pixels.rs`).
-#[test]
-fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
-    let mut h = stage(|state| {
-        state.document.edit(|figure| {
-            figure.scene.preset = Preset::Empty;
-            figure.scene.objects = vec![ObjectSpec::new("P", Shape::Points(vec![DVec3::new(1.0, 1.0, 0.0)]))];
-        });
-        state.document.set_parameters(Parameters {
-            position: DVec3::new(0.0, 0.0, 5.0),
-            projection: Projection::Parallel,
-            height: 4.0,
-            aspect: 0.75,
-            near: 1.0,
-            far: 20.0,
-            ..Parameters::default()
-        });
-        state.layout.maximized = Some(View::Image);
-    });
-    let rect = place(&h, IMAGE);
-    // The largest rectangle of 4 : 3, in the middle.
-    let height = rect.height().min(rect.width() * 0.75).round();
-    let frame = Rect::from_center_size(rect.center(), vec2((height / 0.75).round(), height));
-    let at = |[i, j]: [f32; 2]| frame.min + frame.size() * vec2(i / 1024.0, j / 768.0);
-    h.hover_at(at([853.33, 192.0]));
-    h.run();
-    assert_eq!(h.state().state.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))), "its mark stands there");
-    assert!(
-        h.get_all_by_label_contains("Pixel")
-            .any(|node| { node.accesskit_node().value().is_some_and(|text| text.contains("(853, 192)")) })
-    );
-    h.hover_at(at([100.5, 700.5]));
-    h.run();
-    let status = h.get_by_label_contains("/ 1024 × 768").accesskit_node().value().unwrap();
-    let numbers: Vec<f64> = status.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok()).collect();
-    assert!((numbers[0] - 100.0).abs() <= 3.0 && (numbers[1] - 700.0).abs() <= 3.0, "{status}");
-    // As the eye would see it: narrower, in the middle, and the switch goes back.
-    h.get_by_label("undistorted").click();
-    h.run();
-    assert!(h.state().state.document.figure().undistorted);
-    let narrow = Rect::from_center_size(rect.center(), vec2((height * 0.75).round(), height));
-    h.hover_at(narrow.min + narrow.size() * vec2(2.5 / 3.0, 0.25));
-    h.run();
-    assert_eq!(h.state().state.probe, Some(Probe::Point(DVec3::new(1.0, 1.0, 0.0))));
-    h.get_by_label("undistorted").click();
-    h.run();
-    assert!(!h.state().state.document.figure().undistorted);
-    // With square pixels there is nothing to switch.
-    h.state_mut().state.document.set_parameters(Parameters::default());
-    h.run();
-    assert!(h.query_by_label("undistorted").is_none());
-}
-
-#[test]
-fn pointer_and_vertex_are_told_apart_and_a_card_keeps_what_is_pinned() {
-    let mut h = stage(|state| {
-        state.document.edit(|figure| {
-            figure.scene.preset = Preset::Empty;
-            let ends = [[DVec3::ZERO, DVec3::new(0.0, 0.0, 1.0)], [DVec3::new(1.0, 0.5, 0.0), DVec3::X]];
-            figure.scene.objects = vec![
-                ObjectSpec::new("box", Shape::Box),
-                ObjectSpec::new("edges", Shape::Segments(ends.to_vec())).at(0.0, 2.0, 0.0),
-            ];
-        });
-        state.layout.maximized = Some(View::Image);
-    });
-    let rect = place(&h, IMAGE);
-    let at = |h: &Harness<Stage>, p: DVec3| {
-        let camera = h.state().state.document.camera();
-        let clip = camera.clip_from_world() * p.extend(1.0);
-        let ndc = clip.truncate() / clip.w;
-        let height = rect.height().min(rect.width() * 0.75).round();
-        let frame = Rect::from_center_size(rect.center(), vec2((height / 0.75).round(), height));
-        frame.center() + frame.size() * 0.5 * vec2(ndc.x as f32, -ndc.y as f32)
-    };
-    let says = |h: &Harness<Stage>, text: &str| h.query_all_by_label_contains(text).next().is_some();
-    let place = at(&h, DVec3::new(1.0, 2.5, 0.0));
-    h.hover_at(place + vec2(2.0, 1.0));
-    h.run();
-    assert!(says(&h, "Vertex 3 – edges") && says(&h, "Pointer: Pixel ("));
-    let corner = at(&h, DVec3::ONE);
-    h.hover_at(corner);
-    h.run();
-    let status = h.get_by_label_contains("– box").accesskit_node().value().unwrap();
-    let number: usize = status.split_whitespace().nth(1).unwrap().parse().unwrap();
-    let mesh = &h.state().state.scene_cache.scene().objects[0].mesh;
-    assert_eq!(mesh.positions[number - 1], DVec3::ONE, "{status}");
-    // A click pins it: the card stays when the pointer has gone, until it is released.
-    h.drag_at(corner);
-    h.drop_at(corner);
-    h.run();
-    h.remove_cursor();
-    h.run();
-    assert!(says(&h, "Release (Esc)") && says(&h, "(1, 1, 1)"));
-    h.get_by_label("Copy").click();
-    h.step();
-    let commands = &h.output().platform_output.commands;
-    let copied = commands.iter().find_map(|command| match command {
-        eframe::egui::OutputCommand::CopyText(text) => Some(text.clone()),
-        _ => None,
-    });
-    assert!(copied.is_some_and(|text| text.contains("World\t(1, 1, 1)\n") && text.contains("\nPixel\t(")));
-    h.get_by_label("Release (Esc)").click();
-    h.run();
-    assert!(!says(&h, "Release (Esc)"));
 }

@@ -83,9 +83,10 @@ fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
 #[test]
 fn a_folder_shows_its_figures_in_natural_order_and_what_is_wrong_with_one() {
     let folder = Folder::new("folder");
-    for (name, text) in
-        [("aula 10.toml", "[scene]\npreset = \"cube\"\n"), ("aula 9.toml", "[camera]\nnear = 5\nfar = 2\n")]
-    {
+    for (name, text) in [
+        ("aula 10.toml", "[scene]\npreset = \"cube\"\n"),
+        ("aula 9.toml", "# A nona aula.\n[camera]\nnear = 5\nfar = 2\n"),
+    ] {
         fs::write(folder.file(name), text).expect("written");
     }
     fs::write(folder.file("notes.txt"), "no figure").expect("written");
@@ -105,6 +106,8 @@ fn a_folder_shows_its_figures_in_natural_order_and_what_is_wrong_with_one() {
     assert_eq!(window.state().file_flow.dialog, Some(Dialog::Gallery));
     window.wait_for("aula 9: ");
     window.wait_for("near < far");
+    // What it says of itself is there as well, without a picture.
+    window.wait_for("A nona aula.");
     window.wait_for("aula 10: ");
     assert!(!window.says("notes: "));
     let left = |label: &str| window.harness.get_by_label_contains(label).rect().left();

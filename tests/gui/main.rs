@@ -3,7 +3,9 @@
 #![expect(clippy::expect_used, clippy::cast_possible_truncation, reason = "tests may fail")]
 
 mod canvas;
+mod canvas_keys;
 mod canvas_objects;
+mod canvas_probe;
 mod commands;
 mod dialogs;
 mod files;

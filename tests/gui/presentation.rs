@@ -39,6 +39,9 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
     assert!(window.state().document.is_changed() && window.state().document.can_undo());
     window.key(Key::PageUp);
     assert_eq!((name(&window).as_str(), window.state().kept.len()), ("aula 1.toml", 1));
+    // What was gone through is among the files that were used last.
+    let recent = ["aula 1.toml", "aula 2.toml", "aula 10.toml"].map(|name| folder.file(name));
+    assert_eq!(window.state().recent.files[..3], recent);
     // Opened by its name, it is the one that was left.
     window.command_key(Key::O);
     window.choose(&folder.file("aula 2.toml"));

@@ -308,6 +308,32 @@ fn several_are_selected_copied_with_their_children_deleted_and_brought_back() {
 }
 
 #[test]
+fn what_cannot_be_selected_together_says_why() {
+    let mut window = Window::scene(Lang::En);
+    let beside = |window: &mut Window, row: &str| {
+        window.harness.get_by_role_and_label(Role::TreeItem, row).click_modifiers(Modifiers::COMMAND);
+        window.run();
+    };
+    let why = "Only objects of the figure itself are selected together";
+    window.add("Add", "box");
+    window.select("World");
+    window.add("Add", "cone");
+    beside(&mut window, "box");
+    assert!(window.says("2 objects are selected") && !window.says(why));
+    window.pick("named scene", "house");
+    beside(&mut window, "roof");
+    assert!(window.says(why));
+    // Nor does an object of the figure join it.
+    window.app_mut().state.message = None;
+    beside(&mut window, "box");
+    assert!(window.says(why));
+    // What is selected alone has nothing to complain about.
+    window.app_mut().state.message = None;
+    window.select("roof");
+    assert!(!window.says(why));
+}
+
+#[test]
 fn a_new_object_is_in_sight_and_touches_nothing() {
     let folder = Folder::new("in sight");
     let path = folder.file("figure.toml");

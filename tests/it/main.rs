@@ -21,6 +21,8 @@ mod image_pixels;
 mod inspect_report;
 mod layers;
 mod meshes;
+mod meshes_gltf;
+mod meshes_obj;
 mod outline;
 mod pipeline;
 mod pipeline_bounds;

@@ -145,10 +145,7 @@ impl Canvas {
         let selected =
             pick::object(&request, pointer).and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
         if selected.is_some() {
-            match &selected {
-                Some(Selected::Object(name)) if beside => state.tree.toggle(&state.document.figure().scene, name),
-                _ => state.tree.select(selected),
-            }
+            state.select(selected, beside);
             pane.response.ctx.request_repaint();
         }
     }

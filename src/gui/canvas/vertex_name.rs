@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::gui::state::{Selected, preset_objects};
 use crate::scene::edit::placements;
-use crate::scene::{Scene, SceneSpec, Shape};
+use crate::scene::{Scene, SceneSpec, ShapeData};
 use crate::views::SharedScene;
 
 /// A vertex, as people call it.
@@ -49,19 +49,9 @@ fn of_list(p: DVec3, spec: &SceneSpec) -> Option<VertexName> {
     all.objects.extend(preset_objects(spec.preset).into_iter().filter(|object| !own.contains(&object.name.as_str())));
     let placed = placements(spec).ok()?;
     all.objects.iter().find_map(|object| {
-        let points: &[DVec3] = match object.shape.as_ref()? {
-            Shape::Points(points) => points,
-            Shape::Segments(pairs) => pairs.as_flattened(),
-            Shape::Box
-            | Shape::Prism
-            | Shape::Pyramid
-            | Shape::Sphere
-            | Shape::Ellipsoid
-            | Shape::Cylinder
-            | Shape::Cone
-            | Shape::Torus
-            | Shape::Grid
-            | Shape::Mesh { .. } => return None,
+        let points = match object.shape.as_ref()?.data() {
+            ShapeData::Points(points) => points,
+            ShapeData::None | ShapeData::Path(_) => return None,
         };
         let world = placed.get(&object.name)?;
         let index = points.iter().position(|point| world.transform_point3(*point) == p)?;

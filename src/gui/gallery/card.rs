@@ -7,9 +7,11 @@ use std::path::{Path, PathBuf};
 
 use crate::appearance::Theme;
 use crate::camera::Camera;
+use crate::export::png::figure_bytes;
 use crate::files::{self, FigureFiles, FileError, Opened, Reach, ShippedFigure, figure_from};
 use crate::gui::worker::Work;
-use crate::i18n::{Lang, gallery, messages, pictures};
+use crate::i18n::{Lang, gallery, messages, pictures, window};
+use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
 use crate::picture::{Picture, Renderer};
 use crate::progress::Progress;
@@ -37,6 +39,8 @@ pub(super) enum Job {
     List(PathBuf),
     /// Which of these files are there.
     Sort(Vec<PathBuf>),
+    /// What these figures say of themselves: that is there long before their pictures.
+    Read(Vec<Source>, Lang),
     /// A small picture of a figure.
     Draw { source: Source, theme: Theme, lang: Lang },
 }
@@ -47,18 +51,14 @@ pub(super) enum Outcome {
     Listed(PathBuf, Result<Vec<PathBuf>, FileError>),
     /// These files, those that are there first, and those that are gone.
     Sorted(Vec<PathBuf>, HashSet<PathBuf>),
-    /// What is shown of a figure.
+    /// What figures say of themselves; empty where one says nothing or cannot be read.
+    Read(Vec<(Source, String)>),
+    /// A small picture of a figure, or why there is none.
     Drawn(Source, Drawn),
 }
 
-/// What is shown of a figure.
-#[derive(Clone)]
-pub(super) struct Drawn {
-    /// `None` where it cannot be drawn.
-    pub(super) picture: Option<Picture>,
-    /// What it says of itself, or why it cannot be drawn.
-    pub(super) sentence: String,
-}
+/// A small picture, or why there is none.
+pub(super) type Drawn = Result<Picture, String>;
 
 /// What draws small pictures, and keeps them by what they show.
 pub(super) fn work() -> Work<Job, Outcome> {
@@ -75,6 +75,13 @@ pub(super) fn work() -> Work<Job, Outcome> {
             there.extend(gone.iter().cloned());
             Outcome::Sorted(there, gone.into_iter().collect())
         }
+        Job::Read(sources, lang) => {
+            let of = |source: Source| {
+                let sentence = if progress.is_cancelled() { String::new() } else { sentence(&source, lang) };
+                (source, sentence)
+            };
+            Outcome::Read(sources.into_iter().map(of).collect())
+        }
         Job::Draw { source, theme, lang } => {
             let text = read(&source);
             let mut hasher = DefaultHasher::new();
@@ -86,12 +93,12 @@ pub(super) fn work() -> Work<Job, Outcome> {
             renderer.watch(progress);
             let drawn = match text.and_then(|bytes| figure_from(&bytes)) {
                 Ok(opened) => draw(&mut renderer, &source, opened, (theme, lang), progress),
-                Err(error) => Drawn { picture: None, sentence: messages::file(lang, &source.title(lang), &error) },
+                Err(error) => Err(messages::file(lang, &source.title(lang), &error)),
             };
             if kept.len() >= MOST_KEPT {
                 kept.clear();
             }
-            if drawn.picture.is_some() {
+            if drawn.is_ok() {
                 kept.insert(key, drawn.clone());
             }
             Outcome::Drawn(source, drawn)
@@ -134,23 +141,22 @@ fn draw(
 ) -> Drawn {
     let mut figure = opened.figure;
     figure.style.theme = theme;
-    let fault = |why: String| Drawn { picture: None, sentence: why };
-    let camera = match Camera::new(&figure.camera) {
-        Ok(camera) => camera,
-        Err(error) => return fault(messages::camera(lang, &error)),
-    };
+    let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
     let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), Reach::of(opened.from_picture, false));
-    let scene = match scene_of(&figure, &mut |wanted| files.read(wanted), progress) {
-        Ok(scene) => scene,
-        Err(error) => return fault(messages::scene(lang, &error)),
-    };
-    let scene = SharedScene::new(scene);
+    let scene = scene_of(&figure, &mut |wanted| files.read(wanted), progress);
+    let scene = SharedScene::new(scene.map_err(|error| messages::scene(lang, &error))?);
     let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(lang), SIZE);
-    let sentence = match source {
-        Source::Shipped(name) => gallery::shipped(lang, name).1.to_owned(),
-        Source::File(_) => first_comment(&opened.text),
-    };
-    Drawn { picture: renderer.pixels(&request), sentence }
+    renderer.pixels(&request).ok_or_else(|| window::texts(lang).picture_too_large.to_owned())
+}
+
+/// What a figure says of itself, also one that cannot be drawn.
+fn sentence(source: &Source, lang: Lang) -> String {
+    if let Source::Shipped(name) = source {
+        return gallery::shipped(lang, name).1.to_owned();
+    }
+    let bytes = read(source).unwrap_or_default();
+    let text = figure_bytes(&bytes, MAX_FIGURE_BYTES).unwrap_or_default();
+    first_comment(&String::from_utf8_lossy(&text))
 }
 
 /// The comment with which a figure file begins, on one line.
@@ -192,12 +198,12 @@ mod tests {
             let source = Source::Shipped(figure.name);
             let job = Job::Draw { source: source.clone(), theme: Theme::Light, lang: Lang::PtBr };
             let Outcome::Drawn(of, drawn) = work(job, &Progress::default()) else { panic!("{}", figure.name) };
-            let picture = drawn.picture.map(|picture| [picture.width(), picture.height()]);
-            assert_eq!((of, picture), (source, Some([SIZE.width, SIZE.height])), "{}", figure.name);
+            let picture = drawn.map(|picture| [picture.width(), picture.height()]);
+            assert_eq!((of, picture), (source, Ok([SIZE.width, SIZE.height])), "{}", figure.name);
         }
         let source = Source::File(PathBuf::from("/no/such/file.toml"));
         let job = Job::Draw { source, theme: Theme::Light, lang: Lang::En };
         let Outcome::Drawn(_, drawn) = work(job, &Progress::default()) else { panic!("a file") };
-        assert!(drawn.picture.is_none() && drawn.sentence.contains("no such file"), "{}", drawn.sentence);
+        assert!(drawn.is_err_and(|why| why.contains("no such file")));
     }
 }

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 
-use self::card::{Drawn, Job, Outcome, work};
+use self::card::{Job, Outcome, work};
 use super::worker::Worker;
 use crate::appearance::Theme;
 use crate::clock;
@@ -64,7 +64,10 @@ pub struct Gallery {
 #[derive(Default)]
 struct Card {
     texture: Option<TextureHandle>,
-    sentence: String,
+    /// What it says of itself; `None`: nobody has looked yet.
+    sentence: Option<String>,
+    /// Why it cannot be drawn; empty where it can, or has not been tried.
+    fault: String,
     /// False: it may have changed since, and is looked at again.
     fresh: bool,
 }
@@ -99,7 +102,7 @@ impl Gallery {
         self.recent = recent.to_vec();
         self.folder = self.folder.take().or_else(|| beside.map(Path::to_owned));
         for card in self.cards.values_mut() {
-            card.fresh = false;
+            (card.fresh, card.sentence) = (false, None);
         }
         self.waiting = vec![Job::Sort(self.recent.clone())];
         self.waiting.extend(self.folder.clone().map(Job::List));
@@ -147,7 +150,7 @@ impl Gallery {
     fn go_on(&mut self, ctx: &Context, style: (Theme, Lang), sources: &[Source]) {
         if self.style != style {
             self.style = style;
-            self.cards.values_mut().for_each(|card| card.fresh = false);
+            self.cards.values_mut().for_each(|card| (card.fresh, card.sentence) = (false, None));
         }
         let [done] = self.worker.take(Duration::ZERO);
         if let Some(outcome) = done.and_then(|done| done.outcome) {
@@ -157,10 +160,13 @@ impl Gallery {
             return;
         }
         let (theme, lang) = style;
+        let unread = |source: &&Source| self.cards.get(source).is_none_or(|card| card.sentence.is_none());
+        let unread: Vec<Source> = sources.iter().filter(unread).cloned().collect();
+        let read = (!unread.is_empty()).then_some(Job::Read(unread, lang));
         let is_stale = |source: &&Source| !self.cards.get(source).is_some_and(|card| card.fresh);
         let stale = sources.iter().find(is_stale);
         let draw = stale.map(|source| Job::Draw { source: source.clone(), theme, lang });
-        let next = if self.waiting.is_empty() { draw } else { Some(self.waiting.remove(0)) };
+        let next = if self.waiting.is_empty() { read.or(draw) } else { Some(self.waiting.remove(0)) };
         if let Some(job) = next {
             if let Job::Draw { source, .. } = &job {
                 // Also where drawing panics, it is not asked for again.
@@ -178,14 +184,20 @@ impl Gallery {
                 self.files = files.map_err(|error| messages::file(self.style.1, &name, &error));
             }
             Outcome::Listed(..) => {}
-            Outcome::Drawn(source, Drawn { picture, sentence }) => {
-                let texture = picture.map(|picture| {
+            Outcome::Read(sentences) => {
+                for (source, sentence) in sentences {
+                    self.cards.entry(source).or_default().sentence = Some(sentence);
+                }
+            }
+            Outcome::Drawn(source, drawn) => {
+                let fault = drawn.as_ref().err().cloned().unwrap_or_default();
+                let texture = drawn.ok().map(|picture| {
                     let size = [picture.width() as usize, picture.height() as usize];
                     let pixels = eframe::egui::ColorImage::from_rgba_premultiplied(size, picture.rgba());
                     ctx.load_texture("gallery", pixels, TextureOptions::LINEAR)
                 });
                 let card = self.cards.entry(source).or_default();
-                (card.texture, card.sentence) = (texture, sentence);
+                (card.texture, card.fault) = (texture, fault);
             }
         }
     }

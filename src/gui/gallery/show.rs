@@ -168,11 +168,13 @@ fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response
     let title = foreign::shown(&source.title(lang));
     let card = gallery.cards.get(source);
     let gone = matches!(source, Source::File(path) if gallery.part == Part::Recent && gallery.gone.contains(path));
-    let sentence = match (source, card) {
+    let fault = card.map_or("", |card| &card.fault);
+    let own = card.and_then(|card| card.sentence.as_deref());
+    let sentence = match (source, own) {
         (Source::File(path), _) if gone => format!("{} {}", foreign::path(path), t.gone),
-        (Source::File(path), Some(card)) if card.sentence.is_empty() => foreign::path(path),
-        (_, Some(card)) => card.sentence.clone(),
-        (_, None) => String::new(),
+        (_, Some(own)) if !fault.is_empty() => format!("{fault} {own}").trim_end().to_owned(),
+        (Source::File(path), Some("")) => foreign::path(path),
+        (_, own) => own.unwrap_or_default().to_owned(),
     };
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}: {sentence}")));
     let (visuals, painter) = (ui.visuals(), ui.painter());
@@ -188,7 +190,7 @@ fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response
     if let Some(texture) = card.and_then(|card| card.texture.as_ref()).filter(|_| !gone) {
         painter.image(texture.id(), picture, Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0)), Color32::WHITE);
     } else {
-        let sign = if gone || card.is_some_and(|card| !card.sentence.is_empty()) { "⚠" } else { "…" };
+        let sign = if gone || !fault.is_empty() { "⚠" } else { "…" };
         let font = FontSelection::Default.resolve(ui.style());
         painter.text(picture.center(), Align2::CENTER_CENTER, sign, font, visuals.weak_text_color());
     }

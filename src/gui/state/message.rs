@@ -63,6 +63,8 @@ pub enum Message {
     },
     /// The light with this place in the list, from 0, is deleted.
     LightDeleted(usize),
+    /// What was to be selected together cannot be.
+    SelectedAlone,
 }
 
 /// Why no picture was written.
@@ -84,7 +86,8 @@ impl Message {
             | Self::WrittenOut(_)
             | Self::Shear
             | Self::Deleted { .. }
-            | Self::LightDeleted(_) => false,
+            | Self::LightDeleted(_)
+            | Self::SelectedAlone => false,
             Self::NotExported(_, NotExported(error)) => !matches!(error, ExportError::Cancelled),
             Self::File(..)
             | Self::NotOpened(..)
@@ -130,6 +133,7 @@ impl Message {
                 format!("{} {}{others}. {shear}", scene.deleted, foreign::shown(name))
             }
             Self::LightDeleted(index) => format!("{} {} {}", scene.deleted, scene.light, index + 1),
+            Self::SelectedAlone => scene.selected_alone.to_owned(),
         };
         foreign::printable(text.trim())
     }

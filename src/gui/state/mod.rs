@@ -222,6 +222,23 @@ impl State {
         Some(self.kept.remove(index).1)
     }
 
+    /// Selects what was clicked, or, with `beside`, also what is selected already. Only objects of the figure are selected together;
+    /// where that is not possible, it is said.
+    pub(in crate::gui) fn select(&mut self, what: Option<Selected>, beside: bool) {
+        let scene = &self.document.figure().scene;
+        let is_alone = |selected: &Selected| !matches!(selected, Selected::Object(_));
+        let now = self.tree.selected(scene);
+        let parts = |what: &Selected| now.is_some_and(|now| now != what && (is_alone(now) || is_alone(what)));
+        let parted = beside && what.as_ref().is_some_and(parts);
+        match &what {
+            Some(Selected::Object(name)) if beside => self.tree.toggle(scene, name),
+            _ => self.tree.select(what),
+        }
+        if parted {
+            self.say(Message::SelectedAlone);
+        }
+    }
+
     /// How the pictures in the window are drawn: as the figure wants it, in the theme of the window.
     #[must_use]
     pub fn style(&self) -> Style {

@@ -19,7 +19,7 @@ use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::numbers::without_rests;
 use crate::scene::edit::{self, Children, descendants, placements};
 use crate::scene::transform;
-use crate::scene::{ObjectPaint, ObjectSpec, SceneError, SceneSpec, Shape};
+use crate::scene::{ObjectPaint, ObjectSpec, SceneError, SceneSpec, Shape, ShapeData};
 use crate::views::Transforming;
 
 /// The fields of the object at this place of the list; what its buttons ask for.
@@ -126,22 +126,13 @@ fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
 fn kind(ui: &mut egui::Ui, form: &mut Form, index: usize) {
     let t = form.t;
     let object = &mut form.scene.objects[index];
-    if matches!(object.shape, Some(Shape::Points(_) | Shape::Segments(_) | Shape::Mesh { .. })) {
+    let is_plain = |shape: &Shape| shape.data() == ShapeData::None;
+    if !object.shape.as_ref().is_none_or(is_plain) {
         row(ui, "", t.kind, t.kind_hint, |ui| ui.label(t.shape(object.shape.as_ref())));
         return;
     }
-    let kinds = [
-        None,
-        Some(Shape::Box),
-        Some(Shape::Prism),
-        Some(Shape::Pyramid),
-        Some(Shape::Sphere),
-        Some(Shape::Ellipsoid),
-        Some(Shape::Cylinder),
-        Some(Shape::Cone),
-        Some(Shape::Torus),
-        Some(Shape::Grid),
-    ];
+    let shapes = Shape::NAMED.iter().map(|(_, shape)| shape).filter(|shape| is_plain(shape));
+    let kinds = [None].into_iter().chain(shapes.cloned().map(Some));
     let usual = Shape::usual_segments;
     let mut chosen = object.shape.clone();
     row(ui, "", t.kind, t.kind_hint, |ui| {
@@ -325,18 +316,8 @@ fn data(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
             }
         }
         Some(Shape::Mesh { path }) => mesh_file(ui, state, t, &owner, path),
-        None
-        | Some(
-            Shape::Box
-            | Shape::Prism
-            | Shape::Pyramid
-            | Shape::Sphere
-            | Shape::Ellipsoid
-            | Shape::Cylinder
-            | Shape::Cone
-            | Shape::Torus
-            | Shape::Grid,
-        ) => {}
+        // What has nothing of its own to be changed here.
+        Some(_) | None => {}
     }
     form.complain(ui, Some(&owner), "points", &[]);
     form.complain(ui, Some(&owner), "segments", &[]);

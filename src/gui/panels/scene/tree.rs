@@ -83,12 +83,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
 /// Clicks and keys on a row.
 fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &Row, response: &Response, edits: &mut Vec<Edit>) {
     if response.clicked() {
-        match &row.what {
-            Some(Selected::Object(name)) if ui.input(|input| input.modifiers.command) => {
-                state.tree.toggle(&state.document.figure().scene, name);
-            }
-            what => state.tree.select(what.clone()),
-        }
+        state.select(row.what.clone(), ui.input(|input| input.modifiers.command));
         response.request_focus();
         ui.ctx().request_repaint();
     }
