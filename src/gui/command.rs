@@ -177,6 +177,12 @@ impl Command {
         self.words(t).1
     }
 
+    /// Why it would do nothing, where that is not plain; else what it does.
+    #[must_use]
+    pub fn hint_disabled(self, t: &Texts) -> &'static str {
+        if self == Self::Dimensions { t.dimensions_in_section } else { self.hint(t) }
+    }
+
     fn words(self, t: &Texts) -> (&'static str, &'static str) {
         match self {
             Self::New => (t.new, t.new_hint),
@@ -351,6 +357,7 @@ impl Command {
             Self::ViewBack => state.views.can_go_back(state.document.figure().observers),
             Self::ViewForward => state.views.can_go_forward(state.document.figure().observers),
             Self::ClearAnnotations => state.annotations.any(),
+            Self::Dimensions => !state.document.figure().world.section,
             Self::New
             | Self::Open
             | Self::Gallery
@@ -380,7 +387,6 @@ impl Command {
             | Self::Arrange(_)
             | Self::Observe(_)
             | Self::Section
-            | Self::Dimensions
             | Self::LinkOrbits
             | Self::Pipeline
             | Self::Help => true,

@@ -101,7 +101,10 @@ fn item(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command) -> bool {
         None => "",
     };
     let button = Button::new(format!("{mark}{}", command.label(t))).shortcut_text(keys);
-    ui.add_enabled(command.is_enabled(state), button).explained(command.hint(t)).clicked()
+    ui.add_enabled(command.is_enabled(state), button)
+        .explained(command.hint(t))
+        .explained_disabled(command.hint_disabled(t))
+        .clicked()
 }
 
 fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {

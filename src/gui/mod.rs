@@ -20,6 +20,7 @@ pub mod document;
 pub mod export;
 mod export_dialog;
 pub mod file_flow;
+mod fitted;
 mod focus;
 pub mod gallery;
 mod handle_drag;

@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextEdit, TextWrapMode, WidgetInfo};
 
 use crate::expression::{self, Dimension, ExpressionProblem};
-use crate::gui::tooltip::Explained;
+use crate::gui::tooltip::{self, Explained};
 use crate::i18n::sources::with_titles;
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, messages};
@@ -349,13 +349,13 @@ impl<'a> NumberField<'a> {
             match self.evaluate(&state.text) {
                 Ok(v) if state.text.trim().replace(',', ".").parse() != Ok(v) => {
                     let preview = texts.lang.mark().number(v, numbers::EXACT_DIGITS);
-                    say_below(&response, format!("= {preview}{}", self.unit));
+                    say_beside(&response, format!("= {preview}{}", self.unit));
                 }
                 Ok(_) => {}
                 Err(FieldError::Expression(
                     ExpressionProblem::Empty | ExpressionProblem::Unfinished | ExpressionProblem::MissingParenthesis,
                 )) => {}
-                Err(error) => say_below(&response, error.text(texts.lang)),
+                Err(error) => say_beside(&response, error.text(texts.lang)),
             }
         }
         response
@@ -451,10 +451,7 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// A hint below a field while it is edited. It has the room of every hint: egui's own has that of the hint before, and breaks numbers.
-fn say_below(response: &egui::Response, text: String) {
-    response.show_tooltip_ui(|ui| {
-        ui.set_max_width(ui.spacing().tooltip_width);
-        ui.label(text);
-    });
+/// What is said of a field while it is edited.
+fn say_beside(response: &egui::Response, text: String) {
+    tooltip::beside(response, |ui| drop(ui.label(text)));
 }

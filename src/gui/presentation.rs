@@ -57,18 +57,13 @@ pub(super) fn show(ctx: &Context, state: &mut State, room: Rect) {
     }
     let t = window::texts(state.settings.lang);
     if state.annotations.frozen {
-        label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 44.0), room.width()), 1.0);
+        label(ctx, &painter, t.frozen, (room.center_top() + vec2(0.0, 44.0), room.width()));
     }
     if state.annotations.spot
         && let Some(pointer) = ctx.pointer_hover_pos().filter(|pointer| room.contains(*pointer))
     {
         painter.circle(pointer, 26.0, INK.gamma_multiply(0.18), Stroke::new(2.5, INK));
         painter.circle_filled(pointer, 3.0, INK);
-    }
-    if let Some(opacity) = keys_opacity(ctx, state) {
-        let painter = ctx.layer_painter(LayerId::new(Order::Middle, Id::unique("keys of a presentation")));
-        let lowest = ctx.content_rect().center_bottom() - vec2(0.0, 56.0);
-        label(ctx, &painter, t.presentation_keys, (lowest, ctx.content_rect().width()), opacity);
     }
     if state.annotations.blank {
         let painter = ctx.layer_painter(LayerId::new(Order::Tooltip, Id::unique("blank")));
@@ -94,8 +89,8 @@ fn pen(ctx: &Context, state: &mut State, room: Rect) {
     });
 }
 
-/// How much is to be seen of the keys; `None` once they have faded.
-fn keys_opacity(ctx: &Context, state: &mut State) -> Option<f32> {
+/// The keys of a presentation as long as they are to be seen, and how much of them.
+pub(super) fn keys(ctx: &Context, state: &mut State) -> Option<(&'static str, f32)> {
     let since = state.annotations.keys_since.filter(|_| state.settings.presentation)?;
     let left = since + SHOWN - ctx.input(|input| input.time);
     let fading = if state.settings.reduce_motion { 0.0 } else { FADES };
@@ -106,16 +101,16 @@ fn keys_opacity(ctx: &Context, state: &mut State) -> Option<f32> {
     ctx.request_repaint_after(Duration::from_secs_f64((left - fading).max(1.0 / 60.0)));
     #[expect(clippy::cast_possible_truncation, reason = "a share")]
     let share = if fading > 0.0 { (left / fading).min(1.0) as f32 } else { 1.0 };
-    Some(share)
+    Some((window::texts(state.settings.lang).presentation_keys, share))
 }
 
 /// A sentence on a ground of its own, whose centre is at a place, in a room so wide.
-fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (Pos2, f32), opacity: f32) {
+fn label(ctx: &Context, painter: &egui::Painter, text: &str, (center, width): (Pos2, f32)) {
     let style = ctx.global_style();
-    let color = style.visuals.strong_text_color().gamma_multiply(opacity);
+    let color = style.visuals.strong_text_color();
     let font = TextStyle::Body.resolve(&style);
     let galley = painter.layout(text.to_owned(), font, color, (width - 48.0).max(80.0));
     let rect = Rect::from_center_size(center, galley.size());
-    painter.rect_filled(rect.expand2(vec2(10.0, 6.0)), 5.0, style.visuals.window_fill.gamma_multiply(0.94 * opacity));
+    painter.rect_filled(rect.expand2(vec2(10.0, 6.0)), 5.0, style.visuals.window_fill.gamma_multiply(0.94));
     painter.galley(rect.min, galley, color);
 }

@@ -62,6 +62,13 @@ impl Explained for Response {
     }
 }
 
+/// Shows what `content` draws beside a control as long as it is called, in its row, so that no other row is covered.
+pub(super) fn beside(response: &Response, content: impl FnOnce(&mut Ui)) {
+    let mut tooltip = Tooltip::always_open(response.ctx.clone(), response.layer_id, response.id, response.rect);
+    tooltip.popup = tooltip.popup.align(RectAlign::RIGHT);
+    show(response, tooltip, content);
+}
+
 /// What screen readers say of it, and its name where it has none.
 fn describe(response: &Response, text: &str) {
     if !response.ctx.has_accesskit_node(response.id) {

@@ -21,6 +21,7 @@ texts! {
     undistorted: "undistorted", "sem distorção";
     undistorted_hint: "As the eye would see it, with the aspect A of the view window. Off: the m × n image of (5.22), whose pixels are not square here; the numbers of pixels are its own in both", "Como o olho veria, com o aspecto A da janela de vista. Desligado: a imagem m × n de (5.22), cujos pixels aqui não são quadrados; os números dos pixels são dela em ambos";
     // Tooltip of a switch.
+    section: "Section along u: similar triangles", "Corte ao longo de u: triângulos semelhantes";
     link: "Turn world and canonical volume together", "Girar mundo e volume canônico juntos";
     // A menu, and its tooltip.
     look: "View", "Vista";

@@ -8,6 +8,8 @@ texts! {
     window: "window", "janela";
     near: "near", "frente";
     far: "far", "fundo";
+    vertex: "vertex", "vértice";
+    point: "point", "ponto";
     before: "before", "antes";
     depth_stored: "depth buffer: Z (5.25)", "z-buffer: Z (5.25)";
     depth_linear: "distance from the eye", "distância ao olho";
@@ -66,6 +68,8 @@ const fn of(t: &Texts) -> Labels {
         window: t.window,
         near: t.near,
         far: t.far,
+        vertex: t.vertex,
+        point: t.point,
         before: t.before,
         depth_stored: t.depth_stored,
         depth_linear: t.depth_linear,

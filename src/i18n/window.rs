@@ -215,6 +215,7 @@ texts! {
     opacity_automatic: "automatic", "automática";
     dimensions: "Dimensions", "Cotas";
     dimensions_hint: "F, B, D, W, H and θ/2 as dimension lines. Point at a parameter to see its own", "F, B, D, W, H e θ/2 como linhas de cota. Aponte para um parâmetro para ver a dele";
+    dimensions_in_section: "The section along u has its own dimension lines", "O corte ao longo de u tem suas próprias cotas";
     section_view: "Section along u", "Corte ao longo de u";
     section_view_hint: "The section through C, as in the side figures of the notes: similar triangles, θ/2, H/2, F, B, a point and its y_p. Point at a vertex to see its own", "O corte por C, como nas figuras de perfil das notas: triângulos semelhantes, θ/2, H/2, F, B, um ponto e seu y_p. Aponte para um vértice para ver o dele";
 

@@ -155,25 +155,38 @@ pub fn choose_preset(spec: &mut SceneSpec, preset: Preset) {
 }
 
 /// Writes the preset's objects into the figure's list, before its own, so that they can be edited; the preset is empty then. In
-/// the colours of `theme`. What [`Preset::beyond_objects`] names is lost.
-pub fn write_out_preset(spec: &mut SceneSpec, theme: Theme) {
+/// the colours of `theme`, and with the names that `called` gives them, numbered where others are called so. What
+/// [`Preset::beyond_objects`] names is lost. Returns the new name of each.
+pub fn write_out_preset(
+    spec: &mut SceneSpec,
+    theme: Theme,
+    called: impl Fn(&str) -> String,
+) -> BTreeMap<String, String> {
     let mut objects = presets::objects(spec.preset, &SceneColors::of(theme));
-    let own: BTreeSet<&str> = spec.objects.iter().map(|o| o.name.as_str()).collect();
-    let preset: BTreeSet<String> = objects.iter().map(|o| o.name.clone()).collect();
-    for name in preset.iter().filter(|name| own.contains(name.as_str())) {
-        let numbered = (2..).map(|k| format!("{name} {k}"));
-        let free = numbered.into_iter().find(|n| !own.contains(n.as_str()) && !preset.contains(n)).unwrap_or_default();
-        for object in &mut objects {
-            if object.name == *name {
-                object.name.clone_from(&free);
-            }
-            if object.parent.as_ref() == Some(name) {
-                object.parent = Some(free.clone());
-            }
-        }
+    let own: BTreeSet<String> = spec.objects.iter().map(|o| o.name.clone()).collect();
+    let wanted: BTreeSet<String> = objects.iter().map(|o| called(&o.name)).collect();
+    let mut names: BTreeMap<String, String> = BTreeMap::new();
+    let mut taken = own.clone();
+    for object in &objects {
+        let name = called(&object.name);
+        let numbered = (2..).map(|k| format!("{name} {k}")).filter(|n| !wanted.contains(n));
+        let free = std::iter::once(name.clone()).chain(numbered).find(|n| !taken.contains(n)).unwrap_or_default();
+        taken.insert(free.clone());
+        names.insert(object.name.clone(), free);
+    }
+    let renamed = |name: &str| names.get(name).cloned().unwrap_or_else(|| name.to_owned());
+    for object in &mut objects {
+        object.name = renamed(&object.name);
+        object.parent = object.parent.as_deref().map(renamed);
+    }
+    // What hangs on an object of the preset goes on hanging on it.
+    for object in &mut spec.objects {
+        object.parent =
+            object.parent.take().map(|parent| if own.contains(&parent) { parent } else { renamed(&parent) });
     }
     objects.append(&mut spec.objects);
     *spec = SceneSpec { preset: Preset::Empty, objects, lights: std::mem::take(&mut spec.lights) };
+    names
 }
 
 /// Gives an object the translation, rotation and scale that make this matrix parent ← object. False, and nothing done, where
@@ -338,7 +351,7 @@ mod tests {
             for preset in Preset::NAMED.iter().map(|(_, preset)| *preset) {
                 let mut spec = SceneSpec { preset, ..SceneSpec::default() };
                 let before = built(&spec, theme);
-                write_out_preset(&mut spec, theme);
+                write_out_preset(&mut spec, theme, str::to_owned);
                 let after = built(&spec, theme);
                 assert_eq!(spec.preset, Preset::Empty);
                 assert_eq!(before == after, preset.beyond_objects().is_empty(), "{preset}");
@@ -347,14 +360,31 @@ mod tests {
     }
 
     #[test]
+    fn a_preset_that_is_written_out_gets_other_names_and_all_stays_where_it_is() {
+        let lamp = ObjectSpec::new("mesa", Shape::Box).under("table");
+        let mut spec = SceneSpec { preset: Preset::Primitives, objects: vec![lamp], lights: Vec::new() };
+        let before = placements(&spec).unwrap();
+        let names = write_out_preset(&mut spec, Theme::Light, |name| name.replace("table", "mesa"));
+        let after = placements(&spec).unwrap();
+        assert_eq!(names["table"], "mesa 2", "the figure has a “mesa” of its own");
+        assert_eq!(spec.objects.last().unwrap().parent.as_deref(), Some("mesa 2"));
+        assert_eq!(before["mesa"], after["mesa"]);
+        assert_eq!(before.len(), after.len());
+        for (old, new) in names {
+            assert_eq!(before[&old], after[&new], "{old}");
+        }
+    }
+
+    #[test]
     fn a_preset_that_is_written_out_respects_the_names_in_the_figure() {
         let lamp = ObjectSpec::new("box", Shape::Box).under("table");
         let mut spec = SceneSpec { preset: Preset::Primitives, objects: vec![lamp], lights: Vec::new() };
         let before = placements(&spec).unwrap();
-        write_out_preset(&mut spec, Theme::Light);
+        write_out_preset(&mut spec, Theme::Light, str::to_owned);
         let after = placements(&spec).unwrap();
         assert_eq!(before["box"], after["box"], "the figure's own");
         assert!(after.contains_key("box 2"), "the preset's");
+        assert_eq!(after["table"], before["table"]);
         choose_preset(&mut spec, Preset::Cube);
         assert_eq!(spec.objects.last().unwrap().parent.as_deref(), Some("table"), "which is in the list now");
         spec.objects.retain(|o| o.name == "box");

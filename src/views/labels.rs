@@ -13,6 +13,10 @@ pub struct Labels {
     pub near: &'static str,
     /// The back face of the volume.
     pub far: &'static str,
+    /// A corner of an object.
+    pub vertex: &'static str,
+    /// A place on an object.
+    pub point: &'static str,
     /// The camera before an operation.
     pub before: &'static str,
     /// Heading of a picture of Z.

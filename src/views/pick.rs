@@ -8,8 +8,9 @@ use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
 
 use super::hits::{can_be_seen, crossing};
+use super::probe::Pixel;
 use super::screen::Screen;
-use super::{Request, View, canonical, image, world_framing};
+use super::{Probe, Request, View, canonical, image, world_framing};
 
 /// The ray in the world through a place (pixels) of the world picture; `None` for an observer that is not a camera.
 #[must_use]
@@ -62,6 +63,21 @@ pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> O
         catch.shown(request, *p).is_some_and(|shown| can_be_seen(shown, catch.faces(request), catch.screen.camera()))
     };
     next.into_iter().map(|(_, p)| p).find(seen)
+}
+
+/// Where a picture shows what a probe is at (pixels): the point, or of a ray its first point of the scene, else that of the window.
+/// `None` where the picture does not show it.
+#[must_use]
+pub fn place(request: &Request, probe: Probe) -> Option<DVec2> {
+    let p = match probe {
+        Probe::Point(p) => p,
+        Probe::Window(point) => {
+            let pixel = Pixel::new(request, point);
+            pixel.hit.unwrap_or(pixel.window)
+        }
+    };
+    let catch = Catch::of(request)?;
+    catch.screen.place_inside(catch.shown(request, p)?)
 }
 
 /// What vertices are caught by in a picture.

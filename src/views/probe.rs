@@ -11,16 +11,17 @@ use super::volume::DrawnVolume;
 use super::{Palette, Probe, Request, hits};
 
 /// The ray of the probe from its origin O_R through its window point to the end of the volume, `[0]` Eqs. (5.17) to (5.21).
-struct Pixel {
+pub(super) struct Pixel {
     origin: DVec3,
-    window: DVec3,
+    /// The point on the window.
+    pub(super) window: DVec3,
     end: DVec3,
     /// The first point of the scene on it.
-    hit: Option<DVec3>,
+    pub(super) hit: Option<DVec3>,
 }
 
 impl Pixel {
-    fn new(request: &Request, point: DVec2) -> Self {
+    pub(super) fn new(request: &Request, point: DVec2) -> Self {
         let camera = &request.camera;
         let ray = camera.ray_through_window(point);
         // Depths along −n are what F and B measure.

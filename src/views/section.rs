@@ -11,8 +11,9 @@ use super::content::Content;
 use super::dimensions::{self, Pen, Span};
 use super::gizmos::{SceneBuilder, TYPE};
 use super::observer::{Direction, Viewpoint, enclosing};
+use super::probe::Pixel;
 use super::volume::DrawnVolume;
-use super::{Measure, Palette, Probe, Request, content, hits};
+use super::{Measure, Palette, Probe, Request, content};
 
 /// Of a large scene, so many vertices are looked at for one that stands as an example.
 const MOST_VERTICES: usize = 20_000;
@@ -21,8 +22,9 @@ const MOST_VERTICES: usize = 20_000;
 struct Profile<'a> {
     camera: &'a Camera,
     volume: DrawnVolume,
-    /// The point whose image is constructed.
+    /// The point whose image is constructed, and what it is called.
     p: DVec3,
+    name: String,
     /// The distance from one dimension line to the next.
     step: f64,
 }
@@ -31,7 +33,8 @@ impl<'a> Profile<'a> {
     fn new(request: &'a Request, content: &Content) -> Self {
         let (camera, volume) = (&request.camera, content.volume);
         let around = Aabb::around(volume.all_corners().chain([camera.position()])).map_or(1.0, |b| b.radius());
-        Self { camera, volume, p: example(request), step: 0.13 * around }
+        let (p, name) = example(request);
+        Self { camera, volume, p, name, step: 0.13 * around }
     }
 
     /// The point of the plane at a distance from C along DOP, and a height along **v**.
@@ -88,22 +91,23 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// The point that is pointed at; without one, the vertex inside the volume whose image is farthest from the axis, or PF.
-fn example(request: &Request) -> DVec3 {
+/// The point that is pointed at; without one, P where the scene names one in front of C; else the vertex inside the volume whose image
+/// is farthest from the axis, or PF. And its name, by which it is told from others.
+fn example(request: &Request) -> (DVec3, String) {
     let camera = &request.camera;
-    let in_front = |p: DVec3| -camera.view_point(p).z > 0.0;
+    let labels = request.labels;
+    let called = |kind: &str, p: DVec3| (p, format!("{kind} {}", labels.mark.tuple(&p.to_array(), 3)));
+    let in_front = |(p, _): &(DVec3, String)| -camera.view_point(*p).z > 0.0;
     let probed = match request.overlays.probe {
-        Some(Probe::Point(p)) => Some(p),
-        Some(Probe::Window(point)) => {
-            let ray = camera.ray_through_window(point);
-            let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
-            hits::first_hit(
-                &request.scene,
-                ray.origin + per_depth * camera.near(),
-                ray.origin + per_depth * camera.far(),
-            )
-        }
+        Some(Probe::Point(p)) => Some(called(labels.vertex, p)),
+        Some(Probe::Window(point)) => Pixel::new(request, point).hit.map(|p| called(labels.point, p)),
         None => None,
+    };
+    // The depth of a point in the plane of the eye is zero but for rounding.
+    let least = 1e-9 * camera.distance();
+    let of_exercise = || {
+        let text = request.scene.texts.iter().find(|text| text.text == "P")?;
+        (-camera.view_point(text.position).z > least).then(|| (text.position, text.text.clone()))
     };
     let image = |p: DVec3| {
         let clip = camera.clip_point(p);
@@ -113,7 +117,11 @@ fn example(request: &Request) -> DVec3 {
     let vertices = || request.scene.vertices().take(MOST_VERTICES).map(|v| v.p_world);
     let farthest =
         || vertices().filter_map(|p| Some((p, image(p)?))).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(p, _)| p);
-    probed.filter(|p| in_front(*p)).or_else(farthest).unwrap_or(camera.focal_point())
+    probed
+        .filter(in_front)
+        .or_else(of_exercise)
+        .or_else(|| farthest().map(|p| called(labels.vertex, p)))
+        .unwrap_or_else(|| (camera.focal_point(), String::new()))
 }
 
 /// From where the section is seen: along **u**, with everything in the picture.
@@ -171,7 +179,10 @@ fn construction(builder: &mut SceneBuilder, palette: Palette, profile: &Profile)
     builder.mark_above(p, MarkShape::Disc, 3.5, color);
     builder.mark_above(image, MarkShape::Square, 3.5, color);
     let above = if height < 0.0 { DVec2::Y } else { DVec2::NEG_Y };
-    builder.text(p, "P", above, TYPE, color);
+    // PF has its name already.
+    if !profile.name.is_empty() {
+        builder.text(p, &profile.name, above, TYPE, color);
+    }
 }
 
 fn lengths(builder: &mut SceneBuilder, request: &Request, palette: Palette, profile: &Profile) {

@@ -378,11 +378,13 @@ fn section_and_dimensions_are_switched_by_their_commands_and_undone_like_any_edi
         window.harness.key_press_modifiers(modifiers, key);
         window.run();
     };
-    press(&mut window, Modifiers::ALT, Key::Num8);
     press(&mut window, Modifiers::ALT, Key::Num9);
+    press(&mut window, Modifiers::ALT, Key::Num8);
     let world = window.state().document.figure().world;
     assert!(world.section && world.dimensions);
+    press(&mut window, Modifiers::ALT, Key::Num9);
+    assert!(window.state().document.figure().world.dimensions, "the section has its own: it does nothing");
     press(&mut window, Modifiers::COMMAND, Key::Z);
-    press(&mut window, Modifiers::ALT, Key::Num8);
+    press(&mut window, Modifiers::ALT, Key::Num9);
     assert_eq!(window.state().document.figure().world, WorldLook::default());
 }

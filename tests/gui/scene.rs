@@ -366,6 +366,7 @@ fn a_named_scene_becomes_a_list_and_says_what_the_list_loses() {
     window.run();
     let scene = window.state().document.figure().scene.clone();
     assert_eq!((scene.preset, scene.objects.len()), (Preset::Empty, 1));
+    assert_eq!(scene.objects[0].name, "cubo", "the names are in the language of the window");
     let said = window.state().message.as_ref().expect("a message").text(Lang::PtBr);
     assert!(said.contains("os números nelas"), "{said}");
     window.command_key(Key::Z);

@@ -21,6 +21,8 @@ pub(super) enum Icon {
     Iso,
     /// The name of an axis of the VRC, with an arrow over it.
     Axis(&'static str),
+    /// Similar triangles.
+    Section,
     /// Two rings of a chain.
     Link,
     /// A large frame.
@@ -46,7 +48,7 @@ pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, on: bool) -> Resp
         draw(ui.painter(), icon, rect, Stroke::new(1.2 * side / 18.0, visuals.fg_stroke.color));
     }
     response.widget_info(|| match icon {
-        Icon::Link => WidgetInfo::selected(Role::CheckBox, true, on, name),
+        Icon::Link | Icon::Section => WidgetInfo::selected(Role::CheckBox, true, on, name),
         Icon::Fit
         | Icon::Front
         | Icon::Top
@@ -86,6 +88,10 @@ fn draw(painter: &Painter, icon: Icon, rect: Rect, stroke: Stroke) {
             painter.text(at(0.0, 1.5), Align2::CENTER_CENTER, name, font, stroke.color);
             line(&[at(-4.0, -5.0), at(4.0, -5.0)]);
             line(&[at(2.0, -6.8), at(4.0, -5.0), at(2.0, -3.2)]);
+        }
+        Icon::Section => {
+            line(&[at(6.0, 4.5), at(-6.0, 4.5), at(6.0, -5.0), at(6.0, 4.5)]);
+            line(&[at(0.5, 4.5), at(0.5, -0.6)]);
         }
         Icon::Link => {
             painter.circle_stroke(at(-2.4, 0.0), 3.4 * unit, stroke);

@@ -4,11 +4,12 @@
 //! for which that has changed is drawn again.
 
 mod arrange;
-mod fitted;
+mod card;
 mod icons;
 mod interaction;
 mod keyboard_probe;
 mod long_work;
+mod observers;
 mod orbit;
 mod picking;
 mod readout;
@@ -23,10 +24,11 @@ use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
+    Align2, CursorIcon, Id, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
 use self::arrange::{Axis, Framed, Shares, arrange};
+use self::card::CardAction;
 use self::interaction::Drag;
 use self::keyboard_probe::Probing;
 use self::long_work::LongWork;
@@ -34,7 +36,7 @@ use self::orbit::Auto;
 use self::picking::{PickRequest, Picker, What};
 use self::readout::Cell;
 use self::rendering::{Job, Missing, Rendering};
-use self::status::{CardAction, Status, StatusAction};
+use self::status::{Status, StatusAction};
 use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
@@ -44,6 +46,7 @@ use crate::figure::{Depth, Observer};
 use crate::gui::focus::{self, Region};
 use crate::gui::handle_drag::point;
 use crate::gui::highlight::Highlight;
+use crate::gui::presentation;
 use crate::gui::selection_gizmo::Movable;
 use crate::gui::state::{Message, ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
@@ -52,7 +55,7 @@ use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::picture::Account;
 use crate::pipeline::{Output, TooMuch};
 use crate::views::image_frame;
-use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, aspect_shown, observer_in};
+use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, aspect_shown};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
@@ -74,6 +77,8 @@ pub struct Canvas {
     /// From where each picture is seen where the figure does not say, and in this frame; the image from nowhere.
     autos: [Auto; 3],
     seen: [Option<Observer>; 3],
+    /// What a button or a key has framed last, and for a picture of which size.
+    framed: [Option<(Observer, Size)>; 3],
     /// What a title's button asked for.
     asked: Option<(View, ObserverChange)>,
     overlays: Overlays,
@@ -83,6 +88,8 @@ pub struct Canvas {
     depth_picker: Picker,
     drag: Option<Drag>,
     pinned: Option<Probe>,
+    /// What the card speaks of.
+    on_card: Option<Probe>,
     vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
     pinned_before: Option<Probe>,
@@ -102,6 +109,7 @@ impl Default for Canvas {
             shares: Shares::default(),
             autos: Default::default(),
             seen: [None; 3],
+            framed: [None; 3],
             asked: None,
             overlays: Overlays::default(),
             highlight: Highlight::default(),
@@ -109,6 +117,7 @@ impl Default for Canvas {
             depth_picker: Picker::default(),
             drag: None,
             pinned: None,
+            on_card: None,
             vertex_names: VertexNames::default(),
             pinned_before: None,
             probing: None,
@@ -189,8 +198,10 @@ impl Canvas {
             self.strip(ui, stages, state, texts);
         }
 
-        self.describe_probe((ui, pictures), state, &mut status, texts);
+        let place = self.place_of_card(&ctx, state, &panes, pictures);
+        self.describe_probe((ui, pictures), place, state, &mut status, texts);
         status.strip = state.layout.strip;
+        status.keys = presentation::keys(&ctx, state);
         let loading = loading(state);
         if !loading.is_empty() {
             status.message = loading;
@@ -266,6 +277,7 @@ impl Canvas {
                 maximized: state.layout.maximized == Some(view),
                 can_hide: state.layout.maximized.is_none() && visible.len() > 1,
                 undistorted: undistorted(state).filter(|_| view == View::Image),
+                section: (view == View::World).then_some(state.document.figure().world.section),
             }
             .show(ui, title);
             self.take_action(ui, state, view, action);
@@ -286,36 +298,12 @@ impl Canvas {
             Some(TitleAction::ToggleLink) => state.layout.linked = !state.layout.linked,
             Some(TitleAction::ToggleMaximized) => toggle_maximized(state, view),
             Some(TitleAction::Hide) => state.layout.shown[view.index()] = false,
+            Some(TitleAction::ToggleSection) => state.document.edit(|figure| figure.world.section ^= true),
             Some(TitleAction::ToggleUndistorted) => {
                 state.document.edit(|figure| figure.undistorted = !figure.undistorted);
             }
         }
         ui.request_repaint();
-    }
-
-    /// Decides from where the three-dimensional pictures are seen in this frame.
-    fn settle_observers(&mut self, ui: &Ui, state: &mut State, panes: &[Pane]) {
-        let wanted = state.observer_change.take();
-        let asked = self.asked.take();
-        let steady = ui.input(|i| i.pointer.any_down());
-        for pane in panes.iter().filter(|pane| pane.view != View::Image) {
-            let (view, i) = (pane.view, pane.view.index());
-            let request = self.request(state, view, pane.rect.size);
-            let asked = asked.filter(|(of, _)| *of == view || state.layout.linked).map(|(_, change)| change);
-            if let Some(change) = wanted.or(asked) {
-                self.autos[i].forget();
-                orbit::set(state.document.observers_mut(), view, orbit::changed(&request, change));
-            }
-            let written = observer_in(&state.document.figure().observers, view);
-            let subject = state.scene_cache.subject();
-            self.seen[i] = written.or_else(|| self.autos[i].observer(&request, subject, steady));
-        }
-    }
-
-    /// Looks at a picture from somewhere else.
-    fn turn(&mut self, state: &mut State, view: View, observer: Observer) {
-        self.seen[view.index()] = Some(observer);
-        orbit::set(state.document.observers_mut(), view, Some(observer));
     }
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
@@ -382,6 +370,7 @@ impl Canvas {
     fn describe_probe(
         &mut self,
         (ui, room): (&Ui, Rect),
+        place: Option<Pos2>,
         state: &State,
         status: &mut Status,
         texts: &'static CanvasTexts,
@@ -414,7 +403,7 @@ impl Canvas {
         status.cells = cells(digits.min(4), mark);
         status.exact = cells(digits, mark);
         if self.pinned.is_some() {
-            match status::card(ui, room, &status.exact, texts) {
+            match card::show(ui, room, place, &status.exact, texts) {
                 None => {}
                 Some(CardAction::Copy) => ctx.copy_text(copied(&cells(EXACT_DIGITS, DecimalMark::Point))),
                 Some(CardAction::Release) => {

@@ -4,10 +4,10 @@ use eframe::egui::{
     self, Align, Color32, FontId, Label, Layout, Popup, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2,
 };
 
-use super::fitted;
 use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
+use crate::gui::fitted;
 use crate::gui::focus::with_room_before;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
@@ -35,7 +35,9 @@ pub(super) enum StatusAction {
 pub(super) struct Status {
     /// The first line.
     pub(super) message: String,
-    /// What takes long stands instead of the message.
+    /// For a while the keys of a presentation stand instead of the message, and how much is to be seen of them.
+    pub(super) keys: Option<(&'static str, f32)>,
+    /// What takes long stands instead of both.
     pub(super) work: Option<LongWork>,
     /// The message says why something is not possible.
     pub(super) warning: bool,
@@ -71,7 +73,7 @@ fn font(ui: &Ui) -> FontId {
     TextStyle::Small.resolve(ui.style())
 }
 
-fn line_height(ui: &Ui) -> f32 {
+pub(super) fn line_height(ui: &Ui) -> f32 {
     (ui.text_style_height(&TextStyle::Small) + 2.0).ceil()
 }
 
@@ -138,6 +140,12 @@ impl Status {
             return;
         }
         let room = ui.available_width();
+        if let Some((keys, opacity)) = self.keys {
+            let said = fitted::parts(keys, |text| fitted::width(ui, &font(ui), text) <= room);
+            let color = ui.visuals().strong_text_color().gamma_multiply(opacity);
+            ui.add(Label::new(RichText::new(said).small().color(color)).truncate().selectable(false)).explained(keys);
+            return;
+        }
         let said = fitted::parts(&self.message, |text| fitted::width(ui, &font(ui), text) <= room);
         let mut text = RichText::new(&said).small();
         if self.warning {
@@ -163,8 +171,9 @@ impl Status {
                     show_cell(ui, place, cell);
                 }
                 if self.cells.is_empty() {
+                    // Wrapped where it is longer than a line: narrow pictures have room for several.
                     let text = RichText::new(self.note).small().weak();
-                    line_of_text(ui, Rect::from_min_size(rect.min, vec2(rect.width(), line_height(ui))), text);
+                    ui.add(Label::new(text).wrap().selectable(false));
                 }
             })
             .response;
@@ -232,46 +241,8 @@ fn line_of_text(ui: &mut Ui, place: Rect, text: impl Into<egui::WidgetText>) {
     });
 }
 
-/// What the buttons of a card ask for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum CardAction {
-    /// Copy all digits.
-    Copy,
-    /// Forget what is pinned.
-    Release,
-}
-
-/// The coordinates of what is pinned, on a card that stays until it is released; it can be moved.
-pub(super) fn card(ui: &Ui, room: Rect, cells: &[Cell], texts: &CanvasTexts) -> Option<CardAction> {
-    let mut action = None;
-    egui::Window::new(texts.card)
-        .id(egui::Id::unique("card of the probe"))
-        .pivot(egui::Align2::LEFT_BOTTOM)
-        .default_pos(room.left_bottom() + vec2(8.0, -8.0))
-        .constrain_to(room)
-        .title_bar(false)
-        .resizable(false)
-        .show(ui.ctx(), |ui| {
-            ui.spacing_mut().item_spacing.y = 1.0;
-            let lines = line_height(ui);
-            let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, lines);
-            table(ui, cells);
-            ui.spacing_mut().interact_size.y = height;
-            ui.add_space(3.0);
-            ui.horizontal(|ui| {
-                if ui.button(texts.copy).explained(texts.copy_hint).clicked() {
-                    action = Some(CardAction::Copy);
-                }
-                if ui.button(texts.release).clicked() {
-                    action = Some(CardAction::Release);
-                }
-            });
-        });
-    action
-}
-
 /// The coordinates, one space in a line.
-fn table(ui: &mut Ui, cells: &[Cell]) {
+pub(super) fn table(ui: &mut Ui, cells: &[Cell]) {
     egui::Grid::new("probe table").num_columns(2).show(ui, |ui| {
         for cell in cells {
             ui.label(RichText::new(cell.space).small().weak());

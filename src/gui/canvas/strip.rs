@@ -9,9 +9,9 @@ use eframe::egui::{
     UiBuilder, WidgetInfo, pos2, vec2,
 };
 
-use super::fitted;
 use super::icons::{Icon, icon_button};
 use crate::figure::{Depth, Reveal};
+use crate::gui::fitted;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::sources::with_titles;

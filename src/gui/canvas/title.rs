@@ -23,6 +23,8 @@ pub(super) enum TitleAction {
     Hide,
     /// Show the image as the eye would see it, or its m × n pixels again.
     ToggleUndistorted,
+    /// Show the world as the section along **u**, or in space again.
+    ToggleSection,
 }
 
 /// What a title shows.
@@ -35,6 +37,8 @@ pub(super) struct Title<'a> {
     pub(super) can_hide: bool,
     /// The image is shown as the eye would see it; `None` where that makes no difference.
     pub(super) undistorted: Option<bool>,
+    /// The world is shown as a section; `None` for the other pictures.
+    pub(super) section: Option<bool>,
 }
 
 const CHANGES: [(ObserverChange, Icon); 8] = [
@@ -60,7 +64,7 @@ impl Title<'_> {
         let galley = WidgetText::from(name).into_galley(ui, Some(egui::TextWrapMode::Extend), f32::INFINITY, font);
         let side = ui.spacing().interact_size.y;
         let solid = matches!(self.view, View::World | View::Canonical);
-        let all: u8 = if self.view == View::World { 9 } else { 6 };
+        let all: u8 = if self.view == View::World { 10 } else { 6 };
         let word = self.menu_width(ui);
         let room_beside = |extra: f32, buttons: u8| {
             rect.width() >= galley.size().x + f32::from(buttons + 2) * (side + 1.0) + 18.0 + extra
@@ -153,6 +157,11 @@ impl Title<'_> {
                 action = Some(TitleAction::Observe(change));
             }
         }
+        if let Some(on) = self.section
+            && icon_button(ui, Icon::Section, self.texts.section, on).clicked()
+        {
+            action = Some(TitleAction::ToggleSection);
+        }
         if icon_button(ui, Icon::Link, self.texts.link, self.linked).clicked() {
             action = Some(TitleAction::ToggleLink);
         }
@@ -177,6 +186,11 @@ impl Title<'_> {
                 }
             }
             ui.separator();
+            if let Some(mut on) = self.section
+                && ui.checkbox(&mut on, self.texts.section).changed()
+            {
+                action = Some(TitleAction::ToggleSection);
+            }
             let mut linked = self.linked;
             if ui.checkbox(&mut linked, self.texts.link).changed() {
                 action = Some(TitleAction::ToggleLink);

@@ -1,7 +1,8 @@
 //! What was said last: news in the bar at the top, errors in full at the bottom until they are closed.
 
-use eframe::egui::{self, Align, Button, Label, Layout, RichText};
+use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
+use crate::gui::fitted;
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window;
@@ -17,7 +18,9 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
         }
         if let Some(message) = state.message.as_ref().filter(|message| !message.is_error()) {
             let text = message.text(state.settings.lang);
-            let label = Label::new(RichText::new(&text).weak()).truncate().show_tooltip_when_elided(false);
+            let (font, room) = (TextStyle::Body.resolve(ui.style()), ui.available_width());
+            let said = fitted::parts(&text, |text| fitted::width(ui, &font, text) <= room);
+            let label = Label::new(RichText::new(said).weak()).truncate().show_tooltip_when_elided(false);
             ui.add(label).explained(text);
         }
     });

@@ -47,6 +47,13 @@ impl ViewHistory {
         }
     }
 
+    /// The same views in pictures of another size: no step.
+    pub fn framed_again(&mut self, before: Observers, after: Observers) {
+        if self.now == before {
+            self.now = after;
+        }
+    }
+
     fn settle(&mut self, observers: Observers) {
         self.turning = None;
         if observers != self.now {

@@ -27,7 +27,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         row(ui, "", t.window_opacity, t.window_opacity_hint, |ui| {
             choice(ui, t.window_opacity, t.window_opacity_hint, &mut world.window_opacity, &all)
         });
-        ui.checkbox(&mut world.dimensions, t.dimensions).explained(t.dimensions_hint);
+        ui.add_enabled(!world.section, egui::Checkbox::new(&mut world.dimensions, t.dimensions))
+            .explained(t.dimensions_hint)
+            .explained_disabled(t.dimensions_in_section);
         ui.checkbox(&mut world.section, t.section_view).explained(t.section_view_hint);
     });
     if world != old {

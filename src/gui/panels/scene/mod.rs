@@ -5,7 +5,7 @@ mod light;
 mod object;
 mod tree;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use eframe::egui::{self, RichText};
 
@@ -110,10 +110,12 @@ fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     if !ui.button(t.edit_copy).explained(hint.trim()).clicked() {
         return;
     }
-    let theme = state.settings.theme;
-    state.document.edit(|figure| edit::write_out_preset(&mut figure.scene, theme));
+    let (theme, lang) = (state.settings.theme, state.settings.lang);
+    let called = |name: &str| scenes::preset_object(lang, name);
+    let mut names = BTreeMap::new();
+    state.document.edit(|figure| names = edit::write_out_preset(&mut figure.scene, theme, called));
     if let Some(Selected::OfPreset(name)) = state.tree.selected.clone() {
-        state.tree.select(Some(Selected::Object(name)));
+        state.tree.select(names.remove(&name).map(Selected::Object));
     }
     state.say(Message::WrittenOut(preset));
 }

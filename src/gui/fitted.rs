@@ -12,9 +12,10 @@ pub(super) fn words(text: &str, fits: impl Fn(&str) -> bool) -> String {
     ends.map(shorter).filter(|shortened| fits(shortened)).last().unwrap_or_else(|| "…".to_owned())
 }
 
-/// A text, or as many of its parts between `·` as fit; of the first, if need be, only its first words.
+/// A text, or as many of its parts (between `·`, semicolons and sentences) as fit; of the first, if need be, only its first words.
 pub(super) fn parts(text: &str, fits: impl Fn(&str) -> bool) -> String {
-    let ends = text.match_indices(" · ").map(|(at, _)| &text[..at]).chain([text]);
+    let is_end = |at: &usize| [" · ", "; ", ". "].iter().any(|mark| text[*at..].starts_with(mark));
+    let ends = text.char_indices().map(|(at, _)| at).filter(is_end).map(|at| &text[..at]).chain([text]);
     match ends.filter(|start| fits(start)).last() {
         Some(start) => start.to_owned(),
         None => words(text, fits),
@@ -39,5 +40,7 @@ mod tests {
         assert_eq!(words("palavra", within(3)), "…");
         assert_eq!(parts("Drag: turn · wheel: zoom · V: probe", within(30)), "Drag: turn · wheel: zoom");
         assert_eq!(parts("Drag: turn · wheel: zoom · V: probe", within(9)), "Drag…");
+        assert_eq!(parts("Drag C, PF; elsewhere: turn the view", within(30)), "Drag C, PF");
+        assert_eq!(parts("A list of objects now. It loses the texts.", within(30)), "A list of objects now");
     }
 }

@@ -1,0 +1,117 @@
+//! The card with the coordinates of what is pinned: where it stands, and its buttons.
+
+use eframe::egui::{Context, Id, Pos2, Rect, Ui, Vec2, Window, vec2};
+
+use super::readout::Cell;
+use super::status::{line_height, table};
+use super::{Canvas, Pane};
+use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
+use crate::i18n::canvas::CanvasTexts;
+use crate::views::{Overlays, Probe, Request, pick};
+
+/// The room that a card takes before it has been shown, in points.
+const USUAL: Vec2 = vec2(250.0, 190.0);
+/// Between a card and the border of the pictures.
+const MARGIN: f32 = 8.0;
+
+/// What the buttons of a card ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CardAction {
+    /// Copy all digits.
+    Copy,
+    /// Forget what is pinned.
+    Release,
+}
+
+fn id() -> Id {
+    Id::unique("card of the probe")
+}
+
+/// The coordinates of what is pinned, on a card that stays until it is released, at `place` where it is given; it can be moved.
+pub(super) fn show(
+    ui: &Ui,
+    room: Rect,
+    place: Option<Pos2>,
+    cells: &[Cell],
+    texts: &CanvasTexts,
+) -> Option<CardAction> {
+    let mut action = None;
+    let mut window = Window::new(texts.card).id(id()).constrain_to(room).title_bar(false).resizable(false);
+    if let Some(place) = place {
+        window = window.current_pos(place);
+    }
+    window.show(ui.ctx(), |ui| {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        let lines = line_height(ui);
+        let height = std::mem::replace(&mut ui.spacing_mut().interact_size.y, lines);
+        table(ui, cells);
+        ui.spacing_mut().interact_size.y = height;
+        ui.add_space(3.0);
+        ui.horizontal(|ui| {
+            if ui.button(texts.copy).explained(texts.copy_hint).clicked() {
+                action = Some(CardAction::Copy);
+            }
+            if ui.button(texts.release).clicked() {
+                action = Some(CardAction::Release);
+            }
+        });
+    });
+    action
+}
+
+impl Canvas {
+    /// Where the card of a probe that has just been pinned stands: in the corner of the pictures that is farthest from all that they show of
+    /// it. `None` for one that has its card.
+    pub(super) fn place_of_card(&mut self, ctx: &Context, state: &State, panes: &[Pane], room: Rect) -> Option<Pos2> {
+        if self.pinned == self.on_card {
+            return None;
+        }
+        self.on_card = self.pinned;
+        let probe = self.pinned?;
+        let shown: Vec<Pos2> = panes.iter().filter_map(|pane| self.place_on_screen(state, pane, probe)).collect();
+        let size = ctx.memory(|memory| memory.area_rect(id())).map_or(USUAL, |rect| rect.size());
+        Some(farthest_corner(room, size, &shown))
+    }
+
+    fn place_on_screen(&self, state: &State, pane: &Pane, probe: Probe) -> Option<Pos2> {
+        let request = self.request(state, pane.view, pane.rect.size);
+        let pixel = pick::place(&Request { overlays: Overlays::default(), ..request }, probe)?;
+        #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+        let [x, y] = pixel.to_array().map(|v| v as f32);
+        Some(pane.rect.rect_of(x, y, 0.0, 0.0).min)
+    }
+}
+
+/// Where a card of a size has its upper left corner, in the corner of the room that is farthest from all places; of equal ones the first
+/// of: below on the left, below on the right, above on the left, above on the right.
+fn farthest_corner(room: Rect, size: Vec2, places: &[Pos2]) -> Pos2 {
+    let inner = room.shrink(MARGIN);
+    let (left, top) = (inner.left(), inner.top());
+    let (right, bottom) = ((inner.right() - size.x).max(left), (inner.bottom() - size.y).max(top));
+    let corners = [[left, bottom], [right, bottom], [left, top], [right, top]].map(|[x, y]| Pos2::new(x, y));
+    let apart = |corner: Pos2| {
+        let card = Rect::from_min_size(corner, size);
+        places.iter().map(|place| card.distance_to_pos(*place)).fold(f32::INFINITY, f32::min)
+    };
+    let first = corners[0];
+    corners.into_iter().fold(first, |best, corner| if apart(corner) > apart(best) { corner } else { best })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::pos2;
+
+    #[test]
+    fn a_card_stands_in_the_corner_that_is_farthest_from_what_it_speaks_of() {
+        let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(800.0, 600.0));
+        let size = vec2(200.0, 100.0);
+        let (left, right, top, bottom) = (18.0, 602.0, 28.0, 512.0);
+        let corner = |places: &[Pos2]| farthest_corner(room, size, places);
+        assert_eq!(corner(&[]), pos2(left, bottom));
+        assert_eq!(corner(&[pos2(100.0, 550.0)]), pos2(right, top));
+        assert_eq!(corner(&[pos2(700.0, 100.0)]), pos2(left, bottom));
+        assert_eq!(corner(&[pos2(100.0, 550.0), pos2(700.0, 60.0), pos2(120.0, 80.0)]), pos2(right, bottom));
+    }
+}
