@@ -4,7 +4,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     self, Context, CornerRadius, Event, FocusDirection, Id, Key, LayerId, Modifiers, Order, Popup, Rect, Response,
-    Sense, Stroke, StrokeKind, Ui,
+    Sense, Stroke, StrokeKind, Ui, WidgetRect,
 };
 
 /// A part of the window that Ctrl+Tab goes to, in this order.
@@ -62,6 +62,9 @@ impl Focus {
         let taken = |modifiers| !dialog && ctx.input_mut(|input| input.consume_key(modifiers, Key::Tab));
         let back = taken(Modifiers::CTRL | Modifiers::SHIFT);
         let forward = !back && taken(Modifiers::CTRL);
+        if !dialog && !forward && !back {
+            go_on_as_read(ctx, &regions, now);
+        }
         if forward || back {
             Popup::close_all(ctx);
             if let Some(id) = next_region(ctx, regions, now, back) {
@@ -117,6 +120,58 @@ impl Focus {
             mark(ctx, &response);
         }
     }
+}
+
+/// Tab goes through the window as it is read: menus, parameters, pictures, operations and numbers. egui goes through controls as they are
+/// laid out, and the panel on the right is laid out before the pictures, which take the room that is left.
+fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
+    let pressed = |shift: bool| {
+        ctx.input(|input| {
+            let is_tab = |event: &Event| {
+                matches!(event, Event::Key { key: Key::Tab, pressed: true, modifiers, .. }
+                    if modifiers.shift == shift && !modifiers.command && !modifiers.ctrl && !modifiers.alt)
+            };
+            input.events.iter().any(is_tab)
+        })
+    };
+    let (forward, back) = (pressed(false), pressed(true));
+    if forward == back || Popup::is_any_open(ctx) {
+        return;
+    }
+    let order = as_read(ctx, regions);
+    let place = now.map(|now| order.iter().position(|id| *id == now));
+    let next = match place {
+        // What has the focus is not of the window itself.
+        Some(None) => return,
+        None if back => order.last(),
+        None => order.first(),
+        Some(Some(place)) if back => order.get(place.checked_sub(1).unwrap_or(order.len() - 1)),
+        Some(Some(place)) => order.get((place + 1) % order.len()),
+    };
+    if let Some(next) = next {
+        ctx.memory_mut(|memory| {
+            memory.move_focus(FocusDirection::None);
+            memory.request_focus(*next);
+        });
+    }
+}
+
+/// What takes the focus in the window itself, as it was in the last frame: first all but the panel on the right, then that panel.
+fn as_read(ctx: &Context, regions: &Regions) -> Vec<Id> {
+    /// A panel's frame, and the handle by which it is made wider.
+    const MARGIN: f32 = 12.0;
+    let numbers = regions.0.iter().find(|(region, ..)| *region == Region::Numbers);
+    ctx.viewport(|viewport| {
+        let widgets = &viewport.prev_pass.widgets;
+        let all = widgets.get_layer(LayerId::background()).filter(|w| w.enabled && w.sense.is_focusable());
+        let mut in_numbers = false;
+        let (on_the_right, others): (Vec<&WidgetRect>, Vec<_>) = all.partition(|widget| {
+            let Some((_, id, rect)) = numbers else { return false };
+            in_numbers |= widget.id == *id;
+            in_numbers && rect.x_range().expand(MARGIN).contains(widget.rect.center().x)
+        });
+        others.into_iter().chain(on_the_right).map(|widget| widget.id).collect()
+    })
 }
 
 /// The region after (or before) the one that holds the focus; from nowhere, the first.

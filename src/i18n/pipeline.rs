@@ -109,8 +109,12 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::Blend) => "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9",
         (Lang::En, Stage::Antialias) => "Takes several samples for each pixel and their mean. [3] §1.1, step 10",
         (Lang::PtBr, Stage::Antialias) => "Toma várias amostras de cada pixel e a média delas. [3] §1.1, passo 10",
-        (Lang::En, Stage::Lines) => "Edges, lines, marks and texts, over the finished surfaces.",
-        (Lang::PtBr, Stage::Lines) => "Arestas, linhas, marcas e textos, sobre as superfícies prontas.",
+        (Lang::En, Stage::Lines) => {
+            "Edges, outlines of curved solids, lines, marks and texts, over the finished surfaces."
+        }
+        (Lang::PtBr, Stage::Lines) => {
+            "Arestas, contornos de sólidos curvos, linhas, marcas e textos, sobre as superfícies prontas."
+        }
         (Lang::En, Stage::Write) => {
             "Colours go to the memory of the image: only here z is left behind. [3] §1.1, step 11"
         }

@@ -30,7 +30,7 @@ texts! {
     no_texture: "no object has a picture on it", "nenhum objeto tem imagem sobre ele";
     all_opaque: "everything in view is opaque", "tudo que se vê é opaco";
     one_sample: "one sample for each pixel", "uma amostra por pixel";
-    lines_in_view: "edges, lines, marks or texts are to be drawn", "há arestas, linhas, marcas ou textos a desenhar";
+    lines_in_view: "edges, outlines, lines, marks or texts are to be drawn", "há arestas, contornos, linhas, marcas ou textos a desenhar";
     depths_shown: "the picture shows depths instead of colours", "a imagem mostra profundidades em vez de cores";
     divided_first: "after the divide, as asked for: too late, what is behind the eye has folded over", "depois da divisão, como foi pedido: tarde demais, o que está atrás do olho já dobrou para a frente";
     no_lines: "nothing but faces is in view", "só há faces no campo de visão";

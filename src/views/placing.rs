@@ -22,6 +22,11 @@ impl Box2 {
         (d.x * d.y).min(4.0 * self.half.x * self.half.y)
     }
 
+    /// True where both have a place in common.
+    fn overlaps(&self, other: &Self) -> bool {
+        (self.center - other.center).abs().cmple(self.half + other.half).all()
+    }
+
     /// The length of a segment's part inside (Liang and Barsky 1984).
     fn length_inside(&self, a: DVec2, b: DVec2) -> f64 {
         let (from, d) = (a - self.center, b - a);
@@ -67,6 +72,7 @@ pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     let mut kept = Vec::with_capacity(drawing.labels.len());
     for mut label in std::mem::take(&mut drawing.labels) {
         let important = rank(&label) < rules.first.len();
+        taken.come_near(&label);
         let best = candidates(&label, rules.leader.is_some())
             .map(|c| (c, c.dislike + taken.cost(&c)))
             .min_by(|a, b| a.1.total_cmp(&b.1));
@@ -99,6 +105,8 @@ struct Taken {
     texts: Vec<Box2>,
     /// The lines from texts to their points.
     leaders: Vec<[DVec2; 2]>,
+    /// Of `lines`, those that a place of the present text may meet.
+    near: Vec<([DVec2; 2], f64)>,
     /// Other lines, and how bad it is to cover a part of them as long as a letter is high.
     lines: Vec<([DVec2; 2], f64)>,
     solids: Solids,
@@ -111,9 +119,22 @@ impl Taken {
             marks: marked(drawing),
             texts: rules.reserved.into_iter().collect(),
             leaders: Vec::new(),
+            near: Vec::new(),
             lines: lines(&drawing.strokes, rules.background),
             solids: Solids::of(drawing),
         }
+    }
+
+    /// Takes up a text: there are thousands of lines in a picture, and few where it may stand.
+    fn come_near(&mut self, label: &Label) {
+        let (at, half) = (point(label.position), half_size(&label.text, label.size));
+        let far = f64::from(label.size) * FARTHEST + f64::from(label.offset[0]).hypot(f64::from(label.offset[1]));
+        let around = Box2 { center: at, half: 2.0 * half + (half.x + half.y + far) };
+        self.near.clear();
+        self.near.extend(self.lines.iter().filter(|([p, q], _)| {
+            let middle = 0.5 * (*p + *q);
+            around.overlaps(&Box2 { center: middle, half: (*q - middle).abs() })
+        }));
     }
 
     /// The share of a place that bodies cover.
@@ -147,7 +168,7 @@ impl Taken {
             }
             sum += 8.0 * overlap / (em * em);
         }
-        let crossed: f64 = self.lines.iter().map(|([p, q], weight)| weight * b.length_inside(*p, *q)).sum();
+        let crossed: f64 = self.near.iter().map(|([p, q], weight)| weight * b.length_inside(*p, *q)).sum();
         sum + crossed / em + BEFORE_A_BODY * self.covered(&b)
     }
 }
@@ -238,6 +259,9 @@ impl Candidate {
     }
 }
 
+/// How far off a text stands at most, in heights of its type.
+const FARTHEST: f64 = 6.0;
+
 /// Places around a label's point and how little each is liked; those farther off if a line may lead to the point.
 fn candidates(label: &Label, leaders: bool) -> impl Iterator<Item = Candidate> + use<> {
     let half = half_size(&label.text, label.size);
@@ -245,8 +269,16 @@ fn candidates(label: &Label, leaders: bool) -> impl Iterator<Item = Candidate> +
     let (direction, gap) = (offset.normalize_or(DVec2::X), offset.length());
     let (at, em) = (point(label.position), f64::from(label.size));
     let angles = [0.0_f64, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 110.0, -110.0, 145.0, -145.0, 180.0];
-    let gaps =
-        [(0.0, false), (0.5, false), (1.0, false), (1.6, true), (2.4, true), (3.4, true), (4.6, true), (6.0, true)];
+    let gaps = [
+        (0.0, false),
+        (0.5, false),
+        (1.0, false),
+        (1.6, true),
+        (2.4, true),
+        (3.4, true),
+        (4.6, true),
+        (FARTHEST, true),
+    ];
     gaps.into_iter().filter(move |(_, leads)| leaders || !leads).flat_map(move |(more, leads)| {
         angles.into_iter().map(move |angle| {
             let d = DVec2::from_angle(angle.to_radians()).rotate(direction);

@@ -10,7 +10,7 @@ use camera_lab::views::observer::Viewpoint;
 use camera_lab::views::{Measure, View};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Event, Key, Modifiers};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{By, Queryable};
 
 use super::files::Folder;
 use super::window::Window;
@@ -387,4 +387,73 @@ fn section_and_dimensions_are_switched_by_their_commands_and_undone_like_any_edi
     press(&mut window, Modifiers::COMMAND, Key::Z);
     press(&mut window, Modifiers::ALT, Key::Num9);
     assert_eq!(window.state().document.figure().world, WorldLook::default());
+}
+
+/// A window with all three pictures.
+fn whole(lang: Lang) -> Window {
+    let mut window = Window::new(lang);
+    window.app_mut().state.layout.maximized = None;
+    window.run();
+    window
+}
+
+#[test]
+fn from_where_to_look_is_a_menu_in_words_with_the_keys_for_it() {
+    for (lang, menu, entry) in [(Lang::En, "Look from…", "From the side (+x)"), (Lang::PtBr, "Ver de…", "De lado (+x)")]
+    {
+        let mut window = whole(lang);
+        let world = window.harness.query_all(By::new().label(menu)).next().expect("the menu of the world");
+        world.click();
+        window.run();
+        let keys = window.written().into_iter().any(|(text, _)| text.contains("Alt+3"));
+        assert!(keys, "{:?}", window.written());
+        // The buttons beside it have the same names, but no words.
+        let place = window.written().into_iter().find(|(text, _)| text == entry).expect(entry).1;
+        let in_menu = window.harness.query_all(By::new().label_contains(entry));
+        in_menu.into_iter().find(|node| node.rect().contains(place.center())).expect(entry).click();
+        window.run();
+        let seen = window.state().document.figure().observers.world.expect("an observer");
+        assert_eq!((seen.azimuth, seen.elevation, seen.parallel), (90.0, 0.0, true));
+    }
+}
+
+#[test]
+fn the_section_has_a_button_and_another_side_leaves_it() {
+    let mut window = whole(Lang::En);
+    window.click("Section along u: similar triangles");
+    window.run();
+    assert!(window.state().document.figure().world.section);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::Num1);
+    window.run();
+    let figure = window.state().document.figure();
+    assert!(!figure.world.section && figure.observers.world.is_some());
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::Num8);
+    window.run();
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::Num0);
+    window.run();
+    assert!(window.state().document.figure().world.section, "fitting is no other side");
+}
+
+#[test]
+fn what_a_key_has_framed_is_framed_again_in_a_picture_of_another_size_and_what_was_turned_stays() {
+    let mut window = whole(Lang::En);
+    let seen = |window: &Window| window.state().document.figure().observers.world.expect("an observer");
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::Num5);
+    window.run();
+    let framed = seen(&window);
+    window.key(Key::F11);
+    window.run();
+    let again = seen(&window);
+    assert_ne!(framed.distance, again.distance);
+    assert_eq!((framed.azimuth, framed.elevation, framed.roll), (again.azimuth, again.elevation, again.roll));
+    assert!(!window.state().document.is_changed());
+    window.key(Key::F11);
+    window.run();
+    assert!((seen(&window).distance / framed.distance - 1.0).abs() < 1e-9, "and back");
+    let turned = camera_lab::figure::Observer { azimuth: framed.azimuth + 7.0, ..seen(&window) };
+    window.app_mut().state.document.observers_mut().world = Some(turned);
+    window.run();
+    window.key(Key::F11);
+    window.run();
+    assert_eq!(seen(&window), turned);
 }

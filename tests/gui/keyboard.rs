@@ -108,11 +108,27 @@ fn tab_reaches_every_control_once_each_has_a_name_and_rows_are_gone_through_as_t
             let is_near = (before.center().x - after.center().x).abs() < 260.0;
             assert!(!(is_one_row && is_near) || before.left() < after.right(), "{a} {before}, then {b} {after}");
         }
-        for picture in ["World", "Mundo"] {
-            assert!(
-                lang == Lang::PtBr || picture == "Mundo" || seen.iter().any(|(_, name, _)| name.starts_with(picture))
-            );
-        }
+        // Menus, parameters, pictures and what is under them, then operations and numbers.
+        let t = texts(lang);
+        let panel = |name: &str| {
+            let region = seen.iter().find(|(role, stop, _)| *role == Role::Region && stop == name);
+            region.unwrap_or_else(|| panic!("{name} is not reached")).2.expand(12.0)
+        };
+        let (left, right) = (panel(t.parameters_panel), panel(t.numbers_panel));
+        let column = |rect: &Rect| match rect.center() {
+            p if p.y < 27.0 => 0,
+            p if p.x < left.right() => 1,
+            p if p.x < right.left() => 2,
+            _ => 3,
+        };
+        let columns: Vec<_> = seen.iter().map(|(.., rect)| column(rect)).collect();
+        assert!(columns.is_sorted(), "{columns:?} of {seen:?}");
+        assert!((0..4).all(|column| columns.iter().filter(|c| **c == column).count() > 5), "{columns:?}");
+        // And back the same way.
+        let (_, name, rect) = window.focused().expect("a stop");
+        window.harness.key_press_modifiers(Modifiers::SHIFT, Key::Tab);
+        window.run();
+        assert_eq!(window.focused().as_ref(), seen.last(), "before {name} {rect}");
     }
 }
 

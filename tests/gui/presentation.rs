@@ -3,8 +3,9 @@
 use std::fs;
 
 use camera_lab::i18n::Lang;
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{By, Queryable};
 
 use super::files::Folder;
 use super::window::Window;
@@ -143,6 +144,23 @@ fn frozen_pictures_stay_while_one_edits() {
     assert!(window.written().iter().any(|(line, _)| line.contains("frozen")));
     window.key(Key::Escape);
     assert_ne!(window.app_mut().canvas.drawn(), drawn);
+}
+
+#[test]
+fn the_keys_stand_under_the_pictures_for_a_while_and_cover_nothing() {
+    for (lang, first) in [(Lang::En, "Esc: leave"), (Lang::PtBr, "Esc: sair")] {
+        let mut window = Window::new(lang);
+        window.app_mut().state.layout.maximized = None;
+        window.key(Key::F11);
+        let said = window.written().into_iter().find(|(text, _)| text.contains(first)).expect("the keys");
+        let shown = window.harness.query_all(By::new().role(Role::Image));
+        let lowest = shown.map(|picture| picture.rect().bottom()).fold(0.0, f32::max);
+        assert!(lowest > 100.0 && said.1.top() >= lowest, "{said:?}, pictures end at {lowest}");
+        let others = window.written().into_iter().filter(|(text, _)| *text != said.0);
+        for (text, place) in others {
+            assert!(!place.shrink(1.0).intersects(said.1), "over “{text}”");
+        }
+    }
 }
 
 impl Window {

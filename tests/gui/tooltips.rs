@@ -49,6 +49,17 @@ fn what_is_said_of_a_field_stands_beside_its_panel() {
 }
 
 #[test]
+fn what_a_typed_expression_is_worth_stands_beside_the_panel_and_covers_no_row() {
+    let mut window = Window::new(Lang::En);
+    let panel = window.field("C z").rect();
+    let row = window.field("F").rect();
+    window.type_into("F", "1/3");
+    let place = window.place_of("= 0.333").expect("its value");
+    assert!(place.left() > panel.right(), "{place:?}");
+    assert!((place.center().y - row.center().y).abs() < row.height(), "in its row: {place:?}, {row:?}");
+}
+
+#[test]
 fn a_tooltip_waits_and_is_gone_once_a_dialog_is_open() {
     let mut window = Window::new(Lang::En);
     let hint = texts(Lang::En).number_field_hint;

@@ -332,8 +332,26 @@ fn the_section_constructs_the_image_of_a_point_by_similar_triangles() {
             let inside = |p: DVec2| p.cmpgt(DVec2::ZERO).all() && p.x < f64::from(size.0) && p.y < f64::from(size.1);
             assert!(inside(shown) && inside(image) && inside(c), "{what}");
             assert!(drawing.labels.iter().any(|l| l.text.starts_with("B = ")), "{what}");
+            assert!(drawing.labels.iter().any(|l| l.text.starts_with("vertex (")), "{what}: which point it is");
         }
     }
+}
+
+#[test]
+fn the_section_takes_the_p_of_the_scene_where_it_has_an_image_and_names_a_vertex_otherwise() {
+    let (_, mut figure, scene) = shipped().into_iter().find(|(name, ..)| name == "exercise-5.1").unwrap();
+    figure.world.section = true;
+    let names = |scene: &SharedScene| -> Vec<String> {
+        draw(&world(&figure, scene, (960, 540))).labels.into_iter().map(|label| label.text).collect()
+    };
+    let of_exercise = names(&scene);
+    assert!(!of_exercise.iter().any(|text| text == "P"), "the P of the exercise is in the plane of the eye");
+    assert!(of_exercise.iter().any(|text| text.starts_with("vertex (")), "{of_exercise:?}");
+    let mut moved = camera_lab::scene::Scene::clone(&scene);
+    moved.texts.iter_mut().find(|text| text.text == "P").unwrap().position = DVec3::new(0.5, 1.0, 0.0);
+    let moved = names(&SharedScene::new(moved));
+    assert!(moved.iter().any(|text| text == "P"), "{moved:?}");
+    assert!(!moved.iter().any(|text| text.starts_with("vertex")), "{moved:?}");
 }
 
 #[test]
