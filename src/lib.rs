@@ -16,6 +16,7 @@
 
 pub mod appearance;
 pub mod camera;
+pub mod chart;
 pub mod cli;
 pub mod clock;
 pub mod drawing;
@@ -32,6 +33,7 @@ pub mod inspect;
 pub mod lighting;
 pub mod limits;
 pub mod numbers;
+pub mod numerics;
 pub mod picture;
 pub mod pipeline;
 pub mod progress;

@@ -14,11 +14,13 @@ pub enum Doing {
     Painting,
     /// A picture is made into a file.
     Encoding,
+    /// Errors and times of methods are measured.
+    Measuring,
 }
 
 impl Doing {
     /// Everything that takes long.
-    pub const ALL: [Self; 4] = [Self::Reading, Self::Ordering, Self::Painting, Self::Encoding];
+    pub const ALL: [Self; 5] = [Self::Reading, Self::Ordering, Self::Painting, Self::Encoding, Self::Measuring];
 }
 
 /// How far one piece of work has come. A clone is of the same work. What is done never depends on it, but for being given up.

@@ -9,7 +9,7 @@ use skrifa::outline::{DrawSettings, OutlineGlyphCollection, OutlinePen};
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 
 /// `DejaVu Sans`: free licence (beside it), Latin with accents, Greek, arrows and mathematical signs.
-static FONT_BYTES: &[u8] = include_bytes!("../assets/fonts/DejaVuSans.ttf");
+pub static FONT_BYTES: &[u8] = include_bytes!("../assets/fonts/DejaVuSans.ttf");
 
 /// Size of a subscript, as a share of the text's.
 const SUBSCRIPT_SIZE: f32 = 0.7;

@@ -11,10 +11,12 @@ use super::Failure;
 use crate::appearance;
 use crate::camera::{Amount, Convention, ImageSize, OPERATIONS, Operation};
 use crate::export::format::PictureFormat;
+use crate::export::plot::PlotFormat;
 use crate::expression::{self, Dimension};
-use crate::foreign::shown;
+use crate::foreign::{self, shown};
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::limits::MAX_SIDE;
+use crate::numerics::Study;
 use crate::picture::OnPaper;
 use crate::views::{View, Views};
 
@@ -38,6 +40,8 @@ pub(super) enum Command {
     Explain(ExplainArgs),
     /// Redraw a picture many times from scratch and tell how long it takes
     Bench(BenchArgs),
+    /// Measure the error and the run time of ways to compute what a camera does
+    Accuracy(AccuracyArgs),
 }
 
 /// Without a command the window opens.
@@ -158,6 +162,28 @@ pub(super) struct BenchArgs {
     pub(super) format: TableFormat,
 }
 
+#[derive(Debug, Args)]
+pub(super) struct AccuracyArgs {
+    /// Which study; may be given more than once. Without it, all
+    #[arg(long = "study", value_enum, value_name = "NAME")]
+    studies: Vec<Study>,
+    /// How long times are measured, in seconds, over all studies, 0 to 3600. Errors do not depend on it
+    #[arg(long, value_name = "S", default_value = "20", allow_hyphen_values = true)]
+    seconds: String,
+    /// A whole number; the same seed gives the same inputs, and so the same errors
+    #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true)]
+    seed: String,
+    /// A table to read, JSON or CSV for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: DataFormat,
+    // The endings stand in `PlotFormat`.
+    #[arg(long, value_name = "OUT", help = plot_help())]
+    pub(super) plot: Option<PathBuf>,
+    /// Language of the table, the plot and messages
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(super) lang: Option<LangArg>,
+}
+
 /// What every command that takes a figure understands.
 #[derive(Debug, Args)]
 pub(super) struct FigureArgs {
@@ -187,6 +213,24 @@ pub(super) enum TableFormat {
     #[default]
     Text,
     Json,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum DataFormat {
+    #[default]
+    Text,
+    Json,
+    Csv,
+}
+
+impl ValueEnum for Study {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
 }
 
 impl ValueEnum for View {
@@ -388,6 +432,32 @@ impl BenchArgs {
     }
 }
 
+impl AccuracyArgs {
+    /// The studies that are asked for, in their order, each once.
+    pub(super) fn studies(&self) -> Vec<Study> {
+        let wanted = |study: &Study| self.studies.is_empty() || self.studies.contains(study);
+        Study::ALL.into_iter().filter(wanted).collect()
+    }
+
+    pub(super) fn seconds(&self, lang: Lang) -> Result<f64, Failure> {
+        let seconds = self.seconds.trim().parse().ok().filter(|seconds| (0.0..=3600.0).contains(seconds));
+        seconds.ok_or_else(|| Failure::BadInput(texts::seconds(lang, &self.seconds)))
+    }
+
+    pub(super) fn seed(&self, lang: Lang) -> Result<u64, Failure> {
+        self.seed.trim().parse().map_err(|_| Failure::BadInput(texts::seed(lang, &self.seed)))
+    }
+
+    /// The file of the plot, and its format.
+    pub(super) fn plot(&self, lang: Lang) -> Result<Option<(&Path, PlotFormat)>, Failure> {
+        let Some(path) = &self.plot else { return Ok(None) };
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let format = PlotFormat::of_ending(ending)
+            .ok_or_else(|| Failure::BadInput(texts::plot_ending(lang, &foreign::path(path), &plot_endings())))?;
+        Ok(Some((path, format)))
+    }
+}
+
 /// Width and height, if they are given.
 fn size(text: Option<&str>, lang: Lang) -> Result<Option<ImageSize>, Failure> {
     let Some(text) = text else { return Ok(None) };
@@ -406,6 +476,14 @@ fn operations_help() -> String {
     let [turns, factors, lengths] = [(Amount::Angle, "degrees"), (Amount::Factor, "factor"), (Amount::Length, "DX,DY")]
         .map(|(a, unit)| words(a, unit));
     format!("An operation on the camera, in the order given: {turns}, {factors}, {lengths}")
+}
+
+fn plot_endings() -> String {
+    PlotFormat::ALL.map(|(ending, _)| format!(".{ending}")).join(", ")
+}
+
+fn plot_help() -> String {
+    format!("A file for charts of errors over parameters and times; its ending says the format: {}", plot_endings())
 }
 
 fn output_help() -> String {

@@ -3,6 +3,7 @@
 //! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in the
 //! language of `--lang` or of the system; what is written to standard output or into a picture never depends on the system.
 
+mod accuracy;
 mod args;
 mod bench;
 mod explain;
@@ -75,6 +76,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Render(args)) => render::run(&args, lang),
             Some(Command::Explain(args)) => explain::run(&args, lang),
             Some(Command::Bench(args)) => bench::run(&args, lang),
+            Some(Command::Accuracy(args)) => accuracy::run(&args, lang),
             None => match opening::opening(&line.window, lang) {
                 Ok(opening) => return Asked::Window(Box::new(opening)),
                 Err(failure) => Err(failure),

@@ -2,6 +2,7 @@
 
 pub mod crop;
 pub mod format;
+pub mod plot;
 pub mod png;
 pub mod sheet;
 pub mod web;

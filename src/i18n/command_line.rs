@@ -202,6 +202,37 @@ pub fn frames(lang: Lang, text: &str) -> String {
     }
 }
 
+/// A text that is not a number of seconds.
+#[must_use]
+pub fn seconds(lang: Lang, text: &str) -> String {
+    let text = shown(text);
+    match lang {
+        Lang::En => format!("--seconds is \"{text}\"; allowed: a number from 0 to 3600, such as --seconds 20"),
+        Lang::PtBr => format!("--seconds é \"{text}\"; permitido: um número de 0 a 3600, como --seconds 20"),
+    }
+}
+
+/// A text that is not a seed.
+#[must_use]
+pub fn seed(lang: Lang, text: &str) -> String {
+    let text = shown(text);
+    match lang {
+        Lang::En => {
+            format!("--seed is \"{text}\"; allowed: an integer from 0 to 18446744073709551615, such as --seed 1")
+        }
+        Lang::PtBr => format!("--seed é \"{text}\"; permitido: um inteiro de 0 a 18446744073709551615, como --seed 1"),
+    }
+}
+
+/// A file of charts whose ending says no format.
+#[must_use]
+pub fn plot_ending(lang: Lang, path: &str, endings: &str) -> String {
+    match lang {
+        Lang::En => format!("{path}: the ending says no format of a plot; allowed: {endings}"),
+        Lang::PtBr => format!("{path}: a extensão não diz um formato de gráfico; permitido: {endings}"),
+    }
+}
+
 /// The words around the table of stages.
 #[derive(Debug)]
 pub struct ExplainTexts {

@@ -43,6 +43,7 @@ mod files;
 pub mod gallery;
 mod meshes;
 pub mod messages;
+pub mod numerics;
 pub mod pictures;
 pub mod pipeline;
 pub mod progress;

@@ -10,6 +10,7 @@ texts! {
     ordering: "putting faces in order", "ordenando as faces";
     painting: "painting", "pintando";
     encoding: "packing the file", "compactando o arquivo";
+    measuring: "measuring", "medindo";
     cancel: "Esc cancels", "Esc cancela";
 }
 
@@ -22,6 +23,7 @@ pub fn progress(lang: Lang, doing: Doing, share: Option<f32>) -> String {
         Doing::Ordering => t.ordering,
         Doing::Painting => t.painting,
         Doing::Encoding => t.encoding,
+        Doing::Measuring => t.measuring,
     };
     match share {
         Some(share) => format!("{doing}… {:.0} %", (100.0 * share).floor()),

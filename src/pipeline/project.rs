@@ -56,6 +56,29 @@ pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
     (p.w > 0.0).then(|| displayed(&projector, p)).filter(|p| p.is_finite())
 }
 
+/// World points in view space, as the pictures are drawn from them: C is subtracted before anything is rotated, in `f64`.
+pub fn view_of(camera: &Camera) -> impl Fn(DVec3) -> DVec3 {
+    let projector = Projector::new(camera);
+    move |p_world| projector.view(p_world)
+}
+
+/// The depth that the depth buffer of the pictures holds for a distance from the plane of the eye, in scene units.
+#[expect(clippy::cast_possible_truncation, reason = "the depth buffer has single precision")]
+pub fn depth_buffer_of(camera: &Camera) -> impl Fn(f64) -> f32 {
+    let projector = Projector::new(camera);
+    move |distance| projector.picture_depth(distance) as f32
+}
+
+/// What is in the volume of a segment between two world points, as it is shown in the canonical volume: `(x_n, y_n, −z_n)` of its ends.
+pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVec3; 2]> {
+    let projector = Projector::new(camera);
+    move |ends| {
+        let ends = ends.map(|p| projector.clip(projector.view(p)));
+        let [(a, _), (b, _)] = Clipper::default().segment(&projector, ends)?;
+        Some([displayed(&projector, a), displayed(&projector, b)])
+    }
+}
+
 /// `(x_n, y_n, −z_n)`; the last is twice the depth of the picture less one, so it has no cancellation either.
 pub(super) fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
     DVec3::new(p.x / p.w, p.y / p.w, 2.0 * projector.picture_depth(p.depth) - 1.0)

@@ -7,11 +7,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Leaves that everybody may import.
-const LEAVES: &[&str] = &["appearance", "foreign", "limits", "progress"];
+const LEAVES: &[&str] = &["appearance", "chart", "foreign", "limits", "progress"];
 
 /// Each module with the modules that it may import, besides [`LEAVES`].
 const TABLE: &[(&str, &[&str])] = &[
     ("appearance", &[]),
+    ("chart", &[]),
     ("foreign", &[]),
     ("limits", &[]),
     ("progress", &[]),
@@ -30,10 +31,11 @@ const TABLE: &[(&str, &[&str])] = &[
     ("figure", &["geometry", "camera", "scene", "expression", "numbers"]),
     ("inspect", &["camera", "figure"]),
     ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "numbers", "text"]),
-    ("export", &["drawing", "raster", "inspect"]),
+    ("export", &["drawing", "raster", "inspect", "text"]),
     ("files", &["figure", "export", "scene"]),
     ("clock", &[]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
+    ("numerics", &["geometry", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
     // The enums of errors, warnings, labels and stages.
     (
         "i18n",
@@ -49,6 +51,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "views",
             "pipeline",
             "picture",
+            "numerics",
         ],
     ),
     ("cli", EVERYTHING),
@@ -56,6 +59,7 @@ const TABLE: &[(&str, &[&str])] = &[
 ];
 
 const EVERYTHING: &[&str] = &[
+    "numerics",
     "numbers",
     "expression",
     "text",
@@ -81,6 +85,12 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("egui", &["gui"]),
     ("rfd", &["gui"]),
     ("clap", &["cli", "i18n"]),
+    ("dashu_float", &["numerics"]),
+    ("egui_plot", &["gui"]),
+    ("miniz_oxide", &["export"]),
+    ("pdf_writer", &["export"]),
+    ("plotters", &["export"]),
+    ("plotters_backend", &["export"]),
     ("toml_edit", &["figure", "gui"]),
     ("fearless_simd", &["simd"]),
     ("skrifa", &["text"]),

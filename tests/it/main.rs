@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod accuracy;
 mod camera_equations;
 mod camera_extreme;
 mod camera_operations;

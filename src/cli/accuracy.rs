@@ -1,0 +1,98 @@
+//! `camera-lab accuracy`: error against run time.
+
+use serde::Serialize;
+
+use super::args::{AccuracyArgs, DataFormat, LangArg};
+use super::{Failure, print, progress};
+use crate::export::plot::{self, Block};
+use crate::files::{self, Overwrite};
+use crate::foreign;
+use crate::i18n::{Lang, messages, numerics as words};
+use crate::numerics::{self, Effort, Findings, Row, Study};
+
+/// What programs read.
+#[derive(Serialize)]
+struct Accuracy<'a> {
+    seed: u64,
+    studies: &'a [Findings],
+}
+
+/// A line of a table for spreadsheets: all of a row but its figure.
+#[derive(Serialize)]
+struct Line<'a> {
+    study: Study,
+    case: &'a str,
+    parameter: f64,
+    method: &'a str,
+    error: f64,
+    error_max: f64,
+    unit: &'static str,
+    nanos: f64,
+    bits: f64,
+    pareto: bool,
+    predicted: Option<f64>,
+}
+
+pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
+    let (studies, seconds, seed) = (args.studies(), args.seconds(lang)?, args.seed(lang)?);
+    let plot = args.plot(lang)?;
+    #[expect(clippy::cast_precision_loss, reason = "a handful of studies")]
+    let effort = Effort { seed, seconds: seconds / studies.len().max(1) as f64, thorough: true };
+    let findings: Vec<Findings> = progress::watched(lang, |progress| {
+        studies.iter().map(|&study| numerics::run(study, &effort, progress)).collect()
+    });
+    // What goes to standard output and into files does not depend on the system.
+    let written = args.lang.map_or(Lang::En, LangArg::lang);
+    if let Some((path, format)) = plot {
+        let name = foreign::path(path);
+        let bytes = plot::encode(&blocks(written, &findings), format)
+            .map_err(|error| Failure::Failed(format!("{name}: {error}")))?;
+        files::save(path, &bytes, Overwrite::Writable)
+            .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))?;
+    }
+    let failed = |error: &dyn std::fmt::Display| Failure::Failed(error.to_string());
+    let text = match args.format {
+        DataFormat::Text => findings.iter().map(|f| words::table(written, f)).collect::<Vec<_>>().join("\n"),
+        DataFormat::Json => {
+            let accuracy = Accuracy { seed, studies: &findings };
+            serde_json::to_string_pretty(&accuracy).map_err(|error| failed(&error))? + "\n"
+        }
+        DataFormat::Csv => csv_of(&findings).map_err(|error| failed(&error))?,
+    };
+    print(text.as_bytes(), lang)
+}
+
+/// The charts of all studies, a block each.
+fn blocks(lang: Lang, findings: &[Findings]) -> Vec<Block> {
+    let block = |findings: &Findings| Block {
+        title: words::title(lang, findings.study).to_owned(),
+        rows: words::with_words(lang, findings.study, |words| {
+            let pairs = findings.cases().into_iter().map(|case| findings.charts(case, words));
+            pairs.map(|pair| [pair.by_parameter, pair.by_time]).collect()
+        }),
+    };
+    findings.iter().map(block).collect()
+}
+
+fn csv_of(findings: &[Findings]) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for Findings { study, rows, .. } in findings {
+        for Row { case, parameter, method, error, error_max, unit, nanos, bits, pareto, predicted, .. } in rows {
+            writer.serialize(Line {
+                study: *study,
+                case,
+                parameter: *parameter,
+                method,
+                error: *error,
+                error_max: *error_max,
+                unit: unit.name(),
+                nanos: *nanos,
+                bits: *bits,
+                pareto: *pareto,
+                predicted: *predicted,
+            })?;
+        }
+    }
+    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}

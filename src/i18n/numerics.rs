@@ -1,0 +1,201 @@
+//! The words of the studies: titles, parameters, cases, methods, units.
+
+use super::Lang;
+use crate::numbers::significant;
+use crate::numerics::charts::Words;
+use crate::numerics::{Findings, Row, Study, Unit};
+
+texts! {
+    // Columns of a table.
+    case: "case", "caso";
+    parameter: "parameter", "parâmetro";
+    method: "method", "método";
+    error: "error", "erro";
+    worst: "worst", "pior";
+    bits: "bits off", "bits errados";
+    nanos: "ns", "ns";
+    // Below a table.
+    front: "Pareto front", "frente de Pareto";
+    time: "time of one item / ns", "tempo por item / ns";
+    // The program's own method.
+    own: "camera-lab", "camera-lab (este programa)";
+}
+
+/// What a study asks.
+#[must_use]
+pub const fn title(lang: Lang, study: Study) -> &'static str {
+    match (lang, study) {
+        (Lang::En, Study::VertexTransform) => "World points to view space, far from the origin",
+        (Lang::PtBr, Study::VertexTransform) => "Pontos do mundo ao espaço de vista, longe da origem",
+        (Lang::En, Study::Basis) => "u, v, n where VUP is almost along DOP",
+        (Lang::PtBr, Study::Basis) => "u, v, n com VUP quase na direção de DOP",
+        (Lang::En, Study::RepeatedOperations) => "Many small azimuths, one after the other",
+        (Lang::PtBr, Study::RepeatedOperations) => "Muitos azimutes pequenos, um após o outro",
+        (Lang::En, Study::DepthBuffer) => "Formats of depth buffers: depths that cannot be told apart",
+        (Lang::PtBr, Study::DepthBuffer) => "Formatos de buffer de profundidade: profundidades que não se distinguem",
+        (Lang::En, Study::Clipping) => "Segments through w = 0: clipped before or after the division",
+        (Lang::PtBr, Study::Clipping) => "Segmentos por w = 0: recortados antes ou depois da divisão",
+    }
+}
+
+/// What the parameter of a study is.
+#[must_use]
+pub const fn parameter(lang: Lang, study: Study) -> &'static str {
+    match (lang, study) {
+        (Lang::En, Study::VertexTransform) => "distance from the origin / scene units",
+        (Lang::PtBr, Study::VertexTransform) => "distância da origem / unidades da cena",
+        (Lang::En, Study::Basis) => "angle between VUP and DOP / rad",
+        (Lang::PtBr, Study::Basis) => "ângulo entre VUP e DOP / rad",
+        (Lang::En, Study::RepeatedOperations) => "operations",
+        (Lang::PtBr, Study::RepeatedOperations) => "operações",
+        (_, Study::DepthBuffer) => "B / F",
+        (Lang::En, Study::Clipping) => "distance of the other end from the plane w = 0 / scene units",
+        (Lang::PtBr, Study::Clipping) => "distância da outra ponta ao plano w = 0 / unidades da cena",
+    }
+}
+
+/// What an error is, with its unit.
+#[must_use]
+pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
+    match (lang, unit) {
+        (Lang::En, Unit::SceneUnits) => "error / scene units",
+        (Lang::PtBr, Unit::SceneUnits) => "erro / unidades da cena",
+        (Lang::En, Unit::Radians) => "error / rad",
+        (Lang::PtBr, Unit::Radians) => "erro / rad",
+        (Lang::En, Unit::Relative) => "relative error",
+        (Lang::PtBr, Unit::Relative) => "erro relativo",
+        (Lang::En, Unit::Share) => "share that is wrong (root)",
+        (Lang::PtBr, Unit::Share) => "parcela errada (raiz)",
+        (Lang::En, Unit::Ndc) => "error / NDC",
+        (Lang::PtBr, Unit::Ndc) => "erro / NDC",
+    }
+}
+
+/// Names of cases and methods in Portuguese, where they differ. In English they are the names of the command line.
+const PORTUGUESE: &[(&str, &str)] = &[
+    ("perspective", "perspectiva"),
+    ("parallel", "paralela"),
+    ("f32 matrix", "f32 matriz única"),
+    ("f32 stages", "f32 em etapas"),
+    ("f32 relative to eye", "f32 relativo ao olho"),
+    ("f64 matrix", "f64 matriz única"),
+    ("f64 stages", "f64 em etapas"),
+    ("f64 compensated", "f64 compensado"),
+    ("camera-lab pictures", "camera-lab, figuras"),
+    ("size 1", "tamanho 1"),
+    ("size 1e150", "tamanho 1e150"),
+    ("size 1e-150", "tamanho 1e-150"),
+    ("f32 naive", "f32 ingênuo"),
+    ("f64 naive", "f64 ingênuo"),
+    ("f64 scaled", "f64 com escala"),
+    ("orthonormality", "ortonormalidade"),
+    ("distance", "distância D"),
+    ("position", "posição C"),
+    ("f32 orthonormalised", "f32 ortonormalizada"),
+    ("f64 orthonormalised", "f64 ortonormalizada"),
+    ("f32 quaternion", "f32 quatérnio"),
+    ("f64 quaternion", "f64 quatérnio"),
+    ("perspective at F", "perspectiva, em F"),
+    ("perspective at √(F B)", "perspectiva, em √(F B)"),
+    ("perspective at B", "perspectiva, em B"),
+    ("perspective z-fighting", "perspectiva, z-fighting"),
+    ("parallel at √(F B)", "paralela, em √(F B)"),
+    ("parallel z-fighting", "paralela, z-fighting"),
+    ("fixed 16", "ponto fixo 16"),
+    ("fixed 24", "ponto fixo 24"),
+    ("f32 reversed", "f32 invertido"),
+    ("logarithmic 24", "logarítmico 24"),
+    ("in front", "à frente do olho"),
+    ("through w = 0", "por w = 0"),
+    ("f32 after the divide", "f32 depois da divisão"),
+    ("f32 before the divide", "f32 antes da divisão"),
+    ("f64 after the divide", "f64 depois da divisão"),
+    ("f64 before the divide", "f64 antes da divisão"),
+];
+
+/// A case or a method by its name.
+#[must_use]
+pub fn name(lang: Lang, name: &str) -> String {
+    let found = PORTUGUESE.iter().find(|(english, _)| *english == name).filter(|_| lang == Lang::PtBr);
+    found.map_or(name, |(_, portuguese)| portuguese).to_owned()
+}
+
+/// The words of the charts of a study, given to `with`.
+pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -> T {
+    let number = |x: f64| lang.mark().number(x, 3);
+    with(&Words {
+        parameter: parameter(lang, study),
+        error: &|row: &Row| unit(lang, row.unit).to_owned(),
+        time: texts(lang).time,
+        front: texts(lang).front,
+        at: &|at| match lang {
+            Lang::En => format!("error against time at {}", number(at)),
+            Lang::PtBr => format!("erro contra tempo em {}", number(at)),
+        },
+        case: &|case| name(lang, case),
+        method: &|method| name(lang, method),
+    })
+}
+
+/// A study as a table: `*` marks the methods on the Pareto front.
+#[must_use]
+pub fn table(lang: Lang, findings: &Findings) -> String {
+    let t = texts(lang);
+    let mut table = format!("{} ({})\n", title(lang, findings.study), findings.study.name());
+    table += &match lang {
+        Lang::En => format!(
+            "Reference: {}. Times: median of warm passes over inputs of {} bytes. * no other method is both as right and as fast.\n",
+            findings.reference, findings.working_set
+        ),
+        Lang::PtBr => format!(
+            "Referência: {}. Tempos: mediana de passagens aquecidas sobre entradas de {} bytes. * nenhum outro método é tão exato e tão rápido.\n",
+            findings.reference, findings.working_set
+        ),
+    };
+    let mut last: Option<(&str, f64)> = None;
+    for row in &findings.rows {
+        if last != Some((&row.case, row.parameter)) {
+            let at = significant(row.parameter, 3);
+            table += &format!("\n{}, {} = {}\n", name(lang, &row.case), parameter(lang, findings.study), at);
+            table += &format!("    {:<34}{:>10}{:>10}{:>14}{:>12}\n", t.method, t.error, t.worst, t.bits, t.nanos);
+            last = Some((&row.case, row.parameter));
+        }
+        table += &format!(
+            "  {} {:<34}{:>10}{:>10}{:>14.1}{:>12}\n",
+            if row.pareto { '*' } else { ' ' },
+            name(lang, row.method),
+            short(row.error),
+            short(row.error_max),
+            row.bits,
+            significant(row.nanos, 3),
+        );
+    }
+    table
+}
+
+/// An error with its size and little more.
+fn short(x: f64) -> String {
+    if x == 0.0 { "0".to_owned() } else { format!("{x:.1e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::{Effort, run};
+    use crate::progress::Progress;
+
+    /// Every case and every method has a name in Portuguese, or is the same in both languages.
+    #[test]
+    fn every_case_and_method_is_translated() {
+        const SAME: &[&str] = &["double-double", "f32", crate::numerics::OWN];
+        let effort = Effort { seed: 1, seconds: 0.0, thorough: false };
+        for study in Study::ALL {
+            for row in run(study, &effort, &Progress::default()).rows {
+                for english in [row.case.as_str(), row.method] {
+                    let known = PORTUGUESE.iter().any(|(e, _)| *e == english) || SAME.contains(&english);
+                    assert!(known, "{english} of {}", study.name());
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! How far off a method is, and how long it takes.
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use crate::clock;
+use crate::progress::Progress;
+
+/// How far one result is from the truth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Off {
+    /// In the unit of the study; what is not a number is made the worst that the study knows by the caller.
+    pub(super) error: f64,
+    /// [`bits_off`], averaged over the components.
+    pub(super) bits: f64,
+}
+
+/// log₂ of one more than the number of `f64`s between two numbers: 0 where they are equal, 64 where one of them is not a number.
+/// The measure of P. Panchekha et al., *Automatically improving accuracy for floating point expressions* (2015).
+pub(super) fn bits_off(computed: f64, exact: f64) -> f64 {
+    if computed.is_nan() || exact.is_nan() {
+        return 64.0;
+    }
+    // The order of the numbers is that of these integers; both zeros are 0.
+    let place = |x: f64| {
+        let magnitude = i128::from(x.to_bits() & !(1 << 63));
+        if x.is_sign_negative() { -magnitude } else { magnitude }
+    };
+    #[expect(clippy::cast_precision_loss, reason = "a number of numbers, for its logarithm")]
+    let between = (place(computed) - place(exact)).unsigned_abs() as f64;
+    (between + 1.0).log2()
+}
+
+/// The mean of [`bits_off`] over the components.
+pub(super) fn mean_bits(pairs: impl IntoIterator<Item = (f64, f64)>) -> f64 {
+    let (sum, count) = pairs.into_iter().fold((0.0, 0.0), |(sum, count), (a, b)| (sum + bits_off(a, b), count + 1.0));
+    if count > 0.0 { sum / count } else { 0.0 }
+}
+
+/// The clock of a study, and whether it is still wanted.
+#[derive(Clone, Debug)]
+pub(super) struct Watch {
+    /// How long one method is repeated on the inputs of one case.
+    pub(super) slice: Duration,
+    pub(super) progress: Progress,
+}
+
+/// Passes over the inputs that are timed at least, where time is taken at all, after one that warms up.
+const LEAST_PASSES: usize = 3;
+/// More passes tell nothing new.
+const MOST_PASSES: usize = 2000;
+
+/// What one method made of the inputs of one case.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Trial {
+    squares: f64,
+    bits: f64,
+    count: f64,
+    worst: f64,
+    worst_input: usize,
+    /// Nanoseconds of one item, of each pass.
+    nanos: Vec<f64>,
+}
+
+impl Trial {
+    /// Takes down one result; `input` names what it was computed from.
+    pub(super) fn note(&mut self, input: usize, off: Off) {
+        self.squares += off.error * off.error;
+        self.bits += off.bits;
+        self.count += 1.0;
+        if off.error > self.worst {
+            (self.worst, self.worst_input) = (off.error, input);
+        }
+    }
+
+    /// Times `f` on all `items`: once to warm up, then as often as the watch allows, the median of the passes counts. The results of the
+    /// last pass come back.
+    pub(super) fn time<I, O>(&mut self, watch: &Watch, items: &[I], f: impl Fn(&I) -> O) -> Vec<O> {
+        let mut results = Vec::with_capacity(items.len());
+        let mut pass = || {
+            results.clear();
+            let start = clock::now();
+            results.extend(items.iter().map(|item| f(black_box(item))));
+            let time = clock::now().saturating_sub(start);
+            black_box(&results);
+            time
+        };
+        let warm_up = pass();
+        #[expect(clippy::cast_precision_loss, reason = "a number of items, for a mean")]
+        let count = items.len().max(1) as f64;
+        let nanos = |time: Duration| time.as_secs_f64() * 1e9 / count;
+        // What takes longer than its slice is timed once.
+        if warm_up >= watch.slice {
+            self.nanos.push(nanos(warm_up));
+            return results;
+        }
+        let end = clock::now() + watch.slice;
+        for done in 0..MOST_PASSES {
+            if watch.progress.is_cancelled() || (done >= LEAST_PASSES && clock::now() >= end) {
+                break;
+            }
+            self.nanos.push(nanos(pass()));
+        }
+        results
+    }
+
+    /// Takes down a time of one item that was measured elsewhere.
+    pub(super) fn took(&mut self, time: Duration, items: f64) {
+        self.nanos.push(time.as_secs_f64() * 1e9 / items.max(1.0));
+    }
+
+    /// The root of the mean square of the errors.
+    pub(super) fn error(&self) -> f64 {
+        (self.squares / self.count.max(1.0)).sqrt()
+    }
+
+    /// The greatest error.
+    pub(super) const fn worst(&self) -> f64 {
+        self.worst
+    }
+
+    /// What the greatest error came from.
+    pub(super) const fn worst_input(&self) -> usize {
+        self.worst_input
+    }
+
+    /// The mean of the bits that are off.
+    pub(super) fn bits(&self) -> f64 {
+        self.bits / self.count.max(1.0)
+    }
+
+    /// The median time of one item, in nanoseconds.
+    pub(super) fn nanos(&self) -> f64 {
+        let mut sorted = self.nanos.clone();
+        sorted.sort_by(f64::total_cmp);
+        sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_count_the_numbers_between() {
+        assert_eq!(bits_off(1.0, 1.0), 0.0);
+        assert_eq!(bits_off(0.0, -0.0), 0.0);
+        assert_eq!(bits_off(1.0, 1.0 + f64::EPSILON), 1.0);
+        assert_eq!(bits_off(1.0, 1.0 + 7.0 * f64::EPSILON), 3.0);
+        assert_eq!(bits_off(f64::NAN, 1.0), 64.0);
+        // From −0 to 2, across zero: 2^62 numbers.
+        assert_eq!(bits_off(-0.0, 2.0), 62.0);
+        assert!((bits_off(-2.0, 2.0) - 63.0).abs() < 1e-9);
+        // One single-precision rounding: 29 bits of 53 are lost, half of an ulp is off at most.
+        assert!(bits_off(f64::from(0.1f32), 0.1) < 28.1);
+    }
+
+    #[test]
+    fn a_trial_has_the_mean_square_and_the_worst() {
+        let watch = Watch { slice: Duration::ZERO, progress: Progress::default() };
+        let mut trial = Trial::default();
+        let results = trial.time(&watch, &[1.0, 2.0, 3.0], |x| x * 2.0);
+        assert_eq!(results, [2.0, 4.0, 6.0]);
+        for (i, error) in [3.0, 4.0, 0.0].into_iter().enumerate() {
+            trial.note(i, Off { error, bits: 2.0 });
+        }
+        assert_eq!(trial.error(), (25.0f64 / 3.0).sqrt());
+        assert_eq!((trial.worst(), trial.worst_input(), trial.bits()), (4.0, 1, 2.0));
+        assert!(trial.nanos() > 0.0);
+    }
+}

@@ -1,0 +1,231 @@
+//! Error against run time: each [`Study`] takes a place where a graphics programmer has a choice, runs all methods on the same seeded
+//! inputs, and measures how far each is from a reference of [`PRECISION`](reference::PRECISION) bits, and how long it takes.
+//!
+//! The textbook chain is written once, in [`chain`], for every kind of number ([`Real`](real::Real)). The program's own code is not made
+//! generic: it is one of the methods, [`OWN`], called as the program calls it.
+
+pub mod chain;
+pub mod charts;
+mod measure;
+pub mod random;
+pub mod real;
+pub mod reference;
+mod studies;
+
+use std::time::Duration;
+
+use serde::{Serialize, Serializer};
+
+use crate::progress::{Doing, Progress};
+use measure::{Trial, Watch};
+
+/// The name of the method that is the program's own.
+pub const OWN: &str = "camera-lab";
+
+/// A place where a graphics programmer has a choice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Study {
+    /// World points to view space, in worlds far from the origin.
+    VertexTransform,
+    /// **u** **v** **n** where VUP is almost along DOP, and of vectors of every size.
+    Basis,
+    /// Many small rotations, one after the other.
+    RepeatedOperations,
+    /// The formats of depth buffers.
+    DepthBuffer,
+    /// Segments through w = 0, cut before or after the division.
+    Clipping,
+}
+
+impl Study {
+    /// All, in the order in which they are told.
+    pub const ALL: [Self; 5] =
+        [Self::VertexTransform, Self::Basis, Self::RepeatedOperations, Self::DepthBuffer, Self::Clipping];
+
+    /// Its name on the command line and in JSON.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::VertexTransform => "vertex-transform",
+            Self::Basis => "basis",
+            Self::RepeatedOperations => "repeated-operations",
+            Self::DepthBuffer => "depth-buffer",
+            Self::Clipping => "clipping",
+        }
+    }
+}
+
+impl Serialize for Study {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// What an error is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// Scene units.
+    SceneUnits,
+    /// Radians.
+    Radians,
+    /// A share of the quantity itself.
+    Relative,
+    /// A share of the depths, or of the pixels, that were tried.
+    Share,
+    /// Of normalised device coordinates, 2 from side to side.
+    Ndc,
+}
+
+impl Unit {
+    /// Its name in JSON.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SceneUnits => "scene units",
+            Self::Radians => "radians",
+            Self::Relative => "relative",
+            Self::Share => "share",
+            Self::Ndc => "ndc",
+        }
+    }
+}
+
+impl Serialize for Unit {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// What one method made of the inputs of one case.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// Which series of inputs.
+    pub case: String,
+    /// How stiff the inputs are.
+    pub parameter: f64,
+    /// Which way of computing.
+    pub method: &'static str,
+    /// Root mean square of the errors.
+    pub error: f64,
+    /// The greatest error.
+    pub error_max: f64,
+    /// What the errors are measured in.
+    pub unit: Unit,
+    /// Median time of one item, in nanoseconds.
+    pub nanos: f64,
+    /// log₂ of the distance from the truth in units of the last place of an `f64`, averaged.
+    pub bits: f64,
+    /// No other method of the same case and parameter is at least as fast and at least as right, and better in one of the two.
+    pub pareto: bool,
+    /// What the theory predicts for `error`, where it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub predicted: Option<f64>,
+    /// The figure file of the worst input, where the input is a camera.
+    pub figure: Option<String>,
+}
+
+/// The result of a study.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Findings {
+    /// Which study.
+    pub study: Study,
+    /// What the errors are measured against.
+    pub reference: &'static str,
+    /// Bytes of the inputs of one pass: what has to stay in a cache for the times to be those of the arithmetic.
+    pub working_set: usize,
+    /// Each (case, parameter) with all methods.
+    pub rows: Vec<Row>,
+}
+
+/// How much is tried, and how long.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort {
+    /// The same seed gives the same inputs, and so the same errors.
+    pub seed: u64,
+    /// How long the methods of one study are timed, about.
+    pub seconds: f64,
+    /// The inputs that a user gets, or a few of them, for tests.
+    pub thorough: bool,
+}
+
+/// Runs one study. Cancelled, it ends early, with what it has.
+#[must_use]
+pub fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings {
+    let lab = Lab { effort: *effort, progress: progress.clone() };
+    match study {
+        Study::VertexTransform => studies::vertex_transform::run(&lab),
+        Study::Basis => studies::basis::run(&lab),
+        Study::RepeatedOperations => studies::repeated_operations::run(&lab),
+        Study::DepthBuffer => studies::depth_buffer::run(&lab),
+        Study::Clipping => studies::clipping::run(&lab),
+    }
+}
+
+/// What a study works with.
+struct Lab {
+    effort: Effort,
+    progress: Progress,
+}
+
+impl Lab {
+    /// The watch of a study that times this many passes' series.
+    fn watch(&self, series: usize) -> Watch {
+        self.progress.begin(Doing::Measuring, series);
+        #[expect(clippy::cast_precision_loss, reason = "a small number of series")]
+        let slice = Duration::try_from_secs_f64(self.effort.seconds / series.max(1) as f64).unwrap_or_default();
+        Watch { slice, progress: self.progress.clone() }
+    }
+
+    /// `all` of something, or `few` for tests.
+    const fn many(&self, all: usize, few: usize) -> usize {
+        if self.effort.thorough { all } else { few }
+    }
+}
+
+/// The methods of one case and parameter, before it is known which of them are on the front.
+struct Group {
+    case: String,
+    parameter: f64,
+    unit: Unit,
+    methods: Vec<Method>,
+}
+
+/// What one method of a group did.
+struct Method {
+    name: &'static str,
+    trial: Trial,
+    predicted: Option<f64>,
+}
+
+impl Method {
+    const fn new(name: &'static str, trial: Trial) -> Self {
+        Self { name, trial, predicted: None }
+    }
+}
+
+impl Group {
+    /// The rows, each with the figure of its worst input.
+    fn rows(self, figure: impl Fn(usize) -> Option<String>) -> Vec<Row> {
+        let points: Vec<[f64; 2]> = self.methods.iter().map(|m| [m.trial.error(), m.trial.nanos()]).collect();
+        let beaten = |[error, nanos]: [f64; 2]| {
+            points.iter().any(|&[e, n]| e <= error && n <= nanos && (e < error || n < nanos))
+        };
+        self.methods
+            .iter()
+            .zip(&points)
+            .map(|(Method { name, trial, predicted }, &point)| Row {
+                case: self.case.clone(),
+                parameter: self.parameter,
+                method: name,
+                error: point[0],
+                error_max: trial.worst(),
+                unit: self.unit,
+                nanos: point[1],
+                bits: trial.bits(),
+                pareto: !beaten(point),
+                predicted: *predicted,
+                figure: figure(trial.worst_input()),
+            })
+            .collect()
+    }
+}

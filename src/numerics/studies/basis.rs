@@ -1,0 +1,141 @@
+//! **u** **v** **n** where VUP is almost along DOP, and of vectors whose squares leave the range of numbers.
+//!
+//! The error is the angle between an axis and the true one, the greatest of the three. What is not a number counts as the opposite
+//! direction, π.
+
+use std::f64::consts::PI;
+use std::mem::size_of;
+
+use glam::DVec3;
+
+use super::figure_of;
+use crate::camera::{Camera, Parameters};
+use crate::geometry::double_double::{Dd, two_product};
+use crate::numerics::chain::{self, Vector};
+use crate::numerics::measure::{Off, Trial, mean_bits};
+use crate::numerics::random::Random;
+use crate::numerics::real::Real;
+use crate::numerics::reference::Reference;
+use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+
+/// The angles between VUP and DOP, in radians.
+const ANGLES: [f64; 8] = [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-11, 1e-13, 1e-15];
+/// What the vectors are multiplied by.
+const SIZES: [(&str, f64); 3] = [("size 1", 1.0), ("size 1e150", 1e150), ("size 1e-150", 1e-150)];
+
+pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+    let count = lab.many(200, 12);
+    let watch = lab.watch(SIZES.len() * ANGLES.len() * METHODS.len());
+    let mut rows = Vec::new();
+    for (s, (case, size)) in SIZES.into_iter().enumerate() {
+        for (a, angle) in ANGLES.into_iter().enumerate() {
+            if lab.progress.is_cancelled() {
+                break;
+            }
+            let mut random = Random::new(lab.effort.seed, 200 + (s * ANGLES.len() + a) as u64);
+            let inputs: Vec<Parameters> = (0..count).map(|_| input(&mut random, angle, size)).collect();
+            let exact: Vec<_> = inputs.iter().map(reference).collect();
+            let methods = METHODS
+                .into_iter()
+                .map(|(name, method)| {
+                    let mut trial = Trial::default();
+                    let results = trial.time(&watch, &inputs, method);
+                    for (i, (axes, exact)) in results.iter().zip(&exact).enumerate() {
+                        trial.note(i, off(axes, exact));
+                    }
+                    lab.progress.advance(1);
+                    Method::new(name, trial)
+                })
+                .collect();
+            let group = Group { case: case.to_owned(), parameter: angle, unit: Unit::Radians, methods };
+            rows.extend(group.rows(|i| inputs.get(i).map(|p| figure_of(p, size))));
+        }
+    }
+    let working_set = count * size_of::<Parameters>();
+    Findings { study: Study::Basis, reference: "512 bits", working_set, rows }
+}
+
+/// C, PF and VUP with this angle between VUP and DOP, all of them times `size`. What [`Camera::new`] takes for collinear, since the
+/// components' own rounding could have made it so, is drawn again.
+fn input(random: &mut Random, angle: f64, size: f64) -> Parameters {
+    loop {
+        let towards_viewer = random.direction();
+        let across = towards_viewer.cross(random.direction()).normalize_or(DVec3::X);
+        let focal_point = random.direction() * random.between(0.5, 2.0);
+        let position = focal_point + towards_viewer * random.between(1.0, 3.0);
+        // From the difference as it came out, so that the angle is what it should be.
+        let along = (position - focal_point).normalize();
+        let view_up = along * angle.cos() + across * angle.sin();
+        let [position, focal_point, view_up] = [position, focal_point, view_up].map(|v| v * size);
+        let (near, far) = (0.1 * size, 10.0 * size);
+        let parameters = Parameters { position, focal_point, view_up, near, far, ..Parameters::default() };
+        if Camera::new(&parameters).is_ok() {
+            return parameters;
+        }
+    }
+}
+
+fn reference(p: &Parameters) -> [Vector<Reference>; 3] {
+    chain::basis::<Reference>(p.position, p.focal_point, p.view_up)
+}
+
+fn off(axes: &[DVec3; 3], exact: &[Vector<Reference>; 3]) -> Off {
+    let error = axes.iter().zip(exact).map(|(axis, exact)| angle_between(*axis, exact)).fold(0.0, f64::max);
+    let pairs =
+        axes.iter().zip(exact).flat_map(|(axis, exact)| axis.to_array().into_iter().zip(exact.to_f64().to_array()));
+    Off { error, bits: mean_bits(pairs) }
+}
+
+fn angle_between(axis: DVec3, exact: &Vector<Reference>) -> f64 {
+    if !axis.is_finite() || axis == DVec3::ZERO {
+        return PI;
+    }
+    let axis = Vector::<Reference>::of(axis);
+    axis.cross(exact).length().to_f64().atan2(axis.dot(exact).to_f64())
+}
+
+type Basis = fn(&Parameters) -> [DVec3; 3];
+
+const METHODS: [(&str, Basis); 6] = [
+    ("f32 naive", naive::<f32>),
+    ("f64 naive", naive::<f64>),
+    ("f64 scaled", scaled::<f64>),
+    ("f64 compensated", compensated),
+    ("double-double", scaled::<Dd>),
+    (OWN, own),
+];
+
+fn naive<R: Real>(p: &Parameters) -> [DVec3; 3] {
+    chain::basis::<R>(p.position, p.focal_point, p.view_up).map(|axis| axis.to_f64())
+}
+
+fn scaled<R: Real>(p: &Parameters) -> [DVec3; 3] {
+    chain::scaled_basis::<R>(p.position, p.focal_point, p.view_up).map(|axis| axis.to_f64())
+}
+
+/// Scaled, and each difference of products with the error of its products: W. Kahan's algorithm with a fused multiply-add; see
+/// C.-P. Jeannerod, N. Louvet, J.-M. Muller, *Further analysis of Kahan's algorithm for the accurate computation of 2×2 determinants*
+/// (2013).
+fn compensated(p: &Parameters) -> [DVec3; 3] {
+    let scaled = |v: DVec3| v / v.abs().max_element();
+    let n = scaled(p.position - p.focal_point);
+    let u = scaled(cross(scaled(p.view_up), n)).normalize();
+    let n = n.normalize();
+    [u, cross(n, u), n]
+}
+
+fn cross(a: DVec3, b: DVec3) -> DVec3 {
+    let difference = |a: f64, b: f64, c: f64, d: f64| {
+        let (product, error) = two_product(c, d);
+        a.mul_add(b, -product) - error
+    };
+    DVec3::new(difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z), difference(a.x, b.y, a.y, b.x))
+}
+
+fn own(p: &Parameters) -> [DVec3; 3] {
+    // Every input was one before.
+    Camera::new(p).map_or([DVec3::NAN; 3], |camera| {
+        let basis = camera.basis();
+        [basis.u, basis.v, basis.n]
+    })
+}

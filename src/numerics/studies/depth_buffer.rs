@@ -1,0 +1,251 @@
+//! The formats of depth buffers: which distances can be told apart, at which depth, for which far/near.
+//!
+//! F is 1. The error is the length of the interval of depths that get the same value, in scene units: what lies within may flicker.
+//! Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012); N. Reed, *Depth precision visualized*
+//! (2015).
+
+use std::mem::size_of;
+
+use glam::DVec3;
+
+use crate::camera::{Camera, Parameters, Projection};
+use crate::figure::{Figure, write};
+use crate::numerics::measure::{Off, Trial, bits_off};
+use crate::numerics::random::Random;
+use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::pipeline::project::depth_buffer_of;
+use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
+
+const RATIOS: [f64; 7] = [10.0, 100.0, 1e3, 1e4, 1e5, 1e7, 1e9];
+/// Surfaces this share of their depth apart are tried for z-fighting.
+const GAP: f64 = 1e-3;
+
+/// Where in the volume.
+#[derive(Clone, Copy)]
+enum Place {
+    Near,
+    Middle,
+    Far,
+    /// Depths over the whole volume, for z-fighting.
+    Everywhere,
+}
+
+const CASES: [(&str, Projection, Place); 6] = [
+    ("perspective at F", Projection::Perspective, Place::Near),
+    ("perspective at √(F B)", Projection::Perspective, Place::Middle),
+    ("perspective at B", Projection::Perspective, Place::Far),
+    ("perspective z-fighting", Projection::Perspective, Place::Everywhere),
+    ("parallel at √(F B)", Projection::Parallel, Place::Middle),
+    ("parallel z-fighting", Projection::Parallel, Place::Everywhere),
+];
+
+pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+    let count = lab.many(400, 40);
+    let watch = lab.watch(CASES.len() * RATIOS.len() * FORMATS.len());
+    let mut rows = Vec::new();
+    for (c, (case, projection, place)) in CASES.into_iter().enumerate() {
+        for (r, ratio) in RATIOS.into_iter().enumerate() {
+            if lab.progress.is_cancelled() {
+                break;
+            }
+            let parameters = camera(projection, ratio);
+            let Ok(camera) = Camera::new(&parameters) else { continue };
+            let own = depth_buffer_of(&camera);
+            let range = Range { projection, far: ratio };
+            let mut random = Random::new(lab.effort.seed, 400 + (c * RATIOS.len() + r) as u64);
+            let depths: Vec<f64> = (0..count).map(|_| place.depth(&mut random, ratio)).collect();
+            let methods = FORMATS
+                .into_iter()
+                .map(|format| {
+                    let value = |z: f64| if format == Format::Own { order(own(z)) } else { format.value(&range, z) };
+                    let mut trial = Trial::default();
+                    trial.time(&watch, &depths, |&z| value(z));
+                    let mut predicted = 0.0;
+                    for (i, &z) in depths.iter().enumerate() {
+                        trial.note(i, place.off(&range, z, &value));
+                        let expected = place.predicted(format.step(&range, z), z);
+                        predicted += expected * expected;
+                    }
+                    lab.progress.advance(1);
+                    #[expect(clippy::cast_precision_loss, reason = "a few hundred depths")]
+                    let predicted = Some((predicted / count as f64).sqrt());
+                    Method { name: format.name(), trial, predicted }
+                })
+                .collect();
+            let unit = if matches!(place, Place::Everywhere) { Unit::Share } else { Unit::SceneUnits };
+            let group = Group { case: case.to_owned(), parameter: ratio, unit, methods };
+            rows.extend(group.rows(|i| depths.get(i).map(|&z| figure(&parameters, z))));
+        }
+    }
+    let working_set = count * size_of::<f64>();
+    Findings { study: Study::DepthBuffer, reference: "exact order of depths", working_set, rows }
+}
+
+/// A camera that looks along −z from the origin, F = 1.
+fn camera(projection: Projection, far: f64) -> Parameters {
+    let (position, focal_point) = (DVec3::ZERO, DVec3::NEG_Z);
+    Parameters { projection, position, focal_point, near: 1.0, far, view_angle: 60.0, ..Parameters::default() }
+}
+
+/// Two cubes whose front faces are [`GAP`] of their depth apart, seen by a camera: where the depth buffer cannot tell, they flicker.
+fn figure(camera: &Parameters, depth: f64) -> String {
+    let size = depth / 8.0;
+    let front =
+        |name: &str, z: f64, x: f64| ObjectSpec::new(name, Shape::Box).at(x, 0.0, -z - size).scaled(size, size, size);
+    let objects = vec![front("near", depth, -size / 1.5), front("far", depth * (1.0 + GAP), size / 1.5)];
+    let scene = SceneSpec { preset: Preset::Empty, objects, ..SceneSpec::default() };
+    let focal_point = DVec3::new(0.0, 0.0, -depth);
+    let camera = Parameters { focal_point, height: depth, ..*camera };
+    write::to_toml(&Figure { camera, scene, ..Figure::default() })
+}
+
+impl Place {
+    fn depth(self, random: &mut Random, far: f64) -> f64 {
+        let middle = far.sqrt();
+        match self {
+            Self::Near => random.between(1.0, 1.01),
+            Self::Middle => random.between(middle, middle * 1.01),
+            Self::Far => random.between(far * 0.98, far * 0.99),
+            // Every factor of depth as likely as every other.
+            Self::Everywhere => far.powf(random.unit()).min(far / (1.0 + 2.0 * GAP)),
+        }
+    }
+
+    fn off(self, range: &Range, z: f64, value: &impl Fn(f64) -> i64) -> Off {
+        match self {
+            Self::Near | Self::Middle | Self::Far => {
+                let length = interval(range, z, value);
+                Off { error: length, bits: bits_off(z + length, z) }
+            }
+            // 1 where the farther one is not held for the farther.
+            Self::Everywhere => {
+                let told_apart = value(z * (1.0 + GAP)) > value(z);
+                Off { error: if told_apart { 0.0 } else { 1.0 }, bits: if told_apart { 0.0 } else { 64.0 } }
+            }
+        }
+    }
+
+    /// What the theory gives for [`off`](Self::off), where one step of the format is `step` long.
+    fn predicted(self, step: f64, z: f64) -> f64 {
+        match self {
+            Self::Near | Self::Middle | Self::Far => step,
+            // Two depths fall into one interval with this probability; the root, since what is averaged is the square.
+            Self::Everywhere => (1.0 - (z * GAP / step).min(1.0)).sqrt(),
+        }
+    }
+}
+
+/// How long the interval around `z` is in which every depth has the same value.
+fn interval(range: &Range, z: f64, value: &impl Fn(f64) -> i64) -> f64 {
+    let here = value(z);
+    let edge = |towards: f64| {
+        // The least step that is seen, between a power of two that is not and one that is.
+        let mut step = z * f64::EPSILON;
+        while value(z + towards * step) == here {
+            step *= 2.0;
+            if step > range.far {
+                return range.far;
+            }
+        }
+        let (mut low, mut high) = (step / 2.0, step);
+        for _ in 0..40 {
+            let middle = f64::midpoint(low, high);
+            if value(z + towards * middle) == here {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    };
+    edge(1.0) + edge(-1.0)
+}
+
+/// F = 1, B, and the kind of projection.
+struct Range {
+    projection: Projection,
+    far: f64,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Fixed16,
+    Fixed24,
+    Float,
+    FloatReversed,
+    Logarithmic,
+    Own,
+}
+
+const FORMATS: [Format; 6] =
+    [Format::Fixed16, Format::Fixed24, Format::Float, Format::FloatReversed, Format::Logarithmic, Format::Own];
+
+/// Reversed depth as a number that grows with the depth.
+fn order(reversed: f32) -> i64 {
+    -i64::from(reversed.to_bits())
+}
+
+impl Format {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Fixed16 => "fixed 16",
+            Self::Fixed24 => "fixed 24",
+            Self::Float => "f32",
+            Self::FloatReversed => "f32 reversed",
+            Self::Logarithmic => "logarithmic 24",
+            Self::Own => OWN,
+        }
+    }
+
+    /// The value that is stored for a depth, as a whole number that grows with it. The transformation is done in single precision, as
+    /// graphics cards do: Z = (z_c entries of M_p) / w.
+    fn value(self, range: &Range, z: f64) -> i64 {
+        #[expect(clippy::cast_possible_truncation, reason = "single precision is what is studied")]
+        let (depth, far) = (z as f32, range.far as f32);
+        let perspective = range.projection == Projection::Perspective;
+        // 0 at F, 1 at B; reversed: 1 at F, 0 at B.
+        let normal = || {
+            if perspective {
+                (far / (far - 1.0) * depth - far / (far - 1.0)) / depth
+            } else {
+                (depth - 1.0) / (far - 1.0)
+            }
+        };
+        let reversed = || {
+            if perspective { (far / (far - 1.0) - depth / (far - 1.0)) / depth } else { (far - depth) / (far - 1.0) }
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "between 0 and 2^24")]
+        let fixed = |x: f32, bits: i32| (f64::from(x) * (2f64.powi(bits) - 1.0)).round() as i64;
+        match self {
+            Self::Fixed16 => fixed(normal(), 16),
+            Self::Fixed24 => fixed(normal(), 24),
+            Self::Float => i64::from(normal().max(0.0).to_bits()),
+            Self::FloatReversed | Self::Own => order(reversed().max(0.0)),
+            Self::Logarithmic => fixed(depth.ln() / far.ln(), 24),
+        }
+    }
+
+    /// The length of one step at depth `z`: a unit of what is stored over its derivative.
+    fn step(self, range: &Range, z: f64) -> f64 {
+        let far = range.far;
+        let span = far - 1.0;
+        // dz/dZ, and 1 − Z.
+        let (slope, reversed) = match range.projection {
+            Projection::Perspective => (z * z * span / far, (far - z) / (z * span)),
+            Projection::Parallel => (span, (far - z) / span),
+        };
+        // From one f32 to the next.
+        #[expect(clippy::cast_possible_truncation, reason = "an exponent")]
+        let ulp = |x: f64| 2f64.powi((x.max(f64::MIN_POSITIVE).log2().floor() as i32).max(-126) - 23);
+        let step = match self {
+            Self::Fixed16 => slope * 2f64.powi(-16),
+            Self::Fixed24 => slope * 2f64.powi(-24),
+            Self::Float => slope * ulp(1.0 - reversed),
+            Self::FloatReversed => slope * ulp(reversed),
+            Self::Logarithmic => z * far.ln() * 2f64.powi(-24),
+            Self::Own => return slope * ulp(reversed),
+        };
+        // Of a depth in single precision no more can be told than its own last place.
+        step.max(ulp(z)).min(2.0 * far)
+    }
+}

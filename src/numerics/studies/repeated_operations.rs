@@ -1,0 +1,231 @@
+//! 10, 10³, 10⁶ small azimuths, one after the other: what is left of the basis, of D, and of C.
+//!
+//! The reference is one rotation by the sum of the angles, which is exact: each angle has few enough digits for it.
+
+use std::mem::size_of;
+
+use glam::DVec3;
+
+use super::{figure_of, random_camera};
+use crate::camera::{Camera, Convention, Operation, Parameters};
+use crate::clock;
+use crate::geometry::Angle;
+use crate::numerics::chain::{Vector, basis};
+use crate::numerics::measure::{Off, Trial, bits_off, mean_bits};
+use crate::numerics::random::Random;
+use crate::numerics::real::Real;
+use crate::numerics::reference::Reference;
+use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+
+const STEPS: [u32; 3] = [10, 1_000, 1_000_000];
+
+pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+    let steps = &STEPS[..lab.many(3, 2)];
+    // The runs are long: each is timed once, however much time there is.
+    lab.watch(steps.len() * METHODS.len());
+    let mut rows = Vec::new();
+    for (i, &count) in steps.iter().enumerate() {
+        let inputs = if count > 1_000 { 1 } else { lab.many(16, 2) };
+        let mut random = Random::new(lab.effort.seed, 300 + i as u64);
+        let starts: Vec<Start> = (0..inputs).filter_map(|_| Start::new(&mut random, count)).collect();
+        let mut trials: Vec<[Trial; 3]> = Vec::new();
+        for (_, turned) in METHODS {
+            if lab.progress.is_cancelled() {
+                break;
+            }
+            let mut of_method = [Trial::default(), Trial::default(), Trial::default()];
+            for (input, start) in starts.iter().enumerate() {
+                let began = clock::now();
+                let end = turned(start, count);
+                let time = clock::now().saturating_sub(began);
+                for (trial, off) in of_method.iter_mut().zip(start.judge(&end)) {
+                    trial.note(input, off);
+                    trial.took(time, f64::from(count));
+                }
+            }
+            trials.push(of_method);
+            lab.progress.advance(1);
+        }
+        for (k, (case, unit)) in CASES.into_iter().enumerate() {
+            let methods =
+                METHODS.iter().zip(&trials).map(|((name, _), trials)| Method::new(name, trials[k].clone())).collect();
+            let group = Group { case: case.to_owned(), parameter: f64::from(count), unit, methods };
+            rows.extend(group.rows(|input| starts.get(input).map(|start| figure_of(&start.parameters, 1.0))));
+        }
+    }
+    // Each case by itself, as in the other studies.
+    rows.sort_by_key(|row| CASES.iter().position(|(case, _)| *case == row.case));
+    let working_set = size_of::<Camera>();
+    Findings { study: Study::RepeatedOperations, reference: "512 bits", working_set, rows }
+}
+
+const CASES: [(&str, Unit); 3] = [
+    // The greatest entry of BᵀB − I, B being the basis.
+    ("orthonormality", Unit::Relative),
+    ("distance", Unit::Relative),
+    ("position", Unit::SceneUnits),
+];
+
+/// A camera, and where it ends.
+struct Start {
+    parameters: Parameters,
+    camera: Camera,
+    /// In degrees, of one step.
+    angle: f64,
+    exact_distance: f64,
+    exact_position: Vector<Reference>,
+}
+
+/// Where a method ends.
+struct End {
+    axes: [DVec3; 3],
+    position: DVec3,
+}
+
+impl Start {
+    fn new(random: &mut Random, steps: u32) -> Option<Self> {
+        const GRID: f64 = (1u64 << 24) as f64;
+        let parameters = random_camera(random, DVec3::new(1.0, -2.0, 3.0));
+        let camera = Camera::new(&parameters).ok()?;
+        // 24 bits after the point, 10 before: a million of them is still exact.
+        let angle = (random.between(0.01, 1.0) * GRID).round() / GRID;
+        let [u, v, n] = basis::<Reference>(parameters.position, parameters.focal_point, parameters.view_up);
+        let (sine, cosine) = Reference::sin_cos_degrees(angle * f64::from(steps));
+        let to_viewer = Vector::<Reference>::of(parameters.position).minus(&Vector::of(parameters.focal_point));
+        let distance = to_viewer.length();
+        // n turns towards u about v.
+        let turned = n.times(&cosine).plus(&u.times(&sine));
+        debug_assert!(v.dot(&turned).to_f64().abs() < 1e-15);
+        let exact_position = Vector::of(parameters.focal_point).plus(&turned.times(&distance));
+        Some(Self { parameters, camera, angle, exact_distance: distance.to_f64(), exact_position })
+    }
+
+    /// Drift of orthonormality, of D, and of C.
+    fn judge(&self, end: &End) -> [Off; 3] {
+        let axes = end.axes.map(Vector::<Reference>::of);
+        let mut worst = 0.0;
+        let mut pairs = Vec::new();
+        for i in 0..3 {
+            for j in i..3 {
+                let expected = if i == j { 1.0 } else { 0.0 };
+                let product = axes[i].dot(&axes[j]);
+                worst = f64::max(worst, (product.clone() - Reference::of(expected)).to_f64().abs());
+                if i == j {
+                    pairs.push((product.to_f64(), 1.0));
+                }
+            }
+        }
+        let orthonormality = Off { error: worst, bits: mean_bits(pairs) };
+        let position = Vector::<Reference>::of(end.position);
+        let distance = position.minus(&Vector::of(self.parameters.focal_point)).length().to_f64();
+        let distance = Off {
+            error: (distance - self.exact_distance).abs() / self.exact_distance,
+            bits: bits_off(distance, self.exact_distance),
+        };
+        let exact = self.exact_position.to_f64().to_array();
+        let bits = mean_bits(end.position.to_array().into_iter().zip(exact));
+        let position = Off { error: position.minus(&self.exact_position).length().to_f64(), bits };
+        [orthonormality, distance, position]
+    }
+}
+
+type Turned = fn(&Start, u32) -> End;
+
+const METHODS: [(&str, Turned); 7] = [
+    ("f32 matrix", matrix::<f32, false>),
+    ("f32 orthonormalised", matrix::<f32, true>),
+    ("f32 quaternion", quaternion::<f32>),
+    ("f64 matrix", matrix::<f64, false>),
+    ("f64 orthonormalised", matrix::<f64, true>),
+    ("f64 quaternion", quaternion::<f64>),
+    (OWN, own),
+];
+
+/// The basis and C − PF of a start, in the precision of `R`.
+fn frame<R: Real>(start: &Start) -> ([Vector<R>; 3], Vector<R>) {
+    let basis = start.camera.basis();
+    let to_viewer = start.parameters.position - start.parameters.focal_point;
+    ([basis.u, basis.v, basis.n].map(Vector::of), Vector::of(to_viewer))
+}
+
+/// PF + the turned C − PF, in the precision of `R`.
+fn end<R: Real>(start: &Start, axes: &[Vector<R>; 3], to_viewer: &Vector<R>) -> End {
+    let position = Vector::<R>::of(start.parameters.focal_point).plus(to_viewer).to_f64();
+    End { axes: [axes[0].to_f64(), axes[1].to_f64(), axes[2].to_f64()], position }
+}
+
+/// The product of all rotation matrices, the last first, then applied once; Gram and Schmidt after every step where `clean`.
+fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32) -> End {
+    let (axes, to_viewer) = frame::<R>(start);
+    let step = rotation(&axes[1], start.angle);
+    let zero = R::zero;
+    let one = R::one;
+    // Columns.
+    let mut total = [Vector([one(), zero(), zero()]), Vector([zero(), one(), zero()]), Vector([zero(), zero(), one()])];
+    for _ in 0..steps {
+        total = total.map(|column| apply(&step, &column));
+        if CLEAN {
+            let [x, y, _] = &total;
+            let x = x.unit();
+            let y = y.minus(&x.times(&x.dot(y))).unit();
+            let z = x.cross(&y);
+            total = [x, y, z];
+        }
+    }
+    let turned = |v: &Vector<R>| {
+        let [x, y, z] = &v.0;
+        total[0].times(x).plus(&total[1].times(y)).plus(&total[2].times(z))
+    };
+    end(start, &[turned(&axes[0]), turned(&axes[1]), turned(&axes[2])], &turned(&to_viewer))
+}
+
+/// Rows of the matrix that turns about the unit vector `k`: O. Rodrigues (1840).
+fn rotation<R: Real>(k: &Vector<R>, degrees: f64) -> [Vector<R>; 3] {
+    let (sine, cosine) = R::sin_cos_degrees(degrees);
+    let versine = R::one() - cosine.clone();
+    let [x, y, z] = k.0.clone();
+    let entry = |a: &R, b: &R, rest: R| a.clone() * b.clone() * versine.clone() + rest;
+    let s = |a: &R| a.clone() * sine.clone();
+    [
+        Vector([entry(&x, &x, cosine.clone()), entry(&x, &y, -s(&z)), entry(&x, &z, s(&y))]),
+        Vector([entry(&y, &x, s(&z)), entry(&y, &y, cosine.clone()), entry(&y, &z, -s(&x))]),
+        Vector([entry(&z, &x, -s(&y)), entry(&z, &y, s(&x)), entry(&z, &z, cosine.clone())]),
+    ]
+}
+
+fn apply<R: Real>(rows: &[Vector<R>; 3], v: &Vector<R>) -> Vector<R> {
+    Vector([rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)])
+}
+
+/// The product of all quaternions, made a unit quaternion after every step, then applied once.
+fn quaternion<R: Real>(start: &Start, steps: u32) -> End {
+    let (axes, to_viewer) = frame::<R>(start);
+    let (sine, cosine) = R::sin_cos_degrees(start.angle / 2.0);
+    let step = (cosine, axes[1].times(&sine));
+    let mut total = (R::one(), Vector([R::zero(), R::zero(), R::zero()]));
+    for _ in 0..steps {
+        let (a, b) = (&step, &total);
+        let scalar = a.0.clone() * b.0.clone() - a.1.dot(&b.1);
+        let vector = b.1.times(&a.0).plus(&a.1.times(&b.0)).plus(&a.1.cross(&b.1));
+        let over = R::one() / (scalar.clone() * scalar.clone() + vector.dot(&vector)).sqrt();
+        total = (scalar * over.clone(), vector.times(&over));
+    }
+    // v + 2 q × (q × v + w v).
+    let turned = |v: &Vector<R>| {
+        let (w, q) = &total;
+        v.plus(&q.cross(&q.cross(v).plus(&v.times(w))).times(&R::of(2.0)))
+    };
+    end(start, &[turned(&axes[0]), turned(&axes[1]), turned(&axes[2])], &turned(&to_viewer))
+}
+
+fn own(start: &Start, steps: u32) -> End {
+    let step = Operation::Azimuth(Angle::from_degrees(start.angle));
+    let mut camera = start.camera.clone();
+    for _ in 0..steps {
+        // A turned camera is a camera; if one were not, the way would end where it stands, and the error would show it.
+        let Ok(turned) = step.apply(&camera, Convention::RightHand) else { break };
+        camera = turned;
+    }
+    let basis = camera.basis();
+    End { axes: [basis.u, basis.v, basis.n], position: camera.position() }
+}

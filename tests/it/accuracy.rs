@@ -1,0 +1,182 @@
+//! Error against run time: what the studies find is what the theory says, and the command prints it.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use camera_lab::figure::read;
+use camera_lab::numerics::{Effort, Findings, OWN, Row, Study, run};
+use camera_lab::progress::Progress;
+
+use crate::common::program::Bench;
+
+fn findings(study: Study) -> Findings {
+    run(study, &Effort { seed: 7, seconds: 0.0, thorough: false }, &Progress::default())
+}
+
+fn row<'a>(findings: &'a Findings, case: &str, parameter: f64, method: &str) -> &'a Row {
+    let found = findings.rows.iter().find(|r| r.case == case && r.parameter == parameter && r.method == method);
+    found.unwrap_or_else(|| panic!("{case}, {parameter}, {method}"))
+}
+
+#[test]
+fn every_case_has_all_methods_one_of_them_the_programs_own_and_a_front() {
+    for study in Study::ALL {
+        let findings = findings(study);
+        let methods = findings.methods();
+        assert_eq!(methods.iter().filter(|&&m| m == OWN).count(), 1, "{}", study.name());
+        for rows in findings.rows.chunks(methods.len()) {
+            assert!(rows.iter().all(|r| r.case == rows[0].case && r.parameter == rows[0].parameter));
+            assert_eq!(rows.iter().map(|r| r.method).collect::<Vec<_>>(), methods);
+            assert!(rows.iter().any(|r| r.pareto));
+            for r in rows {
+                assert!(r.error.is_finite() && r.error >= 0.0 && r.error <= r.error_max * (1.0 + 1e-12), "{r:?}");
+                assert!((0.0..=64.0).contains(&r.bits) && r.nanos > 0.0, "{r:?}");
+                let on_front = !rows
+                    .iter()
+                    .any(|o| o.error <= r.error && o.nanos <= r.nanos && (o.error < r.error || o.nanos < r.nanos));
+                assert_eq!(r.pareto, on_front, "{r:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_errors_and_another_seed_others() {
+    let errors = |seed| {
+        let effort = Effort { seed, seconds: 0.0, thorough: false };
+        let rows = run(Study::VertexTransform, &effort, &Progress::default()).rows;
+        rows.iter().map(|r| (r.error, r.error_max, r.bits)).collect::<Vec<_>>()
+    };
+    assert_eq!(errors(1), errors(1));
+    assert_ne!(errors(1), errors(2));
+}
+
+/// The figures of the worst inputs open: they are the cameras that were measured.
+#[test]
+fn the_figure_of_the_worst_input_is_a_camera() {
+    for study in Study::ALL {
+        for r in findings(study).rows {
+            let text = r.figure.unwrap();
+            let figure = read::parse(&text).unwrap();
+            camera_lab::camera::Camera::new(&figure.camera).unwrap();
+        }
+    }
+}
+
+/// A coordinate of 10^k in single precision is off by about 10^k · 2^-25; relative to the eye it is not.
+#[test]
+fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {
+    let findings = findings(Study::VertexTransform);
+    for distance in [1.0, 1e3, 1e6, 1e9, 1e12] {
+        let error = |method| row(&findings, "perspective", distance, method).error;
+        let half_ulp = distance * 2f64.powi(-25);
+        assert!((0.3..30.0).contains(&(error("f32 matrix") / half_ulp.max(5e-8))), "{distance}");
+        assert!(error("f32 relative to eye") < 1e-6);
+        assert!(error("f64 stages") < 1e-15 && error(OWN) <= error("f64 stages"));
+        assert!(error("camera-lab pictures") < 1e-15);
+        assert!(distance < 1e3 || error("f64 matrix") > 100.0 * error("f64 stages"));
+    }
+}
+
+/// The axis u is off by the unit roundoff over the angle: Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, §1.7 on
+/// cancellation.
+#[test]
+fn a_naive_basis_is_off_by_the_unit_roundoff_over_the_angle_and_the_programs_is_not() {
+    let findings = findings(Study::Basis);
+    for angle in [1e-2, 1e-6, 1e-11, 1e-13] {
+        let error = |method| row(&findings, "size 1", angle, method).error;
+        assert!((0.01..10.0).contains(&(error("f64 naive") * angle / f64::EPSILON)), "{angle}");
+        assert!(error(OWN) < f64::EPSILON / 2.0 && error("double-double") < f64::EPSILON / 2.0);
+    }
+    // Squares of 1e-165 are zero.
+    assert!(row(&findings, "size 1e-150", 1e-15, "f64 naive").error > 3.0);
+    assert!(row(&findings, "size 1e-150", 1e-15, OWN).error < f64::EPSILON);
+}
+
+#[test]
+fn matrices_drift_with_the_number_of_operations_and_the_program_does_not() {
+    let findings = findings(Study::RepeatedOperations);
+    for case in ["orthonormality", "distance", "position"] {
+        let drift = |method| row(&findings, case, 1000.0, method).error / row(&findings, case, 10.0, method).error;
+        assert!(drift("f64 matrix") > 10.0, "{case}");
+        assert!(row(&findings, case, 1000.0, OWN).error < 1e-15, "{case}");
+    }
+}
+
+/// The measured interval is the predicted one: exactly where the arithmetic is that of the format, within a few roundings elsewhere.
+#[test]
+fn depths_are_told_apart_as_the_theory_predicts() {
+    let findings = findings(Study::DepthBuffer);
+    for r in findings.rows.iter().filter(|r| !r.case.contains("z-fighting")) {
+        let share = r.error / r.predicted.unwrap();
+        let most = if r.method == "f32 reversed" || r.parameter >= 1e7 { 1e3 } else { 12.0 };
+        assert!((0.1..most).contains(&share), "{share} {} {} {}", r.case, r.parameter, r.method);
+    }
+    // A surface 1 ‰ behind another: 16 bits flicker from B / F = 100 on, 24 bits from 1e5 on, reversed floats never.
+    let fights = |ratio, method| row(&findings, "perspective z-fighting", ratio, method).error > 0.0;
+    assert!(!fights(10.0, "fixed 16") && fights(1e3, "fixed 16"));
+    assert!(!fights(1e4, "fixed 24") && fights(1e5, "fixed 24"));
+    assert!(!fights(1e9, "f32 reversed") && !fights(1e9, OWN));
+}
+
+#[test]
+fn dividing_first_is_wrong_only_where_a_segment_passes_the_eye() {
+    let findings = findings(Study::Clipping);
+    for behind in [1e-9, 1.0, 1e6] {
+        for method in ["f64 after the divide", "f64 before the divide", OWN] {
+            assert!(row(&findings, "in front", behind, method).error < 1e-12, "{method}");
+        }
+        assert!(row(&findings, "through w = 0", behind, "f64 after the divide").error > 0.1);
+        assert!(row(&findings, "through w = 0", behind, "f64 before the divide").error < 1e-12);
+        assert!(row(&findings, "through w = 0", behind, OWN).error < 1e-14);
+    }
+}
+
+#[test]
+fn a_study_that_is_cancelled_ends_with_what_it_has() {
+    let progress = Progress::default();
+    progress.cancel();
+    let effort = Effort { seed: 1, seconds: 60.0, thorough: true };
+    for study in Study::ALL {
+        assert!(run(study, &effort, &progress).rows.len() <= 60, "{}", study.name());
+    }
+}
+
+#[test]
+fn the_command_prints_json_csv_and_tables_and_says_what_it_does_not_understand() {
+    let bench = Bench::new("accuracy");
+    let run = |more: &[&str]| {
+        bench.run(&[&["accuracy", "--study", "clipping", "--seconds", "0", "--seed", "3"][..], more].concat())
+    };
+    let text = |more| String::from_utf8(run(more).done().to_vec()).unwrap();
+    let value = run(&["--format", "json"]).json();
+    assert_eq!(value["seed"], 3);
+    assert_eq!(value["studies"][0]["study"], "clipping");
+    let first = value["studies"][0]["rows"][0].as_object().unwrap();
+    for key in ["case", "parameter", "method", "error", "error_max", "unit", "nanos", "bits", "pareto", "figure"] {
+        assert!(first.contains_key(key), "{key}");
+    }
+    let csv = text(&["--format", "csv"]);
+    assert_eq!(csv.lines().count(), value["studies"][0]["rows"].as_array().unwrap().len() + 1);
+    assert!(csv.starts_with("study,case,parameter,method,error,error_max,unit,nanos,bits,pareto,predicted\n"));
+    let table = text(&["--lang", "pt-BR"]);
+    assert!(table.contains("Segmentos por w = 0") && table.contains("f64 depois da divisão"), "{table}");
+    for (args, named) in [
+        (["--seconds", "-1"], "--seconds"),
+        (["--seed", "x"], "--seed"),
+        (["--study", "nothing"], "vertex-transform"),
+        (["--plot", "a.gif"], ".svg, .png, .pdf"),
+    ] {
+        let run = bench.run(&["accuracy", args[0], args[1]]);
+        assert!(run.refused(2).contains(named), "{}", run.err);
+    }
+}
+
+#[test]
+fn plots_are_files_of_their_kind() {
+    let bench = Bench::new("plots");
+    for (name, start) in [("plot.svg", &b"<svg"[..]), ("plot.png", b"\x89PNG"), ("plot.pdf", b"%PDF")] {
+        bench.run(&["accuracy", "--study", "clipping", "--seconds", "0", "--plot", name]).done();
+        let bytes = bench.read(name);
+        assert!(bytes.starts_with(start) && bytes.len() > 5_000, "{name}: {}", bytes.len());
+    }
+}
