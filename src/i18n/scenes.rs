@@ -10,7 +10,7 @@ texts! {
     add_hint: "A primitive, a mesh file, a group or a light", "Uma primitiva, um arquivo de malha, um grupo ou uma luz";
     edit_copy: "Edit a copy", "Editar uma cópia";
     edit_copy_hint: "Writes the named scene into the figure as a list of objects that can be changed, in the colours of the theme as it is now", "Escreve a cena nomeada na figura como uma lista de objetos que podem ser mudados, nas cores do tema de agora";
-    selected_alone: "Only objects of the figure itself are selected together; \"Edit a copy\" makes those of a named scene so.", "Só objetos da própria figura são selecionados juntos; \"Editar uma cópia\" torna assim os de uma cena nomeada.";
+    selected_alone: "Only the figure's own objects are selected together: \"Edit a copy\" makes them so.", "Só objetos da própria figura se selecionam juntos: veja \"Editar uma cópia\".";
     lost: "A list of objects cannot say, and loses:", "Uma lista de objetos não diz, e perde:";
     copied: "The scene is a list of objects now.", "A cena agora é uma lista de objetos.";
     tree: "Objects", "Objetos";

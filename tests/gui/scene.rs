@@ -314,7 +314,7 @@ fn what_cannot_be_selected_together_says_why() {
         window.harness.get_by_role_and_label(Role::TreeItem, row).click_modifiers(Modifiers::COMMAND);
         window.run();
     };
-    let why = "Only objects of the figure itself are selected together";
+    let why = "Only the figure's own objects are selected together";
     window.add("Add", "box");
     window.select("World");
     window.add("Add", "cone");
