@@ -64,11 +64,14 @@ impl Canvas {
     /// Where the card of a probe that has just been pinned stands: in the corner of the pictures that is farthest from all that they show of
     /// it. `None` for one that has its card.
     pub(super) fn place_of_card(&mut self, ctx: &Context, state: &State, panes: &[Pane], room: Rect) -> Option<Pos2> {
-        if self.pinned == self.on_card {
-            return None;
+        /// In its first frame a card does not know its size yet.
+        const FRAMES: u8 = 3;
+        if self.pinned != self.on_card {
+            (self.on_card, self.card_settles) = (self.pinned, FRAMES);
         }
-        self.on_card = self.pinned;
-        let probe = self.pinned?;
+        let probe = self.pinned.filter(|_| self.card_settles > 0)?;
+        self.card_settles -= 1;
+        ctx.request_repaint();
         let shown: Vec<Pos2> = panes.iter().filter_map(|pane| self.place_on_screen(state, pane, probe)).collect();
         let size = ctx.memory(|memory| memory.area_rect(id())).map_or(USUAL, |rect| rect.size());
         Some(farthest_corner(room, size, &shown))

@@ -90,6 +90,8 @@ pub struct Canvas {
     pinned: Option<Probe>,
     /// What the card speaks of.
     on_card: Option<Probe>,
+    /// For so many frames more the card is put in its place.
+    card_settles: u8,
     vertex_names: VertexNames,
     /// For a double-click, whose first click was not meant to pin.
     pinned_before: Option<Probe>,
@@ -118,6 +120,7 @@ impl Default for Canvas {
             drag: None,
             pinned: None,
             on_card: None,
+            card_settles: 0,
             vertex_names: VertexNames::default(),
             pinned_before: None,
             probing: None,
@@ -198,8 +201,10 @@ impl Canvas {
             self.strip(ui, stages, state, texts);
         }
 
-        let place = self.place_of_card(&ctx, state, &panes, pictures);
-        self.describe_probe((ui, pictures), place, state, &mut status, texts);
+        // Below the titles, whose buttons a card would cover.
+        let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b)).unwrap_or(pictures);
+        let place = self.place_of_card(&ctx, state, &panes, room);
+        self.describe_probe((ui, room), place, state, &mut status, texts);
         status.strip = state.layout.strip;
         status.keys = presentation::keys(&ctx, state);
         let loading = loading(state);
