@@ -33,6 +33,12 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::RepeatedOperations) => "Muitos azimutes pequenos, um após o outro",
         (Lang::En, Study::DepthBuffer) => "Formats of depth buffers: depths that cannot be told apart",
         (Lang::PtBr, Study::DepthBuffer) => "Formatos de buffer de profundidade: profundidades que não se distinguem",
+        (Lang::En, Study::Visibility) => "Which surface is seen: painter, BSP, depth buffers",
+        (Lang::PtBr, Study::Visibility) => "Qual superfície se vê: pintor, BSP, buffers de profundidade",
+        (Lang::En, Study::Shading) => "Light on curved surfaces made of flat faces",
+        (Lang::PtBr, Study::Shading) => "Luz em superfícies curvas feitas de faces planas",
+        (Lang::En, Study::Antialiasing) => "Samples of a pixel against exact area",
+        (Lang::PtBr, Study::Antialiasing) => "Amostras por pixel contra a área exata",
         (Lang::En, Study::Clipping) => "Segments through w = 0: clipped before or after the division",
         (Lang::PtBr, Study::Clipping) => "Segmentos por w = 0: recortados antes ou depois da divisão",
     }
@@ -48,7 +54,11 @@ pub const fn parameter(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Basis) => "ângulo entre VUP e DOP / rad",
         (Lang::En, Study::RepeatedOperations) => "operations",
         (Lang::PtBr, Study::RepeatedOperations) => "operações",
-        (_, Study::DepthBuffer) => "B / F",
+        (_, Study::DepthBuffer | Study::Visibility) => "B / F",
+        (Lang::En, Study::Shading) => "segments",
+        (Lang::PtBr, Study::Shading) => "segmentos",
+        (Lang::En, Study::Antialiasing) => "size of the triangles / pixels",
+        (Lang::PtBr, Study::Antialiasing) => "tamanho dos triângulos / pixels",
         (Lang::En, Study::Clipping) => "distance of the other end from the plane w = 0 / scene units",
         (Lang::PtBr, Study::Clipping) => "distância da outra ponta ao plano w = 0 / unidades da cena",
     }
@@ -64,8 +74,10 @@ pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
         (Lang::PtBr, Unit::Radians) => "erro / rad",
         (Lang::En, Unit::Relative) => "relative error",
         (Lang::PtBr, Unit::Relative) => "erro relativo",
-        (Lang::En, Unit::Share) => "share that is wrong (root)",
-        (Lang::PtBr, Unit::Share) => "parcela errada (raiz)",
+        (Lang::En, Unit::Share) => "share that is wrong",
+        (Lang::PtBr, Unit::Share) => "parcela errada",
+        (Lang::En, Unit::Color) => "error / range of a channel",
+        (Lang::PtBr, Unit::Color) => "erro / faixa de um canal",
         (Lang::En, Unit::Ndc) => "error / NDC",
         (Lang::PtBr, Unit::Ndc) => "erro / NDC",
     }
@@ -105,6 +117,25 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("fixed 24", "ponto fixo 24"),
     ("f32 reversed", "f32 invertido"),
     ("logarithmic 24", "logarítmico 24"),
+    ("interpenetrating", "que se atravessam"),
+    ("cyclic overlap", "sobreposição cíclica"),
+    ("close surfaces", "superfícies próximas"),
+    ("flat", "plana"),
+    ("painter", "pintor"),
+    ("bsp", "BSP"),
+    ("depth buffer 16", "buffer de profundidade 16"),
+    ("depth buffer 24", "buffer de profundidade 24"),
+    ("sphere", "esfera"),
+    ("torus", "toro"),
+    ("sphere silhouette", "silhueta da esfera"),
+    ("torus silhouette", "silhueta do toro"),
+    ("triangles", "triângulos"),
+    ("slivers", "lascas"),
+    ("1 sample", "1 amostra"),
+    ("4 samples", "4 amostras"),
+    ("16 samples", "16 amostras"),
+    ("64 samples on a grid", "64 amostras em grade"),
+    ("16 samples on a grid", "16 amostras em grade"),
     ("in front", "à frente do olho"),
     ("through w = 0", "por w = 0"),
     ("f32 after the divide", "f32 depois da divisão"),
@@ -187,7 +218,7 @@ mod tests {
     /// Every case and every method has a name in Portuguese, or is the same in both languages.
     #[test]
     fn every_case_and_method_is_translated() {
-        const SAME: &[&str] = &["double-double", "f32", crate::numerics::OWN];
+        const SAME: &[&str] = &["double-double", "f32", "gouraud", "phong", crate::numerics::OWN];
         let effort = Effort { seed: 1, seconds: 0.0, thorough: false };
         for study in Study::ALL {
             for row in run(study, &effort, &Progress::default()).rows {

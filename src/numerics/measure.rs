@@ -73,40 +73,49 @@ impl Trial {
         }
     }
 
-    /// Times `f` on all `items`: once to warm up, then as often as the watch allows, the median of the passes counts. The results of the
-    /// last pass come back.
+    /// Times `f` on all `items`: see [`time_whole`](Self::time_whole). The results come back.
     pub(super) fn time<I, O>(&mut self, watch: &Watch, items: &[I], f: impl Fn(&I) -> O) -> Vec<O> {
         let mut results = Vec::with_capacity(items.len());
-        let mut pass = || {
+        self.time_whole(watch, items.len(), || {
             results.clear();
-            let start = clock::now();
             results.extend(items.iter().map(|item| f(black_box(item))));
-            let time = clock::now().saturating_sub(start);
             black_box(&results);
-            time
+        });
+        results
+    }
+
+    /// Times `pass`, which does `items` things: once to warm up, then as often as the watch allows; the median of the passes counts.
+    pub(super) fn time_whole(&mut self, watch: &Watch, items: usize, mut pass: impl FnMut()) {
+        let mut timed = || {
+            let start = clock::now();
+            pass();
+            clock::now().saturating_sub(start)
         };
-        let warm_up = pass();
         #[expect(clippy::cast_precision_loss, reason = "a number of items, for a mean")]
-        let count = items.len().max(1) as f64;
-        let nanos = |time: Duration| time.as_secs_f64() * 1e9 / count;
+        let count = items as f64;
+        let warm_up = timed();
         // What takes longer than its slice is timed once.
         if warm_up >= watch.slice {
-            self.nanos.push(nanos(warm_up));
-            return results;
+            return self.took(warm_up, count);
         }
         let end = clock::now() + watch.slice;
         for done in 0..MOST_PASSES {
             if watch.progress.is_cancelled() || (done >= LEAST_PASSES && clock::now() >= end) {
                 break;
             }
-            self.nanos.push(nanos(pass()));
+            let time = timed();
+            self.took(time, count);
         }
-        results
     }
 
     /// Takes down a time of one item that was measured elsewhere.
     pub(super) fn took(&mut self, time: Duration, items: f64) {
         self.nanos.push(time.as_secs_f64() * 1e9 / items.max(1.0));
+    }
+
+    /// What was noted here was made in the same passes as what was noted there.
+    pub(super) fn takes_time_of(&mut self, other: &Self) {
+        self.nanos.clone_from(&other.nanos);
     }
 
     /// The root of the mean square of the errors.

@@ -33,14 +33,28 @@ pub enum Study {
     RepeatedOperations,
     /// The formats of depth buffers.
     DepthBuffer,
+    /// Which surface is seen.
+    Visibility,
+    /// Light on curved surfaces made of flat faces.
+    Shading,
+    /// Samples of a pixel.
+    Antialiasing,
     /// Segments through w = 0, cut before or after the division.
     Clipping,
 }
 
 impl Study {
     /// All, in the order in which they are told.
-    pub const ALL: [Self; 5] =
-        [Self::VertexTransform, Self::Basis, Self::RepeatedOperations, Self::DepthBuffer, Self::Clipping];
+    pub const ALL: [Self; 8] = [
+        Self::VertexTransform,
+        Self::Basis,
+        Self::RepeatedOperations,
+        Self::DepthBuffer,
+        Self::Visibility,
+        Self::Shading,
+        Self::Antialiasing,
+        Self::Clipping,
+    ];
 
     /// Its name on the command line and in JSON.
     #[must_use]
@@ -50,6 +64,9 @@ impl Study {
             Self::Basis => "basis",
             Self::RepeatedOperations => "repeated-operations",
             Self::DepthBuffer => "depth-buffer",
+            Self::Visibility => "visibility",
+            Self::Shading => "shading",
+            Self::Antialiasing => "antialiasing",
             Self::Clipping => "clipping",
         }
     }
@@ -72,6 +89,8 @@ pub enum Unit {
     Relative,
     /// A share of the depths, or of the pixels, that were tried.
     Share,
+    /// A share of the whole range of a colour's channels, or of a pixel's area.
+    Color,
     /// Of normalised device coordinates, 2 from side to side.
     Ndc,
 }
@@ -85,6 +104,7 @@ impl Unit {
             Self::Radians => "radians",
             Self::Relative => "relative",
             Self::Share => "share",
+            Self::Color => "color",
             Self::Ndc => "ndc",
         }
     }
@@ -157,6 +177,9 @@ pub fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings {
         Study::Basis => studies::basis::run(&lab),
         Study::RepeatedOperations => studies::repeated_operations::run(&lab),
         Study::DepthBuffer => studies::depth_buffer::run(&lab),
+        Study::Visibility => studies::visibility::run(&lab),
+        Study::Shading => studies::shading::run(&lab),
+        Study::Antialiasing => studies::antialiasing::run(&lab),
         Study::Clipping => studies::clipping::run(&lab),
     }
 }

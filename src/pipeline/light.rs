@@ -15,13 +15,13 @@ use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, u32x8, with_vectors};
 
 /// What a face shows where no lamp reaches it.
-const AMBIENT: f32 = 0.35;
+pub const AMBIENT: f32 = 0.35;
 /// What a lamp adds to a face that it meets squarely.
-const DIFFUSE: f32 = 0.65;
+pub const DIFFUSE: f32 = 0.65;
 /// The white of a highlight, in the two models that have any: a face of one colour would flash as a whole.
-const SPECULAR: f32 = 0.3;
+pub const SPECULAR: f32 = 0.3;
 /// How small a highlight is.
-const SHININESS: f32 = 24.0;
+pub const SHININESS: f32 = 24.0;
 
 /// Lights of the scene in view space; lengths in units of B, so that they fit in single precision in worlds of any size.
 pub(super) struct Lights {

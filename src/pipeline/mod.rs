@@ -30,7 +30,7 @@ pub mod cull_result;
 mod cut;
 pub mod divide_before_clip;
 mod faces;
-mod light;
+pub mod light;
 mod lines;
 mod outline;
 pub mod plan;

@@ -180,3 +180,44 @@ fn plots_are_files_of_their_kind() {
         assert!(bytes.starts_with(start) && bytes.len() > 5_000, "{name}: {}", bytes.len());
     }
 }
+
+/// Of three bars each over the next no order of whole faces is right; a depth buffer and a BSP, which cuts them, are right but for edges.
+#[test]
+fn the_painter_fails_where_surfaces_interlock_and_depth_buffers_where_steps_are_coarse() {
+    let findings = findings(Study::Visibility);
+    let error = |case, ratio, method| row(&findings, case, ratio, method).error;
+    for case in ["cyclic overlap", "interpenetrating"] {
+        assert!(error(case, 10.0, "painter") > 0.005, "{case}");
+        for method in ["bsp", "depth buffer 24", OWN] {
+            assert!(error(case, 10.0, method) < 0.001, "{case} {method}");
+        }
+    }
+    assert!(error("close surfaces", 1e5, "depth buffer 16") > 0.1);
+    assert!(error("close surfaces", 1e5, OWN) < 0.01);
+}
+
+/// With the segments all come nearer, Phong's shading fastest; flat faces have no highlight however small they are.
+#[test]
+fn finer_meshes_come_nearer_to_the_true_surface() {
+    let findings = findings(Study::Shading);
+    for solid in ["sphere", "torus"] {
+        let gain = |method| row(&findings, solid, 8.0, method).error / row(&findings, solid, 32.0, method).error;
+        assert!(gain("flat") > 1.2 && gain("gouraud") > 2.5 && gain("phong") > 4.0, "{solid}");
+        let at = |method| row(&findings, solid, 32.0, method).error;
+        assert!(at("phong") < at("gouraud") && at("gouraud") < at("flat"), "{solid}");
+        let silhouette = format!("{solid} silhouette");
+        let outline = |segments| row(&findings, &silhouette, segments, OWN).error;
+        assert!(outline(8.0) > 3.0 * outline(32.0), "{solid}");
+    }
+}
+
+#[test]
+fn more_samples_come_nearer_to_the_area() {
+    let findings = findings(Study::Antialiasing);
+    for size in [8.0, 64.0] {
+        let error = |method| row(&findings, "triangles", size, method).error;
+        assert!(error("1 sample") > 1.5 * error("4 samples") && error("4 samples") > 1.5 * error("16 samples"));
+        assert!(error("64 samples on a grid") < error("16 samples on a grid"));
+        assert_eq!(error(OWN), error("4 samples"));
+    }
+}

@@ -60,15 +60,9 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
                     let value = |z: f64| if format == Format::Own { order(own(z)) } else { format.value(&range, z) };
                     let mut trial = Trial::default();
                     trial.time(&watch, &depths, |&z| value(z));
-                    let mut predicted = 0.0;
-                    for (i, &z) in depths.iter().enumerate() {
-                        trial.note(i, place.off(&range, z, &value));
-                        let expected = place.predicted(format.step(&range, z), z);
-                        predicted += expected * expected;
-                    }
+                    let predicted = place.judge(&range, &depths, &value, &|z| format.step(&range, z), &mut trial);
                     lab.progress.advance(1);
-                    #[expect(clippy::cast_precision_loss, reason = "a few hundred depths")]
-                    let predicted = Some((predicted / count as f64).sqrt());
+                    let predicted = Some(predicted);
                     Method { name: format.name(), trial, predicted }
                 })
                 .collect();
@@ -111,26 +105,34 @@ impl Place {
         }
     }
 
-    fn off(self, range: &Range, z: f64, value: &impl Fn(f64) -> i64) -> Off {
+    /// Takes down how far off a format is at `depths`, and gives what the theory predicts for the mean.
+    #[expect(clippy::cast_precision_loss, reason = "a few hundred depths")]
+    fn judge(
+        self,
+        range: &Range,
+        depths: &[f64],
+        value: &impl Fn(f64) -> i64,
+        step: &dyn Fn(f64) -> f64,
+        trial: &mut Trial,
+    ) -> f64 {
+        let mean = |of: &dyn Fn(f64) -> f64| depths.iter().map(|&z| of(z)).sum::<f64>() / depths.len().max(1) as f64;
         match self {
             Self::Near | Self::Middle | Self::Far => {
-                let length = interval(range, z, value);
-                Off { error: length, bits: bits_off(z + length, z) }
+                for (i, &z) in depths.iter().enumerate() {
+                    let length = interval(range, z, value);
+                    trial.note(i, Off { error: length, bits: bits_off(z + length, z) });
+                }
+                mean(&|z| step(z) * step(z)).sqrt()
             }
-            // 1 where the farther one is not held for the farther.
+            // The share of depths at which the farther of two is not held for the farther.
             Self::Everywhere => {
-                let told_apart = value(z * (1.0 + GAP)) > value(z);
-                Off { error: if told_apart { 0.0 } else { 1.0 }, bits: if told_apart { 0.0 } else { 64.0 } }
+                let fights = |z: f64| value(z * (1.0 + GAP)) <= value(z);
+                let first = depths.iter().position(|&z| fights(z)).unwrap_or(0);
+                let share = mean(&|z| f64::from(fights(z)));
+                trial.note(first, Off { error: share, bits: 64.0 * share });
+                // Two depths fall into one interval with this probability.
+                mean(&|z| 1.0 - (z * GAP / step(z)).min(1.0))
             }
-        }
-    }
-
-    /// What the theory gives for [`off`](Self::off), where one step of the format is `step` long.
-    fn predicted(self, step: f64, z: f64) -> f64 {
-        match self {
-            Self::Near | Self::Middle | Self::Far => step,
-            // Two depths fall into one interval with this probability; the root, since what is averaged is the square.
-            Self::Everywhere => (1.0 - (z * GAP / step).min(1.0)).sqrt(),
         }
     }
 }
@@ -162,13 +164,13 @@ fn interval(range: &Range, z: f64, value: &impl Fn(f64) -> i64) -> f64 {
 }
 
 /// F = 1, B, and the kind of projection.
-struct Range {
-    projection: Projection,
-    far: f64,
+pub(super) struct Range {
+    pub(super) projection: Projection,
+    pub(super) far: f64,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Format {
+pub(super) enum Format {
     Fixed16,
     Fixed24,
     Float,
@@ -199,7 +201,7 @@ impl Format {
 
     /// The value that is stored for a depth, as a whole number that grows with it. The transformation is done in single precision, as
     /// graphics cards do: Z = (z_c entries of M_p) / w.
-    fn value(self, range: &Range, z: f64) -> i64 {
+    pub(super) fn value(self, range: &Range, z: f64) -> i64 {
         #[expect(clippy::cast_possible_truncation, reason = "single precision is what is studied")]
         let (depth, far) = (z as f32, range.far as f32);
         let perspective = range.projection == Projection::Perspective;

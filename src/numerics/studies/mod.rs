@@ -1,10 +1,14 @@
 //! One file per study.
 
+pub(super) mod antialiasing;
 pub(super) mod basis;
 pub(super) mod clipping;
 pub(super) mod depth_buffer;
+mod painter;
 pub(super) mod repeated_operations;
+pub(super) mod shading;
 pub(super) mod vertex_transform;
+pub(super) mod visibility;
 
 use glam::DVec3;
 

@@ -1,0 +1,285 @@
+//! Which surface is seen: painter, BSP, depth buffers, against ray casting in high precision.
+//!
+//! The error is the share of pixels that show another surface than the ray through their centre meets first. B is 100; F is B over the
+//! parameter.
+
+use std::mem::size_of;
+
+use glam::DVec3;
+
+use super::depth_buffer::{Format, Range};
+use super::painter::{Painter, flat, triangle};
+use crate::appearance::{Rgba, Visibility};
+use crate::camera::{Camera, Parameters, Projection};
+use crate::figure::{Figure, write};
+use crate::numerics::chain::Vector;
+use crate::numerics::measure::{Off, Trial, Watch};
+use crate::numerics::random::Random;
+use crate::numerics::real::Real;
+use crate::numerics::reference::Reference;
+use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape};
+
+const FAR: f64 = 100.0;
+const RATIOS: [f64; 4] = [10.0, 1e3, 1e5, 1e7];
+const SIZE: [u32; 2] = [96, 72];
+
+type Triangle = [DVec3; 3];
+type Triangles = fn(&mut Random) -> Vec<Triangle>;
+
+const CASES: [(&str, Triangles); 3] =
+    [("cyclic overlap", cyclic), ("interpenetrating", interpenetrating), ("close surfaces", close)];
+
+pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+    let (count, ratios) = (lab.many(3, 1), &RATIOS[..lab.many(4, 3)]);
+    let watch = lab.watch(CASES.len() * ratios.len() * METHODS.len() * count);
+    let mut rows = Vec::new();
+    for (c, (case, triangles)) in CASES.into_iter().enumerate() {
+        for &ratio in ratios {
+            if lab.progress.is_cancelled() {
+                break;
+            }
+            // The same surfaces for every ratio.
+            let mut random = Random::new(lab.effort.seed, 600 + c as u64);
+            let setups: Vec<Setup> = (0..count).filter_map(|_| Setup::new(triangles(&mut random), ratio)).collect();
+            let methods = METHODS
+                .into_iter()
+                .map(|(name, method)| {
+                    let mut trial = Trial::default();
+                    for (input, setup) in setups.iter().enumerate() {
+                        let seen = method(setup, &mut trial, &watch);
+                        trial.note(input, setup.off(&seen));
+                        lab.progress.advance(1);
+                    }
+                    Method::new(name, trial)
+                })
+                .collect();
+            let group = Group { case: case.to_owned(), parameter: ratio, unit: Unit::Share, methods };
+            rows.extend(group.rows(|input| setups.get(input).map(Setup::figure)));
+        }
+    }
+    let working_set = (SIZE[0] * SIZE[1]) as usize * size_of::<u64>();
+    Findings { study: Study::Visibility, reference: "ray casting in 512 bits", working_set, rows }
+}
+
+/// Three bars in front of the camera, each over the next: no order of whole faces is right.
+fn cyclic(random: &mut Random) -> Vec<Triangle> {
+    let turn = random.between(0.0, 2.0);
+    (0..3)
+        .flat_map(|k| {
+            let angle = turn + std::f64::consts::TAU * f64::from(k) / 3.0;
+            let (along, across) =
+                (DVec3::new(angle.cos(), angle.sin(), 0.0), DVec3::new(-angle.sin(), angle.cos(), 0.0));
+            let middle = DVec3::new(0.0, 0.0, -30.0) + across * 3.0;
+            let (half, tilt, wide) = (along * 10.0, DVec3::Z * 2.0, across * 1.2);
+            let [a, b] = [middle - half - tilt, middle + half + tilt];
+            [[a - wide, b - wide, b + wide], [a - wide, b + wide, a + wide]]
+        })
+        .collect()
+}
+
+/// Large triangles through one another.
+fn interpenetrating(random: &mut Random) -> Vec<Triangle> {
+    let place = |random: &mut Random| {
+        DVec3::new(random.between(-14.0, 14.0), random.between(-10.0, 10.0), random.between(-45.0, -20.0))
+    };
+    (0..12).map(|_| std::array::from_fn(|_| place(random))).collect()
+}
+
+/// Two walls, tilted alike, a ten-thousandth of their depth apart, each before the other in one half.
+fn close(random: &mut Random) -> Vec<Triangle> {
+    let (a, b) = (random.between(-0.3, 0.3), random.between(-0.3, 0.3));
+    let wall =
+        |sign: f64| move |x: f64, y: f64| DVec3::new(x, y, -50.0 + a * x + b * y + sign * 0.0025 * (x / 10.0 + 0.3));
+    let of = |sign| {
+        let at = wall(sign);
+        let [p, q, r, s] = [at(-24.0, -18.0), at(24.0, -18.0), at(24.0, 18.0), at(-24.0, 18.0)];
+        [[p, q, r], [p, r, s]]
+    };
+    [of(1.0), of(-1.0)].concat()
+}
+
+/// Surfaces, the camera, and what is truly seen.
+struct Setup {
+    parameters: Parameters,
+    camera: Camera,
+    triangles: Vec<Triangle>,
+    scene: Scene,
+    /// In view space, on the plane z = −1, of each pixel's centre.
+    rays: Vec<DVec3>,
+    exact: Vec<Option<usize>>,
+}
+
+impl Setup {
+    /// The camera stands in the origin and looks along −z: world and view space are the same.
+    fn new(triangles: Vec<Triangle>, ratio: f64) -> Option<Self> {
+        let [m, n] = SIZE.map(f64::from);
+        let parameters = Parameters {
+            position: DVec3::ZERO,
+            focal_point: DVec3::new(0.0, 0.0, -30.0),
+            view_angle: 40.0,
+            aspect: m / n,
+            near: FAR / ratio,
+            far: FAR,
+            ..Parameters::default()
+        };
+        let camera = Camera::new(&parameters).ok()?;
+        let objects = triangles.iter().enumerate().map(|(i, &t)| triangle(t, color(i))).collect();
+        let scene = Scene { objects, ..Scene::default() };
+        // tan(θ/2) in the reference; the centres of pixels are fractions of few digits.
+        let (sine, cosine) = Reference::sin_cos_degrees(20.0);
+        let half = sine / cosine;
+        let solids: Vec<Solid> = triangles.iter().map(Solid::new).collect();
+        let (mut rays, mut exact) = (Vec::new(), Vec::new());
+        for j in 0..SIZE[1] {
+            for i in 0..SIZE[0] {
+                let x = (f64::from(i) + 0.5) * 2.0 / m - 1.0;
+                let y = 1.0 - (f64::from(j) + 0.5) * 2.0 / n;
+                let aspect = Reference::of(m) / Reference::of(n);
+                let ray = Vector([
+                    Reference::of(x) * half.clone() * aspect,
+                    Reference::of(y) * half.clone(),
+                    Reference::of(-1.0),
+                ]);
+                exact.push(first(&solids, &ray, &parameters));
+                rays.push(ray.to_f64());
+            }
+        }
+        Some(Self { parameters, camera, triangles, scene, rays, exact })
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "a number of pixels")]
+    fn off(&self, seen: &[Option<usize>]) -> Off {
+        // The two triangles of a wall or bar are one surface where they meet; which of them a pixel on their seam shows is no error.
+        let surface = |index: &Option<usize>| index.map(|i| color(i).g);
+        let wrong = self.exact.iter().zip(seen).filter(|(a, b)| surface(a) != surface(b)).count();
+        let error = wrong as f64 / self.exact.len() as f64;
+        Off { error, bits: 64.0 * error }
+    }
+
+    fn figure(&self) -> String {
+        let edges = |[a, b, c]: Triangle| vec![[a, b], [b, c], [c, a]];
+        let objects =
+            self.triangles.iter().enumerate().map(|(i, &t)| {
+                ObjectSpec::new(format!("triangle {}", i + 1), Shape::Segments(edges(t))).colored(color(i))
+            });
+        let scene = SceneSpec { preset: Preset::Empty, objects: objects.collect(), ..SceneSpec::default() };
+        write::to_toml(&Figure { camera: self.parameters, scene, ..Figure::default() })
+    }
+}
+
+/// The colour of a triangle: its number in red, that of its surface in green.
+fn color(index: usize) -> Rgba {
+    #[expect(clippy::cast_possible_truncation, reason = "a dozen triangles")]
+    let index = index as u8;
+    Rgba::rgb(40 + 10 * index, 40 + 10 * (index / 2), 200)
+}
+
+/// A triangle ready for rays from the origin.
+struct Solid {
+    corners: [Vector<Reference>; 3],
+    /// a × b, b × c, c × a: positive products with a ray have it inside, or all negative.
+    sides: [Vector<Reference>; 3],
+    normal: Vector<Reference>,
+    sides_f64: [DVec3; 3],
+}
+
+impl Solid {
+    fn new(corners: &Triangle) -> Self {
+        let [a, b, c] = corners.map(Vector::<Reference>::of);
+        let sides = [a.cross(&b), b.cross(&c), c.cross(&a)];
+        let normal = b.minus(&a).cross(&c.minus(&a));
+        let sides_f64 = [sides[0].to_f64(), sides[1].to_f64(), sides[2].to_f64()];
+        Self { corners: [a, b, c], sides, normal, sides_f64 }
+    }
+
+    /// Where along the ray it is met, as a depth.
+    fn hit(&self, ray: &Vector<Reference>) -> Option<Reference> {
+        let near_ray = ray.to_f64();
+        // What is plainly outside needs no more digits.
+        let products = self.sides_f64.map(|side| side.dot(near_ray) / side.length());
+        if products.iter().any(|&x| x > 1e-9) && products.iter().any(|&x| x < -1e-9) {
+            return None;
+        }
+        let zero = Reference::zero();
+        let products: Vec<Reference> = self.sides.iter().map(|side| side.dot(ray)).collect();
+        let inside = products.iter().all(|x| *x >= zero) || products.iter().all(|x| *x <= zero);
+        let slope = self.normal.dot(ray);
+        (inside && slope != zero).then(|| self.normal.dot(&self.corners[0]) / slope)
+    }
+}
+
+/// The triangle that a ray meets first between F and B.
+fn first(solids: &[Solid], ray: &Vector<Reference>, p: &Parameters) -> Option<usize> {
+    let (near, far) = (Reference::of(p.near), Reference::of(p.far));
+    let hits = solids.iter().enumerate().filter_map(|(i, solid)| Some((i, solid.hit(ray)?)));
+    let hits = hits.filter(|(_, depth)| *depth >= near && *depth <= far);
+    let nearest = hits.reduce(|a, b| if b.1 < a.1 { b } else { a });
+    nearest.map(|(i, _)| i)
+}
+
+type Seen = fn(&Setup, &mut Trial, &Watch) -> Vec<Option<usize>>;
+
+const METHODS: [(&str, Seen); 5] = [
+    ("painter", |setup, trial, watch| picture(setup, Visibility::Painter, trial, watch)),
+    ("bsp", |setup, trial, watch| picture(setup, Visibility::Bsp, trial, watch)),
+    ("depth buffer 16", |setup, trial, watch| buffered(setup, Format::Fixed16, trial, watch)),
+    ("depth buffer 24", |setup, trial, watch| buffered(setup, Format::Fixed24, trial, watch)),
+    (OWN, |setup, trial, watch| picture(setup, Visibility::default(), trial, watch)),
+];
+
+/// As the program draws it; the time is that of a pixel of the whole picture.
+fn picture(setup: &Setup, visibility: Visibility, trial: &mut Trial, watch: &Watch) -> Vec<Option<usize>> {
+    let mut painter = Painter::default();
+    let style = flat(visibility, 1);
+    let mut pixels = Vec::new();
+    trial.time_whole(watch, setup.rays.len(), || {
+        pixels = painter.paint(&setup.scene, &setup.camera, SIZE, &style);
+    });
+    let index = |pixel: &Rgba| (0..setup.triangles.len()).find(|&i| color(i) == *pixel);
+    pixels.iter().map(index).collect()
+}
+
+/// A depth buffer of another format, in double precision but for the depths that it keeps; of equal depths the first stays.
+fn buffered(setup: &Setup, format: Format, trial: &mut Trial, watch: &Watch) -> Vec<Option<usize>> {
+    let (near, far) = (setup.parameters.near, setup.parameters.far);
+    let range = Range { projection: Projection::Perspective, far: far / near };
+    let mut seen = Vec::new();
+    trial.time_whole(watch, setup.rays.len(), || {
+        let mut depths = vec![i64::MAX; setup.rays.len()];
+        seen = vec![None; setup.rays.len()];
+        for (index, &[a, b, c]) in setup.triangles.iter().enumerate() {
+            let sides = [a.cross(b), b.cross(c), c.cross(a)];
+            let normal = (b - a).cross(c - a);
+            for ((ray, depth), seen) in setup.rays.iter().zip(&mut depths).zip(&mut seen) {
+                let products = sides.map(|side| side.dot(*ray));
+                if products.iter().all(|&x| x >= 0.0) || products.iter().all(|&x| x <= 0.0) {
+                    let distance = normal.dot(a) / normal.dot(*ray);
+                    let value = format.value(&range, distance / near);
+                    if distance >= near && distance <= far && value < *depth {
+                        (*depth, *seen) = (value, Some(index));
+                    }
+                }
+            }
+        }
+    });
+    seen
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two walls: the nearer one is seen; a corner that both hide behind each other is not confused.
+    #[test]
+    fn the_ray_meets_the_nearer_wall() {
+        let wall = |z: f64, x: f64| [DVec3::new(x - 5.0, -5.0, z), DVec3::new(x + 5.0, -5.0, z), DVec3::new(x, 9.0, z)];
+        let solids: Vec<Solid> =
+            [wall(-20.0, 0.0), wall(-10.0, 0.0), wall(-5.0, 40.0)].iter().map(Solid::new).collect();
+        let p = Parameters { near: 1.0, far: 100.0, ..Parameters::default() };
+        let ray = Vector::of(DVec3::new(0.0, 0.0, -1.0));
+        assert_eq!(first(&solids, &ray, &p), Some(1));
+        assert_eq!(first(&solids, &ray, &Parameters { near: 15.0, ..p }), Some(0));
+        assert_eq!(first(&solids, &ray, &Parameters { far: 5.0, ..p }), None);
+    }
+}
