@@ -5,8 +5,8 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use crate::camera::{
-    Camera, CameraError, Convention, ImageSize, Operation, Parameters, Projection, Stations, ViewWindow, Viewport,
-    Warning,
+    Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, Operation, Parameters, Projection,
+    Stations, ViewWindow, Viewport, Warning,
 };
 use crate::figure::Figure;
 
@@ -25,6 +25,8 @@ pub struct Report {
     pub basis: BasisReport,
     /// The view window on the plane z_c = −F.
     pub window: WindowReport,
+    /// The convention of NDC: [`Ndc::name`](crate::camera::Ndc::name). What follows of M_p, clip coordinates and NDC is in it.
+    pub ndc: &'static str,
     /// M_v, rows.
     pub view_matrix: [[f64; 4]; 4],
     /// M_p, rows.
@@ -131,7 +133,7 @@ pub struct PointReport {
     pub pixel: Option<[Whole; 2]>,
     /// (X, Y, Z).
     pub viewport: Option<(Whole, Whole, f64)>,
-    /// |X|, |Y|, |Z| ≤ W and W > 0; `None` where W = 0 (such a point is not inside).
+    /// |X|, |Y|, |Z| ≤ W (or what the convention has for Z) and W > 0; `None` where W = 0 (such a point is not inside).
     pub inside: Option<bool>,
 }
 
@@ -186,6 +188,9 @@ pub enum InspectError {
         /// Why.
         error: CameraError,
     },
+    /// The camera has no matrices in the convention of NDC.
+    #[error(transparent)]
+    InfiniteParallel(#[from] InfiniteParallel),
     /// A point has coordinates that `f64` cannot hold.
     #[error("point {},{},{}: its coordinates in {space} would exceed the range of numbers (about 1e-308 to 1e308)", point.x, point.y, point.z)]
     Point {
@@ -229,20 +234,21 @@ impl Report {
         pixels: &[[i64; 2]],
     ) -> Result<Self, InspectError> {
         let camera = camera_after(&figure.camera, operations, convention)?;
-        Self::of(&camera, figure.image, figure.viewport, points, pixels)
+        Self::of(&camera.notes_clip_space(), figure.image, figure.viewport, points, pixels)
     }
 
-    /// The numbers of a camera. Without a viewport it is the whole image, depth 0 … 1.
+    /// The numbers of a camera in a convention of NDC. Without a viewport it is the whole image, depth 0 … 1.
     ///
     /// # Errors
     /// [`InspectError`] names the point or the pixel whose numbers `f64` cannot hold.
     pub fn of(
-        camera: &Camera,
+        clip_space: &ClipSpace<'_>,
         image: ImageSize,
         viewport: Option<Viewport>,
         points: &[DVec3],
         pixels: &[[i64; 2]],
     ) -> Result<Self, InspectError> {
+        let camera = clip_space.camera();
         let viewport = viewport.unwrap_or_else(|| Viewport::whole(image));
         let basis = camera.basis();
         let ViewWindow { left, right, bottom, top } = camera.window().map(unsigned);
@@ -260,15 +266,16 @@ impl Report {
                 height: camera.window_height(),
                 aspect: camera.window_aspect(),
             },
+            ndc: clip_space.ndc().name(),
             view_matrix: rows(camera.view_from_world()),
-            projection_matrix: rows(camera.clip_from_view()),
-            view_projection_matrix: rows(camera.clip_from_world()),
+            projection_matrix: rows(clip_space.clip_from_view()),
+            view_projection_matrix: rows(clip_space.clip_from_world()),
             inverse_view_matrix: rows(camera.world_from_view()),
-            inverse_projection_matrix: rows(camera.view_from_clip()),
+            inverse_projection_matrix: rows(clip_space.view_from_clip()),
             volume_corners: camera.volume_corners().map(three),
             points: points
                 .iter()
-                .map(|point| PointReport::new(&camera.stations(*point, image, &viewport)))
+                .map(|point| PointReport::new(&clip_space.stations(*point, image, &viewport)))
                 .collect::<Result<_, _>>()?,
             rays: pixels.iter().map(|pixel| RayReport::new(camera, image, *pixel)).collect::<Result<_, _>>()?,
             warnings: camera

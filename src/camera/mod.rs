@@ -7,7 +7,7 @@
 //! | --- | --- | --- | --- |
 //! | world | scene units | right-handed, y up | [`Camera::world_from_view`] |
 //! | view (VRC) | scene units | right-handed: x along **u**, y along **v**, z along **n**, towards the viewer | [`Camera::view_from_world`] (5.7) |
-//! | clip | homogeneous | x, y, z in \[−w, w\] inside the volume | [`Camera::clip_from_view`] (5.13) to (5.16) |
+//! | clip | homogeneous | x, y, z in \[−w, w\] inside the volume | [`Camera::clip_from_view`] (5.13) to (5.16); as other libraries have it, [`Camera::clip_space`] |
 //! | ndc | 1 | left-handed: −1 … 1, z into the screen | division by w (5.6) |
 //! | window | scene units | on the plane z_c = −F: x right, y up | (5.9), (5.10) |
 //! | image | pixels | (0, 0) is the top left corner, y down | [`ImageSize::image_from_window`] (5.22) |
@@ -18,8 +18,10 @@
 //! its test.
 
 mod basis;
+mod clip_space;
 mod descriptors;
 mod image_map;
+mod ndc;
 mod operations;
 mod parameters;
 mod projection;
@@ -30,8 +32,10 @@ mod warnings;
 mod window;
 
 pub use basis::Basis;
+pub use clip_space::ClipSpace;
 pub use descriptors::{Amount, Descriptor, Freedom, OPERATIONS, OperationError};
 pub use image_map::{ImageSize, Viewport};
+pub use ndc::{Api, InfiniteParallel, Ndc};
 pub use operations::{Changes, Convention, Operation};
 pub use parameters::{CameraError, Derived, Parameters, Projection, Range, ViewWindow};
 pub use stations::{Projected, Stations};
@@ -93,7 +97,7 @@ impl Camera {
     }
 
     fn finish(parameters: Parameters, pose: Pose, frame: Frame, wide_window: WideWindow) -> Result<Self, CameraError> {
-        let lens = lens(parameters.projection, &wide_window, parameters.near, parameters.far);
+        let lens = lens(parameters.projection, &wide_window, parameters.near, parameters.far, Ndc::default());
         let basis = frame.basis();
         let camera = Self { parameters, pose, frame, wide_window, lens, basis };
         camera.check_finite()?;

@@ -5,7 +5,8 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::{Camera, Projection};
+use super::window::WideWindow;
+use super::{Camera, Ndc, Projection};
 use crate::geometry::double_double::{Dd, Dd3};
 
 /// The entries of M_p that are neither 0 nor ±1. With (X, Y, Z, W) = M_p (x, y, z, 1):
@@ -62,75 +63,19 @@ impl Camera {
     /// ```
     #[must_use]
     pub fn clip_from_view(&self) -> DMat4 {
-        let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
-        let [x, y, skew_x, skew_y, z, depth] = [x, y, skew_x, skew_y, z, depth].map(Dd::value);
-        from_rows(match self.projection() {
-            Projection::Perspective => [
-                DVec4::new(x, 0.0, skew_x, 0.0),
-                DVec4::new(0.0, y, skew_y, 0.0),
-                DVec4::new(0.0, 0.0, z, depth),
-                DVec4::new(0.0, 0.0, -1.0, 0.0),
-            ],
-            Projection::Parallel => [
-                DVec4::new(x, 0.0, 0.0, skew_x),
-                DVec4::new(0.0, y, 0.0, skew_y),
-                DVec4::new(0.0, 0.0, z, depth),
-                DVec4::W,
-            ],
-        })
+        self.notes_clip_space().clip_from_view()
     }
 
     /// The inverse of M_p, in closed form.
     #[must_use]
     pub fn view_from_clip(&self) -> DMat4 {
-        let w = &self.wide_window;
-        let (near, far) = (Dd::new(self.near()), Dd::new(self.far()));
-        let half = |x: Dd| x.scaled(-1);
-        let (half_width, half_height) = (half(w.width()), half(w.height()));
-        let (middle_x, middle_y) = (half(w.left + w.right), half(w.bottom + w.top));
-        from_rows(match self.projection() {
-            Projection::Perspective => {
-                let over_near = |x: Dd| (x / near).value();
-                // (B − F) / 2BF and (B + F) / 2BF
-                let difference = half(Dd::difference(self.far(), self.near()) / far / near).value();
-                let sum = half((Dd::ONE + near / far) / near).value();
-                [
-                    DVec4::new(over_near(half_width), 0.0, 0.0, over_near(middle_x)),
-                    DVec4::new(0.0, over_near(half_height), 0.0, over_near(middle_y)),
-                    DVec4::new(0.0, 0.0, 0.0, -1.0),
-                    DVec4::new(0.0, 0.0, -difference, sum),
-                ]
-            }
-            Projection::Parallel => {
-                let difference = half(far) - half(near);
-                let sum = half(far) + half(near);
-                [
-                    DVec4::new(half_width.value(), 0.0, 0.0, middle_x.value()),
-                    DVec4::new(0.0, half_height.value(), 0.0, middle_y.value()),
-                    DVec4::new(0.0, 0.0, -difference.value(), -sum.value()),
-                    DVec4::W,
-                ]
-            }
-        })
+        self.notes_clip_space().view_from_clip()
     }
 
     /// M_p M_v, composed in double-double, not from the rounded factors.
     #[must_use]
     pub fn clip_from_world(&self) -> DMat4 {
-        let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
-        let [u, v, n] = self.view_rows();
-        let row = |a: Dd, from: [Dd; 4]| from.map(|entry| a * entry);
-        let last = |skew: Dd| [Dd::ZERO, Dd::ZERO, Dd::ZERO, skew];
-        let (skewed_x, skewed_y, w) = match self.projection() {
-            Projection::Perspective => (row(skew_x, n), row(skew_y, n), n.map(|entry| -entry)),
-            Projection::Parallel => (last(skew_x), last(skew_y), last(Dd::ONE)),
-        };
-        from_rows([
-            rounded(sum(row(x, u), skewed_x)),
-            rounded(sum(row(y, v), skewed_y)),
-            rounded(sum(row(z, n), last(depth))),
-            rounded(w),
-        ])
+        self.notes_clip_space().clip_from_world()
     }
 
     /// A world point in the VRC; C is subtracted before anything is rotated.
@@ -151,15 +96,17 @@ impl Camera {
     }
 
     /// The first three rows of M_v in double-double.
-    fn view_rows(&self) -> [[Dd; 4]; 3] {
+    pub(super) fn view_rows(&self) -> [[Dd; 4]; 3] {
         let c = self.pose.position;
         [self.frame.u, self.frame.v, self.frame.n].map(|axis| [axis.x, axis.y, axis.z, -axis.dot(c)])
     }
+}
 
+impl Lens {
     /// A point of the VRC in clip coordinates, in double-double.
-    pub(super) fn clip_of_view(&self, p: Dd3) -> [Dd; 4] {
-        let Lens { x, y, skew_x, skew_y, z, depth } = self.lens;
-        match self.projection() {
+    pub(super) fn clip(&self, projection: Projection, p: Dd3) -> [Dd; 4] {
+        let Self { x, y, skew_x, skew_y, z, depth } = *self;
+        match projection {
             Projection::Perspective => {
                 [(x * p.x).plus(skew_x * p.z), (y * p.y).plus(skew_y * p.z), (z * p.z).plus(depth), -p.z]
             }
@@ -168,48 +115,59 @@ impl Camera {
     }
 }
 
-/// The entries of M_p.
+/// The entries of M_p in a convention of NDC: those of `[0]` for −1 … 1 and y up.
+///
+/// From z_n = (z z_c + d) / w at F and at B, where z_n is z₀ and z₁: z = (z₀ F − z₁ B)/(B − F) and d = (z₀ − z₁) B F/(B − F) in
+/// perspective, z = (z₀ − z₁)/(B − F) and d = (z₀ B − z₁ F)/(B − F) in parallel projection. With B → ∞ in perspective, z → −z₁ and
+/// d → (z₀ − z₁) F.
 ///
 /// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only where they
 /// are not `f64`s themselves.
-pub(super) fn lens(projection: Projection, window: &super::window::WideWindow, near: f64, far: f64) -> Lens {
+pub(super) fn lens(projection: Projection, window: &WideWindow, near: f64, far: f64, ndc: Ndc) -> Lens {
     let (width, height) = (window.width(), window.height());
     let (sum_x, sum_y) = (window.right + window.left, window.top + window.bottom);
     // Half of far and near: their sum and difference cannot overflow, and the quotients stay the same.
     let half = |x: f64| Dd::new(x).scaled(-1);
-    let (sum, difference) = (half(far) + half(near), half(far) - half(near));
+    let difference = half(far) - half(near);
     let two = |x: Dd| x.scaled(1);
+    let up = |y: Dd| if ndc.y_points_down() { -y } else { y };
+    let [at_near, at_far] = ndc.depths().map(Dd::new);
+    // (z₀ − z₁)/2: −1, −1/2 or 1/2.
+    let half_range = (at_near - at_far).scaled(-1);
     match projection {
         Projection::Perspective => {
-            let near = Dd::new(near);
+            let far_over_difference = Dd::new(far) / difference;
+            let near_wide = Dd::new(near);
+            let (z, depth) = if ndc.infinite {
+                (-at_far, two(near_wide) * half_range)
+            } else {
+                let z = (at_near * half(near) - at_far * half(far)) / difference;
+                (z, near_wide * far_over_difference * half_range)
+            };
             Lens {
-                x: two(near / width),
-                y: two(near / height),
+                x: two(near_wide / width),
+                y: up(two(near_wide / height)),
                 skew_x: sum_x / width,
-                skew_y: sum_y / height,
-                z: -(sum / difference),
-                depth: -(near * (Dd::new(far) / difference)),
+                skew_y: up(sum_y / height),
+                z,
+                depth,
             }
         }
         Projection::Parallel => Lens {
             x: two(Dd::ONE / width),
-            y: two(Dd::ONE / height),
+            y: up(two(Dd::ONE / height)),
             skew_x: -(sum_x / width),
-            skew_y: -(sum_y / height),
-            z: -(Dd::ONE / difference),
-            depth: -(sum / difference),
+            skew_y: up(-(sum_y / height)),
+            z: half_range / difference,
+            depth: (at_near * half(far) - at_far * half(near)) / difference,
         },
     }
 }
 
-fn sum(a: [Dd; 4], b: [Dd; 4]) -> [Dd; 4] {
-    std::array::from_fn(|i| a[i].plus(b[i]))
-}
-
-fn rounded(row: [Dd; 4]) -> DVec4 {
+pub(super) fn rounded(row: [Dd; 4]) -> DVec4 {
     DVec4::from_array(row.map(Dd::value))
 }
 
-fn from_rows(rows: [DVec4; 4]) -> DMat4 {
+pub(super) fn from_rows(rows: [DVec4; 4]) -> DMat4 {
     DMat4::from_cols_array_2d(&rows.map(|row| row.to_array())).transpose()
 }

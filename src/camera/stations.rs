@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, DVec4};
 
 use super::basis::Frame;
-use super::{Camera, ImageSize, Projection, Viewport};
+use super::{Camera, ClipSpace, ImageSize, Ndc, Projection, Viewport};
 use crate::geometry::double_double::{Dd, Dd3, NOISE};
 
 /// A point on its way from the world to the picture.
@@ -17,14 +17,14 @@ pub struct Stations {
     pub clip: DVec4,
     /// What follows the division by W; `None` where W = 0.
     pub projected: Option<Projected>,
-    /// |X|, |Y|, |Z| ≤ W and W > 0, for `clip` as it stands here.
+    /// |X|, |Y|, |Z| ≤ W and W > 0, for `clip` as it stands here. (In other conventions Z lies between the depths of F and B, times W.)
     pub inside: bool,
 }
 
 /// A point after the division.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projected {
-    /// NDC, `[0]` Eq. (5.6).
+    /// NDC, `[0]` Eq. (5.6); in the convention of the [`ClipSpace`] that was asked.
     pub ndc: DVec3,
     /// (x_p, y_p) on the plane of the view window, `[0]` Eqs. (5.9) and (5.10).
     pub window: DVec2,
@@ -61,34 +61,7 @@ impl Camera {
     /// that number.
     #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
-        let (view, noise) = self.exact_view_point(p_world);
-        let mut clip = self.clip_of_view(view);
-        if self.projection() == Projection::Perspective && self.is_beside_the_eye(p_world, view) {
-            clip[3] = Dd::ZERO;
-        }
-        let [x, y, z, w] = clip;
-        let projected = (w.value() != 0.0).then(|| {
-            let ndc = [x / w, y / w, z / w];
-            let (window, noise) = match self.projection() {
-                Projection::Perspective => {
-                    let near = Dd::new(self.near());
-                    let window = [near * (view.x / w), near * (view.y / w)];
-                    let farthest = window[0].value().abs().max(window[1].value().abs());
-                    (window, noise * ((self.near() + farthest) / w.value().abs()))
-                }
-                Projection::Parallel => ([view.x, view.y], noise),
-            };
-            let noise = [noise / self.window_width(), noise / self.window_height()];
-            Projected {
-                ndc: DVec3::from_array(ndc.map(Dd::value)),
-                window: DVec2::from_array(window.map(Dd::value)),
-                pixel: DVec2::from_array(self.pixel_of_window(image, window, noise)),
-                viewport: DVec3::from_array(viewport.of_ndc(ndc, noise)),
-            }
-        });
-        let clip = DVec4::from_array(clip.map(Dd::value));
-        let inside = clip.w > 0.0 && clip.truncate().abs().max_element() <= clip.w;
-        Stations { world: p_world, view: view.value(), clip, projected, inside }
+        self.notes_clip_space().stations(p_world, image, viewport)
     }
 
     /// True for a point whose depth (p − C) · **n** is less than half a unit in the last place of each coordinate of p and C can make
@@ -114,5 +87,49 @@ impl Camera {
         let clean = |axis: &Dd3, x: Dd| x.without_noise(axis.value().abs().dot(made_of));
         let view = Dd3::new(clean(u, u.dot(d)), clean(v, v.dot(d)), clean(n, self.frame.along_normal(d)));
         (view, (d.value().abs() + made_of).element_sum() * NOISE)
+    }
+}
+
+impl ClipSpace<'_> {
+    /// A world point in every space; clip coordinates, NDC and `inside` are those of the convention, all others do not depend on it.
+    ///
+    /// *Guarantees*: those of [`Camera::stations`].
+    #[must_use]
+    pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
+        let camera = self.camera();
+        let (view, noise) = camera.exact_view_point(p_world);
+        let mut clip = self.lens.clip(camera.projection(), view);
+        if camera.projection() == Projection::Perspective && camera.is_beside_the_eye(p_world, view) {
+            clip[3] = Dd::ZERO;
+        }
+        let [x, y, z, w] = clip;
+        let projected = (w.value() != 0.0).then(|| {
+            let ndc = [x / w, y / w, z / w];
+            // Window and viewport are those of (5.24) and (5.25), whatever lies between.
+            let notes = if self.ndc() == Ndc::default() {
+                ndc
+            } else {
+                let [x, y, z, _] = camera.lens.clip(camera.projection(), view);
+                [x / w, y / w, z / w]
+            };
+            let (window, noise) = match camera.projection() {
+                Projection::Perspective => {
+                    let near = Dd::new(camera.near());
+                    let window = [near * (view.x / w), near * (view.y / w)];
+                    let farthest = window[0].value().abs().max(window[1].value().abs());
+                    (window, noise * ((camera.near() + farthest) / w.value().abs()))
+                }
+                Projection::Parallel => ([view.x, view.y], noise),
+            };
+            let noise = [noise / camera.window_width(), noise / camera.window_height()];
+            Projected {
+                ndc: DVec3::from_array(ndc.map(Dd::value)),
+                window: DVec2::from_array(window.map(Dd::value)),
+                pixel: DVec2::from_array(camera.pixel_of_window(image, window, noise)),
+                viewport: DVec3::from_array(viewport.of_ndc(notes, noise)),
+            }
+        });
+        let clip = DVec4::from_array(clip.map(Dd::value));
+        Stations { world: p_world, view: view.value(), clip, projected, inside: self.is_inside(clip) }
     }
 }

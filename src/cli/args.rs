@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::Failure;
 use crate::appearance;
-use crate::camera::{Amount, Convention, ImageSize, OPERATIONS, Operation};
+use crate::camera::{Amount, Convention, ImageSize, Ndc, OPERATIONS, Operation};
 use crate::export::format::PictureFormat;
 use crate::export::plot::PlotFormat;
 use crate::expression::{self, Dimension};
@@ -65,6 +65,10 @@ pub(super) struct InspectArgs {
     /// A pixel (column, row; 0,0 is the top left) whose ray is wanted
     #[arg(long = "pixel", value_name = "I,J", allow_hyphen_values = true)]
     pixels: Vec<String>,
+    /// Whose normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too: glClipControl with zero to one), -infinite
+    /// lets the far plane go to infinity (in perspective). Vulkan's y points down; pixels, window and viewport are the same in all
+    #[arg(long, value_enum, value_name = "NAME", default_value_t)]
+    pub(super) ndc: Ndc,
     /// How the numbers are written
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -221,6 +225,16 @@ pub(super) enum DataFormat {
     Text,
     Json,
     Csv,
+}
+
+impl ValueEnum for Ndc {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.name().into())
+    }
 }
 
 impl ValueEnum for Study {

@@ -6,7 +6,9 @@
 use super::Lang;
 use super::expressions::in_expression;
 use super::wording::Wording;
-use crate::camera::{Amount, CameraError, Derived, Descriptor, Operation, OperationError, Range, Warning};
+use crate::camera::{
+    Amount, CameraError, Derived, Descriptor, InfiniteParallel, Operation, OperationError, Range, Warning,
+};
 use crate::foreign::shown;
 use crate::inspect::InspectError;
 
@@ -167,12 +169,26 @@ fn amount_in_portuguese(descriptor: &Descriptor) -> String {
     }
 }
 
+/// Why a camera has no matrices in a convention of NDC.
+#[must_use]
+pub(super) fn infinite_parallel(lang: Lang, error: InfiniteParallel) -> String {
+    match lang {
+        Lang::En => error.to_string(),
+        Lang::PtBr => format!(
+            "{} leva o plano de fundo ao infinito, o que em projeção paralela dá o mesmo z a todas as profundidades; permitido: \
+             projection = \"perspective\", ou uma convenção sem -infinite",
+            error.0.name()
+        ),
+    }
+}
+
 /// Why there are no numbers to report.
 #[must_use]
 pub fn inspect(lang: Lang, error: &InspectError) -> String {
     match (lang, error) {
         (Lang::En, error) => error.to_string(),
         (Lang::PtBr, InspectError::Camera(error)) => camera(lang, error),
+        (Lang::PtBr, InspectError::InfiniteParallel(error)) => infinite_parallel(lang, *error),
         (Lang::PtBr, InspectError::Operation { operation, error }) => {
             format!("operação {operation}: {}", camera(lang, error))
         }

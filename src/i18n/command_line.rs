@@ -96,6 +96,7 @@ fn portuguese(error: &clap::Error) -> String {
     for (kind, before) in [
         (ContextKind::ValidValue, "permitido"),
         (ContextKind::SuggestedArg, "você quis dizer"),
+        (ContextKind::SuggestedValue, "você quis dizer"),
         (ContextKind::SuggestedSubcommand, "você quis dizer"),
     ] {
         let found = context(kind);

@@ -69,7 +69,7 @@ fn any_lens() -> BoxedStrategy<Parameters> {
 }
 
 /// Cameras as hard as the contract has them.
-fn any_camera() -> BoxedStrategy<Camera> {
+pub(super) fn any_camera() -> BoxedStrategy<Camera> {
     (any_pose(), any_lens())
         .prop_filter_map("no camera", |((position, focal_point, view_up), lens)| {
             Camera::new(&Parameters { position, focal_point, view_up, ..lens }).ok()

@@ -8,12 +8,13 @@ use camera_lab::inspect::{InspectError, Report};
 use glam::DVec3;
 use serde_json::Value;
 
-const KEYS: [&str; 14] = [
+const KEYS: [&str; 15] = [
     "camera",
     "dop",
     "distance",
     "basis",
     "window",
+    "ndc",
     "view_matrix",
     "projection_matrix",
     "view_projection_matrix",

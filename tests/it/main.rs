@@ -24,6 +24,7 @@ mod layers;
 mod meshes;
 mod meshes_gltf;
 mod meshes_obj;
+mod ndc;
 mod outline;
 mod pipeline;
 mod pipeline_bounds;

@@ -14,7 +14,7 @@ use crate::numbers::{self, without_rests};
 /// The numbers of the figure.
 fn report(state: &State) -> Option<Report> {
     let figure = state.document.figure();
-    Report::of(state.document.camera(), figure.image, figure.viewport, &[], &[]).ok()
+    Report::of(&state.document.camera().notes_clip_space(), figure.image, figure.viewport, &[], &[]).ok()
 }
 
 /// Shows the numbers.
@@ -289,7 +289,7 @@ mod tests {
             (Projection::Parallel, None, "(5.16)"),
         ] {
             let camera = Camera::new(&Parameters { projection, window, ..Parameters::default() }).unwrap();
-            let report = Report::of(&camera, ImageSize::default(), None, &[], &[]).unwrap();
+            let report = Report::of(&camera.notes_clip_space(), ImageSize::default(), None, &[], &[]).unwrap();
             assert_eq!(projection_equation(&report), equation);
             let erratum = tables(window_texts(), &report, false).into_iter().any(|table| table.erratum.is_some());
             assert_eq!(erratum, projection == Projection::Parallel);
