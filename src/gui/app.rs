@@ -152,6 +152,13 @@ impl App {
         panels::session_news::bar(ui, &mut self.state);
         panels::changed_file::bar(ui, &mut self.state);
         panels::status::error(ui, &mut self.state);
+        if self.state.numerics.shown {
+            egui::Panel::bottom("numerics").default_size(290.0).size_range(200.0..=520.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numerics, t.numerics);
+                panels::numerics::ui(ui, &mut self.state);
+            });
+            name_handle(ui, "numerics", t.panel_width);
+        }
         if sides.is_shown(Side::Left) {
             egui::Panel::left("parameters").default_size(256.0).size_range(220.0..=420.0).show(ui, |ui| {
                 focus::region(ui, ui.max_rect(), Region::Parameters, t.parameters_panel);
@@ -318,6 +325,7 @@ impl App {
             }
             Command::Help => state.file_flow.dialog = Some(Dialog::Help),
             Command::Pipeline => state.layout.strip = !state.layout.strip,
+            Command::Numerics => state.numerics.shown = !state.numerics.shown,
             Command::Section => state.document.edit(|figure| figure.world.section ^= true),
             Command::Dimensions => state.document.edit(|figure| figure.world.dimensions ^= true),
             Command::LinkOrbits => state.layout.linked = !state.layout.linked,

@@ -88,6 +88,8 @@ pub enum Command {
     LinkOrbits,
     /// Shows or hides the stages of the pipeline.
     Pipeline,
+    /// Shows or hides the studies of error against run time.
+    Numerics,
     /// Mouse and keyboard at a glance.
     Help,
 }
@@ -102,7 +104,7 @@ impl Command {
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
-    pub const VIEW: [Self; 22] = [
+    pub const VIEW: [Self; 23] = [
         Self::Show(View::World),
         Self::Show(View::Canonical),
         Self::Show(View::Image),
@@ -125,6 +127,7 @@ impl Command {
         Self::Dimensions,
         Self::LinkOrbits,
         Self::Pipeline,
+        Self::Numerics,
     ];
     /// The menu of the window: its panels, its looks, its language.
     pub const WINDOW: [Self; 11] = [
@@ -234,6 +237,7 @@ impl Command {
             Self::Dimensions => (t.dimensions, t.dimensions_hint),
             Self::LinkOrbits => (t.link_orbits, t.link_orbits_hint),
             Self::Pipeline => (t.pipeline, t.pipeline_hint),
+            Self::Numerics => (t.numerics, t.numerics_hint),
             Self::Help => (t.help, t.help_hint),
         }
     }
@@ -271,6 +275,7 @@ impl Command {
             Self::ParametersPanel => (Modifiers::NONE, Key::F8),
             Self::NumbersPanel => (Modifiers::NONE, Key::F9),
             Self::Pipeline => (Modifiers::NONE, Key::F10),
+            Self::Numerics => (Modifiers::COMMAND, Key::Num9),
             Self::Tab(Tab::Camera) => (Modifiers::NONE, Key::F5),
             Self::Tab(Tab::Scene) => (Modifiers::NONE, Key::F6),
             Self::Tab(Tab::Drawing) => (Modifiers::NONE, Key::F7),
@@ -343,6 +348,7 @@ impl Command {
             | Self::Dimensions
             | Self::LinkOrbits
             | Self::Pipeline
+            | Self::Numerics
             | Self::Help => None,
         }
     }
@@ -389,6 +395,7 @@ impl Command {
             | Self::Section
             | Self::LinkOrbits
             | Self::Pipeline
+            | Self::Numerics
             | Self::Help => true,
         }
     }
@@ -413,6 +420,7 @@ impl Command {
             Self::Dimensions => Some(state.document.figure().world.dimensions),
             Self::LinkOrbits => Some(state.layout.linked),
             Self::Pipeline => Some(state.layout.strip),
+            Self::Numerics => Some(state.numerics.shown),
             Self::New
             | Self::Open
             | Self::Gallery

@@ -4,7 +4,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     self, Context, CornerRadius, Event, FocusDirection, Id, Key, LayerId, Modifiers, Order, Popup, Rect, Response,
-    Sense, Stroke, StrokeKind, Ui, WidgetRect,
+    Sense, Stroke, StrokeKind, Ui,
 };
 
 /// A part of the window that Ctrl+Tab goes to, in this order.
@@ -18,6 +18,8 @@ pub(super) enum Region {
     Picture(usize),
     /// The stages of the pipeline.
     Strip,
+    /// The studies of error against run time.
+    Numerics,
     /// Operations and numbers.
     Numbers,
 }
@@ -156,21 +158,35 @@ fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
     }
 }
 
-/// What takes the focus in the window itself, as it was in the last frame: first all but the panel on the right, then that panel.
+/// What takes the focus in the window itself, as it was in the last frame: first all but the panel on the right and the one of studies, which
+/// are laid out before the pictures; then those two.
 fn as_read(ctx: &Context, regions: &Regions) -> Vec<Id> {
     /// A panel's frame, and the handle by which it is made wider.
     const MARGIN: f32 = 12.0;
-    let numbers = regions.0.iter().find(|(region, ..)| *region == Region::Numbers);
+    let find = |wanted: Region| regions.0.iter().find(|(region, ..)| *region == wanted);
+    let (numbers, numerics) = (find(Region::Numbers), find(Region::Numerics));
     ctx.viewport(|viewport| {
         let widgets = &viewport.prev_pass.widgets;
         let all = widgets.get_layer(LayerId::background()).filter(|w| w.enabled && w.sense.is_focusable());
-        let mut in_numbers = false;
-        let (on_the_right, others): (Vec<&WidgetRect>, Vec<_>) = all.partition(|widget| {
-            let Some((_, id, rect)) = numbers else { return false };
-            in_numbers |= widget.id == *id;
-            in_numbers && rect.x_range().expand(MARGIN).contains(widget.rect.center().x)
-        });
-        others.into_iter().chain(on_the_right).map(|widget| widget.id).collect()
+        let (mut in_numbers, mut in_numerics) = (false, false);
+        let mut late = [Vec::new(), Vec::new()];
+        let mut order = Vec::new();
+        for widget in all {
+            let begins = |region: Option<&(Region, Id, Rect)>| region.is_some_and(|(_, id, _)| widget.id == *id);
+            // Its controls come one after the other, up to the next region's; the pictures above it begin with their titles.
+            in_numerics = begins(numerics) || (in_numerics && !regions.0.iter().any(|(_, id, _)| widget.id == *id));
+            in_numbers |= begins(numbers);
+            let center = widget.rect.center();
+            if in_numerics && numerics.is_some_and(|(_, _, rect)| center.y > rect.top() - MARGIN) {
+                late[0].push(widget.id);
+            } else if in_numbers && numbers.is_some_and(|(_, _, rect)| rect.x_range().expand(MARGIN).contains(center.x))
+            {
+                late[1].push(widget.id);
+            } else {
+                order.push(widget.id);
+            }
+        }
+        order.into_iter().chain(late.into_iter().flatten()).collect()
     })
 }
 

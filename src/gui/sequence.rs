@@ -59,6 +59,23 @@ fn document_at(state: &mut State, place: Option<&Source>) -> Result<Document, Bo
     }
 }
 
+/// Shows another document. The one that was open is kept with its changes, as on the way to the next figure.
+pub(super) fn show(state: &mut State, document: Document) {
+    state.document.commit();
+    let source = source_of(&state.document);
+    keep_and_show(state, source, document);
+}
+
+fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) {
+    let left = state.document.clone();
+    state.take_over(document);
+    if left.is_changed() {
+        state.kept.push((source, left));
+    }
+    state.annotations.strokes.clear();
+    state.annotations.blank = false;
+}
+
 /// Goes on to the next figure, or back to the one before. What cannot be opened is passed over, and said. True where the window
 /// shows another figure now.
 pub(super) fn step(state: &mut State, forwards: bool) -> bool {
@@ -70,18 +87,12 @@ pub(super) fn step(state: &mut State, forwards: bool) -> bool {
     while let Some(index) = candidate {
         match document_at(state, places[index].as_ref()) {
             Ok(document) => {
-                let left = state.document.clone();
-                state.take_over(document);
-                if left.is_changed() {
-                    state.kept.push((places[at].clone(), left));
-                }
+                keep_and_show(state, places[at].clone(), document);
                 if let Some(Source::File(path)) = &places[index] {
                     state.recent.add(path);
                 }
                 // Another program may have gone on with the file.
                 state.file_flow.look = true;
-                state.annotations.strokes.clear();
-                state.annotations.blank = false;
                 state.say(fault.unwrap_or(Message::Step { number: index + 1, of: places.len() }));
                 return true;
             }

@@ -14,6 +14,19 @@ texts! {
     worst: "worst", "pior";
     bits: "bits off", "bits errados";
     nanos: "ns", "ns";
+    // Buttons.
+    measure: "Measure", "Medir";
+    measure_hint: "Runs all methods of this study on the same inputs, beside the window: some seconds", "Executa todos os métodos deste estudo nas mesmas entradas, ao lado da janela: alguns segundos";
+    cancel: "Cancel", "Cancelar";
+    open: "open", "abrir";
+    open_hint: "Shows the camera on which this method was worst in the three pictures; the figure that is open is kept with its changes", "Mostra nas três imagens a câmera em que este método foi pior; a figura aberta é guardada com suas alterações";
+    // Which chart.
+    over_parameter: "error over parameter", "erro por parâmetro";
+    over_time: "error against time", "erro contra tempo";
+    // Hints.
+    nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs, against a reference of 512 bits.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas, contra uma referência de 512 bits.";
+    point_at: "Point at a dot to read it; a click opens its worst camera.", "Aponte para um ponto para lê-lo; um clique abre sua pior câmera.";
+    star: "* no other method is both as right and as fast", "* nenhum outro método é tão exato e tão rápido";
     // Below a table.
     front: "Pareto front", "frente de Pareto";
     time: "time of one item / ns", "tempo por item / ns";
@@ -41,6 +54,40 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
         (Lang::PtBr, Study::Antialiasing) => "Amostras por pixel contra a área exata",
         (Lang::En, Study::Clipping) => "Segments through w = 0: clipped before or after the division",
         (Lang::PtBr, Study::Clipping) => "Segmentos por w = 0: recortados antes ou depois da divisão",
+    }
+}
+
+/// A study by a few words.
+#[must_use]
+pub const fn short_title(lang: Lang, study: Study) -> &'static str {
+    match (lang, study) {
+        (Lang::En, Study::VertexTransform) => "Worlds far away",
+        (Lang::PtBr, Study::VertexTransform) => "Mundos distantes",
+        (_, Study::Basis) => "u, v, n",
+        (Lang::En, Study::RepeatedOperations) => "Many operations",
+        (Lang::PtBr, Study::RepeatedOperations) => "Muitas operações",
+        (Lang::En, Study::DepthBuffer) => "Depth buffers",
+        (Lang::PtBr, Study::DepthBuffer) => "Buffers de profundidade",
+        (Lang::En, Study::Visibility) => "What is seen",
+        (Lang::PtBr, Study::Visibility) => "O que se vê",
+        (Lang::En, Study::Shading) => "Light on curved surfaces",
+        (Lang::PtBr, Study::Shading) => "Luz em superfícies curvas",
+        (Lang::En, Study::Antialiasing) => "Samples of a pixel",
+        (Lang::PtBr, Study::Antialiasing) => "Amostras por pixel",
+        (Lang::En, Study::Clipping) => "Clipping through w = 0",
+        (Lang::PtBr, Study::Clipping) => "Recorte por w = 0",
+    }
+}
+
+/// What stands at a point of a chart.
+#[must_use]
+pub fn readout(lang: Lang, study: Study, row: &Row, number: impl Fn(f64) -> String) -> String {
+    let (method, at, error) = (name(lang, row.method), number(row.parameter), lang.mark().printed(&short(row.error)));
+    let (unit, bits) = (unit(lang, row.unit), lang.mark().printed(&format!("{:.1}", row.bits)));
+    let (parameter, nanos) = (parameter(lang, study), number(row.nanos));
+    match lang {
+        Lang::En => format!("{method}, {parameter} {at}: {unit} {error}, {bits} bits off, {nanos} ns"),
+        Lang::PtBr => format!("{method}, {parameter} {at}: {unit} {error}, {bits} bits errados, {nanos} ns"),
     }
 }
 
@@ -205,7 +252,8 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
 }
 
 /// An error with its size and little more.
-fn short(x: f64) -> String {
+#[must_use]
+pub fn short(x: f64) -> String {
     if x == 0.0 { "0".to_owned() } else { format!("{x:.1e}") }
 }
 

@@ -73,6 +73,8 @@ texts! {
     scene_tab_hint: "What the camera looks at: a tree of objects, and the lights", "O que a câmera olha: uma árvore de objetos, e as luzes";
     drawing_tab: "Drawing tab", "Aba do desenho";
     drawing_tab_hint: "How the pictures are drawn", "Como as imagens são desenhadas";
+    numerics: "Numerics", "Numérica";
+    numerics_hint: "Error against run time: ways to compute what a camera does, measured here", "Erro contra tempo: maneiras de calcular o que uma câmera faz, medidas aqui";
     pipeline: "Pipeline stages", "Etapas do pipeline";
     pipeline_hint: "The strip under the pictures: what each stage did, or why it was left out", "A faixa sob as imagens: o que cada etapa fez, ou por que foi omitida";
     look_front: "Look from the front", "Olhar de frente";

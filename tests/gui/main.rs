@@ -12,6 +12,7 @@ mod files;
 mod gallery;
 mod keyboard;
 mod language;
+mod numerics;
 mod other_programs;
 mod painter;
 mod panels;

@@ -1,6 +1,7 @@
 //! The panels at the sides, and the few shapes that all of them are made of.
 
 pub mod changed_file;
+pub mod numerics;
 pub mod operations;
 pub mod parameters;
 pub mod recovery;

@@ -5,6 +5,7 @@ mod files;
 mod insert;
 mod layout;
 mod message;
+mod numerics;
 mod operations;
 mod recent;
 mod scene_tree;
@@ -22,6 +23,7 @@ pub(super) use insert::{free_place, rounded};
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use message::about_session;
 pub use message::{Message, NotExported};
+pub use numerics::Numerics;
 pub use operations::Operations;
 pub(super) use operations::{Motion, Scrub};
 pub use recent::Recent;
@@ -135,6 +137,8 @@ pub struct State {
     pub export: Export,
     /// What lies over the pictures.
     pub annotations: Annotations,
+    /// The studies of error against run time.
+    pub numerics: Numerics,
 }
 
 /// The document at the start. What the command line has done to the camera is a change of the figure in the file: it can be
@@ -197,6 +201,7 @@ impl State {
             given_up: Vec::new(),
             export: Export::new([[640, 480]; 3], 1.0),
             annotations: Annotations::default(),
+            numerics: Numerics::default(),
         })
     }
 

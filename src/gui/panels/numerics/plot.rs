@@ -1,0 +1,108 @@
+//! The chart of one case of a study. Its axes are logarithms.
+
+use eframe::egui::{self, Color32, Ui};
+use egui_plot::{Line, Plot, PlotPoint, PlotPoints, Points, uniform_grid_spacer};
+
+use crate::appearance::Rgba;
+use crate::chart::{Chart, Look, power_of_ten};
+use crate::export::plot::COLORS;
+use crate::i18n::{Lang, numerics as words};
+use crate::numbers::significant;
+use crate::numerics::charts::Pair;
+use crate::numerics::{Findings, Row};
+
+/// How near to a point the pointer has to be, in points.
+const NEAR: f32 = 14.0;
+/// Room for the line that reads out the point under the pointer.
+const READOUT: f32 = 22.0;
+
+/// Shows a chart and what is under the pointer; gives the row whose point was clicked.
+pub(super) fn show(
+    ui: &mut Ui,
+    lang: Lang,
+    findings: &Findings,
+    case: &str,
+    pair: &Pair,
+    over_time: bool,
+) -> Option<Row> {
+    let chart = if over_time { &pair.by_time } else { &pair.by_parameter };
+    let [x, y] = chart.range().map(|[low, high]| [low.log10(), high.log10()]);
+    let height = (ui.available_height() - READOUT).max(80.0);
+    let axis = |mark: egui_plot::GridMark, _: &std::ops::RangeInclusive<f64>| {
+        if mark.value.fract() == 0.0 { power_of_ten(10f64.powf(mark.value)) } else { String::new() }
+    };
+    let decades = |_: egui_plot::GridInput| [10.0, 5.0, 1.0];
+    let plot = Plot::new(("study", findings.study.name(), over_time))
+        .height(height)
+        .default_x_bounds(x[0], x[1])
+        .default_y_bounds(y[0], y[1])
+        .x_axis_label(&chart.x_label)
+        .y_axis_label(&chart.y_label)
+        .x_axis_formatter(axis)
+        .y_axis_formatter(axis)
+        .x_grid_spacer(uniform_grid_spacer(decades))
+        .y_grid_spacer(uniform_grid_spacer(decades))
+        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.5))
+        .show_x(false)
+        .show_y(false)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false);
+    let point = |row: &Row| {
+        let error = if row.error > 0.0 { row.error } else { pair.floor };
+        let across = if over_time { row.nanos } else { row.parameter };
+        PlotPoint::new(across.log10(), error.log10())
+    };
+    let dark = ui.visuals().dark_mode;
+    let shown = plot.show(ui, |plot_ui| {
+        // The case may have changed under the same plot.
+        plot_ui.set_plot_bounds_x(x[0]..=x[1]);
+        plot_ui.set_plot_bounds_y(y[0]..=y[1]);
+        draw(plot_ui, chart, dark);
+        let pointer = plot_ui.response().hover_pos()?;
+        let rows = findings.rows.iter().filter(|row| row.case == case);
+        let distance = |row: &Row| plot_ui.screen_from_plot(point(row)).distance(pointer);
+        rows.map(|row| (distance(row), row)).min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(d, _)| *d < NEAR)
+    });
+    let row = shown.inner.map(|(_, row)| row);
+    let text = match row {
+        Some(row) => words::readout(lang, findings.study, row, |x| lang.mark().printed(&significant(x, 3))),
+        None => words::texts(lang).point_at.to_owned(),
+    };
+    ui.add(egui::Label::new(egui::RichText::new(text).small()).truncate());
+    row.filter(|_| shown.response.clicked()).cloned()
+}
+
+fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
+    for series in &chart.series {
+        let color = color_of(series.color, dark);
+        let points = || -> PlotPoints<'_> { series.points.iter().map(|p| p.map(f64::log10)).collect() };
+        let width = match series.look {
+            Look::Curve => Some(1.5),
+            Look::BoldCurve => Some(3.0),
+            Look::Line => Some(1.0),
+            Look::Dots | Look::Shadow => None,
+        };
+        if let Some(width) = width {
+            plot_ui.line(Line::new(series.name.clone(), points()).color(color).width(width));
+        }
+        let radius = match series.look {
+            Look::Curve => 3.0,
+            Look::BoldCurve => 4.0,
+            Look::Dots => 5.5,
+            Look::Shadow => 2.0,
+            Look::Line => continue,
+        };
+        let color = if series.look == Look::Shadow { color.gamma_multiply(0.4) } else { color };
+        plot_ui.points(Points::new(series.name.clone(), points()).color(color).radius(radius));
+    }
+}
+
+/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are lightened. Grey without.
+pub(super) fn color_of(color: Option<usize>, dark: bool) -> Color32 {
+    let ground = if dark { Rgba::rgb(0x16, 0x1a, 0x20) } else { Rgba::rgb(255, 255, 255) };
+    let own = color.map_or(Rgba::rgb(0x70, 0x70, 0x70), |i| COLORS[i % COLORS.len()]);
+    let Rgba { r, g, b, .. } = own.legible_on(ground);
+    Color32::from_rgb(r, g, b)
+}

@@ -1,0 +1,83 @@
+//! The panel of studies: measured beside the window's thread, and each number leads to its camera.
+
+use std::time::Duration;
+
+use camera_lab::camera::Camera;
+use camera_lab::i18n::Lang;
+use camera_lab::numerics::{Effort, OWN, Study};
+use eframe::egui::Key;
+use eframe::egui::accesskit::Role;
+use egui_kittest::kittest::Queryable;
+
+use super::window::Window;
+
+/// A window with the panel, which tries little.
+fn window(lang: Lang) -> Window {
+    let mut window = Window::new(lang);
+    window.command_key(Key::Num9);
+    window.run();
+    let numerics = &mut window.app_mut().state.numerics;
+    assert!(numerics.shown);
+    numerics.effort = Effort { seed: 1, seconds: 0.0, thorough: false };
+    window
+}
+
+fn measured(window: &mut Window, button: &str) {
+    window.click(button);
+    window.app_mut().state.numerics.take(Duration::from_secs(120));
+    window.run();
+    assert!(window.state().numerics.measuring().is_none());
+}
+
+#[test]
+fn a_study_is_measured_and_its_worst_cameras_open_with_what_was_open_kept() {
+    let mut window = window(Lang::En);
+    window.click("Clipping through w = 0");
+    assert_eq!(window.state().numerics.study, Study::Clipping);
+    assert!(window.harness.query_by_label_contains("Not measured yet").is_some());
+    measured(&mut window, "Measure");
+    assert!(window.harness.query_by_label_contains("Not measured yet").is_none());
+    assert!(window.harness.query_by_label_contains("f64 before the divide").is_some());
+
+    // Something is changed; the figure of a row is opened over it.
+    window.app_mut().state.document.edit(|figure| figure.style.antialias = 16);
+    let row =
+        window.state().numerics.found(Study::Clipping).expect("found").rows.iter().rfind(|r| r.method == OWN).cloned();
+    let wanted = camera_lab::figure::read::parse(&row.and_then(|r| r.figure).expect("a figure")).expect("a figure");
+    window.app_mut().state.numerics.case = 1;
+    window.run();
+    let buttons: Vec<_> = window.harness.query_all_by_role_and_label(Role::Button, "open").collect();
+    buttons.last().expect("a button for each method").click();
+    drop(buttons);
+    window.run();
+    assert_eq!(window.state().document.figure().camera, wanted.camera);
+    assert!(Camera::new(&wanted.camera).is_ok());
+    assert_eq!(window.state().kept.len(), 1, "what was changed is kept");
+}
+
+#[test]
+fn the_panel_speaks_portuguese_and_goes_away_again() {
+    let mut window = window(Lang::PtBr);
+    window.click("Recorte por w = 0");
+    measured(&mut window, "Medir");
+    for text in ["erro por parâmetro", "erro contra tempo", "f64 depois da divisão"] {
+        assert!(window.harness.query_by_label_contains(text).is_some(), "{text}");
+    }
+    window.click("erro contra tempo");
+    assert!(window.state().numerics.over_time);
+    window.command_key(Key::Num9);
+    window.run();
+    assert!(window.harness.query_by_label_contains("erro contra tempo").is_none());
+}
+
+#[test]
+fn what_is_cancelled_is_not_shown_as_measured() {
+    let mut window = window(Lang::En);
+    window.app_mut().state.numerics.effort = Effort { seed: 1, seconds: 600.0, thorough: true };
+    window.click("Measure");
+    window.click("Cancel");
+    window.app_mut().state.numerics.take(Duration::from_secs(120));
+    window.run();
+    assert!(window.state().numerics.found(Study::VertexTransform).is_none());
+    assert!(window.harness.query_by_label("Measure").is_some());
+}
