@@ -2,7 +2,8 @@
 //!
 //! Pixels: (0, 0) is the top-left corner of the top-left pixel, x to the right, y down; the centre of pixel (i, j) is
 //! (i + ½, j + ½). Depth: **1 at the near plane, 0 at the far plane** (reversed, so that `f32` keeps its resolution where
-//! perspective crowds the depths), affine in the picture's plane; the greater depth is nearer.
+//! perspective crowds the depths), affine in the picture's plane; the greater depth is nearer. Where the volume is much deeper than what
+//! is in view of it, the depths are those of what is in view, and may be greater than 1; the frame says what they mean.
 //!
 //! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal depths the first drawn stays), then
 //! translucent surfaces from back to front (hidden by what is opaque and nearer), then strokes,

@@ -7,6 +7,7 @@ use glam::{DMat4, DVec3};
 
 use super::bounds::Bounds;
 use super::cull::{Containment, containment, outside};
+use super::depths::InView;
 use super::projector::Projector;
 use crate::geometry::Aabb;
 use crate::scene::{Mesh, Object, Scene};
@@ -28,6 +29,17 @@ pub(super) struct BoundingTree {
     loose: BTreeSet<u32>,
     /// So many of them cannot be in any tree.
     without_box: usize,
+}
+
+/// Where the objects of a scene lie.
+#[derive(Debug)]
+pub(super) struct Places {
+    /// Of each.
+    pub(super) containments: Vec<Containment>,
+    /// How many boxes were held against the volume to find out.
+    pub(super) boxes_tested: usize,
+    /// Between which distances there may be any of them in the volume.
+    pub(super) in_view: InView,
 }
 
 /// An object as it was last seen.
@@ -57,19 +69,22 @@ const FEW: usize = 16;
 const LEAF: usize = 4;
 
 impl BoundingTree {
-    /// Where each object of `scene` lies, and how many boxes were held against the volume to find out.
-    pub(super) fn places(&mut self, scene: &Scene, projector: &Projector) -> (Vec<Containment>, usize) {
+    /// Where each object of `scene` lies.
+    pub(super) fn places(&mut self, scene: &Scene, projector: &Projector) -> Places {
         self.update(&scene.objects);
-        let mut tested = 0;
+        let (mut tested, mut in_view) = (0, InView::NOTHING);
         let mut test = |k: usize| match &self.objects[k] {
             Known { bounds: None, .. } => Containment::Empty,
             Known { bounds: Some(bounds), world_from_object, .. } => {
                 tested += 1;
-                containment(projector, &projector.view_from_object(*world_from_object), bounds)
+                let place = containment(projector, &projector.view_from_object(*world_from_object), bounds);
+                in_view = in_view.and(place.in_view);
+                place.containment
             }
         };
         if self.nodes.is_empty() {
-            return ((0..self.objects.len()).map(&mut test).collect(), tested);
+            let containments = (0..self.objects.len()).map(&mut test).collect();
+            return Places { containments, boxes_tested: tested, in_view };
         }
         let mut places = vec![Containment::Empty; self.objects.len()];
         let (mut next, mut boxes) = (0, 0);
@@ -92,7 +107,7 @@ impl BoundingTree {
         for &k in &self.loose {
             places[k as usize] = test(k as usize);
         }
-        (places, boxes + tested)
+        Places { containments: places, boxes_tested: boxes + tested, in_view }
     }
 
     /// Brings what is known up to date.

@@ -117,7 +117,9 @@ struct Splitter {
 impl Splitter {
     fn object(&mut self, object: &Object, edges_only: bool) {
         let view_from_object = self.projector.view_from_object(object.world_from_object);
-        match Bounds::of(&object.mesh).map(|bounds| containment(&self.projector, &view_from_object, &bounds)) {
+        match Bounds::of(&object.mesh)
+            .map(|bounds| containment(&self.projector, &view_from_object, &bounds).containment)
+        {
             None | Some(Containment::Empty | Containment::Crosses(0)) => self.parts.inside.objects.push(object.clone()),
             Some(Containment::Outside(_)) => self.parts.outside.objects.push(object.clone()),
             Some(Containment::Crosses(_)) => self.crossing(object, &view_from_object, edges_only),

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::bounds::Bounds;
+use super::depths::InView;
 use super::planes::{ALL_PLANES, PLANES, PlaneSet, distances};
 use super::projector::{Projector, ViewFromObject};
 use crate::geometry::Aabb;
@@ -18,25 +19,41 @@ pub enum Containment {
     Crosses(PlaneSet),
 }
 
+/// What box and ball tell of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    pub(super) containment: Containment,
+    /// Between which distances there may be any of it in the volume.
+    pub(super) in_view: InView,
+}
+
 /// Holds the box and the ball around an object against the six planes: what is true of the corners of a box is true of all of
 /// it, because the distances are linear before the divide; of a ball, the middle and the radius tell.
 ///
 /// "Inside" leaves a margin for rounding, so that an object that is not clipped would not have been changed by clipping.
-pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObject, bounds: &Bounds) -> Containment {
+pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObject, bounds: &Bounds) -> Place {
     const MARGIN: f64 = 1e-13;
     let corners = bounds.aabb.corners();
     let reach = corners.iter().fold(0.0, |most, &corner| view_from_object.magnitude(corner).max(most));
     let slack = slack(projector, MARGIN, reach);
     if !bounds.finite || !slack.iter().all(|s| s.is_finite()) {
-        return Containment::Crosses(ALL_PLANES);
+        let in_view = InView { magnitude: projector.far, ..InView::between(projector.near, projector.far) };
+        return Place { containment: Containment::Crosses(ALL_PLANES), in_view };
     }
-    let mut range = [(f64::INFINITY, f64::NEG_INFINITY); PLANES];
+    let nothing = (f64::INFINITY, f64::NEG_INFINITY);
+    let widened = |range: (f64, f64), by: f64| (range.0.min(by), range.1.max(by));
+    let (mut range, mut depths) = ([nothing; PLANES], nothing);
     for corner in corners {
-        for (range, d) in range.iter_mut().zip(distances(projector, projector.clip(view_from_object.point(corner)))) {
-            *range = (range.0.min(d), range.1.max(d));
+        let p = projector.clip(view_from_object.point(corner));
+        depths = widened(depths, p.depth);
+        for (range, d) in range.iter_mut().zip(distances(projector, p)) {
+            *range = widened(*range, d);
         }
     }
-    let middle = distances(projector, projector.clip(view_from_object.point(bounds.aabb.center())));
+    let middle = projector.clip(view_from_object.point(bounds.aabb.center()));
+    let across = bounds.radius * view_from_object.slope(projector.gradient(4));
+    let depths = (depths.0.max(middle.depth - across), depths.1.min(middle.depth + across));
+    let middle = distances(projector, middle);
     let (mut outside, mut inside) = (0, 0);
     for (i, (least, most)) in range.into_iter().enumerate() {
         let across = bounds.radius * view_from_object.slope(projector.gradient(i));
@@ -44,7 +61,12 @@ pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObje
         outside |= PlaneSet::from(most < -slack[i / 2]) << i;
         inside |= PlaneSet::from(least > slack[i / 2]) << i;
     }
-    if outside != 0 { Containment::Outside(outside) } else { Containment::Crosses(ALL_PLANES & !inside) }
+    if outside != 0 {
+        return Place { containment: Containment::Outside(outside), in_view: InView::NOTHING };
+    }
+    let in_view =
+        InView { nearest: depths.0, farthest: depths.1, magnitude: reach }.clipped(projector.near, projector.far);
+    Place { containment: Containment::Crosses(ALL_PLANES & !inside), in_view }
 }
 
 /// The planes that all of a box in the world is outside of. `magnitude` is the size of the numbers from which the coordinates
@@ -123,7 +145,7 @@ mod tests {
     /// Of a box around `middle`, with a ball as large as given.
     fn of_box(projector: &Projector, middle: DVec3, half: DVec3, radius: f64) -> Containment {
         let bounds = Bounds { aabb: Aabb { min: middle - half, max: middle + half }, radius, finite: true };
-        containment(projector, &projector.view_from_object(DMat4::IDENTITY), &bounds)
+        containment(projector, &projector.view_from_object(DMat4::IDENTITY), &bounds).containment
     }
 
     #[test]
@@ -252,10 +274,11 @@ mod tests {
         let way = eye.view_from_object(DMat4::IDENTITY);
         let aabb = Aabb { min: DVec3::new(20.0, -1.0, -5.0), max: DVec3::new(22.0, 1.0, -3.0) };
         let bounds = |aabb, finite| Bounds { aabb, radius: 2.0, finite };
-        assert_eq!(containment(&eye, &way, &bounds(aabb, true)), Containment::Outside(0b0010));
-        assert_eq!(containment(&eye, &way, &bounds(aabb, false)), Containment::Crosses(ALL_PLANES));
+        let containment = |bounds| containment(&eye, &way, &bounds).containment;
+        assert_eq!(containment(bounds(aabb, true)), Containment::Outside(0b0010));
+        assert_eq!(containment(bounds(aabb, false)), Containment::Crosses(ALL_PLANES));
         let large = Aabb { min: aabb.min, max: DVec3::new(1.7e308, 1.0, -3.0) };
-        assert_eq!(containment(&eye, &way, &bounds(large, true)), Containment::Crosses(ALL_PLANES));
+        assert_eq!(containment(bounds(large, true)), Containment::Crosses(ALL_PLANES));
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub fn cull_result(object: &Object, camera: &Camera) -> CullResult {
     let view_from_object = projector.view_from_object(object.world_from_object);
     let mesh = &object.mesh;
     let Some(bounds) = Bounds::of(mesh) else { return CullResult::Kept };
-    let place = containment(&projector, &view_from_object, &bounds);
+    let place = containment(&projector, &view_from_object, &bounds).containment;
     if let Containment::Outside(planes) = place {
         return CullResult::Dropped(planes);
     }

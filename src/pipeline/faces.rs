@@ -152,7 +152,7 @@ impl Faces {
                         let index = to_u32(self.image.positions.len());
                         self.image.positions.push(on_grid(screen.project(vertices.projector, corner.point)));
                         if !self.image.inverse_w.is_empty() {
-                            self.image.inverse_w.push(vertices.projector.relative_inverse_w(corner.point.w));
+                            self.image.inverse_w.push(vertices.projector.depths.relative_inverse_w(corner.point.w));
                         }
                         self.cuts.push(new);
                         index

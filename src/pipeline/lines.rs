@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::Target;
 use super::clip::Clipper;
+use super::depths::InView;
 use super::outline::outline;
 use super::planes::outcode;
 use super::projector::{ClipPoint, Projector};
@@ -13,6 +14,19 @@ use super::transform::{Screen, Vertices, off_grid};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Anchor, Label, Mark, StrokeSet};
 use crate::scene::{Object, ObjectPaint, Scene};
+
+/// Between which distances lines, marks and texts of the scene are in the volume.
+pub(super) fn in_view(scene: &Scene, projector: &Projector) -> InView {
+    let clip = |p: DVec3| projector.clip(projector.view(p));
+    let mut clipper = Clipper::default();
+    let segments = scene.lines.iter().flat_map(|line| line.points.windows(2));
+    let lines = segments
+        .filter_map(|ends| clipper.segment(projector, [clip(ends[0]), clip(ends[1])]))
+        .flat_map(|ends| ends.map(|(p, _)| p.depth));
+    let points = scene.marks.iter().map(|mark| mark.position).chain(scene.texts.iter().map(|text| text.position));
+    let points = points.map(clip).filter(|&p| outcode(projector, p) == 0).map(|p| p.depth);
+    lines.chain(points).fold(InView::NOTHING, |all, depth| all.and(InView::between(depth, depth)))
+}
 
 /// Collects strokes. Those that follow each other in the same style become one set; the order of styles is that of the lines.
 pub(super) struct Strokes<'a> {

@@ -4,6 +4,7 @@
 //! | --- | --- | --- |
 //! | plan: which of these are needed | – | [`plan`] |
 //! | objects outside the volume dropped | object, world | `bounds`, `bounding_tree`, `cull` |
+//! | depths spread over what is in view | view | [`depths`] |
 //! | each vertex transformed once | object → world → view → clip → ndc → pixels | `projector`, `transform` |
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
@@ -28,6 +29,7 @@ pub mod clip_parts;
 mod cull;
 pub mod cull_result;
 mod cut;
+pub mod depths;
 pub mod divide_before_clip;
 mod faces;
 pub mod light;
@@ -135,9 +137,13 @@ impl Pipeline {
     #[must_use]
     pub fn frame(&mut self, scene: &Scene, camera: &Camera, target: Target, style: &Style, options: Options) -> Frame {
         let mut meter = Meter::new(options);
-        let projector = Projector::new(camera);
+        let mut projector = Projector::new(camera);
         let screen = Screen::new(target);
         let places = self.tree.places(scene, &projector);
+        if !options.depth_of_volume {
+            let in_view = places.in_view.and(lines::in_view(scene, &projector));
+            projector.depths = projector.depths.resolving(in_view);
+        }
         let plan = Plan::new(scene, &projector, style, places, options);
         let lights = Lights::new(&scene.lights, &projector, style.shading);
         let mut strokes = Strokes::new(&projector, &screen, target);
@@ -257,7 +263,7 @@ impl Pipeline {
             labels,
         };
         let report = meter.report(&plan, &Survey::of_done(scene, &plan.objects, &done, style), style);
-        let mut frame = Frame { drawing, report, plan, objects: done, too_much: None };
+        let mut frame = Frame { drawing, report, plan, objects: done, too_much: None, depths: projector.depths };
         if let Some(TooManyPieces { pieces, of_layer }) = too_many {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
             frame.too_much = Some(TooMuch::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));

@@ -5,6 +5,7 @@
 
 use std::time::Duration;
 
+use super::bounding_tree::Places;
 use super::cull::Containment;
 use super::planes::ALL_PLANES;
 use super::projector::Projector;
@@ -35,19 +36,16 @@ pub struct Options {
     pub force_all_stages: bool,
     /// What the drawing is for.
     pub output: Output,
+    /// The depths of the drawing are 1 at F and 0 at B, whatever is in view: for a drawing that another one is put into.
+    pub depth_of_volume: bool,
     /// Gives the time since any moment, for the report; without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
 }
 
 impl Plan {
-    /// Plans the picture. `containments` are those of the objects; `boxes_tested`: see there.
-    pub(super) fn new(
-        scene: &Scene,
-        projector: &Projector,
-        style: &Style,
-        (containments, boxes_tested): (Vec<Containment>, usize),
-        options: Options,
-    ) -> Self {
+    /// Plans the picture; `places` are those of the objects.
+    pub(super) fn new(scene: &Scene, projector: &Projector, style: &Style, places: Places, options: Options) -> Self {
+        let Places { containments, boxes_tested, .. } = places;
         let force = options.force_all_stages;
         let dark = scene.lights.is_empty();
         let objects = scene.objects.iter().zip(containments);

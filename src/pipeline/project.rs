@@ -5,11 +5,13 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::clip::Clipper;
+use super::depths::{DepthScale, InView, Sheet};
 use super::light::{Lights, ObjectLight};
+use super::lines;
 use super::planes::{NEAR, NOT_A_NUMBER, outcode};
 use super::projector::{ClipPoint, Projector};
 use super::resample::{Remake, VertexOrigin, color_at, face_color, object_paint};
-use super::transform::{Vertices, each_chunk};
+use super::transform::{Vertices, each_chunk, single};
 use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
 use crate::scene::{Adjacency, Line, Mesh, Object, ObjectPaint, PointMark, Scene, SharedEdge, Text};
@@ -22,18 +24,37 @@ use crate::scene::{Adjacency, Line, Mesh, Object, ObjectPaint, PointMark, Scene,
 /// object that was cut is open, so both sides of its faces show; one that was not stays closed, and convex if it was.
 #[must_use]
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
-    let projector = Projector::new(camera);
+    clipped_by(scene, &Projector::new(camera), shading).0
+}
+
+/// [`clipped_scene`], where all of it together is not thinner along z_n than a picture of the volume can tell: with an F or a B that is
+/// far from what there is to see, NDC make it a sheet, of which nothing is before anything else. It is shown a pixel or two thick then.
+#[must_use]
+pub fn legible_clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
+    let mut projector = Projector::new(camera);
+    let (clipped, in_view) = clipped_by(scene, &projector, shading);
+    projector.sheet = Sheet::of(&projector.depths, in_view);
+    if projector.sheet.is_some() { clipped_by(scene, &projector, shading).0 } else { clipped }
+}
+
+fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene, InView) {
+    let mut in_view = lines::in_view(scene, projector);
     // Edges alone show the object's own colour.
     let lit = shading != Shading::Wireframe && !scene.lights.is_empty();
-    let lights = lit.then(|| Lights::new(&scene.lights, &projector, shading));
+    let lights = lit.then(|| Lights::new(&scene.lights, projector, shading));
     let inside = |p_world: DVec3| {
         let p = projector.clip(projector.view(p_world));
-        (outcode(&projector, p) == 0).then(|| displayed(&projector, p))
+        (outcode(projector, p) == 0).then(|| displayed(projector, p))
     };
-    Scene {
-        objects: scene.objects.iter().filter_map(|o| clipped_object(o, &projector, lights.as_ref(), shading)).collect(),
+    let mut clip = |object| {
+        let (clipped, depths) = clipped_object(object, projector, lights.as_ref(), shading)?;
+        in_view = in_view.and(depths);
+        Some(clipped)
+    };
+    let clipped = Scene {
+        objects: scene.objects.iter().filter_map(&mut clip).collect(),
         lights: Vec::new(),
-        lines: scene.lines.iter().flat_map(|line| clipped_line(line, &projector)).collect(),
+        lines: scene.lines.iter().flat_map(|line| clipped_line(line, projector)).collect(),
         marks: scene
             .marks
             .iter()
@@ -45,7 +66,8 @@ pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene 
             .filter_map(|text| Some(Text { position: inside(text.position)?, ..text.clone() }))
             .collect(),
         notices: Vec::new(),
-    }
+    };
+    (clipped, in_view)
 }
 
 /// The point at which `p_world` is shown; `None` where it cannot be projected (w ≤ 0).
@@ -62,11 +84,11 @@ pub fn view_of(camera: &Camera) -> impl Fn(DVec3) -> DVec3 {
     move |p_world| projector.view(p_world)
 }
 
-/// The depth that the depth buffer of the pictures holds for a distance from the plane of the eye, in scene units.
-#[expect(clippy::cast_possible_truncation, reason = "the depth buffer has single precision")]
-pub fn depth_buffer_of(camera: &Camera) -> impl Fn(f64) -> f32 {
+/// The depth that the depth buffer of a picture holds for a distance from the plane of the eye (scene units), and its scale.
+pub fn depth_buffer_of(camera: &Camera, in_view: InView) -> (DepthScale, impl Fn(f64) -> f32) {
     let projector = Projector::new(camera);
-    move |distance| projector.picture_depth(distance) as f32
+    let depths = projector.depths.resolving(in_view.clipped(camera.near(), camera.far()));
+    (depths, move |distance| single(depths.depth(distance)))
 }
 
 /// What is in the volume of a segment between two world points, as it is shown in the canonical volume: `(x_n, y_n, −z_n)` of its ends.
@@ -81,7 +103,11 @@ pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVe
 
 /// `(x_n, y_n, −z_n)`; the last is twice the depth of the picture less one, so it has no cancellation either.
 pub(super) fn displayed(projector: &Projector, p: ClipPoint) -> DVec3 {
-    DVec3::new(p.x / p.w, p.y / p.w, 2.0 * projector.picture_depth(p.depth) - 1.0)
+    let z = match projector.sheet {
+        None => 2.0 * projector.depths.depth(p.depth) - 1.0,
+        Some(Sheet { farthest, slope, behind }) => behind + slope * (farthest - p.depth) / p.w,
+    };
+    DVec3::new(p.x / p.w, p.y / p.w, z)
 }
 
 /// [`displayed`] as a matrix, from view space: the divide is still to be done.
@@ -91,10 +117,12 @@ fn display_from_view(projector: &Projector) -> DMat4 {
     let w = if projector.perspective { DVec4::NEG_Z } else { DVec4::W };
     // 2 · depth of the picture · w: of F (B − d)/(B − F) in perspective, (B − d)/(B − F) else, with d = −z.
     let slope = 2.0 * if projector.perspective { projector.near } else { 1.0 } / (projector.far - projector.near);
+    let whole = Sheet { farthest: projector.far, slope, behind: -1.0 };
+    let Sheet { farthest, slope, behind } = projector.sheet.unwrap_or(whole);
     let rows = [
         DVec4::X * sx - w * projector.shift[0],
         DVec4::Y * sy - w * projector.shift[1],
-        (DVec4::Z + DVec4::W * projector.far) * slope - w,
+        (DVec4::Z + DVec4::W * farthest) * slope + w * behind,
         w,
     ];
     DMat4::from_cols(rows[0], rows[1], rows[2], rows[3]).transpose()
@@ -134,10 +162,16 @@ struct Projected<'a> {
     remake: Remake,
     /// Where each new vertex is shown.
     positions: Vec<DVec3>,
+    in_view: InView,
     cut: bool,
 }
 
-fn clipped_object(object: &Object, projector: &Projector, lights: Option<&Lights>, shading: Shading) -> Option<Object> {
+fn clipped_object(
+    object: &Object,
+    projector: &Projector,
+    lights: Option<&Lights>,
+    shading: Shading,
+) -> Option<(Object, InView)> {
     let view_from_object = projector.view_from_object(object.world_from_object);
     let vertices = Vertices { projector, view_from_object: &view_from_object, positions: &object.mesh.positions };
     let mut outcodes = vec![0; vertices.len()];
@@ -152,6 +186,7 @@ fn clipped_object(object: &Object, projector: &Projector, lights: Option<&Lights
         outcodes,
         remake: Remake::new(&object.mesh),
         positions: Vec::new(),
+        in_view: InView::NOTHING,
         cut: false,
     };
     projected.triangles(&object.mesh.triangles, view_from_object.mirrored());
@@ -170,9 +205,9 @@ fn clipped_object(object: &Object, projector: &Projector, lights: Option<&Lights
     }
     let whole = !projected.cut && projected.remake.sources.len() == object.mesh.triangles.len();
     let paint = projected.paint(object, lights.filter(|_| object.lit), shading);
-    let Projected { remake: Remake { triangles, edges, shared, .. }, positions, .. } = projected;
+    let Projected { remake: Remake { triangles, edges, shared, .. }, positions, in_view, .. } = projected;
     let (closed, convex) = (whole && object.mesh.closed, whole && object.mesh.convex);
-    Some(Object {
+    let clipped = Object {
         name: object.name.clone(),
         mesh: Arc::new(Mesh {
             positions,
@@ -190,7 +225,8 @@ fn clipped_object(object: &Object, projector: &Projector, lights: Option<&Lights
         faces: object.faces,
         edges: object.edges,
         outline: object.outline,
-    })
+    };
+    Some((clipped, in_view))
 }
 
 impl Projected<'_> {
@@ -264,6 +300,7 @@ impl Projected<'_> {
         let index = self.remake.vertex(origin);
         if self.remake.origins.len() > self.positions.len() {
             self.positions.push(displayed(self.projector, point));
+            self.in_view = self.in_view.and(InView::between(point.depth, point.depth));
         }
         index
     }

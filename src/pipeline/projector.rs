@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
+use super::depths::{DepthScale, Sheet};
 use crate::camera::{Basis, Camera, Projection};
 
 /// A point of clip space, with the distance from the eye instead of z: clip z crowds the far depths together, the distance
@@ -32,6 +33,10 @@ pub(super) struct Projector {
     /// `x_clip = scale[0] · x_view − shift[0] · w`, the same for y; the shift is 0 for a symmetric window.
     pub(super) scale: [f64; 2],
     pub(super) shift: [f64; 2],
+    /// What the depths of the display list are: of all that is between F and B, unless a picture has less in view.
+    pub(super) depths: DepthScale,
+    /// How a scene that is thin in NDC is shown.
+    pub(super) sheet: Option<Sheet>,
 }
 
 impl Projector {
@@ -47,6 +52,8 @@ impl Projector {
             near: camera.near(),
             far: camera.far(),
             scale: [reach / window.width(), reach / window.height()],
+            depths: DepthScale::of_volume(perspective, camera.near(), camera.far()),
+            sheet: None,
             shift: [(window.right + window.left) / window.width(), (window.top + window.bottom) / window.height()],
         }
     }
@@ -127,27 +134,6 @@ impl Projector {
                 seen_from,
             }
         }
-    }
-
-    /// F/w rather than 1/w, so that it fits in single precision in worlds of any size.
-    #[expect(clippy::cast_possible_truncation, reason = "a ratio between 0 and 1, for the display list")]
-    #[inline(always)]
-    pub(super) fn relative_inverse_w(&self, w: f64) -> f32 {
-        (self.near * (1.0 / w)) as f32
-    }
-
-    /// The depth of the display list, 1 at F and 0 at B, straight from the distance: no difference of nearly equal numbers.
-    #[inline(always)]
-    pub(super) fn picture_depth(&self, depth: f64) -> f64 {
-        let share = (self.far - depth) / (self.far - self.near);
-        if self.perspective { share * (self.near / depth) } else { share }
-    }
-
-    /// The same, faster, where 1/w is known: nearly as accurate.
-    #[inline(always)]
-    pub(super) fn picture_depth_by(&self, depth: f64, inverse_w: f64) -> f64 {
-        let share = (self.far - depth) / (self.far - self.near);
-        if self.perspective { share * (self.near * inverse_w) } else { share }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::depths::DepthScale;
 use super::faces::Faces;
 use super::plan::{Options, Plan};
 use super::stages::{LitAt, ObjectReport, Reason, Stage};
@@ -25,6 +26,8 @@ pub struct Frame {
     pub objects: Vec<ObjectReport>,
     /// What could not be done as the plan has it: the drawing is for an output with a depth buffer then, whatever was asked for.
     pub too_much: Option<TooMuch>,
+    /// What the depths of the drawing mean.
+    pub depths: DepthScale,
 }
 
 impl Frame {

@@ -38,7 +38,7 @@ impl Vertices<'_> {
 pub(super) struct OnImage {
     /// Pixels on the grid, and depth. What lies outside the volume is anywhere in the picture.
     pub(super) positions: Vec<[f32; 3]>,
-    /// See [`Projector::relative_inverse_w`]; empty where nobody wants it.
+    /// See [`DepthScale::relative_inverse_w`](super::depths::DepthScale::relative_inverse_w); empty where nobody wants it.
     pub(super) inverse_w: Vec<f32>,
     /// Of each vertex; empty where none is outside any plane.
     pub(super) outcodes: Vec<PlaneSet>,
@@ -119,7 +119,7 @@ impl VertexChunk<'_> {
             }
             if let Some(inverse_w) = self.inverse_w.get_mut(here) {
                 for (l, inverse_w) in inverse_w.iter_mut().enumerate() {
-                    *inverse_w = projector.relative_inverse_w(w[l]);
+                    *inverse_w = projector.depths.relative_inverse_w(w[l]);
                 }
             }
         }
@@ -159,7 +159,7 @@ impl Screen {
         [
             clamp((p.x * inverse_w) * self.half_width + self.half_width, 2.0 * self.half_width),
             clamp(self.half_height - (p.y * inverse_w) * self.half_height, 2.0 * self.half_height),
-            clamp(projector.picture_depth_by(p.depth, inverse_w), 1.0),
+            clamp(projector.depths.depth_by(p.depth, inverse_w), projector.depths.greatest()),
         ]
     }
 }

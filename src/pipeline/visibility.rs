@@ -423,7 +423,7 @@ impl Painter<'_> {
             if !old.inverse_w.is_empty() {
                 surface.inverse_w.push(match whole {
                     Some(i) => old.inverse_w[i],
-                    None => self.projector.relative_inverse_w(-corner.view.z),
+                    None => self.projector.depths.relative_inverse_w(-corner.view.z),
                 });
             }
         }

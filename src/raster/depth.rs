@@ -67,7 +67,7 @@ impl DepthBuffer {
         self.offset
     }
 
-    /// Depth of the surface at a pixel: 1 at the near plane, 0 at the far plane. `None` where no surface was drawn, or outside.
+    /// Depth of the surface at a pixel, as in the drawing. `None` where no surface was drawn, or outside.
     #[must_use]
     pub fn at(&self, x: u32, y: u32) -> Option<f32> {
         let (x, y) = (x as usize, y as usize);

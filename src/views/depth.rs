@@ -6,6 +6,7 @@ use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, Projected, Projection};
 use crate::drawing::Paint;
 use crate::figure::Depth;
+use crate::pipeline::depths::DepthScale;
 use crate::pipeline::divide_before_clip::divided_first;
 use crate::pipeline::{Frame, Reason, Stage};
 use crate::scene::Scene;
@@ -59,6 +60,8 @@ pub(super) fn only(scene: &mut Scene) {
 pub(super) struct Greys {
     /// F / B; 1 in parallel projection, where all is affine.
     near_over_far: f64,
+    /// What a depth of 1 at F and 0 at B means.
+    volume: DepthScale,
     /// Z at F and at B; `None`: distances.
     range: Option<[f64; 2]>,
 }
@@ -72,10 +75,13 @@ impl Greys {
             Depth::Stored => Some([v.depth_near, v.depth_far]),
             Depth::Linear => None,
         };
-        Some(Self { near_over_far: near_over_far(&request.camera), range })
+        let camera = &request.camera;
+        let perspective = camera.projection() == Projection::Perspective;
+        let volume = DepthScale::of_volume(perspective, camera.near(), camera.far());
+        Some(Self { near_over_far: near_over_far(camera), volume, range })
     }
 
-    /// The level for a depth of the display list, which is 1 at F and 0 at B.
+    /// The level for a depth, which is 1 at F and 0 at B.
     fn level(self, depth: f64) -> f64 {
         match self.range {
             Some([near, far]) => near + (far - near) * (1.0 - depth),
@@ -90,10 +96,10 @@ impl Greys {
     /// Paints the faces of an image with their depths, takes everything else away, and says so of the stages that had to do
     /// with it.
     pub(super) fn paint(self, frame: &mut Frame) {
-        let drawing = &mut frame.drawing;
+        let (drawing, scale) = (&mut frame.drawing, frame.depths);
         drawing.surfaces.retain(|surface| !surface.translucent);
         for surface in &mut drawing.surfaces {
-            let depths = || surface.positions.iter().map(|p| f64::from(p[2]));
+            let depths = || surface.positions.iter().map(|p| scale.in_scale(&self.volume, f64::from(p[2])));
             surface.inverse_w = match self.range {
                 // Z is affine in the picture, so plain interpolation is exact.
                 Some(_) => Vec::new(),
@@ -133,7 +139,7 @@ impl Greys {
         }
     }
 
-    /// F / d for a depth of the display list.
+    /// F / d for a depth, which is 1 at F and 0 at B.
     #[expect(clippy::cast_possible_truncation, reason = "a ratio between 0 and 1, for the display list")]
     fn inverse_w(self, depth: f64) -> f32 {
         (self.near_over_far + depth * (1.0 - self.near_over_far)) as f32

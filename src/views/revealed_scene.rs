@@ -11,7 +11,7 @@ use crate::figure::Outside;
 use crate::pipeline::clip_parts::{Parts, clip_parts};
 use crate::pipeline::cull_result::{CullResult, cull_result};
 use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
-use crate::pipeline::project::{clipped_scene, displayed_ndc};
+use crate::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
 use crate::pipeline::{Frame, NEAR, PlaneSet, Target, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
@@ -142,7 +142,7 @@ pub(super) fn in_canonical(request: &Request, palette: Palette) -> Revealed {
     let divided =
         reveal.divide_first.then(|| divide_first(request, if beyond { REACH } else { 1.0 }, palette, &mut revealed));
     let right = divided.as_ref().map_or(&*request.scene, |divided| &divided.right);
-    revealed.scene = clipped_scene(right, &request.camera, shading);
+    revealed.scene = legible_clipped_scene(right, &request.camera, shading);
     if beyond || reveal.clipping {
         let parts = clip_parts(right, &request.camera, edges_only);
         if reveal.clipping {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::Request;
+use super::{Request, View};
 use crate::appearance::Style;
 use crate::camera::Camera;
 use crate::pipeline::{Frame, Options, Pipeline, Target};
@@ -28,7 +28,13 @@ impl TimedPipeline {
         target: Target,
         style: &Style,
     ) -> Frame {
-        let options = Options { force_all_stages: request.force_all_stages, output: request.output, clock: self.clock };
+        let options = Options {
+            force_all_stages: request.force_all_stages,
+            output: request.output,
+            // What is divided first is put into the image, with depths from F to B.
+            depth_of_volume: request.view == View::Image && request.look.reveal.divide_first,
+            clock: self.clock,
+        };
         self.stages.frame(scene, camera, target, style, options)
     }
 }

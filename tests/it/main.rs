@@ -13,6 +13,7 @@ mod camera_properties;
 mod cli;
 mod composition;
 mod contract;
+mod depth_in_view;
 mod explain;
 mod export;
 mod figure;

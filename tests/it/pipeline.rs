@@ -7,7 +7,7 @@ use std::sync::Arc;
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::{Drawing, Paint};
-use camera_lab::pipeline::{Target, draw};
+use camera_lab::pipeline::{Options, Pipeline, Target, draw};
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, PointMark, Scene};
 use glam::{DMat4, DVec3};
 
@@ -225,7 +225,8 @@ fn depth_is_exact_over_six_decades() {
         fade_if_hidden: true,
     };
     let scene = Scene { marks: distances.map(mark).to_vec(), ..Scene::default() };
-    let drawing = draw(&scene, &camera, TARGET, &Style::default());
+    let options = Options { depth_of_volume: true, ..Options::default() };
+    let drawing = Pipeline::default().frame(&scene, &camera, TARGET, &Style::default(), options).drawing;
     // F(B − d)/(d(B − F)) in rational arithmetic, then rounded.
     let exact = [
         1.0,

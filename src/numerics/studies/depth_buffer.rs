@@ -1,5 +1,8 @@
 //! The formats of depth buffers: which distances can be told apart, at which depth, for which far/near.
 //!
+//! The program's own pictures spread their depths over what is in view, where F … B would not tell it apart; here the cubes of the figure
+//! are in view, which begin at the depths that are tried.
+//!
 //! F is 1. The error is the length of the interval of depths that get the same value, in scene units: what lies within may flicker.
 //! Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012); N. Reed, *Depth precision visualized*
 //! (2015).
@@ -13,6 +16,7 @@ use crate::figure::{Figure, write};
 use crate::numerics::measure::{Off, Trial, bits_off};
 use crate::numerics::random::Random;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::pipeline::depths::{DepthScale, InView};
 use crate::pipeline::project::depth_buffer_of;
 use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
 
@@ -50,17 +54,19 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
             }
             let parameters = camera(projection, ratio);
             let Ok(camera) = Camera::new(&parameters) else { continue };
-            let own = depth_buffer_of(&camera);
-            let range = Range { projection, far: ratio };
             let mut random = Random::new(lab.effort.seed, 400 + (c * RATIOS.len() + r) as u64);
             let depths: Vec<f64> = (0..count).map(|_| place.depth(&mut random, ratio)).collect();
+            let cubes = depths.iter().map(|&z| InView::between(z, z * (1.0 + GAP) + 2.0 * size_of_cube(z)));
+            let (own_scale, own) = depth_buffer_of(&camera, cubes.fold(InView::NOTHING, InView::and));
+            let range = Range { projection, far: ratio };
             let methods = FORMATS
                 .into_iter()
                 .map(|format| {
                     let value = |z: f64| if format == Format::Own { order(own(z)) } else { format.value(&range, z) };
                     let mut trial = Trial::default();
                     trial.time(&watch, &depths, |&z| value(z));
-                    let predicted = place.judge(&range, &depths, &value, &|z| format.step(&range, z), &mut trial);
+                    let predicted =
+                        place.judge(&range, &depths, &value, &|z| format.step(&range, &own_scale, z), &mut trial);
                     lab.progress.advance(1);
                     let predicted = Some(predicted);
                     Method { name: format.name(), trial, predicted }
@@ -81,9 +87,14 @@ fn camera(projection: Projection, far: f64) -> Parameters {
     Parameters { projection, position, focal_point, near: 1.0, far, view_angle: 60.0, ..Parameters::default() }
 }
 
+/// Half the side of a cube that begins at a depth.
+fn size_of_cube(depth: f64) -> f64 {
+    depth / 8.0
+}
+
 /// Two cubes whose front faces are [`GAP`] of their depth apart, seen by a camera: where the depth buffer cannot tell, they flicker.
 fn figure(camera: &Parameters, depth: f64) -> String {
-    let size = depth / 8.0;
+    let size = size_of_cube(depth);
     let front =
         |name: &str, z: f64, x: f64| ObjectSpec::new(name, Shape::Box).at(x, 0.0, -z - size).scaled(size, size, size);
     let objects = vec![front("near", depth, -size / 1.5), front("far", depth * (1.0 + GAP), size / 1.5)];
@@ -227,8 +238,8 @@ impl Format {
         }
     }
 
-    /// The length of one step at depth `z`: a unit of what is stored over its derivative.
-    fn step(self, range: &Range, z: f64) -> f64 {
+    /// The length of one step at depth `z`, for the program's own with its scale: a unit of what is stored over its derivative.
+    fn step(self, range: &Range, own: &DepthScale, z: f64) -> f64 {
         let far = range.far;
         let span = far - 1.0;
         // dz/dZ, and 1 − Z.
@@ -245,7 +256,16 @@ impl Format {
             Self::Float => slope * ulp(1.0 - reversed),
             Self::FloatReversed => slope * ulp(reversed),
             Self::Logarithmic => z * far.ln() * 2f64.powi(-24),
-            Self::Own => return slope * ulp(reversed),
+            // Depths relative to the farthest in view, whatever their unit.
+            Self::Own => {
+                let far = own.far;
+                let slope = match range.projection {
+                    Projection::Perspective => z * (far - z) / far,
+                    Projection::Parallel => far - z,
+                };
+                let depth = own.depth(z);
+                return slope * ulp(depth) / depth;
+            }
         };
         // Of a depth in single precision no more can be told than its own last place.
         step.max(ulp(z)).min(2.0 * far)
