@@ -39,7 +39,7 @@ pub use ndc::{Api, InfiniteParallel, Ndc};
 pub use operations::{Changes, Convention, Operation};
 pub use parameters::{CameraError, Derived, Parameters, Projection, Range, ViewWindow};
 pub use stations::{Projected, Stations};
-pub use warnings::Warning;
+pub use warnings::{Warning, thresholds};
 
 use glam::DVec3;
 

@@ -76,14 +76,22 @@ impl Warning {
     }
 }
 
-/// Below this angle between VUP and DOP, an error in the sixth digit of VUP shows.
-const NEARLY_COLLINEAR_DEGREES: f64 = 0.01;
-/// A step of the depth buffer at B that is more than this part of B.
-const COARSE_DEPTH: f64 = 0.01;
-/// From here on a window is wide.
-const WIDE_DEGREES: f64 = 120.0;
-/// From here on fewer than nine digits are left.
-const FAR_AWAY: f64 = 1e7;
+/// Where a number of a camera begins to be trouble: what warnings and [`health`](crate::numerics::health) judge by.
+pub mod thresholds {
+    /// Below this angle between VUP and DOP, an error in the sixth digit of VUP shows.
+    pub const NEARLY_COLLINEAR_DEGREES: f64 = 0.01;
+    /// A step of the depth buffer at B that is more than this part of B.
+    pub const COARSE_DEPTH: f64 = 0.01;
+    /// From here on a window is wide.
+    pub const WIDE_DEGREES: f64 = 120.0;
+    /// From here on fewer than nine digits are left.
+    pub const FAR_AWAY: f64 = 1e7;
+}
+
+use thresholds::{COARSE_DEPTH, FAR_AWAY, NEARLY_COLLINEAR_DEGREES, WIDE_DEGREES};
+
+/// Steps of a depth buffer of 24 bits.
+const STEPS: f64 = 16_777_216.0;
 
 impl Camera {
     /// What is possible, but probably not what was meant; empty when there is nothing to say.
@@ -97,11 +105,9 @@ impl Camera {
         let (near, far) = (self.near(), self.far());
         let distance = self.distance();
         if self.projection() == Projection::Perspective {
-            // Z changes by BF / (B − F) dz / z² at depth z; a step is 2^−24.
-            let ratio = far / near;
-            let part = ratio * (1.0 - near / far) / 16_777_216.0;
-            if part > COARSE_DEPTH {
-                warnings.push(Warning::DepthPrecision { ratio, step: part * far });
+            let (ratio, step) = (far / near, self.depth_step(far));
+            if step > COARSE_DEPTH * far {
+                warnings.push(Warning::DepthPrecision { ratio, step });
             }
             let degrees = self.view_angle().degrees();
             if degrees > WIDE_DEGREES {
@@ -111,7 +117,7 @@ impl Camera {
         if distance < near || distance > far {
             warnings.push(Warning::FocalPointClipped { distance, near, far });
         }
-        let ratio = self.position().abs().max(self.focal_point().abs()).max_element() / distance;
+        let ratio = self.origin_ratio();
         if ratio > FAR_AWAY {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 15")]
             let digits = (15.0 - ratio.log10()).clamp(0.0, 15.0) as u32;
@@ -129,8 +135,27 @@ impl Camera {
         stretched.then(|| Warning::AspectMismatch { window, image: image.aspect() })
     }
 
+    /// The smallest difference of depth that a depth buffer of 24 bits keeps at a depth in front of the eye, in scene units: one
+    /// step over dZ/dz of (5.25), BF / ((B − F) z²) in perspective and 1 / (B − F) in parallel projection.
+    #[must_use]
+    pub fn depth_step(&self, depth: f64) -> f64 {
+        let (near, far) = (self.near(), self.far());
+        match self.projection() {
+            // Quotients before products: nothing overflows on the way.
+            Projection::Perspective => depth / near * (1.0 - near / far) * depth / STEPS,
+            Projection::Parallel => (far - near) / STEPS,
+        }
+    }
+
+    /// The greatest coordinate of C or PF over D: how many times farther from the origin a camera is than from what it looks at.
+    #[must_use]
+    pub fn origin_ratio(&self) -> f64 {
+        self.position().abs().max(self.focal_point().abs()).max_element() / self.distance()
+    }
+
     /// The angle between VUP and the line of DOP, in degrees, 0 … 90.
-    fn view_up_angle(&self) -> f64 {
+    #[must_use]
+    pub fn view_up_angle(&self) -> f64 {
         let up = self.pose.up;
         let across = self.frame.v.dot(up).value().abs();
         let along = self.frame.n.dot(up).value().abs();

@@ -42,6 +42,8 @@ pub(super) enum Command {
     Bench(BenchArgs),
     /// Measure the error and the run time of ways to compute what a camera does
     Accuracy(AccuracyArgs),
+    /// Tell how near a camera is to trouble with numbers, why a picture is empty, and what would repair it
+    Diagnose(DiagnoseArgs),
 }
 
 /// Without a command the window opens.
@@ -186,6 +188,24 @@ pub(super) struct AccuracyArgs {
     /// Language of the table, the plot and messages
     #[arg(long, value_enum, ignore_case = true)]
     pub(super) lang: Option<LangArg>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct DiagnoseArgs {
+    /// Figure file, or a PNG that camera-lab wrote
+    pub(super) figure: PathBuf,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// Sentences to read, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TableFormat,
+    /// Write the figure, its operations applied, with the repair of the first finding to the file of -o; comments stay. Where there is
+    /// nothing to repair, or no repair, that is said, and the figure is written without one
+    #[arg(long, requires = "output")]
+    pub(super) repair: bool,
+    /// The figure file to write
+    #[arg(short, long, value_name = "OUT.toml", requires = "repair")]
+    pub(super) output: Option<PathBuf>,
 }
 
 /// What every command that takes a figure understands.

@@ -6,6 +6,7 @@
 mod accuracy;
 mod args;
 mod bench;
+mod diagnose;
 mod explain;
 mod inspect;
 mod opening;
@@ -77,6 +78,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Explain(args)) => explain::run(&args, lang),
             Some(Command::Bench(args)) => bench::run(&args, lang),
             Some(Command::Accuracy(args)) => accuracy::run(&args, lang),
+            Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             None => match opening::opening(&line.window, lang) {
                 Ok(opening) => return Asked::Window(Box::new(opening)),
                 Err(failure) => Err(failure),
@@ -156,7 +158,7 @@ fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<
     Ok(scene)
 }
 
-/// What `explain` and `bench` look at.
+/// What `explain`, `bench` and `diagnose` look at.
 struct Subject {
     opened: Opened,
     camera: Camera,

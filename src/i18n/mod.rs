@@ -35,6 +35,7 @@ macro_rules! texts {
 
 mod cameras;
 pub mod canvas;
+pub mod coach;
 pub mod command_line;
 mod expressions;
 pub mod faults;
@@ -82,7 +83,7 @@ impl Lang {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lang, canvas, pictures, reasons, scenes};
+    use super::{Lang, canvas, coach, pictures, reasons, scenes};
 
     /// The words of the window itself have a test of their own, in the window.
     #[test]
@@ -97,6 +98,7 @@ mod tests {
             }
         };
         check(canvas::texts(Lang::En).entries(), canvas::texts(Lang::PtBr).entries());
+        check(coach::texts(Lang::En).entries(), coach::texts(Lang::PtBr).entries());
         check(pictures::texts(Lang::En).entries(), pictures::texts(Lang::PtBr).entries());
         check(reasons::texts(Lang::En).entries(), reasons::texts(Lang::PtBr).entries());
         check(scenes::texts(Lang::En).entries(), scenes::texts(Lang::PtBr).entries());

@@ -6,6 +6,8 @@
 
 pub mod chain;
 pub mod charts;
+pub mod diagnosis;
+pub mod health;
 mod measure;
 pub mod random;
 pub mod real;

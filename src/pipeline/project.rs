@@ -65,6 +65,7 @@ fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene,
             .iter()
             .filter_map(|text| Some(Text { position: inside(text.position)?, ..text.clone() }))
             .collect(),
+        grids: Vec::new(),
         notices: Vec::new(),
     };
     (clipped, in_view)

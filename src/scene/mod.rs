@@ -21,6 +21,7 @@ mod soup;
 pub mod spec;
 pub mod transform;
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
@@ -47,6 +48,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Lines in the world.
     pub lines: Vec<Line>,
+    /// The grids, by the names of their objects: which of the lines are theirs.
+    pub grids: Vec<(String, Range<usize>)>,
     /// Point marks in the world.
     pub marks: Vec<PointMark>,
     /// Texts in the world.

@@ -35,7 +35,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("files", &["figure", "export", "scene"]),
     ("clock", &[]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
-    ("numerics", &["geometry", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
+    ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
     // The enums of errors, warnings, labels and stages.
     (
         "i18n",

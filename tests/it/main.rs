@@ -14,6 +14,8 @@ mod cli;
 mod composition;
 mod contract;
 mod depth_in_view;
+mod diagnose;
+mod diagnose_causes;
 mod explain;
 mod export;
 mod figure;

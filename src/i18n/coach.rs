@@ -1,0 +1,270 @@
+//! What the coach says: how near a camera is to trouble, and why a picture is empty.
+
+use super::Lang;
+use super::cameras::warning_wording;
+use crate::camera::{Camera, Projection};
+use crate::foreign::shown;
+use crate::numbers::significant;
+use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value};
+use crate::numerics::health::{Health, Level, Quantity, volume_sides};
+
+texts! {
+    // Of the command line.
+    health: "Health", "Saúde";
+    findings: "Findings", "Achados";
+    as_it_should_be: "The picture is as it should be.", "A imagem está como deve ser.";
+    repair: "Repair", "Conserto";
+    no_repair: "no change of the camera repairs this", "nenhuma mudança da câmera conserta isto";
+    nothing_repaired: "nothing to repair: the figure is written as it is", "nada a consertar: a figura é gravada como está";
+    cannot_repair: "no change of camera or style repairs this: the figure is written as it is", "nenhuma mudança da câmera ou do estilo conserta isto: a figura é gravada como está";
+    good: "good", "boa";
+    fair: "fair", "regular";
+    poor: "poor", "ruim";
+}
+
+/// The word for a level.
+#[must_use]
+pub const fn level(lang: Lang, level: Level) -> &'static str {
+    let t = texts(lang);
+    match level {
+        Level::Good => t.good,
+        Level::Fair => t.fair,
+        Level::Poor => t.poor,
+    }
+}
+
+/// What is judged, in a few words.
+#[must_use]
+pub const fn quantity(lang: Lang, quantity: Quantity) -> &'static str {
+    match (lang, quantity) {
+        (Lang::En, Quantity::VupAngle) => "angle between VUP and DOP",
+        (Lang::PtBr, Quantity::VupAngle) => "ângulo entre VUP e DOP",
+        (_, Quantity::FarNearRatio) => "B / F",
+        (Lang::En, Quantity::DepthResolution) => "depth resolution",
+        (Lang::PtBr, Quantity::DepthResolution) => "resolução em profundidade",
+        (Lang::En, Quantity::PositionDigits) => "digits left",
+        (Lang::PtBr, Quantity::PositionDigits) => "dígitos que restam",
+        (Lang::En, Quantity::VolumeShape) => "shape of the volume",
+        (Lang::PtBr, Quantity::VolumeShape) => "forma do volume",
+        (Lang::En, Quantity::ViewAngle) => "view angle θ",
+        (Lang::PtBr, Quantity::ViewAngle) => "ângulo de visão θ",
+    }
+}
+
+/// A plain sentence about one quantity of a camera, with the equation of the notes that it comes from.
+#[must_use]
+pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
+    let n = |x: f64| lang.mark().number(x, 3);
+    let perspective = camera.projection() == Projection::Perspective;
+    let own = match health.quantity {
+        Quantity::VupAngle => vup_angle(lang, health.value),
+        Quantity::FarNearRatio if perspective => {
+            let half = 2.0 * camera.far() / (1.0 + camera.far() / camera.near());
+            let (ratio, half) = (n(health.value), n(half));
+            match lang {
+                Lang::En => {
+                    format!("B/F is {ratio}: half of all values of Z (5.25) lie before depth 2BF/(B + F) = {half}.")
+                }
+                Lang::PtBr => format!(
+                    "B/F é {ratio}: metade dos valores de Z (5.25) fica antes da profundidade 2BF/(B + F) = {half}."
+                ),
+            }
+        }
+        Quantity::FarNearRatio => {
+            let ratio = n(health.value);
+            match lang {
+                Lang::En => {
+                    format!("B/F is {ratio}; in parallel projection Z (5.25) grows evenly with depth, whatever B/F is.")
+                }
+                Lang::PtBr => format!(
+                    "B/F é {ratio}; na projeção paralela Z (5.25) cresce por igual com a profundidade, qualquer que seja B/F."
+                ),
+            }
+        }
+        Quantity::DepthResolution => depth_resolution(lang, camera),
+        Quantity::PositionDigits => {
+            let (ratio, digits) = (n(camera.origin_ratio()), n(health.value));
+            match lang {
+                Lang::En => format!(
+                    "C and PF lie {ratio} times as far from the origin as from each other: of 16 digits, p − C in (5.7) keeps {digits}."
+                ),
+                Lang::PtBr => format!(
+                    "C e PF estão {ratio} vezes mais longe da origem que um do outro: de 16 dígitos, p − C em (5.7) conserva {digits}."
+                ),
+            }
+        }
+        Quantity::VolumeShape => {
+            let [w, h, d] = volume_sides(camera).map(n);
+            let ratio = n(health.value);
+            match lang {
+                Lang::En => format!(
+                    "At half its depth the view volume is {w} wide and {h} high, H = 2 d tan(θ/2) (5.5), and B − F = {d} deep: its longest side is {ratio} times its shortest."
+                ),
+                Lang::PtBr => format!(
+                    "À meia profundidade o volume de vista tem largura {w} e altura {h}, H = 2 d tan(θ/2) (5.5), e profundidade B − F = {d}: o lado maior é {ratio} vezes o menor."
+                ),
+            }
+        }
+        Quantity::ViewAngle => view_angle(lang, health.value, perspective),
+    };
+    let more = health.warnings.iter().filter(|_| health.quantity == Quantity::VolumeShape);
+    more.fold(own, |text, warning| format!("{text} {}.", warning_wording(lang, warning).in_symbols))
+}
+
+fn vup_angle(lang: Lang, degrees: f64) -> String {
+    let n = |x: f64| lang.mark().number(x, 3);
+    let lost = -degrees.to_radians().sin().log10();
+    let angle = n(degrees);
+    match lang {
+        Lang::En if lost < 0.5 => {
+            format!("VUP is {angle}° away from the line of DOP: u = VUP × n / |VUP × n| (5.3) keeps its digits.")
+        }
+        Lang::En => format!(
+            "VUP is only {angle}° away from the line of DOP: an error in VUP is {} times as large in u = VUP × n / |VUP × n| (5.3), which costs {} digits.",
+            n(10f64.powf(lost)),
+            n(lost)
+        ),
+        Lang::PtBr if lost < 0.5 => {
+            format!("VUP está a {angle}° da reta de DOP: u = VUP × n / |VUP × n| (5.3) conserva seus dígitos.")
+        }
+        Lang::PtBr => format!(
+            "VUP está a só {angle}° da reta de DOP: um erro em VUP é {} vezes maior em u = VUP × n / |VUP × n| (5.3), o que custa {} dígitos.",
+            n(10f64.powf(lost)),
+            n(lost)
+        ),
+    }
+}
+
+fn depth_resolution(lang: Lang, camera: &Camera) -> String {
+    let n = |x: f64| lang.mark().number(x, 3);
+    let [at_near, at_focus, at_far] = [camera.near(), camera.distance(), camera.far()].map(|z| n(camera.depth_step(z)));
+    match (camera.projection(), lang) {
+        (Projection::Perspective, Lang::En) => format!(
+            "24 bits of Z (5.25) tell depths d apart that differ by d² (B − F) / (B F 2²⁴): by {at_near} at F, {at_focus} at PF, {at_far} at B."
+        ),
+        (Projection::Perspective, Lang::PtBr) => format!(
+            "24 bits de Z (5.25) distinguem profundidades d que diferem de d² (B − F) / (B F 2²⁴): de {at_near} em F, {at_focus} em PF, {at_far} em B."
+        ),
+        (Projection::Parallel, Lang::En) => {
+            format!("24 bits of Z (5.25) tell depths apart that differ by (B − F) / 2²⁴ = {at_far}, at every depth.")
+        }
+        (Projection::Parallel, Lang::PtBr) => format!(
+            "24 bits de Z (5.25) distinguem profundidades que diferem de (B − F) / 2²⁴ = {at_far}, em toda profundidade."
+        ),
+    }
+}
+
+fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
+    let stretched = (0.5 * degrees).to_radians().cos().powi(-2);
+    let (angle, stretched) = (lang.mark().number(degrees, 4), lang.mark().number(stretched, 3));
+    match lang {
+        _ if !perspective && lang == Lang::En => {
+            "Parallel projection has no θ: nothing is stretched towards the borders.".to_owned()
+        }
+        _ if !perspective => "A projeção paralela não tem θ: nada se estica perto das bordas.".to_owned(),
+        Lang::En => format!(
+            "θ is {angle}° (5.4): at the upper border things are drawn 1/cos²(θ/2) = {stretched} times as high as in the middle."
+        ),
+        Lang::PtBr => format!(
+            "θ é {angle}° (5.4): na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio."
+        ),
+    }
+}
+
+/// Why something is not in the picture, with the names concerned.
+#[must_use]
+pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis) -> String {
+    let Finding { cause, partly, .. } = *finding;
+    if cause == Cause::EmptyScene {
+        return match lang {
+            Lang::En => "The scene is empty: there is nothing to draw.".to_owned(),
+            Lang::PtBr => "A cena está vazia: não há o que desenhar.".to_owned(),
+        };
+    }
+    let said = match lang {
+        Lang::En => english(cause, partly, diagnosis),
+        Lang::PtBr => portuguese(cause, partly, diagnosis),
+    };
+    format!("{}: {said}", names(lang, &finding.objects))
+}
+
+/// Some names, and how many more.
+fn names(lang: Lang, objects: &[String]) -> String {
+    const MOST: usize = 4;
+    let first: Vec<String> = objects.iter().take(MOST).map(|name| shown(name)).collect();
+    let more = objects.len().saturating_sub(MOST);
+    match (lang, more) {
+        _ if objects.is_empty() && lang == Lang::En => "The scene".to_owned(),
+        _ if objects.is_empty() => "A cena".to_owned(),
+        (_, 0) => first.join(", "),
+        (Lang::En, _) => format!("{} and {more} more", first.join(", ")),
+        (Lang::PtBr, _) => format!("{} e mais {more}", first.join(", ")),
+    }
+}
+
+fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
+    let most = if partly { "most of it is " } else { "" };
+    match cause {
+        Cause::EmptyScene => String::new(),
+        Cause::CameraInsideObject => "the camera is inside, where all faces turn their backs to it.".to_owned(),
+        Cause::BehindCamera => format!("{most}behind the camera, z_c ≥ 0 (5.7): it looks the other way."),
+        Cause::BeforeNear => format!("{most}nearer than the near plane, −z_c < F, and is clipped."),
+        Cause::BeyondFar => format!("{most}farther than the far plane, −z_c > B, and is clipped."),
+        Cause::OutsideLeft => format!("{most}to the left of the view window, x_p < l (5.9)."),
+        Cause::OutsideRight => format!("{most}to the right of the view window, x_p > r (5.9)."),
+        Cause::OutsideTop => format!("{most}above the view window, y_p > t (5.10)."),
+        Cause::OutsideBottom => format!("{most}below the view window, y_p < b (5.10)."),
+        Cause::SmallerThanPixel => "smaller on the image than a pixel (5.22).".to_owned(),
+        Cause::FullyTransparent => "its colour has alpha 0: what is behind it shows through whole.".to_owned(),
+        Cause::HiddenByNearCut => "the near plane, −z_c = F, cuts its front away, and its inside is seen.".to_owned(),
+        Cause::FewPixels => format!("seen, but on only {} of the image.", percent(Lang::En, diagnosis)),
+    }
+}
+
+fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
+    let most = if partly { "a maior parte está " } else { "" };
+    match cause {
+        Cause::EmptyScene => String::new(),
+        Cause::CameraInsideObject => "a câmera está dentro, onde todas as faces lhe dão as costas.".to_owned(),
+        Cause::BehindCamera => format!("{most}atrás da câmera, z_c ≥ 0 (5.7): ela olha para o outro lado."),
+        Cause::BeforeNear => format!("{most}mais perto que o plano da frente, −z_c < F, e é recortada."),
+        Cause::BeyondFar => format!("{most}mais longe que o plano de trás, −z_c > B, e é recortada."),
+        Cause::OutsideLeft => format!("{most}à esquerda da janela de vista, x_p < l (5.9)."),
+        Cause::OutsideRight => format!("{most}à direita da janela de vista, x_p > r (5.9)."),
+        Cause::OutsideTop => format!("{most}acima da janela de vista, y_p > t (5.10)."),
+        Cause::OutsideBottom => format!("{most}abaixo da janela de vista, y_p < b (5.10)."),
+        Cause::SmallerThanPixel => "menor na imagem que um pixel (5.22).".to_owned(),
+        Cause::FullyTransparent => "a cor tem alfa 0: vê-se tudo o que está atrás.".to_owned(),
+        Cause::HiddenByNearCut => "o plano da frente, −z_c = F, corta a frente fora, e vê-se o interior.".to_owned(),
+        Cause::FewPixels => format!("visível, mas em só {} da imagem.", percent(Lang::PtBr, diagnosis)),
+    }
+}
+
+fn percent(lang: Lang, diagnosis: &Diagnosis) -> String {
+    format!("{} %", lang.mark().number(100.0 * diagnosis.covered, 2))
+}
+
+/// What a repair changes: keys of the figure file with the values that they get.
+#[must_use]
+pub fn changes(changes: &[(&'static str, Value)]) -> String {
+    let n = |x: f64| significant(x, 6);
+    let of = |(key, value): &(&'static str, Value)| match value {
+        Value::Number(x) => format!("{key} = {}", n(*x)),
+        Value::Vector(v) => format!("{key} = [{}, {}, {}]", n(v.x), n(v.y), n(v.z)),
+        Value::Window(w) => {
+            format!("{key} = [{}, {}] × [{}, {}]", n(w.left), n(w.right), n(w.bottom), n(w.top))
+        }
+        Value::Word(word) => format!("{key} = {word}"),
+    };
+    changes.iter().map(of).collect::<Vec<_>>().join(", ")
+}
+
+/// How much of the image the scene covers.
+#[must_use]
+pub fn seen(lang: Lang, visible: u64, covered: f64) -> String {
+    let share = lang.mark().number(100.0 * covered, 3);
+    match lang {
+        Lang::En => format!("The scene covers {visible} pixels of the image, {share} %."),
+        Lang::PtBr => format!("A cena cobre {visible} pixels da imagem, {share} %."),
+    }
+}

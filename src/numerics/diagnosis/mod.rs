@@ -1,0 +1,332 @@
+//! Why is my picture empty? What of a scene a camera does not show, why, and which change of the camera would show it.
+//!
+//! What is seen is counted in pixels that the pipeline really draws. Why something is not seen is found from the side of each plane
+//! of the volume on which its points lie; and a repair is only offered after it was applied, and its picture was looked at.
+
+mod count;
+mod place;
+mod repair;
+mod subject;
+
+use glam::DVec3;
+
+use crate::appearance::{Shading, Style};
+use crate::camera::{Camera, ImageSize};
+use crate::pipeline::{FacesDone, ObjectReport};
+use crate::scene::Scene;
+pub use repair::{Repair, Value, changes};
+
+use count::Counter;
+use place::{Place, Side};
+use subject::Subject;
+
+/// Less than this share of the image is few pixels: 0.1 %, a square of 28 pixels in 1024 × 768.
+const FEW: f64 = 1e-3;
+/// Less than this share of an object is left where the border of the image cuts it.
+const SLIVER: f64 = 0.2;
+
+/// Why something is not in the picture, or not as it should be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Cause {
+    /// There is nothing to be seen.
+    EmptyScene,
+    /// The eye is inside of it.
+    CameraInsideObject,
+    /// It lies behind the plane of the eye.
+    BehindCamera,
+    /// It lies between the eye and the near plane.
+    BeforeNear,
+    /// It lies beyond the far plane.
+    BeyondFar,
+    /// It lies to the left of the window.
+    OutsideLeft,
+    /// It lies to the right of the window.
+    OutsideRight,
+    /// It lies above the window.
+    OutsideTop,
+    /// It lies below the window.
+    OutsideBottom,
+    /// It is smaller than a pixel, or so thin that it lies between the pixels' centres.
+    SmallerThanPixel,
+    /// Its colour has alpha 0.
+    FullyTransparent,
+    /// The near plane opens it, so that its inside is seen instead of its front.
+    HiddenByNearCut,
+    /// The scene is seen, but on less than 0.1 % of the image.
+    FewPixels,
+}
+
+impl Cause {
+    /// Its name in JSON.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::EmptyScene => "empty-scene",
+            Self::CameraInsideObject => "camera-inside-object",
+            Self::BehindCamera => "behind-camera",
+            Self::BeforeNear => "before-near",
+            Self::BeyondFar => "beyond-far",
+            Self::OutsideLeft => "outside-left",
+            Self::OutsideRight => "outside-right",
+            Self::OutsideTop => "outside-top",
+            Self::OutsideBottom => "outside-bottom",
+            Self::SmallerThanPixel => "smaller-than-pixel",
+            Self::FullyTransparent => "fully-transparent",
+            Self::HiddenByNearCut => "hidden-by-near-cut",
+            Self::FewPixels => "few-pixels",
+        }
+    }
+
+    const fn outside(side: Side) -> Self {
+        match side {
+            Side::Left => Self::OutsideLeft,
+            Side::Right => Self::OutsideRight,
+            Side::Bottom => Self::OutsideBottom,
+            Side::Top => Self::OutsideTop,
+        }
+    }
+}
+
+/// One thing to say about a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// Why.
+    pub cause: Cause,
+    /// The names of the objects concerned, in the order of the scene; empty for what has no name.
+    pub objects: Vec<String>,
+    /// Something of them is seen all the same.
+    pub partly: bool,
+    /// What shows them; `None` where no change of the camera does.
+    pub repair: Option<Repair>,
+}
+
+/// What is seen, and why not more.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnosis {
+    /// Pixels of the image that the scene covers, without antialiasing.
+    pub visible: u64,
+    /// Their share of the image.
+    pub covered: f64,
+    /// The most useful first; empty where the picture is as it should be.
+    pub findings: Vec<Finding>,
+}
+
+/// Looks at the image that a camera gives of a scene. `None` where an image of this size cannot be drawn.
+#[must_use]
+pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize) -> Option<Diagnosis> {
+    let mut counter = Counter::default();
+    let drawn = counter.draw(scene, camera, style, image)?;
+    #[expect(clippy::cast_precision_loss, reason = "an image has less than 2^53 pixels")]
+    let covered = drawn.pixels as f64 / (f64::from(image.width) * f64::from(image.height));
+    let subjects = Subject::all(scene);
+    let mut findings = Findings::default();
+    if subjects.is_empty() {
+        findings.0.push(Group { cause: Cause::EmptyScene, rank: 0, members: Vec::new(), partly: false });
+    }
+    let mut looked = Looked { scene, camera, style, image, counter };
+    let mut seen = Vec::new();
+    for (index, subject) in subjects.iter().enumerate() {
+        let report = subject.index.and_then(|i| drawn.objects.get(i));
+        let Judgement { causes, partly } = looked.judge(subject, report);
+        // In a picture of other things, a point beside them was put there.
+        if subject.is_point() && covered >= FEW {
+            continue;
+        }
+        // Of what is smaller than a pixel, its strokes are seen, which are never finer than one.
+        let is_seen = causes.is_empty() || partly || causes[0] == Cause::SmallerThanPixel;
+        if is_seen && subject.opacity > 0 && !subject.is_point() {
+            seen.push(index);
+        }
+        for (k, cause) in causes.into_iter().enumerate() {
+            findings.note(cause, index, partly, if k > 0 || partly { 2 } else { 1 });
+        }
+    }
+    let opened = looked.opened_by_near(&subjects, &drawn.objects);
+    opened.into_iter().for_each(|index| findings.note(Cause::HiddenByNearCut, index, true, 1));
+    if drawn.pixels > 0 && covered < FEW && !seen.is_empty() {
+        findings.few(seen);
+    }
+    let findings = findings.sorted().into_iter().map(|group| {
+        let members: Vec<&Subject> = group.members.iter().map(|&i| &subjects[i]).collect();
+        let objects = members.iter().map(|s| s.name).filter(|name| !name.is_empty()).map(str::to_owned).collect();
+        let repair = looked.repair(group.cause, &members);
+        Finding { cause: group.cause, objects, partly: group.partly, repair }
+    });
+    Some(Diagnosis { visible: drawn.pixels, covered, findings: findings.collect() })
+}
+
+/// Subjects with the same cause.
+struct Group {
+    cause: Cause,
+    /// 0: first of all; 1: what is not shown, or wrongly; 2: what comes on top of another cause, or is shown in part.
+    rank: u8,
+    members: Vec<usize>,
+    partly: bool,
+}
+
+/// What has been found so far.
+#[derive(Default)]
+struct Findings(Vec<Group>);
+
+impl Findings {
+    fn note(&mut self, cause: Cause, index: usize, partly: bool, rank: u8) {
+        match self.0.iter_mut().find(|group| group.cause == cause && group.rank == rank) {
+            Some(group) => {
+                group.members.push(index);
+                group.partly &= partly;
+            }
+            None => self.0.push(Group { cause, rank, members: vec![index], partly }),
+        }
+    }
+
+    /// All that is seen is tiny. Where some of it is larger than a pixel, that some is smaller is not worth a word.
+    fn few(&mut self, seen: Vec<usize>) {
+        let tiny = |group: &Group| group.cause == Cause::SmallerThanPixel;
+        if self.0.iter().filter(|group| tiny(group)).flat_map(|group| &group.members).count() < seen.len() {
+            self.0.retain(|group| !tiny(group));
+            self.0.push(Group { cause: Cause::FewPixels, rank: 0, members: seen, partly: true });
+        }
+    }
+
+    /// The most useful first: what concerns most objects, and is the first to stand in the way.
+    fn sorted(mut self) -> Vec<Group> {
+        self.0.sort_by_key(|group| (group.rank, std::cmp::Reverse(group.members.len()), group.cause));
+        self.0
+    }
+}
+
+/// What keeps a subject out of the picture.
+#[derive(Debug, Default)]
+struct Judgement {
+    /// Empty where it is in the picture. The first is the one that alone would show it if it were undone, where there is one.
+    causes: Vec<Cause>,
+    /// Something of it is in the picture all the same.
+    partly: bool,
+}
+
+impl Judgement {
+    fn whole(causes: Vec<Cause>) -> Self {
+        Self { causes, partly: false }
+    }
+}
+
+/// What is looked at.
+struct Looked<'a> {
+    scene: &'a Scene,
+    camera: &'a Camera,
+    style: &'a Style,
+    image: ImageSize,
+    counter: Counter,
+}
+
+impl Looked<'_> {
+    /// The same scene with another camera.
+    fn judge_from(&mut self, camera: &Camera, subject: &Subject, report: Option<&ObjectReport>) -> Judgement {
+        let counter = std::mem::take(&mut self.counter);
+        let mut other = Looked { camera, counter, ..*self };
+        let judgement = other.judge(subject, report);
+        self.counter = other.counter;
+        judgement
+    }
+
+    /// Why a subject is not in the picture; `report`: what the pipeline did with it.
+    fn judge(&mut self, subject: &Subject, report: Option<&ObjectReport>) -> Judgement {
+        let place = Place::of(subject, self.camera, self.image);
+        let sides = |sides: Vec<Side>| sides.into_iter().map(Cause::outside);
+        let mut judgement = if subject.contains(self.camera.position()) {
+            Judgement { causes: vec![Cause::CameraInsideObject], partly: true }
+        } else if place.is_before_near() {
+            let cause = if place.depth[1] <= 0.0 { Cause::BehindCamera } else { Cause::BeforeNear };
+            let aside = if place.depth[0] > 0.0 { place.outside() } else { Vec::new() };
+            Judgement::whole(std::iter::once(cause).chain(sides(aside)).collect())
+        } else if place.is_beyond_far() {
+            Judgement::whole(std::iter::once(Cause::BeyondFar).chain(sides(place.outside())).collect())
+        } else if !place.outside().is_empty() {
+            Judgement::whole(sides(place.outside()).collect())
+        } else if let Some(judgement) = self.not_drawn(subject, report, &place) {
+            judgement
+        } else if !subject.is_point() && self.is_between_pixels(subject, &place) {
+            Judgement::whole(vec![Cause::SmallerThanPixel])
+        } else {
+            self.partly_outside(subject, &place)
+        };
+        if subject.opacity == 0 && !subject.is_shown_by_wireframe(self.style) {
+            judgement.causes.push(Cause::FullyTransparent);
+            judgement.partly &= judgement.causes.len() > 1;
+        }
+        judgement
+    }
+
+    /// True for what is smaller than a pixel, and for a face so thin that no centre of a pixel is on it.
+    fn is_between_pixels(&mut self, subject: &Subject, place: &Place) -> bool {
+        place.is_smaller_than_pixel()
+            || (place.is_thin() && subject.has_faces(self.style) && self.alone(subject) == Some(0))
+    }
+
+    /// What no single plane keeps out of the volume, and is not in it all the same: a floor around an eye that looks up, or a surface
+    /// of which only back faces are turned to the eye.
+    fn not_drawn(&mut self, subject: &Subject, report: Option<&ObjectReport>, place: &Place) -> Option<Judgement> {
+        if !subject.has_faces(self.style) {
+            let outside = !subject.is_point() && !place::crosses(subject, self.camera);
+            return outside.then(|| Judgement::whole(vec![place.aside()]));
+        }
+        let report = report?;
+        if report.triangles > 0 {
+            return None;
+        }
+        let turned_away = report.faces == FacesDone::BackDropped && {
+            let both_sides = subject.both_sides(self.scene);
+            let drawn = self.counter.draw(&both_sides, self.camera, self.style, self.image);
+            drawn.is_some_and(|drawn| drawn.objects.iter().any(|object| object.triangles > 0))
+        };
+        let cause = if turned_away { Cause::CameraInsideObject } else { place.aside() };
+        Some(Judgement::whole(vec![cause]))
+    }
+
+    /// What is cut so that little of it is left.
+    fn partly_outside(&self, subject: &Subject, place: &Place) -> Judgement {
+        let mut causes = Vec::new();
+        if subject.has_faces(self.style) && place.center_depth() > self.camera.far() {
+            causes.push(Cause::BeyondFar);
+        }
+        if causes.is_empty() && place.share_inside().is_some_and(|share| share < SLIVER) {
+            causes.extend(place.center_outside().map(Cause::outside));
+        }
+        let partly = !causes.is_empty();
+        Judgement { causes, partly }
+    }
+
+    /// The pixels of a subject without all others.
+    fn alone(&mut self, subject: &Subject) -> Option<u64> {
+        self.counter.draw(&subject.alone(self.scene), self.camera, self.style, self.image).map(|drawn| drawn.pixels)
+    }
+
+    /// The subjects of which the inside is seen, because the near plane cuts their front away.
+    fn opened_by_near(&mut self, subjects: &[Subject], reports: &[ObjectReport]) -> Vec<usize> {
+        if self.style.shading == Shading::Wireframe {
+            return Vec::new();
+        }
+        let cut_open = |subject: &Subject| {
+            let report = subject.index.and_then(|i| reports.get(i));
+            report.is_some_and(|report| report.faces == FacesDone::CutOpen && report.triangles > 0)
+                && !subject.contains(self.camera.position())
+        };
+        let cut: Vec<usize> = (0..subjects.len()).filter(|&i| cut_open(&subjects[i])).collect();
+        if cut.is_empty() {
+            return cut;
+        }
+        let marked: Vec<usize> = cut.iter().filter_map(|&i| subjects[i].index).collect();
+        let inside = self.counter.back_faces(self.scene, &marked, self.camera, self.image);
+        cut.into_iter().zip(inside).filter(|(_, pixels)| *pixels >= MANY_BACK_FACES).map(|(i, _)| i).collect()
+    }
+}
+
+/// So many pixels of a back face are seen only where a solid is open: at a silhouette, rounding makes a few.
+const MANY_BACK_FACES: u64 = 6;
+
+/// The middle of a ball around points, and its radius.
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    center: DVec3,
+    radius: f64,
+}

@@ -1,0 +1,297 @@
+//! What would show what is not seen: changes of the camera from small to large. The first one is offered whose picture shows it.
+
+use glam::DVec3;
+use serde::ser::SerializeMap as _;
+use serde::{Serialize, Serializer};
+
+use super::place::Place;
+use super::subject::{Subject, ball};
+use super::{Ball, Cause, FEW, Looked, MANY_BACK_FACES};
+use crate::appearance::{Shading, Style};
+use crate::camera::{Camera, Parameters, Projection, ViewWindow};
+use crate::figure::words;
+use crate::numbers::{nice_above, nice_below, round_to};
+use crate::numerics::health::with_planes;
+use crate::scene::Scene;
+
+/// A change of `[camera]` or `[style]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Repair {
+    /// The camera afterwards.
+    pub camera: Parameters,
+    /// The style afterwards.
+    pub style: Style,
+}
+
+/// How well a picture has to show what it is repaired for.
+#[derive(Clone, Copy, PartialEq)]
+enum Wanted {
+    /// All of it in the volume, on more than a few pixels.
+    Well,
+    /// Some pixels.
+    AtAll,
+}
+
+impl Looked<'_> {
+    /// The repair of a cause; `None` where none shows its objects.
+    pub(super) fn repair(&mut self, cause: Cause, members: &[&Subject]) -> Option<Repair> {
+        let largest = members.iter().max_by(|a, b| radius(a).total_cmp(&radius(b)))?;
+        let (camera, style) = (*self.camera.parameters(), *self.style);
+        if cause == Cause::FullyTransparent {
+            let can = members.iter().any(|member| member.can_be_wireframe());
+            return can.then_some(Repair { camera, style: Style { shading: Shading::Wireframe, ..style } });
+        }
+        for (members, wanted) in [(members, Wanted::Well), (members, Wanted::AtAll), (&[*largest], Wanted::AtAll)] {
+            let mut candidates = self.small(cause, members);
+            candidates.extend(self.reframed(members));
+            if let Some(camera) = candidates.into_iter().find(|camera| self.shows(camera, members, wanted)) {
+                return Some(Repair { camera, style });
+            }
+        }
+        None
+    }
+
+    /// True where the picture of a camera shows these subjects.
+    fn shows(&mut self, parameters: &Parameters, members: &[&Subject], wanted: Wanted) -> bool {
+        let Ok(camera) = Camera::new(parameters) else { return false };
+        let mut alone = Scene { lights: self.scene.lights.clone(), ..Scene::default() };
+        members.iter().for_each(|member| member.add_to(&mut alone, self.scene));
+        let Some(drawn) = self.counter.draw(&alone, &camera, self.style, self.image) else { return false };
+        let pixels = f64::from(self.image.width) * f64::from(self.image.height);
+        #[expect(clippy::cast_precision_loss, reason = "an image has less than 2^53 pixels")]
+        let covered = drawn.pixels as f64 / pixels;
+        if wanted == Wanted::AtAll {
+            return drawn.pixels > 0;
+        }
+        let mut reports = drawn.objects.iter();
+        // Marks have their size, however near they are.
+        let marks_only = members.iter().all(|member| member.is_point());
+        (covered >= FEW || marks_only && drawn.pixels > 0)
+            && members.iter().all(|member| {
+                let report = member.index.and_then(|_| reports.next());
+                member.opacity == 0 || self.judge_from(&camera, member, report).causes.is_empty()
+            })
+            && {
+                let all: Vec<usize> = (0..alone.objects.len()).collect();
+                let is_closed = |i: &usize| alone.objects[*i].mesh.closed && !alone.objects[*i].two_sided;
+                let closed: Vec<usize> = all.into_iter().filter(is_closed).collect();
+                let opened = self.counter.back_faces(&alone, &closed, &camera, self.image);
+                opened.iter().all(|&n| n < MANY_BACK_FACES)
+            }
+    }
+
+    /// The least that undoes a cause.
+    fn small(&self, cause: Cause, members: &[&Subject]) -> Vec<Parameters> {
+        let p = *self.camera.parameters();
+        let places = members.iter().map(|member| Place::of(member, self.camera, self.image).depth);
+        let depth = places.fold([f64::INFINITY, f64::NEG_INFINITY], |a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+        match cause {
+            Cause::BeyondFar => nice_above(1.05 * depth[1]).map(|far| Parameters { far, ..p }).into_iter().collect(),
+            Cause::BeforeNear | Cause::HiddenByNearCut if depth[0] > 0.0 => {
+                let nears = [nice_below(0.9 * depth[0]), nice_below(0.5 * depth[0])];
+                nears.into_iter().flatten().map(|near| with_planes(&p, [near, p.far])).collect()
+            }
+            Cause::BehindCamera
+            | Cause::OutsideLeft
+            | Cause::OutsideRight
+            | Cause::OutsideBottom
+            | Cause::OutsideTop => self.turned(members),
+            Cause::BeforeNear
+            | Cause::HiddenByNearCut
+            | Cause::SmallerThanPixel
+            | Cause::FewPixels
+            | Cause::CameraInsideObject
+            | Cause::EmptyScene
+            | Cause::FullyTransparent => Vec::new(),
+        }
+    }
+
+    /// The ball around subjects. A point has no size of its own.
+    fn ball(&self, members: &[&Subject]) -> Option<Ball> {
+        let Ball { center, radius } = ball(members)?;
+        Some(Ball { center, radius: if radius > 0.0 { radius } else { 0.05 * self.camera.distance() } })
+    }
+
+    /// The camera looks there from where it stands, or, in parallel projection, moves aside.
+    fn turned(&self, members: &[&Subject]) -> Vec<Parameters> {
+        let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
+        let Ball { center, radius } = ball;
+        let mut all = Vec::new();
+        let window = self.camera.window();
+        let basis = self.camera.basis();
+        if p.projection == Projection::Parallel {
+            let at = self.camera.view_point(center);
+            let aside = DVec3::new(
+                at.x - f64::midpoint(window.left, window.right),
+                at.y - f64::midpoint(window.bottom, window.top),
+                0.0,
+            );
+            let way = basis.u * aside.x + basis.v * aside.y;
+            let unit = 1e-3 * (radius + window.height());
+            let moved = |q: DVec3| rounded(q + way, unit);
+            all.push(Parameters { position: moved(p.position), focal_point: moved(p.focal_point), ..p });
+        }
+        let distance = center.distance(p.position);
+        if distance > radius {
+            let focal_point = rounded(center, 1e-3 * distance);
+            let forward = (focal_point - p.position).normalize_or_zero();
+            all.push(Parameters { focal_point, view_up: upright(p.view_up, forward, basis.v), ..p });
+        }
+        all.iter().flat_map(|q| [*q, around(q, center, radius)]).collect()
+    }
+
+    /// The camera stands so that a ball around the subjects fills the window: in its own direction, or another one; with its own
+    /// lens, or an ordinary one.
+    fn reframed(&self, members: &[&Subject]) -> Vec<Parameters> {
+        let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
+        let b = self.camera.basis();
+        let directions = [
+            b.n,
+            (b.n + 0.6 * b.v + 0.4 * b.u).normalize(),
+            (b.n - 0.8 * b.u + 0.7 * b.v).normalize(),
+            (b.u + b.v).normalize(),
+            -b.n,
+        ];
+        let window = self.camera.window();
+        let half = [0.5 * window.width(), 0.5 * window.height()];
+        let symmetric = ViewWindow { left: -half[0], right: half[0], bottom: -half[1], top: half[1] };
+        let own = Parameters { window: p.window.map(|_| symmetric), ..p };
+        let half_aspect = 0.4 * self.image.aspect();
+        let at_near = ViewWindow { left: -half_aspect, right: half_aspect, bottom: -0.4, top: 0.4 }.map(|x| x * p.near);
+        let ordinary =
+            Parameters { aspect: self.image.aspect(), view_angle: 45.0, window: p.window.map(|_| at_near), ..p };
+        let lenses = [own, ordinary];
+        let framed =
+            |lens: Parameters| directions.map(|direction| framed(&lens, b.v, direction, ball.center, ball.radius));
+        lenses.into_iter().flat_map(framed).collect()
+    }
+}
+
+fn radius(subject: &Subject) -> f64 {
+    ball(&[subject]).map_or(0.0, |ball| ball.radius)
+}
+
+/// Near and far plane moved only where they would cut a ball.
+fn around(p: &Parameters, center: DVec3, radius: f64) -> Parameters {
+    let forward = (p.focal_point - p.position).normalize_or_zero();
+    let depth = (center - p.position).dot(forward);
+    let (least, most) = (depth - 1.02 * radius, depth + 1.02 * radius);
+    let mut q = *p;
+    if least < p.near
+        && let Some(near) = nice_below(if least > 1e-3 * most { 0.9 * least } else { 1e-3 * most })
+    {
+        q = with_planes(&q, [near, q.far]);
+    }
+    if most > p.far || q.near >= q.far {
+        q.far = nice_above(most).unwrap_or(q.far);
+    }
+    q
+}
+
+/// A camera with a lens that looks at a ball from a direction, so near that the ball fills the window.
+fn framed(lens: &Parameters, v: DVec3, direction: DVec3, center: DVec3, radius: f64) -> Parameters {
+    const ROOM: f64 = 1.15;
+    let mut p = *lens;
+    let distance = match lens.projection {
+        Projection::Perspective => {
+            let [across, up] = match lens.window {
+                Some(window) => [window.width(), window.height()].map(|side| side / (2.0 * lens.near)),
+                None => {
+                    let up = (0.5 * lens.view_angle).to_radians().tan();
+                    [up * lens.aspect, up]
+                }
+            };
+            let half_angle = across.min(up).atan();
+            ROOM * radius / half_angle.sin()
+        }
+        Projection::Parallel => {
+            let aspect = lens.window.map_or(lens.aspect, |window| window.aspect());
+            let height = 2.0 * ROOM * radius / aspect.min(1.0);
+            p.height = nice(height);
+            p.window = lens.window.map(|window| window.map(|x| x * height / window.height()));
+            4.0 * radius
+        }
+    };
+    p.focal_point = rounded(center, 1e-3 * radius);
+    p.position = rounded(center + direction * distance, 1e-3 * radius.min(distance - radius));
+    p.view_up = upright(lens.view_up, -direction, v);
+    around(&p, center, radius)
+}
+
+/// To three digits.
+fn nice(x: f64) -> f64 {
+    round_to(x, 1e-2 * x)
+}
+
+/// A point without digits that nobody can see; as it is where the rounding would be finer than an `f64`.
+fn rounded(p: DVec3, unit: f64) -> DVec3 {
+    let far_out = p.abs().max_element() > 1e13 * unit;
+    if far_out { p } else { DVec3::from_array(p.to_array().map(|x| round_to(x, unit))) }
+}
+
+/// VUP where it can stay; else **v**, or an axis.
+fn upright(up: DVec3, forward: DVec3, v: DVec3) -> DVec3 {
+    let aslant = |up: &DVec3| up.normalize_or_zero().cross(forward).length() > 0.02;
+    [up, v, DVec3::Y, DVec3::Z].into_iter().find(aslant).unwrap_or(up)
+}
+
+/// The new value of a key.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A point or a direction.
+    Vector(DVec3),
+    /// The sides of the view window.
+    Window(ViewWindow),
+    /// One of a list.
+    Word(&'static str),
+}
+
+/// The keys of `[camera]` that differ, with the values that they get.
+#[must_use]
+pub fn changes(before: &Parameters, after: &Parameters) -> Vec<(&'static str, Value)> {
+    let vectors = [
+        ("position", before.position, after.position),
+        ("focal_point", before.focal_point, after.focal_point),
+        ("view_up", before.view_up, after.view_up),
+    ];
+    let numbers = [
+        ("view_angle", before.view_angle, after.view_angle),
+        ("height", before.height, after.height),
+        ("aspect", before.aspect, after.aspect),
+        ("near", before.near, after.near),
+        ("far", before.far, after.far),
+    ];
+    let vectors = vectors.into_iter().filter(|(_, a, b)| a != b).map(|(key, _, after)| (key, Value::Vector(after)));
+    let numbers = numbers.into_iter().filter(|(_, a, b)| a != b).map(|(key, _, after)| (key, Value::Number(after)));
+    let window = after.window.filter(|_| before.window != after.window).map(|after| ("window", Value::Window(after)));
+    vectors.chain(numbers).chain(window).collect()
+}
+
+impl Repair {
+    /// The keys of `[camera]` and `[style]` that it changes, with the values that they get.
+    #[must_use]
+    pub fn changes(&self, camera: &Parameters, style: &Style) -> Vec<(&'static str, Value)> {
+        let shading = words::name(words::SHADINGS, self.style.shading);
+        let shading = (self.style != *style).then_some(("shading", Value::Word(shading)));
+        changes(camera, &self.camera).into_iter().chain(shading).collect()
+    }
+}
+
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Number(x) => x.serialize(serializer),
+            Self::Vector(v) => v.to_array().serialize(serializer),
+            Self::Word(word) => word.serialize(serializer),
+            Self::Window(w) => {
+                let mut sides = serializer.serialize_map(Some(4))?;
+                for (side, x) in [("left", w.left), ("right", w.right), ("bottom", w.bottom), ("top", w.top)] {
+                    sides.serialize_entry(side, &x)?;
+                }
+                sides.end()
+            }
+        }
+    }
+}

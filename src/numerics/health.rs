@@ -1,0 +1,268 @@
+//! How near a camera is to trouble with numbers: six quantities, each judged by thresholds that stand here with their reasons.
+//! Where a [`Warning`] says something, the line that it belongs to is not good.
+
+use glam::DVec3;
+
+use crate::camera::thresholds::{COARSE_DEPTH, FAR_AWAY, NEARLY_COLLINEAR_DEGREES, WIDE_DEGREES};
+use crate::camera::{Camera, ImageSize, Parameters, Projection, Warning};
+use crate::geometry::Aabb;
+use crate::numbers::{nice_above, nice_below};
+
+/// How good something is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// Nothing to say.
+    Good,
+    /// It is time to look at it.
+    Fair,
+    /// It shows, or will.
+    Poor,
+}
+
+impl Level {
+    /// Its name in JSON.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Good => "good",
+            Self::Fair => "fair",
+            Self::Poor => "poor",
+        }
+    }
+}
+
+/// What is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// The angle between VUP and the line of DOP in degrees, 0 … 90.
+    VupAngle,
+    /// B / F.
+    FarNearRatio,
+    /// The smallest difference of depth that 24 bits keep at B, in scene units.
+    DepthResolution,
+    /// Decimal digits that are left for what the camera sees, of the 16 that an `f64` has.
+    PositionDigits,
+    /// The longest side of the view volume over its shortest, at half its depth.
+    VolumeShape,
+    /// θ in degrees; 0 in parallel projection.
+    ViewAngle,
+}
+
+impl Quantity {
+    /// All, in the order in which they are told.
+    pub const ALL: [Self; 6] = [
+        Self::VupAngle,
+        Self::FarNearRatio,
+        Self::DepthResolution,
+        Self::PositionDigits,
+        Self::VolumeShape,
+        Self::ViewAngle,
+    ];
+
+    /// Its name in JSON.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::VupAngle => "vup-angle",
+            Self::FarNearRatio => "far-near-ratio",
+            Self::DepthResolution => "depth-resolution",
+            Self::PositionDigits => "position-digits",
+            Self::VolumeShape => "volume-shape",
+            Self::ViewAngle => "view-angle",
+        }
+    }
+
+    /// The line that a warning belongs to.
+    const fn of(warning: &Warning) -> Self {
+        match warning {
+            Warning::ViewUpNearlyCollinear { .. } => Self::VupAngle,
+            Warning::DepthPrecision { .. } => Self::FarNearRatio,
+            Warning::FarFromOrigin { .. } => Self::PositionDigits,
+            Warning::FocalPointClipped { .. } | Warning::AspectMismatch { .. } => Self::VolumeShape,
+            Warning::WideAngle { .. } => Self::ViewAngle,
+        }
+    }
+}
+
+/// VUP and DOP closer than this cost **u** two of its digits.
+const SMALL_VUP_DEGREES: f64 = 1.0;
+/// From here on, less than one step in ten thousand is left for the back half of the volume: with 16 bits, less than seven.
+const LARGE_RATIO: f64 = 1e4;
+/// A step of the depth buffer that is this part of what it is compared with (B in perspective, H in parallel projection) may be seen
+/// where surfaces nearly touch; [`COARSE_DEPTH`] of it is seen everywhere.
+const VISIBLE_STEP: f64 = 6e-4;
+/// From here on, single precision (7 digits), in which graphics cards compute, has three digits left: one pixel in a thousand.
+const RATHER_FAR: f64 = 1e4;
+/// A volume this much longer than wide is seen in the pictures of it as a needle or as a sheet.
+const SLENDER: f64 = 100.0;
+/// And here as a line or as nothing.
+const DEGENERATE: f64 = 1e4;
+/// From here on, what is at the border is drawn 33 times as large as in the middle.
+const EXTREME_DEGREES: f64 = 160.0;
+/// Below this a perspective is hardly told from a parallel projection.
+const NARROW_DEGREES: f64 = 1.0;
+/// Below this the window is a ten-thousandth of the distance: a hair's turn of the camera loses what it looks at.
+const NEEDLE_DEGREES: f64 = 0.01;
+
+/// One quantity of a camera.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Health {
+    /// Which.
+    pub quantity: Quantity,
+    /// How good it is.
+    pub level: Level,
+    /// In the unit that [`Quantity`] says.
+    pub value: f64,
+    /// The warnings that say more of it.
+    pub warnings: Vec<Warning>,
+    /// A camera that sees the same scene and is better in this; `None` where it is good, or nothing helps.
+    pub repair: Option<Parameters>,
+}
+
+/// Judges a camera; `bounds`: the box around what it looks at.
+#[must_use]
+pub fn health(camera: &Camera, image: ImageSize, bounds: Option<Aabb>) -> Vec<Health> {
+    let warnings: Vec<Warning> = camera.warnings().into_iter().chain(camera.aspect_warning(image)).collect();
+    let line = |quantity| {
+        let warnings: Vec<Warning> = warnings.iter().filter(|w| Quantity::of(w) == quantity).cloned().collect();
+        let (value, level) = judged(quantity, camera);
+        let level = if warnings.is_empty() { level } else { level.max(Level::Fair) };
+        let repair = (level > Level::Good).then(|| repaired(quantity, camera, image, bounds, &warnings)).flatten();
+        Health { quantity, level, value, warnings, repair: repair.filter(|p| Camera::new(p).is_ok()) }
+    };
+    Quantity::ALL.into_iter().map(line).collect()
+}
+
+/// The value of a quantity, and how good it is.
+fn judged(quantity: Quantity, camera: &Camera) -> (f64, Level) {
+    let perspective = camera.projection() == Projection::Perspective;
+    match quantity {
+        Quantity::VupAngle => {
+            let angle = camera.view_up_angle();
+            (angle, below(angle, SMALL_VUP_DEGREES, NEARLY_COLLINEAR_DEGREES))
+        }
+        Quantity::FarNearRatio => {
+            let ratio = camera.far() / camera.near();
+            // The step at B is B (1 − F/B) ratio / 2^24.
+            let coarse = camera.depth_step(camera.far()) > COARSE_DEPTH * camera.far();
+            let level = match perspective {
+                true if coarse => Level::Poor,
+                true => above(ratio, LARGE_RATIO, f64::INFINITY),
+                false => Level::Good,
+            };
+            (ratio, level)
+        }
+        Quantity::DepthResolution => {
+            let step = camera.depth_step(camera.far());
+            let length = if perspective { camera.far() } else { camera.window_height().max(camera.window_width()) };
+            (step, above(step, VISIBLE_STEP * length, COARSE_DEPTH * length))
+        }
+        Quantity::PositionDigits => {
+            let ratio = camera.origin_ratio();
+            (digits_left(ratio), above(ratio, RATHER_FAR, FAR_AWAY))
+        }
+        Quantity::VolumeShape => {
+            let sides = volume_sides(camera);
+            let [least, most] =
+                [sides.into_iter().fold(f64::INFINITY, f64::min), sides.into_iter().fold(0.0, f64::max)];
+            (most / least, above(most / least, SLENDER, DEGENERATE))
+        }
+        Quantity::ViewAngle if perspective => {
+            let degrees = camera.view_angle().degrees();
+            let level = above(degrees, WIDE_DEGREES, EXTREME_DEGREES);
+            (degrees, level.max(below(degrees, NARROW_DEGREES, NEEDLE_DEGREES)))
+        }
+        Quantity::ViewAngle => (0.0, Level::Good),
+    }
+}
+
+fn above(value: f64, fair: f64, poor: f64) -> Level {
+    match value {
+        v if v > poor => Level::Poor,
+        v if v > fair => Level::Fair,
+        _ => Level::Good,
+    }
+}
+
+fn below(value: f64, fair: f64, poor: f64) -> Level {
+    above(-value, -fair, -poor)
+}
+
+/// Of log₁₀ 2⁵³ decimal digits, those that are left of a difference of numbers that are so many times as large.
+fn digits_left(ratio: f64) -> f64 {
+    (53.0 * 2f64.log10() - ratio.max(1.0).log10()).max(0.0)
+}
+
+/// Width and height of the volume at half its depth, and its depth.
+#[must_use]
+pub fn volume_sides(camera: &Camera) -> [f64; 3] {
+    let (near, far) = (camera.near(), camera.far());
+    let scale = match camera.projection() {
+        Projection::Perspective => f64::midpoint(1.0, far / near),
+        Projection::Parallel => 1.0,
+    };
+    [camera.window_width() * scale, camera.window_height() * scale, far - near]
+}
+
+/// F and B that hold a scene closely; where it reaches behind the eye, F is a thousandth of B.
+#[must_use]
+pub fn suggested_planes(camera: &Camera, bounds: Aabb) -> Option<[f64; 2]> {
+    let depths = bounds.corners().map(|corner| -camera.view_point(corner).z);
+    let (least, most) = (depths.into_iter().fold(f64::INFINITY, f64::min), depths.into_iter().fold(0.0, f64::max));
+    let far = nice_above(1.02 * most)?;
+    let near = nice_below(if least > 1e-3 * most { 0.98 * least } else { 1e-3 * far })?;
+    (near < far).then_some([near, far])
+}
+
+/// The parameters with other planes; a window that is given keeps its angles.
+#[must_use]
+pub fn with_planes(p: &Parameters, [near, far]: [f64; 2]) -> Parameters {
+    let scale = if p.projection == Projection::Perspective { near / p.near } else { 1.0 };
+    Parameters { near, far, window: p.window.map(|window| window.map(|x| x * scale)), ..*p }
+}
+
+fn repaired(
+    quantity: Quantity,
+    camera: &Camera,
+    image: ImageSize,
+    bounds: Option<Aabb>,
+    warnings: &[Warning],
+) -> Option<Parameters> {
+    let p = *camera.parameters();
+    let planes = || {
+        let suggested = suggested_planes(camera, bounds?)?;
+        let mended = with_planes(&p, suggested);
+        let is_better = Camera::new(&mended).is_ok_and(|after| judged(quantity, &after).1 < judged(quantity, camera).1);
+        is_better.then_some(mended)
+    };
+    match quantity {
+        // What is seen stays as it is.
+        Quantity::VupAngle => Some(Parameters { view_up: camera.basis().v, ..p }),
+        Quantity::FarNearRatio | Quantity::DepthResolution => planes(),
+        Quantity::PositionDigits => None,
+        Quantity::VolumeShape => match warnings.first() {
+            Some(Warning::AspectMismatch { .. }) if p.window.is_none() => {
+                Some(Parameters { aspect: image.aspect(), ..p })
+            }
+            Some(Warning::FocalPointClipped { distance, near, far }) => {
+                Some(with_planes(&p, [near.min(0.1 * distance), far.max(2.0 * distance)]))
+            }
+            _ => planes(),
+        },
+        Quantity::ViewAngle => (p.window.is_none()).then(|| ordinary_angle(camera)),
+    }
+}
+
+/// θ = 45°, from where the plane of PF fills the window as before.
+fn ordinary_angle(camera: &Camera) -> Parameters {
+    const DEGREES: f64 = 45.0;
+    let p = *camera.parameters();
+    let half = |degrees: f64| (0.5 * degrees).to_radians().tan();
+    let distance = camera.distance() * half(p.view_angle) / half(DEGREES);
+    let position: DVec3 = p.focal_point + camera.basis().n * distance;
+    // What was before and behind PF stays there.
+    let moved = distance - camera.distance();
+    let near = p.near + moved;
+    let near = if near > 0.0 { near } else { p.near.min(1e-3 * distance) };
+    Parameters { position, view_angle: DEGREES, near, far: (p.far + moved).max(2.0 * distance), ..p }
+}

@@ -1,0 +1,212 @@
+//! Health of a camera against independent formulas, and the command `diagnose`.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use camera_lab::camera::{Camera, ImageSize, Parameters, Projection};
+use camera_lab::figure::read;
+use camera_lab::numerics::health::{Health, Level, Quantity, health};
+use camera_lab::numerics::random::Random;
+use glam::DVec3;
+
+use crate::common::program::Bench;
+
+const IMAGE: ImageSize = ImageSize { width: 400, height: 300 };
+
+fn line(p: &Parameters, quantity: Quantity) -> Health {
+    let lines = health(&Camera::new(p).unwrap(), IMAGE, None);
+    lines.into_iter().find(|line| line.quantity == quantity).unwrap()
+}
+
+#[track_caller]
+fn near(found: f64, expected: f64) {
+    assert!((found - expected).abs() <= 1e-9 * expected.abs(), "{found} is not {expected}");
+}
+
+/// The depth of the next step of a depth buffer is where Z (5.25), as a formula of its own, has grown by 2^−24.
+#[test]
+fn the_values_are_those_of_formulas_of_their_own() {
+    let mut random = Random::new(4, 0);
+    for i in 0..200 {
+        let position = random.direction() * random.between(0.0, 1e3);
+        let direction = random.direction();
+        let p = Parameters {
+            position,
+            focal_point: position + direction * random.between(1.0, 10.0),
+            view_up: random.direction() * 3.0,
+            near: random.between(0.1, 2.0),
+            far: random.between(10.0, 1e3),
+            view_angle: random.between(5.0, 170.0),
+            projection: if i % 2 == 0 { Projection::Perspective } else { Projection::Parallel },
+            ..Parameters::default()
+        };
+        let (f, b) = (p.near, p.far);
+        let cosine = p.view_up.normalize().dot((p.focal_point - p.position).normalize()).abs();
+        near(line(&p, Quantity::VupAngle).value, cosine.acos().to_degrees());
+        near(line(&p, Quantity::FarNearRatio).value, b / f);
+        let half = (p.view_angle / 2.0).to_radians().tan();
+        let step = 2f64.powi(-24);
+        match p.projection {
+            Projection::Perspective => {
+                // 1/d is even in Z: Z = (1/F − 1/d) / (1/F − 1/B); its derivative at B.
+                let slope = (1.0 / (b * b)) / (1.0 / f - 1.0 / b);
+                near(line(&p, Quantity::DepthResolution).value, step / slope);
+                near(line(&p, Quantity::ViewAngle).value, p.view_angle);
+                let height = half * (f + b);
+                let sides = [height, height * p.aspect, b - f];
+                let ratio =
+                    sides.iter().fold(0.0, |a: f64, &b| a.max(b)) / sides.iter().fold(1e99, |a: f64, &b| a.min(b));
+                near(line(&p, Quantity::VolumeShape).value, ratio);
+            }
+            Projection::Parallel => {
+                near(line(&p, Quantity::DepthResolution).value, step * (b - f));
+                assert_eq!(line(&p, Quantity::ViewAngle).value, 0.0);
+            }
+        }
+        let greatest = p.position.abs().max(p.focal_point.abs()).max_element();
+        let lost = (greatest / p.position.distance(p.focal_point)).max(1.0).log10();
+        near(line(&p, Quantity::PositionDigits).value, 15.954589770191003 - lost);
+    }
+}
+
+#[test]
+fn levels_begin_where_the_thresholds_stand() {
+    use Level::{Fair, Good, Poor};
+    let usual = Parameters { position: DVec3::new(0.0, 0.0, 5.0), ..Parameters::default() };
+    let hold = |quantity, level, p: Parameters| assert_eq!(line(&p, quantity).level, level, "{quantity:?} {p:?}");
+    for quantity in Quantity::ALL {
+        hold(quantity, Good, usual);
+    }
+    let up = |degrees: f64| {
+        let angle = degrees.to_radians();
+        Parameters { view_up: DVec3::new(0.0, angle.sin(), -angle.cos()), ..usual }
+    };
+    hold(Quantity::VupAngle, Fair, up(0.5));
+    hold(Quantity::VupAngle, Poor, up(0.005));
+    let planes = |near, far| Parameters { near, far, ..usual };
+    hold(Quantity::FarNearRatio, Fair, planes(0.1, 5e3));
+    hold(Quantity::FarNearRatio, Poor, planes(0.1, 5e4));
+    hold(Quantity::DepthResolution, Fair, planes(0.1, 5e3));
+    hold(Quantity::DepthResolution, Poor, planes(0.1, 5e4));
+    let parallel = |far| Parameters { projection: Projection::Parallel, ..planes(0.1, far) };
+    hold(Quantity::FarNearRatio, Good, parallel(1e12));
+    hold(Quantity::DepthResolution, Good, parallel(1e2));
+    hold(Quantity::DepthResolution, Fair, parallel(1e5));
+    hold(Quantity::DepthResolution, Poor, parallel(1e12));
+    let away = |distance: f64| {
+        let position = DVec3::new(distance, 0.0, 5.0);
+        Parameters { position, focal_point: DVec3::new(distance, 0.0, 0.0), ..usual }
+    };
+    hold(Quantity::PositionDigits, Fair, away(1e6));
+    hold(Quantity::PositionDigits, Poor, away(1e9));
+    let angle = |view_angle| Parameters { view_angle, ..usual };
+    for (degrees, level) in [(1e-6, Poor), (0.5, Fair), (45.0, Good), (130.0, Fair), (179.9, Poor)] {
+        hold(Quantity::ViewAngle, level, angle(degrees));
+    }
+    hold(Quantity::VolumeShape, Poor, angle(1e-3));
+    hold(Quantity::VolumeShape, Fair, Parameters { aspect: 1.0, ..usual });
+    hold(Quantity::VolumeShape, Fair, planes(6.0, 50.0));
+}
+
+/// One way to judge: where a warning says something, the line is not good; and a repair makes it better.
+#[test]
+fn where_a_warning_says_something_the_line_is_not_good_and_repairs_help() {
+    let mut random = Random::new(9, 1);
+    let mut warned = 0;
+    for _ in 0..400 {
+        let e = |random: &mut Random, low: f64, high: f64| 10f64.powf(random.between(low, high));
+        let position = random.direction() * e(&mut random, -2.0, 12.0);
+        let near = e(&mut random, -3.0, 1.0);
+        let p = Parameters {
+            position,
+            focal_point: position + random.direction() * e(&mut random, -1.0, 2.0),
+            view_up: random.direction(),
+            near,
+            far: near * e(&mut random, 0.1, 9.0),
+            view_angle: random.between(0.5, 179.0),
+            aspect: random.between(0.5, 2.0),
+            ..Parameters::default()
+        };
+        let Ok(camera) = Camera::new(&p) else { continue };
+        let warnings = camera.warnings().len() + usize::from(camera.aspect_warning(IMAGE).is_some());
+        let lines = health(&camera, IMAGE, None);
+        assert_eq!(lines.iter().map(|line| line.warnings.len()).sum::<usize>(), warnings);
+        for line in lines {
+            warned += line.warnings.len();
+            assert!(line.warnings.is_empty() || line.level > Level::Good, "{line:?}");
+            assert!(line.value.is_finite());
+            if let Some(repair) = line.repair {
+                assert!(Camera::new(&repair).is_ok());
+                assert_ne!(repair, p);
+            }
+        }
+    }
+    assert!(warned > 400);
+}
+
+const BEHIND: &str = "# Mine.\n[camera]\nposition = [0, 0, 5]  # here\nfocal_point = [0, 0, 9]\n\n[image]\nwidth = 200\nheight = 150\n\n[scene]\n[[scene.objects]]\nname = \"ball\"\nshape = \"sphere\"\n";
+
+#[test]
+fn the_answer_has_the_keys_of_the_contract() {
+    let bench = Bench::new("diagnose-json");
+    bench.write("a.toml", BEHIND);
+    let json = bench.run(&["diagnose", "a.toml", "--format", "json"]).json();
+    assert_eq!((json["visible"].as_u64(), json["covered"].as_f64()), (Some(0), Some(0.0)));
+    let health = json["health"].as_array().unwrap();
+    let codes: Vec<&str> = health.iter().map(|line| line["code"].as_str().unwrap()).collect();
+    assert_eq!(
+        codes,
+        ["vup-angle", "far-near-ratio", "depth-resolution", "position-digits", "volume-shape", "view-angle"]
+    );
+    for line in health {
+        assert!(["good", "fair", "poor"].contains(&line["level"].as_str().unwrap()));
+        assert!(line["value"].is_f64() && line["message"].as_str().unwrap().ends_with('.'));
+    }
+    let first = &json["findings"][0];
+    assert_eq!((first["code"].as_str(), first["objects"][0].as_str()), (Some("behind-camera"), Some("ball")));
+    assert!(first["repair"]["focal_point"].is_array());
+    // An operation comes first: turned round, the camera sees it.
+    let turned = bench.run(&["diagnose", "a.toml", "--op", "yaw=180", "--format", "json"]).json();
+    assert_eq!(turned["findings"].as_array().unwrap().len(), 0);
+    assert!(turned["visible"].as_u64().unwrap() > 1000);
+    let text =
+        |lang: &str| String::from_utf8(bench.run(&["diagnose", "a.toml", "--lang", lang]).done().to_vec()).unwrap();
+    assert!(text("en").contains("ball: behind the camera") && text("pt-BR").contains("ball: atrás da câmera"));
+}
+
+#[test]
+fn the_repair_is_written_with_comments_and_shows_the_object() {
+    let bench = Bench::new("diagnose-repair");
+    bench.write("a.toml", BEHIND);
+    bench.run(&["diagnose", "a.toml", "--repair", "-o", "b.toml"]).done();
+    let text = String::from_utf8(bench.read("b.toml")).unwrap();
+    assert!(text.starts_with("# Mine.\n[camera]\nposition = [0, 0, 5]  # here\n"), "{text}");
+    read::parse(&text).unwrap();
+    let json = bench.run(&["diagnose", "b.toml", "--format", "json"]).json();
+    assert_eq!(json["findings"].as_array().unwrap().len(), 0);
+    assert!(json["visible"].as_u64().unwrap() > 1000);
+    // There is nothing to repair now: that is said, and the figure stays as it is.
+    let again = bench.run(&["diagnose", "b.toml", "--repair", "-o", "c.toml"]);
+    assert!(again.status == Some(0) && again.err.contains("nothing to repair"), "{}", again.err);
+    assert_eq!(bench.read("c.toml"), bench.read("b.toml"));
+    // Both options, or none.
+    bench.run(&["diagnose", "a.toml", "--repair"]).refused(2);
+    bench.run(&["diagnose", "a.toml", "-o", "d.toml"]).refused(2);
+}
+
+/// The figures that come with the program are as they should be.
+#[test]
+fn nothing_is_wrong_with_the_figures_that_come_with_the_program() {
+    let bench = Bench::new("diagnose-shipped");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
+    for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.extension().is_none_or(|ending| ending != "toml") {
+            continue;
+        }
+        let json = bench.run(&["diagnose", entry.to_str().unwrap(), "--format", "json"]).json();
+        let findings = json["findings"].as_array().unwrap();
+        let expected: &[&str] = if entry.ends_with("empty.toml") { &["empty-scene"] } else { &[] };
+        let codes: Vec<&str> = findings.iter().map(|finding| finding["code"].as_str().unwrap()).collect();
+        assert_eq!(codes, expected, "{}", entry.display());
+        assert!(json["health"].as_array().unwrap().iter().all(|line| line["level"] == "good"), "{}", entry.display());
+    }
+}
