@@ -45,6 +45,14 @@ impl Camera {
         Ok(ClipSpace { camera: self, ndc, lens })
     }
 
+    /// The clip space of this camera in a convention, or, where that has no matrices without a far plane, with one.
+    #[must_use]
+    pub fn possible_clip_space(&self, ndc: Ndc) -> ClipSpace<'_> {
+        self.clip_space(ndc)
+            .or_else(|_| self.clip_space(Ndc { infinite: false, ..ndc }))
+            .unwrap_or(self.notes_clip_space())
+    }
+
     /// The clip space of the notes, `[0]` §5.3.
     #[must_use]
     pub fn notes_clip_space(&self) -> ClipSpace<'_> {

@@ -105,6 +105,12 @@ impl Ndc {
         }
     }
 
+    /// Are the axes x_n, y_n, z_n, as they lie before the eye, right-handed? Those of `[0]` are not; turning y or z round changes it.
+    #[must_use]
+    pub const fn is_right_handed(self) -> bool {
+        self.y_points_down() != self.reversed
+    }
+
     /// Does y_n grow downwards?
     #[must_use]
     pub const fn y_points_down(self) -> bool {

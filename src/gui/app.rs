@@ -264,6 +264,7 @@ impl App {
             Command::SaveAs => file_flow::ask(ctx, state, Purpose::Save(None)),
             Command::Export => {
                 state.export.fit_screen(state.picture_sizes, state.screen_scale);
+                state.export.ndc = state.settings.conventions.ndc;
                 state.file_flow.dialog = Some(Dialog::Export(state.export));
             }
             Command::Quit => file_flow::begin(ctx, state, AfterSave::Quit),

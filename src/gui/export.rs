@@ -9,7 +9,7 @@ use eframe::egui;
 use super::document::Document;
 use super::worker::{Running, Work, Worker};
 use crate::appearance::Theme;
-use crate::camera::{Camera, CameraError};
+use crate::camera::{Camera, CameraError, Ndc};
 use crate::clock;
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
@@ -46,6 +46,8 @@ pub struct Export {
     pub crop: bool,
     /// The theme of the picture.
     pub theme: Theme,
+    /// Whose NDC the canonical volume is in, as in the window.
+    pub ndc: Ndc,
     /// Thick strokes and large type by this factor.
     pub scale: f32,
 }
@@ -103,6 +105,7 @@ impl Export {
             transparent: false,
             crop: false,
             theme: Theme::Print,
+            ndc: Ndc::default(),
             scale: 1.0,
         };
         export.fit_screen(sizes, scale);
@@ -239,7 +242,7 @@ impl Subject {
         let scene = SharedScene::new(scene);
         let request = Request::of(figure, View::Image, &camera, &scene, labels, export.size());
         let overlays = Overlays { transparent: export.is_without_ground(), ..Overlays::default() };
-        let request = Request { overlays, ..request };
+        let request = Request { ndc: export.ndc, overlays, ..request };
         let Paper { dpi, letters, lines, .. } = export.paper;
         let paper = export.on_paper.then_some(OnPaper { dpi, letters: Some(letters), lines, arranged: true });
         Ok(Sheet::of(export.what, &request, &figure.observers, paper.as_ref()).ok_or(PictureError::TooLarge)?)

@@ -37,6 +37,7 @@ mod cameras;
 pub mod canvas;
 pub mod coach;
 pub mod command_line;
+pub mod conventions;
 mod expressions;
 pub mod faults;
 mod figure_files;
@@ -83,7 +84,7 @@ impl Lang {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lang, canvas, coach, pictures, reasons, scenes};
+    use super::{Lang, canvas, coach, conventions, pictures, reasons, scenes};
 
     /// The words of the window itself have a test of their own, in the window.
     #[test]
@@ -99,9 +100,10 @@ mod tests {
         };
         check(canvas::texts(Lang::En).entries(), canvas::texts(Lang::PtBr).entries());
         check(coach::texts(Lang::En).entries(), coach::texts(Lang::PtBr).entries());
+        check(conventions::texts(Lang::En).entries(), conventions::texts(Lang::PtBr).entries());
         check(pictures::texts(Lang::En).entries(), pictures::texts(Lang::PtBr).entries());
         check(reasons::texts(Lang::En).entries(), reasons::texts(Lang::PtBr).entries());
         check(scenes::texts(Lang::En).entries(), scenes::texts(Lang::PtBr).entries());
-        assert_eq!(same, ["strip", "space_ndc", "space_pixel", "space_viewport", "outcode", "shape_cone"]);
+        assert_eq!(same, ["strip", "space_ndc", "space_pixel", "space_viewport", "outcode", "infinite", "shape_cone"]);
     }
 }

@@ -23,6 +23,9 @@ texts! {
     wrong: "wrong", "errado";
     no_difference: "nothing wrong falls into the volume", "nada de errado cai no volume";
     not_split: "too many pieces for BSP: depth buffer instead", "pedaços demais para o BSP: usa o buffer de profundidade";
+    reversed: "reversed", "invertido";
+    right_handed: "right-handed", "mão direita";
+    left_handed: "left-handed", "mão esquerda";
     // The planes, outside of which an object is.
     plane_left: "left", "esquerda";
     plane_right: "right", "direita";
@@ -83,6 +86,9 @@ const fn of(t: &Texts) -> Labels {
         wrong: t.wrong,
         no_difference: t.no_difference,
         not_split: t.not_split,
+        reversed: t.reversed,
+        right_handed: t.right_handed,
+        left_handed: t.left_handed,
         planes: [t.plane_left, t.plane_right, t.plane_bottom, t.plane_top, t.plane_near, t.plane_far],
     }
 }

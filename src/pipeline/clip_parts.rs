@@ -16,7 +16,7 @@ use super::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
 use super::projector::{ClipPoint, Projector, ViewFromObject};
 use super::resample::{Remake, normals, object_paint};
 use crate::appearance::LineStyle;
-use crate::camera::{Camera, Projection};
+use crate::camera::{Camera, Ndc, Projection};
 use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 
 /// The bits of an outcode, `true` where a point is outside: left, right, bottom, top, near, far. `None` for a point with a
@@ -28,20 +28,25 @@ pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
     (code != NOT_A_NUMBER).then(|| std::array::from_fn(|i| code >> i & 1 == 1))
 }
 
-/// The six homogeneous distances of a point, positive inside: w + x, w − x, w + y, w − y, w + z, w − z `[2]`.
+/// The six homogeneous distances of a point, positive inside: of `[0]` w + x, w − x, w + y, w − y, w + z, w − z `[2]`; in other
+/// conventions of NDC those from the planes left, right, bottom, top, near, far, such as z and w − z for near and far.
 ///
-/// *Guarantees*: each has the sign that the outcode goes by, also where `z_clip` would round it away.
+/// *Guarantees*: each has the sign that the outcode goes by, also where `z_clip` would round it away. (Without a far plane the last is
+/// positive.)
 #[must_use]
-pub fn homogeneous_distances(camera: &Camera, p_world: DVec3) -> [f64; 6] {
+pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64; 6] {
     let projector = Projector::new(camera);
     let [left, right, bottom, top, near, far] = distances(&projector, projector.clip(projector.view(p_world)));
     let (f, b) = (camera.near(), camera.far());
-    // w + z = 2 B (d − F)/(B − F), w − z = 2 F (B − d)/(B − F); in parallel projection without B and F.
-    let [at_near, at_far] = match camera.projection() {
-        Projection::Perspective => [b, f],
-        Projection::Parallel => [1.0, 1.0],
+    let [at_near, at_far] = ndc.depths();
+    let range = (at_near - at_far).abs();
+    // w + z = 2 B (d − F)/(B − F), w − z = 2 F (B − d)/(B − F); in parallel projection without B and F; half of it where z_n is in 0 … 1.
+    let [near, far] = match camera.projection() {
+        Projection::Perspective if ndc.infinite => [near, f],
+        Projection::Perspective => [b * (near / (b - f)), f * (far / (b - f))],
+        Projection::Parallel => [near / (b - f), far / (b - f)],
     };
-    [left, right, bottom, top, 2.0 * at_near * (near / (b - f)), 2.0 * at_far * (far / (b - f))]
+    [left, right, bottom, top, range * near, range * far]
 }
 
 /// A scene in two parts.

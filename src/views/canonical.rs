@@ -12,6 +12,7 @@ use crate::geometry::Aabb;
 use crate::pipeline::Frame;
 use crate::scene::Scene;
 
+use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
@@ -19,7 +20,7 @@ use super::placing::Rules;
 use super::revealed_scene::{self, Revealed};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Palette, Request, placing, probe};
+use super::{Labels, Palette, Request, placing, probe};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -43,12 +44,15 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
 }
 
 fn framing(request: &Request, direction: Direction) -> Observer {
-    let tips = [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| axis * (AXIS + 0.05));
+    let canonical = CanonicalBox::of(request);
+    let tips = canonical.axes().map(|axis| axis * (AXIS + 0.05));
     let beyond = match request.look.reveal.outside {
         Outside::Usual | Outside::Cut => 1.0,
         Outside::Tinted | Outside::Shown => BEYOND,
     };
-    let points: Vec<_> = CUBE.corners().map(|p| p * beyond).into_iter().chain(tips).collect();
+    let bounds = canonical.bounds();
+    let middle = bounds.center();
+    let points: Vec<_> = bounds.corners().map(|p| middle + (p - middle) * beyond).into_iter().chain(tips).collect();
     enclosing(&points, direction, request.size)
 }
 
@@ -80,10 +84,11 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let mut revealed = revealed(request);
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let mut builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
-    axes(&mut builder, palette);
+    let canonical = CanonicalBox::of(request);
+    axes(&mut builder, &canonical, palette);
     revealed.mark(&mut builder, palette);
     probe::in_canonical(&mut builder, request, palette);
-    cube(&mut builder, request, palette);
+    cube(&mut builder, &canonical, request.labels, palette);
     let mut drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
@@ -99,17 +104,17 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     drawn
 }
 
-fn axes(builder: &mut SceneBuilder, palette: Palette) {
-    let all = [(DVec3::X, "x_n"), (DVec3::Y, "y_n"), (DVec3::NEG_Z, "z_n")];
-    for ((axis, name), color) in all.into_iter().zip(palette.axes) {
+fn axes(builder: &mut SceneBuilder, canonical: &CanonicalBox, palette: Palette) {
+    for ((axis, name), color) in canonical.axes().into_iter().zip(["x_n", "y_n", "z_n"]).zip(palette.axes) {
         builder.vector(DVec3::ZERO, axis * AXIS, color, 1.8, name);
     }
 }
 
-/// The cube: its near face (z_n = −1) stands out as the window does in the world, its far face has dashed edges as there.
-fn cube(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+/// The box: its near face (z_n = −1 in the notes) stands out as the window does in the world, its far face has dashed edges as there.
+fn cube(builder: &mut SceneBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
+    let bounds = canonical.bounds();
     let square = |z: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, z));
-    let (near, far) = (square(1.0), square(-1.0));
+    let (near, far) = (square(bounds.max.z), square(bounds.min.z));
     let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
     builder.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
     builder.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
@@ -118,16 +123,15 @@ fn cube(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
     }
     builder.closed(&far, palette.volume_edge, 1.5, Dash::Dashed);
     builder.closed(&near, palette.ink, 2.0, Dash::Solid);
-    hatch(builder, palette);
+    hatch(builder, bounds.max.z, palette);
 
-    let names = [
-        (near[3], format!("{} (z_n = −1)", request.labels.near)),
-        (far[2], format!("{} (z_n = 1)", request.labels.far)),
-    ];
+    let [at_near, at_far] = canonical.ndc.depths().map(|depth| labels.mark.number(depth, 2));
+    let back = if canonical.ndc.infinite { "B → ∞" } else { labels.far };
+    let names = [(near[3], format!("{} (z_n = {at_near})", labels.near)), (far[2], format!("{back} (z_n = {at_far})"))];
     for (p, text) in names {
         builder.text(p, &text, outwards(builder.screen, p), SMALL_TYPE, palette.ink);
     }
-    for (p, text) in corner_names(builder.screen) {
+    for (p, text) in corner_names(builder.screen, canonical) {
         builder.text(p, &text, outwards(builder.screen, p), SMALL_TYPE - 1.0, palette.soft);
     }
 }
@@ -141,9 +145,9 @@ fn outwards(screen: &Screen, p: DVec3) -> DVec2 {
 }
 
 /// The coordinates of the corners, in a small picture of two only. Two that coincide in the picture have one name, with ±.
-fn corner_names(screen: &Screen) -> Vec<(DVec3, String)> {
+fn corner_names(screen: &Screen, canonical: &CanonicalBox) -> Vec<(DVec3, String)> {
     const SMALL: f64 = 320.0;
-    let corners = CUBE.corners();
+    let corners = canonical.bounds().corners();
     let wanted = if screen.extent().min_element() < SMALL * screen.scale() {
         vec![corners[4], corners[3]]
     } else {
@@ -156,20 +160,26 @@ fn corner_names(screen: &Screen) -> Vec<(DVec3, String)> {
         if twin.is_some_and(|t| names.iter().any(|(q, _)| *q == t)) {
             continue;
         }
-        let coordinate = |a: f64, b: f64| match (a == b, a < 0.0) {
-            (false, _) => "±1",
-            (true, true) => "−1",
-            (true, false) => "1",
-        };
-        let t = twin.unwrap_or(p);
-        let [x, y, z] = [(p.x, t.x), (p.y, t.y), (-p.z, -t.z)].map(|(a, b)| coordinate(a, b));
+        let (p_ndc, t_ndc) = (canonical.ndc_at(p), canonical.ndc_at(twin.unwrap_or(p)));
+        let [x, y, z] = [(p_ndc.x, t_ndc.x), (p_ndc.y, t_ndc.y), (p_ndc.z, t_ndc.z)].map(|(a, b)| coordinate(a, b));
         names.push((p, format!("({x}, {y}, {z})")));
     }
     names
 }
 
+/// A coordinate of a corner, or of two in one place.
+fn coordinate(a: f64, b: f64) -> &'static str {
+    match (a == b, a.min(b) < 0.0, a == 0.0) {
+        (false, true, _) => "±1",
+        (false, false, _) => "0…1",
+        (true, true, _) => "−1",
+        (true, false, true) => "0",
+        (true, false, false) => "1",
+    }
+}
+
 /// Short strokes along the inner side of the near face's border, as draughtsmen mark a plane.
-fn hatch(builder: &mut SceneBuilder, palette: Palette) {
+fn hatch(builder: &mut SceneBuilder, depth: f64, palette: Palette) {
     const STROKES: i32 = 12;
     const LENGTH: f64 = 0.07;
     let hidden = std::mem::replace(&mut builder.hidden, HiddenLines::Hidden);
@@ -182,7 +192,7 @@ fn hatch(builder: &mut SceneBuilder, palette: Palette) {
             [(-1.0, a), (-1.0 + LENGTH, a + LENGTH)],
         ];
         for stroke in ends {
-            let points = stroke.map(|(x, y)| DVec3::new(x, y, 1.0)).to_vec();
+            let points = stroke.map(|(x, y)| DVec3::new(x, y, depth)).to_vec();
             builder.line(points, palette.soft, 0.8, Dash::Solid);
         }
     }

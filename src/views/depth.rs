@@ -19,7 +19,7 @@ use super::{Palette, Request, hits};
 pub struct DepthReading {
     /// Z, what the depth buffer holds, `[0]` Eq. (5.25).
     pub z: f64,
-    /// z_n.
+    /// z_n, in the convention of the request.
     pub ndc_z: f64,
     /// The distance from the eye along DOP, −z_c, in scene units: between F and B.
     pub distance: f64,
@@ -36,7 +36,8 @@ pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     // What is divided first is not a depth where it is wrong: it is drawn as glass.
     let right = request.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
     let hit = hits::first_opaque(right.as_ref().unwrap_or(&request.scene), from, to)?;
-    let stations = camera.stations(hit, request.look.image, &request.look.viewport);
+    let space = camera.possible_clip_space(request.ndc);
+    let stations = space.stations(hit, request.look.image, &request.look.viewport);
     let Projected { ndc, viewport, .. } = stations.projected?;
     Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })
 }

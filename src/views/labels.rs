@@ -1,5 +1,6 @@
 //! The words in the pictures.
 
+use crate::camera::Ndc;
 use crate::numbers::DecimalMark;
 
 /// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
@@ -43,6 +44,22 @@ pub struct Labels {
     pub wrong: &'static str,
     /// What comes of it otherwise.
     pub no_difference: &'static str,
+    /// Depth that is 1 at F and 0 at B.
+    pub reversed: &'static str,
+    /// Axes that are right-handed.
+    pub right_handed: &'static str,
+    /// Axes that are left-handed.
+    pub left_handed: &'static str,
     /// Too many pieces to be put in order.
     pub not_split: &'static str,
+}
+
+impl Labels {
+    /// A convention of NDC in words: whose, reversed, without a far plane.
+    #[must_use]
+    pub fn ndc_title(&self, ndc: Ndc) -> String {
+        let reversed = if ndc.reversed { format!(", {}", self.reversed) } else { String::new() };
+        let infinite = if ndc.infinite { ", B → ∞" } else { "" };
+        format!("{}{reversed}{infinite}", ndc.api.title())
+    }
 }

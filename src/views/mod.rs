@@ -9,10 +9,11 @@
 //! | --- | --- | --- |
 //! | `image` | world | the figure's camera |
 //! | `world` | world | [`Observer`] |
-//! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed | [`Observer`] |
+//! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed; in other conventions as deep as they are | [`Observer`] |
 
 mod arrangement;
 mod canonical;
+mod canonical_box;
 mod content;
 pub mod depth;
 mod dimensions;

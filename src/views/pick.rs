@@ -7,6 +7,7 @@ use crate::geometry::Ray;
 use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
 
+use super::canonical_box::CanonicalBox;
 use super::hits::{can_be_seen, crossing};
 use super::probe::Pixel;
 use super::screen::Screen;
@@ -108,7 +109,7 @@ impl Catch {
         let inside = || displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0);
         match request.view {
             View::World => Some(p),
-            View::Canonical => inside(),
+            View::Canonical => inside().map(|shown| CanonicalBox::of(request).place(shown)),
             View::Image => inside().map(|_| p),
         }
     }

@@ -4,8 +4,10 @@ use glam::{DVec2, DVec3};
 
 use crate::appearance::{Dash, MarkShape};
 use crate::camera::Projection;
+use crate::geometry::Aabb;
 use crate::pipeline::project::displayed_ndc;
 
+use super::canonical_box::CanonicalBox;
 use super::gizmos::{SMALL_TYPE, SceneBuilder, TYPE};
 use super::volume::DrawnVolume;
 use super::{Palette, Probe, Request, hits};
@@ -71,7 +73,9 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
 pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
     let Some(probe) = request.overlays.probe else { return };
     let color = palette.probe;
-    let shown = |p: DVec3| displayed_ndc(&request.camera, p);
+    let canonical = CanonicalBox::of(request);
+    let shown = |p: DVec3| displayed_ndc(&request.camera, p).map(|p| canonical.place(p));
+    let Aabb { min, max } = canonical.bounds();
     let (through, marked) = match probe {
         Probe::Point(p) => (shown(p), shown(p)),
         Probe::Window(point) => {
@@ -80,9 +84,9 @@ pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palett
         }
     };
     let Some(through) = through else { return };
-    let (front, back) = (through.with_z(1.0), through.with_z(-1.0));
+    let (front, back) = (through.with_z(max.z), through.with_z(min.z));
     if through.x.abs() <= 1.0 && through.y.abs() <= 1.0 {
-        let stop = marked.map_or(back, |p| p.with_z(p.z.clamp(-1.0, 1.0)));
+        let stop = marked.map_or(back, |p| p.with_z(p.z.clamp(min.z, max.z)));
         builder.line(vec![front, stop], color, 1.6, Dash::Solid);
         builder.line(vec![stop, back], color, 1.2, Dash::Dotted);
         builder.mark(front, MarkShape::Square, 3.0, color);

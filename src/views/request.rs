@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use super::pixels::image_frame;
 use super::{Labels, Overlays, Size, View};
 use crate::appearance::Style;
-use crate::camera::{Camera, ImageSize, Viewport};
+use crate::camera::{Camera, ImageSize, Ndc, Viewport};
 use crate::figure::{Figure, Observer, Observers, Reveal, WorldLook};
 use crate::geometry::Aabb;
 use crate::pipeline::Output;
@@ -26,6 +26,8 @@ pub struct Request {
     /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image is
     /// seen by the camera alone.
     pub observer: Option<Observer>,
+    /// Whose NDC the canonical volume and the numbers are in.
+    pub ndc: Ndc,
     /// What comes and goes with the pointer.
     pub overlays: Overlays,
     /// The words in the picture.
@@ -56,6 +58,7 @@ impl Request {
             camera: camera.clone(),
             scene: scene.clone(),
             observer: observer_in(&figure.observers, view),
+            ndc: Ndc::default(),
             overlays: Overlays::default(),
             labels,
             size,

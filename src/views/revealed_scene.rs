@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3};
 
 use crate::appearance::{Dash, MarkShape, Rgba, Shading};
-use crate::camera::{Camera, Parameters, Projection, ViewWindow};
+use crate::camera::{Camera, Ndc, Parameters, Projection, ViewWindow};
 use crate::drawing::Drawing;
 use crate::figure::Outside;
 use crate::pipeline::clip_parts::{Parts, clip_parts};
@@ -15,6 +15,7 @@ use crate::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_sce
 use crate::pipeline::{Frame, NEAR, PlaneSet, Target, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
+use super::canonical_box::CanonicalBox;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::legend::{Legend, Row};
 use super::placing::Box2;
@@ -124,6 +125,19 @@ pub(super) fn in_world(request: &Request, palette: Palette) -> Revealed {
 }
 
 impl Revealed {
+    /// From the display space of the notes to that of a convention of NDC, which is named where it is another.
+    fn move_into(&mut self, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
+        let ndc = canonical.ndc;
+        if ndc == Ndc::default() {
+            return;
+        }
+        canonical.move_scene(&mut self.scene);
+        let points = self.cuts.iter_mut().chain(self.sides.iter_mut().flatten());
+        points.chain(self.names.iter_mut().map(|(p, _)| p)).for_each(|p| *p = canonical.place(*p));
+        let hand = if ndc.is_right_handed() { labels.right_handed } else { labels.left_handed };
+        self.rows.insert(0, Row::Title(format!("{}: {hand}", labels.ndc_title(ndc)), palette.ink));
+    }
+
     fn add_outside(&mut self, outside: Scene, labels: &Labels, palette: Palette) {
         if !outside.objects.is_empty() || !outside.lines.is_empty() {
             self.rows.push(Row::Swatch(palette.outside, labels.outside.to_owned()));
@@ -162,6 +176,7 @@ pub(super) fn in_canonical(request: &Request, palette: Palette) -> Revealed {
     if let Some(divided) = divided {
         append(&mut revealed.scene, divided.wrong);
     }
+    revealed.move_into(&CanonicalBox::of(request), request.labels, palette);
     revealed
 }
 

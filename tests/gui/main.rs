@@ -7,6 +7,7 @@ mod canvas_keys;
 mod canvas_objects;
 mod canvas_probe;
 mod commands;
+mod conventions;
 mod dialogs;
 mod files;
 mod gallery;

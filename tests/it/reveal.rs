@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::appearance::{MarkShape, Rgba, Shading, Style, Theme, Visibility};
-use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow, Viewport};
+use camera_lab::camera::{Camera, Ndc, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::figure::{Depth, Figure, Observer, Outside, Reveal};
 use camera_lab::pipeline::clip_parts;
 use camera_lab::pipeline::cull_result::{CullResult, cull_result};
@@ -268,7 +268,7 @@ fn outcodes_and_distances_are_those_of_clip_space() {
             let p = DVec3::new(share(0.618_034), share(0.754_878), share(0.569_84));
             let c = camera.clip_from_world() * p.extend(1.0);
             let expected = [c.w + c.x, c.w - c.x, c.w + c.y, c.w - c.y, c.w + c.z, c.w - c.z];
-            let found = clip_parts::homogeneous_distances(camera, p);
+            let found = clip_parts::homogeneous_distances(camera, p, Ndc::default());
             let code = clip_parts::outcode_of(camera, p).unwrap();
             for ((e, f), outside) in expected.iter().zip(found).zip(code) {
                 assert!((e - f).abs() < 1e-12 * (1.0 + c.abs().max_element()), "{expected:?} {found:?}");
@@ -279,14 +279,41 @@ fn outcodes_and_distances_are_those_of_clip_space() {
         }
     }
     assert!(tried == 18_000 && codes.len() > 25, "{}", codes.len());
+    distances_follow_the_convention(&cameras);
     let eye = &cameras[0];
     assert_eq!(clip_parts::outcode_of(eye, DVec3::new(0.0, 0.0, -2.0)), Some([false; 6]));
     // By hand: left of x = −|z|, above y = |z|, beyond B = 3.
     let far_away = DVec3::new(-5.0, 6.0, -4.0);
     assert_eq!(clip_parts::outcode_of(eye, far_away), Some([true, false, false, true, false, true]));
     // w = 4; z = (4 · 4 − 6)/2 = 5 by z_n = (B + F)/(B − F) − 2 F B/((B − F) d).
-    assert_eq!(clip_parts::homogeneous_distances(eye, far_away), [-1.0, 9.0, 10.0, -2.0, 9.0, -1.0]);
+    assert_eq!(clip_parts::homogeneous_distances(eye, far_away, Ndc::default()), [-1.0, 9.0, 10.0, -2.0, 9.0, -1.0]);
     assert_eq!(clip_parts::outcode_of(eye, DVec3::NAN), None);
+}
+
+/// In each convention the distances are those of its own clip coordinates from its own planes.
+fn distances_follow_the_convention(cameras: &[Camera]) {
+    for camera in cameras {
+        for space in Ndc::ALL.into_iter().filter_map(|ndc| camera.clip_space(ndc).ok()) {
+            let p = DVec3::new(0.3, -0.7, -2.25);
+            let c = space.clip_from_world() * p.extend(1.0);
+            let [bottom, top] =
+                if space.ndc().y_points_down() { [c.w - c.y, c.w + c.y] } else { [c.w + c.y, c.w - c.y] };
+            let [near, far] = match space.ndc().depths() {
+                [-1.0, _] => [c.w + c.z, c.w - c.z],
+                [0.0, _] => [c.z, c.w - c.z],
+                _ => [c.w - c.z, c.z],
+            };
+            let expected = [c.w + c.x, c.w - c.x, bottom, top, near, far];
+            let found = clip_parts::homogeneous_distances(camera, p, space.ndc());
+            for (e, f) in expected.into_iter().zip(found) {
+                assert!(
+                    (e - f).abs() < 1e-12 * (1.0 + c.abs().max_element()),
+                    "{}: {expected:?} {found:?}",
+                    space.ndc().name()
+                );
+            }
+        }
+    }
 }
 
 /// The area of all faces, in the world.

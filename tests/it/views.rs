@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::appearance::{Shading, Theme};
-use camera_lab::camera::{Camera, Convention, Operation, Parameters, Projection, ViewWindow};
+use camera_lab::camera::{Camera, Convention, Ndc, Operation, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::{Anchor, Drawing, Label};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::i18n::{Lang, pictures};
@@ -39,6 +39,12 @@ impl Pictured {
 
     pub(crate) fn probed(mut self, probe: Probe) -> Self {
         self.request.overlays.probe = Some(probe);
+        self
+    }
+
+    /// In the NDC of another convention.
+    pub(crate) fn in_ndc(mut self, name: &str) -> Self {
+        self.request.ndc = Ndc::ALL.into_iter().find(|ndc| ndc.name() == name).unwrap();
         self
     }
 

@@ -88,3 +88,20 @@ fn an_image_narrower_than_its_picture() {
     let pictured = Pictured::of(figure).probed(views::Probe::Window(DVec2::new(0.2, 0.15)));
     assert_picture("image_letterboxed_dark", &paint(&pictured.image()));
 }
+
+/// As deep as the range of z_n, its origin on the near face, y_n downwards.
+#[test]
+fn the_canonical_volume_of_vulkan() {
+    let figure = short(Theme::Light, ScenePreset::House, |_| {});
+    let pictured = Pictured::of(figure).in_ndc("vulkan");
+    let pictured = pictured.probed(views::Probe::Window(DVec2::new(0.2, 0.15)));
+    assert_picture("canonical_vulkan", &paint(&pictured.canonical(Viewpoint::Iso)));
+}
+
+/// z_n towards the eye, from infinity to the near face.
+#[test]
+fn the_canonical_volume_reversed_and_without_a_far_plane() {
+    let figure = short(Theme::Dark, ScenePreset::House, |_| {});
+    let pictured = Pictured::of(figure).in_ndc("direct3d-reversed-infinite");
+    assert_picture("canonical_reversed_infinite", &paint(&pictured.canonical(Viewpoint::Iso)));
+}

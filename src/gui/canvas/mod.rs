@@ -151,6 +151,7 @@ impl Canvas {
             camera: document.camera().clone(),
             scene: state.scene_cache.scene().clone(),
             observer: self.seen[view.index()],
+            ndc: state.settings.conventions.ndc,
             overlays: self.overlays.seen_in(view),
             labels: labels(state.settings.lang),
             size,

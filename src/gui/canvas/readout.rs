@@ -36,7 +36,7 @@ pub(super) fn cells(
     let other = |space, value| Cell { space, value, wanted: false };
     match probe {
         Probe::Point(p) => {
-            let s = camera.stations(p, look.image, &look.viewport);
+            let s = camera.possible_clip_space(request.ndc).stations(p, look.image, &look.viewport);
             let mut cells = vec![
                 wanted(texts.space_world, point(p, digits, mark)),
                 other(texts.space_view, point(s.view, digits, mark)),
@@ -76,18 +76,27 @@ pub(super) fn cells(
 /// The outcode of a point, with the planes that its bits name, and its homogeneous distances from them.
 fn clipping_cells(p: DVec3, request: &Request, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> [Cell; 4] {
     let cell = |space, value| Cell { space, value, wanted: true };
-    let code = clip_parts::outcode_of(&request.camera, p).unwrap_or([true; 6]);
+    let ndc = request.camera.possible_clip_space(request.ndc).ndc();
+    let mut code = clip_parts::outcode_of(&request.camera, p).unwrap_or([true; 6]);
+    // Without a far plane nothing is beyond it.
+    code[5] &= !ndc.infinite;
     let bits: String = code.iter().map(|outside| if *outside { '1' } else { '0' }).collect();
     let planes: Vec<&str> =
         request.labels.planes.into_iter().zip(code).filter(|(_, out)| *out).map(|(n, _)| n).collect();
     let meaning = if planes.is_empty() { texts.inside.to_owned() } else { planes.join(", ") };
-    let d = clip_parts::homogeneous_distances(&request.camera, p);
-    let pair = |first: usize| mark.list(&d[first..first + 2], digits);
+    let [left, right, bottom, top, near, far] = clip_parts::homogeneous_distances(&request.camera, p, ndc);
+    let pair = |ends: [f64; 2]| mark.list(&ends, digits);
+    let y = if ndc.y_points_down() { "w − y, w + y" } else { "w + y, w − y" };
+    let z = match ndc.depths() {
+        [-1.0, _] => "w + z, w − z",
+        [0.0, _] => "z, w − z",
+        _ => "w − z, z",
+    };
     [
         cell(texts.outcode, format!("{bits} {meaning}")),
-        cell("w + x, w − x", pair(0)),
-        cell("w + y, w − y", pair(2)),
-        cell("w + z, w − z", pair(4)),
+        cell("w + x, w − x", pair([left, right])),
+        cell(y, pair([bottom, top])),
+        cell(z, pair([near, far])),
     ]
 }
 

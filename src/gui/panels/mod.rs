@@ -1,6 +1,8 @@
 //! The panels at the sides, and the few shapes that all of them are made of.
 
 pub mod changed_file;
+mod conventions;
+mod number_tables;
 pub mod numerics;
 pub mod operations;
 pub mod parameters;

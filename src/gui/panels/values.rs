@@ -1,30 +1,48 @@
 //! The numbers: basis, matrices, window, corners. Each one is what `camera-lab inspect` prints for the same figure.
 
-use eframe::egui::{self, RichText};
+use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
 
-use super::{TEXT_LINE, complaint, erratum, section};
+use super::number_tables::{GAP, Table, cells, lines, ndc_of, tables};
+use super::{TEXT_LINE, complaint, conventions, erratum, section};
+use crate::camera::Ndc;
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::state::State;
+use crate::gui::state::{Conventions, State};
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
+use crate::i18n::conventions::differences;
 use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
-use crate::numbers::{self, without_rests};
+use crate::numbers;
 
-/// The numbers of the figure.
-fn report(state: &State) -> Option<Report> {
+/// The numbers of the figure in a convention of NDC.
+fn report(state: &State, ndc: Ndc) -> Option<Report> {
     let figure = state.document.figure();
-    Report::of(&state.document.camera().notes_clip_space(), figure.image, figure.viewport, &[], &[]).ok()
+    let space = state.document.camera().possible_clip_space(ndc);
+    Report::of(&space, figure.image, figure.viewport, &[], &[]).ok()
+}
+
+/// The numbers in the convention that is compared with, where there is one.
+fn compared(state: &State) -> Option<Report> {
+    report(state, state.settings.conventions.compared?)
 }
 
 /// Shows the numbers.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = window::texts(state.settings.lang);
+    conventions::ui(ui, state);
     section(ui, t.numbers, "numbers", true, |ui| {
-        let Some(report) = report(state) else { return };
+        let Some(report) = report(state, state.settings.conventions.ndc) else { return };
         toolbar(ui, t, state, &report);
-        for table in tables(t, &report, state.settings.inverse) {
-            show(ui, t, (&report, &table), state.settings.digits);
+        let (digits, inverse) = (state.settings.digits, state.settings.inverse);
+        let shown = state.settings.conventions;
+        let other = compared(state).map(|other| (tables(t, &other, inverse, shown), ndc_of(&other)));
+        for (i, table) in tables(t, &report, inverse, shown).iter().enumerate() {
+            let other = other.as_ref().filter(|_| table.follows_ndc);
+            show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), digits);
+            // Said once, below M_p.
+            if let Some((_, ndc)) = other.filter(|_| table.symbol.contains("M_p") && !table.symbol.contains("M_v")) {
+                ui.label(RichText::new(differences(t.lang, ndc_of(&report), *ndc)).small());
+            }
         }
     });
     let warnings = state.warnings();
@@ -49,7 +67,7 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Rep
         state.settings.digits = digits;
         ui.checkbox(&mut state.settings.inverse, t.inverse).explained(t.inverse_hint);
         if ui.button(t.copy).explained(t.copy_numbers_hint).clicked() {
-            ui.ctx().copy_text(text(t, report));
+            ui.ctx().copy_text(text(t, report, state.settings.conventions));
         }
         output.error
     });
@@ -58,124 +76,45 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Rep
     }
 }
 
-/// A group of numbers: its symbol, its name with the equation, and its rows.
-struct Table {
-    symbol: &'static str,
-    name: &'static str,
-    rows: Vec<(String, Vec<f64>)>,
-    /// Where the notes print something else: what, and what is right.
-    erratum: Option<&'static str>,
-    /// What rounding can have left of zero, beside its row, is shown as 0.
-    rests: bool,
-}
-
-impl Table {
-    fn new(symbol: &'static str, name: &'static str, rows: Vec<(String, Vec<f64>)>) -> Self {
-        Self { symbol, name, rows, erratum: None, rests: false }
-    }
-
-    fn with_rests(self) -> Self {
-        Self { rests: true, ..self }
-    }
-
-    /// The rows of a matrix have no names.
-    fn is_matrix(&self) -> bool {
-        self.rows.iter().all(|(name, _)| name.is_empty())
-    }
-
-    /// The rows as they are shown with so many digits.
-    fn shown(&self, digits: usize) -> Vec<(String, Vec<f64>)> {
-        let clean = |values: &[f64]| if self.rests { without_rests(values, digits) } else { values.to_vec() };
-        self.rows.iter().map(|(name, values)| (name.clone(), clean(values))).collect()
-    }
-}
-
-/// The equation of M_p that is in force, `[0]` (5.13) to (5.16).
-fn projection_equation(r: &Report) -> &'static str {
-    let w = &r.window;
-    match (r.camera.projection == "perspective", w.left == -w.right && w.bottom == -w.top) {
-        (true, false) => "(5.13)",
-        (true, true) => "(5.14)",
-        (false, false) => "(5.15)",
-        (false, true) => "(5.16)",
-    }
-}
-
-fn named<const N: usize>(rows: &[(&str, [f64; N])]) -> Vec<(String, Vec<f64>)> {
-    rows.iter().map(|(name, values)| ((*name).to_owned(), values.to_vec())).collect()
-}
-
-fn matrix(rows: &[[f64; 4]; 4]) -> Vec<(String, Vec<f64>)> {
-    rows.iter().map(|row| (String::new(), row.to_vec())).collect()
-}
-
-fn tables(t: &'static Texts, r: &Report, inverse: bool) -> Vec<Table> {
-    let (view, projection) = if inverse {
-        (&r.inverse_view_matrix, &r.inverse_projection_matrix)
-    } else {
-        (&r.view_matrix, &r.projection_matrix)
-    };
-    let w = &r.window;
-    let corner = |i: usize| {
-        (
-            format!("{} ({})", i + 1, ["l,b,F", "r,b,F", "r,t,F", "l,t,F", "l,b,B", "r,b,B", "r,t,B", "l,t,B"][i]),
-            r.volume_corners[i].to_vec(),
-        )
-    };
-    let mut tables = vec![
-        Table::new("DOP, D", t.dop_name, vec![("DOP".into(), r.dop.to_vec()), ("D".into(), vec![r.distance])])
-            .with_rests(),
-        Table::new("u, v, n", t.basis_name, named(&[("u", r.basis.u), ("v", r.basis.v), ("n", r.basis.n)]))
-            .with_rests(),
-        Table::new(
-            "l r b t",
-            t.window_name,
-            named(&[("l, r", [w.left, w.right]), ("b, t", [w.bottom, w.top]), ("W, H", [w.width, w.height])])
-                .into_iter()
-                .chain([("A".into(), vec![w.aspect])])
-                .collect(),
-        ),
-    ];
-    // Entries of M_p can differ by any factor, and each is exact: none is a rest of another.
-    if inverse {
-        tables.push(Table::new("M_v⁻¹", t.inverse_view_name, matrix(view)).with_rests());
-        tables.push(Table::new("M_p⁻¹", t.inverse_projection_name, matrix(projection)));
-    } else {
-        let erratum = (r.camera.projection != "perspective").then_some(t.erratum_parallel);
-        tables.push(Table::new("M_v", t.view_name, matrix(view)).with_rests());
-        tables.push(Table { erratum, ..Table::new("M_p", t.projection_name, matrix(projection)) });
-        tables.push(Table::new("M_p M_v", t.product_name, matrix(&r.view_projection_matrix)));
-    }
-    tables.push(Table::new("", t.corners_name, (0..8).map(corner).collect()).with_rests());
-    tables
-}
-
-fn show(ui: &mut egui::Ui, t: &'static Texts, (report, table): (&Report, &Table), digits: usize) {
+/// A table; below a matrix the one that it is compared with, the entries that differ marked in both.
+fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) {
     ui.add_space(3.0);
     ui.spacing_mut().item_spacing.y = 1.0;
+    numbers(ui, t, table, other, digits);
+    if let Some(other) = other {
+        ui.push_id("compared", |ui| numbers(ui, t, other, Some(table), digits));
+    }
+}
+
+/// Symbol, name and rows; marked where they differ from those of another table.
+fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) {
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = TEXT_LINE;
         ui.spacing_mut().item_spacing.x = 5.0;
         if !table.symbol.is_empty() {
-            ui.label(theme::symbol(ui, table.symbol));
+            ui.label(theme::symbol(ui, &table.symbol));
         }
-        ui.label(RichText::new(title(report, table)).small().weak());
+        ui.label(RichText::new(&table.name).small().weak());
         if let Some(text) = table.erratum {
             erratum(ui, t, text);
         }
     });
     let room = ui.available_width() - 18.0;
-    egui::ScrollArea::horizontal().id_salt(table.name).show(ui, |ui| {
+    egui::ScrollArea::horizontal().id_salt(&table.name).show(ui, |ui| {
         let written = |digits: usize| {
             let write = |value: f64| t.lang.mark().number(value, digits);
-            lines(&table.shown(digits), write).join("\n")
+            cells(&table.shown(digits), write)
+        };
+        let marked = |row: usize, column: usize| {
+            let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
+            table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
         };
         // Few digits are rounded to what fits; whoever wants many scrolls.
         let mut fitting = digits;
-        while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, &written(fitting)) > room {
+        while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {
             fitting -= 1;
         }
-        let label = egui::Label::new(RichText::new(written(fitting)).monospace()).extend();
+        let label = egui::Label::new(job(ui, &written(fitting), marked)).extend();
         if table.is_matrix() {
             let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 0));
             let place = frame.show(ui, |ui| ui.add(label)).response.rect;
@@ -186,20 +125,42 @@ fn show(ui: &mut egui::Ui, t: &'static Texts, (report, table): (&Report, &Table)
     });
 }
 
+/// Rows of cells as text; what is marked is underlined, on a ground of its own.
+fn job(ui: &egui::Ui, rows: &[Vec<String>], marked: impl Fn(usize, usize) -> bool) -> LayoutJob {
+    let visuals = ui.visuals();
+    let font_id = egui::TextStyle::Monospace.resolve(ui.style());
+    let plain = TextFormat { font_id, color: visuals.text_color(), ..TextFormat::default() };
+    let strong = TextFormat {
+        color: visuals.strong_text_color(),
+        background: visuals.warn_fg_color.gamma_multiply(0.25),
+        underline: egui::Stroke::new(1.0, visuals.warn_fg_color),
+        ..plain.clone()
+    };
+    let mut job = LayoutJob::default();
+    for (i, row) in rows.iter().enumerate() {
+        if i > 0 {
+            job.append("\n", 0.0, plain.clone());
+        }
+        for (j, cell) in row.iter().enumerate() {
+            let cell = if j + 1 == row.len() { cell.trim_end() } else { cell };
+            let number = cell.trim();
+            let start = cell.len() - cell.trim_start().len();
+            job.append(&cell[..start], 0.0, plain.clone());
+            job.append(number, 0.0, if marked(i, j) { strong.clone() } else { plain.clone() });
+            job.append(&cell[start + number.len()..], 0.0, plain.clone());
+            if j + 1 < row.len() {
+                job.append(GAP, 0.0, plain.clone());
+            }
+        }
+    }
+    job
+}
+
 /// So many digits are rounded further where they do not fit.
 const MOST_TO_FIT: usize = 7;
 
-fn width(ui: &egui::Ui, text: &str) -> f32 {
-    let font = egui::TextStyle::Monospace.resolve(ui.style());
-    ui.painter().layout_no_wrap(text.to_owned(), font, ui.visuals().text_color()).size().x
-}
-
-/// What a table is, with the equation that is in force.
-fn title(report: &Report, table: &Table) -> String {
-    match table.symbol {
-        "M_p" => format!("{} {}", table.name, projection_equation(report)),
-        _ => table.name.to_owned(),
-    }
+fn width(ui: &egui::Ui, job: LayoutJob) -> f32 {
+    ui.painter().layout_job(job).size().x
 }
 
 /// How far the ends of a bracket reach, in points.
@@ -215,38 +176,12 @@ fn brackets(ui: &egui::Ui, place: egui::Rect) {
     }
 }
 
-/// The rows as aligned text: in each column the decimal points stand below each other.
-fn lines(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<String> {
-    let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    let columns = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
-    let halves = |v: &f64| {
-        let text = write(*v);
-        let point = text.find(['.', ',', 'e']).unwrap_or(text.len());
-        (text[..point].to_owned(), text[point..].to_owned())
-    };
-    let cells: Vec<Vec<(String, String)>> =
-        rows.iter().map(|(_, values)| values.iter().map(halves).collect()).collect();
-    let width = |column: usize| {
-        let cells = cells.iter().filter_map(|row| row.get(column));
-        cells.fold((0, 0), |(left, right), (a, b)| (left.max(a.chars().count()), right.max(b.chars().count())))
-    };
-    let widths: Vec<(usize, usize)> = (0..columns).map(width).collect();
-    rows.iter()
-        .zip(&cells)
-        .map(|((name, _), cells)| {
-            let padded = cells.iter().zip(&widths).map(|((a, b), (left, right))| format!("{a:>left$}{b:<right$}"));
-            let head = if names == 0 { Vec::new() } else { vec![format!("{name:<names$}")] };
-            head.into_iter().chain(padded).collect::<Vec<_>>().join("  ").trim_end().to_owned()
-        })
-        .collect()
-}
-
 /// All numbers as text with all their digits, as programs read them.
-fn text(t: &'static Texts, report: &Report) -> String {
+fn text(t: &'static Texts, report: &Report, shown: Conventions) -> String {
     let mut text = String::new();
-    let inverses = tables(t, report, true).into_iter().filter(|table| table.symbol.contains('⁻'));
-    for table in tables(t, report, false).into_iter().chain(inverses) {
-        let title = format!("{} {}", table.symbol, title(report, &table));
+    let inverses = tables(t, report, true, shown).into_iter().filter(|table| table.symbol.contains('⁻'));
+    for table in tables(t, report, false, shown).into_iter().chain(inverses) {
+        let title = format!("{} {}", table.symbol, table.name);
         text.push_str(title.trim());
         text.push('\n');
         text.push_str(&lines(&table.rows, |value| numbers::significant(value, numbers::EXACT_DIGITS)).join("\n"));
@@ -259,44 +194,6 @@ fn text(t: &'static Texts, report: &Report) -> String {
 #[must_use]
 pub fn copy(state: &State) -> String {
     let t = window::texts(state.settings.lang);
-    report(state).map(|report| text(t, &report)).unwrap_or_default()
-}
-
-#[cfg(test)]
-mod tests {
-    #![expect(clippy::unwrap_used, reason = "tests")]
-    use super::*;
-    use crate::numbers::DecimalMark;
-
-    #[test]
-    fn decimal_points_stand_below_each_other() {
-        let rows = named(&[("u", [1.0, -0.5, 2e-9]), ("n", [-10.25, 0.0, 3.0])]);
-        let write = |mark: DecimalMark| move |value: f64| mark.number(value, 5);
-        assert_eq!(lines(&rows, write(DecimalMark::Point)), ["u    1     −0.5  2e−9", "n  −10.25   0    3"]);
-        assert_eq!(lines(&rows, write(DecimalMark::Comma)), ["u    1     −0,5  2e−9", "n  −10,25   0    3"]);
-        let rows = &matrix(&[[1.0; 4], [20.0; 4], [0.0; 4], [0.0; 4]])[..2];
-        assert_eq!(lines(rows, write(DecimalMark::Point))[1], "20  20  20  20");
-    }
-
-    #[test]
-    fn the_equation_of_the_projection_matrix_is_the_one_in_force() {
-        use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
-        let window = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
-        for (projection, window, equation) in [
-            (Projection::Perspective, window, "(5.13)"),
-            (Projection::Perspective, None, "(5.14)"),
-            (Projection::Parallel, window, "(5.15)"),
-            (Projection::Parallel, None, "(5.16)"),
-        ] {
-            let camera = Camera::new(&Parameters { projection, window, ..Parameters::default() }).unwrap();
-            let report = Report::of(&camera.notes_clip_space(), ImageSize::default(), None, &[], &[]).unwrap();
-            assert_eq!(projection_equation(&report), equation);
-            let erratum = tables(window_texts(), &report, false).into_iter().any(|table| table.erratum.is_some());
-            assert_eq!(erratum, projection == Projection::Parallel);
-        }
-    }
-
-    fn window_texts() -> &'static Texts {
-        window::texts(crate::i18n::Lang::En)
-    }
+    let shown = state.settings.conventions;
+    report(state, shown.ndc).map(|report| text(t, &report, shown)).unwrap_or_default()
 }

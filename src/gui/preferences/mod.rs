@@ -12,7 +12,7 @@ use toml_edit::{DocumentMut, Value};
 
 use super::export::{DPI, LETTERS, LINES, SIDE_CM};
 use super::state::State;
-use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS};
+use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
 use crate::figure::words::{self, THEMES, Words};
 use crate::i18n::Lang;
@@ -71,7 +71,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 24] = [
+const KEYS: [Key; 28] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -106,6 +106,19 @@ const KEYS: [Key; 24] = [
     },
     key!("reduce_motion", switch, settings.reduce_motion),
     key!("convention", one of CONVENTIONS, operations.convention),
+    Key {
+        name: "ndc",
+        of: |state| state.settings.conventions.ndc.name().into(),
+        apply: |state, value| put(&mut state.settings.conventions.ndc, ndc(value)),
+    },
+    // Empty: with none.
+    Key {
+        name: "compared_ndc",
+        of: |state| state.settings.conventions.compared.map_or("", Ndc::name).into(),
+        apply: |state, value| state.settings.conventions.compared = ndc(value),
+    },
+    key!("row_vectors", switch, settings.conventions.row_vectors),
+    key!("left_handed_view", switch, settings.conventions.left_handed),
     Key {
         name: "gallery_folder",
         of: |state| state.gallery.folder().and_then(Path::to_str).unwrap_or_default().into(),
@@ -167,6 +180,11 @@ fn put<T>(place: &mut T, value: Option<T>) {
 
 fn word<T: Clone>(words: Words<T>, value: &Value) -> Option<T> {
     words::value(words, value.as_str()?)
+}
+
+/// A convention of NDC, by its name on the command line.
+fn ndc(value: &Value) -> Option<Ndc> {
+    Ndc::ALL.into_iter().find(|ndc| value.as_str() == Some(ndc.name()))
 }
 
 /// A number, also one that was written without a point.
@@ -231,6 +249,7 @@ mod tests {
     use crate::appearance::Theme;
     use crate::gui::Start;
     use crate::gui::export::{Export, Paper};
+    use crate::gui::state::Conventions;
 
     fn state() -> State {
         State::new(Start::default()).unwrap()
@@ -251,6 +270,9 @@ mod tests {
         changed.layout.arrangement = Some(Arrangement::Beside);
         (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
         changed.operations.convention = Convention::Vtk;
+        let [ndc, compared] = [Ndc::ALL[9], Ndc::ALL[3]];
+        changed.settings.conventions =
+            Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
         let (theme, what, times, format) = (Theme::Light, Views::One(View::Image), Some(3), PictureFormat::WebP);

@@ -1,6 +1,7 @@
 //! What the panels and the pictures share.
 
 mod annotations;
+mod conventions;
 mod files;
 mod insert;
 mod layout;
@@ -18,6 +19,7 @@ use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Measure, Probe};
 pub use annotations::Annotations;
+pub use conventions::Conventions;
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::{free_place, rounded};
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
@@ -60,6 +62,8 @@ pub struct Settings {
     pub aspect_follows_image: bool,
     /// The inverse matrices are shown instead of the matrices.
     pub inverse: bool,
+    /// How matrices are shown, and whose NDC.
+    pub conventions: Conventions,
     /// Significant digits of the numbers, 2 … 17.
     pub digits: usize,
     /// The ground of the window and of its pictures. What a figure file asks for counts where pictures are written.
@@ -177,6 +181,7 @@ impl State {
                 tab: Tab::default(),
                 aspect_follows_image: square,
                 inverse: false,
+                conventions: Conventions::default(),
                 digits: 5,
                 theme: Theme::default(),
                 reduce_motion: false,

@@ -1,0 +1,265 @@
+//! The numbers of a report as tables: their symbols, names and rows, as they are shown.
+
+use std::borrow::Cow;
+
+use crate::camera::Ndc;
+use crate::gui::state::Conventions;
+use crate::i18n::conventions;
+use crate::i18n::window::Texts;
+use crate::inspect::Report;
+use crate::numbers::without_rests;
+
+/// A group of numbers: its symbol, its name with the equation, and its rows.
+pub(super) struct Table {
+    pub(super) symbol: Cow<'static, str>,
+    pub(super) name: String,
+    pub(super) rows: Vec<(String, Vec<f64>)>,
+    /// Where the notes print something else: what, and what is right.
+    pub(super) erratum: Option<&'static str>,
+    /// What rounding can have left of zero, beside its row, is shown as 0.
+    rests: bool,
+    /// It is other numbers in another convention of NDC.
+    pub(super) follows_ndc: bool,
+}
+
+impl Table {
+    fn new(symbol: &'static str, name: &str, rows: Vec<(String, Vec<f64>)>) -> Self {
+        Self { symbol: symbol.into(), name: name.to_owned(), rows, erratum: None, rests: false, follows_ndc: false }
+    }
+
+    /// A matrix. `left_handed` says what another sign of z_c does to it.
+    fn matrix(
+        symbol: &'static str,
+        name: &str,
+        mut rows: [[f64; 4]; 4],
+        left_handed: Mirrored,
+        shown: Conventions,
+    ) -> Self {
+        if shown.left_handed {
+            match left_handed {
+                Mirrored::Row => rows[2] = rows[2].map(|x| 0.0 - x),
+                Mirrored::Column => rows.iter_mut().for_each(|row| row[2] = 0.0 - row[2]),
+                Mirrored::Nothing => {}
+            }
+        }
+        let mut symbol = Cow::from(symbol);
+        if shown.row_vectors {
+            rows = std::array::from_fn(|i| std::array::from_fn(|j| rows[j][i]));
+            symbol = transposed(&symbol).into();
+        }
+        let rows = rows.iter().map(|row| (String::new(), row.to_vec())).collect();
+        Self { symbol, ..Self::new("", name, rows) }
+    }
+
+    fn in_ndc(self) -> Self {
+        Self { follows_ndc: true, ..self }
+    }
+
+    fn with_rests(self) -> Self {
+        Self { rests: true, ..self }
+    }
+
+    /// The rows of a matrix have no names.
+    pub(super) fn is_matrix(&self) -> bool {
+        self.rows.iter().all(|(name, _)| name.is_empty())
+    }
+
+    /// The rows as they are shown with so many digits.
+    pub(super) fn shown(&self, digits: usize) -> Vec<(String, Vec<f64>)> {
+        let clean = |values: &[f64]| if self.rests { without_rests(values, digits) } else { values.to_vec() };
+        self.rows.iter().map(|(name, values)| (name.clone(), clean(values))).collect()
+    }
+}
+
+/// What of a matrix has the other sign where z_c grows along DOP.
+#[derive(Clone, Copy)]
+enum Mirrored {
+    /// Its third row: it leads to view space.
+    Row,
+    /// Its third column: it comes from view space.
+    Column,
+    /// It does neither.
+    Nothing,
+}
+
+/// The symbol of a transposed matrix; of a product, the factors the other way round.
+fn transposed(symbol: &str) -> String {
+    let factor = |factor: &str| if factor.contains('⁻') { format!("({factor})ᵀ") } else { format!("{factor}ᵀ") };
+    symbol.split(' ').rev().map(factor).collect::<Vec<_>>().join(" ")
+}
+
+/// The equation of M_p that is in force, `[0]` (5.13) to (5.16).
+fn projection_equation(r: &Report) -> &'static str {
+    let w = &r.window;
+    match (r.camera.projection == "perspective", w.left == -w.right && w.bottom == -w.top) {
+        (true, false) => "(5.13)",
+        (true, true) => "(5.14)",
+        (false, false) => "(5.15)",
+        (false, true) => "(5.16)",
+    }
+}
+
+fn named<const N: usize>(rows: &[(&str, [f64; N])]) -> Vec<(String, Vec<f64>)> {
+    rows.iter().map(|(name, values)| ((*name).to_owned(), values.to_vec())).collect()
+}
+
+pub(super) fn tables(t: &'static Texts, r: &Report, inverse: bool, shown: Conventions) -> Vec<Table> {
+    let w = &r.window;
+    let corner = |i: usize| {
+        (
+            format!("{} ({})", i + 1, ["l,b,F", "r,b,F", "r,t,F", "l,t,F", "l,b,B", "r,b,B", "r,t,B", "l,t,B"][i]),
+            r.volume_corners[i].to_vec(),
+        )
+    };
+    let mut tables = vec![
+        Table::new("DOP, D", t.dop_name, vec![("DOP".into(), r.dop.to_vec()), ("D".into(), vec![r.distance])])
+            .with_rests(),
+        Table::new("u, v, n", t.basis_name, named(&[("u", r.basis.u), ("v", r.basis.v), ("n", r.basis.n)]))
+            .with_rests(),
+        Table::new(
+            "l r b t",
+            t.window_name,
+            named(&[("l, r", [w.left, w.right]), ("b, t", [w.bottom, w.top]), ("W, H", [w.width, w.height])])
+                .into_iter()
+                .chain([("A".into(), vec![w.aspect])])
+                .collect(),
+        ),
+    ];
+    // Entries of M_p can differ by any factor, and each is exact: none is a rest of another.
+    if inverse {
+        let view = Table::matrix("M_v⁻¹", t.inverse_view_name, r.inverse_view_matrix, Mirrored::Column, shown);
+        let name = in_convention(t, t.inverse_projection_name, "", r);
+        let projection = Table::matrix("M_p⁻¹", &name, r.inverse_projection_matrix, Mirrored::Row, shown);
+        tables.extend([view.with_rests(), projection.in_ndc()]);
+    } else {
+        let view = Table::matrix("M_v", t.view_name, r.view_matrix, Mirrored::Row, shown);
+        let name = in_convention(t, t.projection_name, projection_equation(r), r);
+        let projection = Table::matrix("M_p", &name, r.projection_matrix, Mirrored::Column, shown);
+        let of_the_notes = r.ndc == Ndc::default().name() && !shown.row_vectors && !shown.left_handed;
+        let erratum = (of_the_notes && r.camera.projection != "perspective").then_some(t.erratum_parallel);
+        let name = in_convention(t, t.product_name, "", r);
+        let product = Table::matrix("M_p M_v", &name, r.view_projection_matrix, Mirrored::Nothing, shown);
+        tables.extend([view.with_rests(), Table { erratum, ..projection.in_ndc() }, product.in_ndc()]);
+    }
+    tables.push(Table::new("", t.corners_name, (0..8).map(corner).collect()).with_rests());
+    tables
+}
+
+/// A name with the equation of the notes, or with the convention where that is another.
+fn in_convention(t: &Texts, name: &str, equation: &str, report: &Report) -> String {
+    let ndc = ndc_of(report);
+    let more =
+        if ndc == Ndc::default() { equation.to_owned() } else { format!("· {}", conventions::name(t.lang, ndc)) };
+    if more.is_empty() { name.to_owned() } else { format!("{name} {more}") }
+}
+
+/// The convention of a report.
+pub(super) fn ndc_of(report: &Report) -> Ndc {
+    Ndc::ALL.into_iter().find(|ndc| ndc.name() == report.ndc).unwrap_or_default()
+}
+
+/// The rows as aligned cells: in each column the decimal points stand below each other. Names come first, where there are any.
+pub(super) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<Vec<String>> {
+    let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    let columns = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
+    let halves = |v: &f64| {
+        let text = write(*v);
+        let point = text.find(['.', ',', 'e']).unwrap_or(text.len());
+        (text[..point].to_owned(), text[point..].to_owned())
+    };
+    let halved: Vec<Vec<(String, String)>> =
+        rows.iter().map(|(_, values)| values.iter().map(halves).collect()).collect();
+    let width = |column: usize| {
+        let cells = halved.iter().filter_map(|row| row.get(column));
+        cells.fold((0, 0), |(left, right), (a, b)| (left.max(a.chars().count()), right.max(b.chars().count())))
+    };
+    let widths: Vec<(usize, usize)> = (0..columns).map(width).collect();
+    rows.iter()
+        .zip(&halved)
+        .map(|((name, _), cells)| {
+            let padded = cells.iter().zip(&widths).map(|((a, b), (left, right))| format!("{a:>left$}{b:<right$}"));
+            let head = if names == 0 { Vec::new() } else { vec![format!("{name:<names$}")] };
+            head.into_iter().chain(padded).collect()
+        })
+        .collect()
+}
+
+/// The rows as aligned text.
+pub(super) fn lines(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<String> {
+    cells(rows, write).iter().map(|cells| cells.join(GAP).trim_end().to_owned()).collect()
+}
+
+/// Between two columns.
+pub(super) const GAP: &str = "  ";
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+    use super::*;
+    use crate::numbers::DecimalMark;
+
+    #[test]
+    fn decimal_points_stand_below_each_other() {
+        let rows = named(&[("u", [1.0, -0.5, 2e-9]), ("n", [-10.25, 0.0, 3.0])]);
+        let write = |mark: DecimalMark| move |value: f64| mark.number(value, 5);
+        assert_eq!(lines(&rows, write(DecimalMark::Point)), ["u    1     −0.5  2e−9", "n  −10.25   0    3"]);
+        assert_eq!(lines(&rows, write(DecimalMark::Comma)), ["u    1     −0,5  2e−9", "n  −10,25   0    3"]);
+        let rows = [1.0, 20.0].map(|x| (String::new(), vec![x; 4]));
+        assert_eq!(lines(&rows, write(DecimalMark::Point))[1], "20  20  20  20");
+    }
+
+    #[test]
+    fn the_equation_of_the_projection_matrix_is_the_one_in_force() {
+        use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
+        let window = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
+        for (projection, window, equation) in [
+            (Projection::Perspective, window, "(5.13)"),
+            (Projection::Perspective, None, "(5.14)"),
+            (Projection::Parallel, window, "(5.15)"),
+            (Projection::Parallel, None, "(5.16)"),
+        ] {
+            let camera = Camera::new(&Parameters { projection, window, ..Parameters::default() }).unwrap();
+            let report = Report::of(&camera.notes_clip_space(), ImageSize::default(), None, &[], &[]).unwrap();
+            assert_eq!(projection_equation(&report), equation);
+            let erratum = tables(window_texts(), &report, false, Conventions::default())
+                .into_iter()
+                .any(|table| table.erratum.is_some());
+            assert_eq!(erratum, projection == Projection::Parallel);
+        }
+    }
+
+    fn window_texts() -> &'static Texts {
+        crate::i18n::window::texts(crate::i18n::Lang::En)
+    }
+
+    #[test]
+    fn rows_and_the_left_hand_show_the_same_matrices() {
+        use crate::camera::{Camera, ImageSize, Parameters, ViewWindow};
+        use glam::DMat4;
+        let window = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
+        let camera = Camera::new(&Parameters { window, ..Parameters::default() }).unwrap();
+        let report = Report::of(&camera.notes_clip_space(), ImageSize::default(), None, &[], &[]).unwrap();
+        let shown = |symbol: &str, inverse, conventions| {
+            let all = tables(window_texts(), &report, inverse, conventions);
+            let table = all.into_iter().find(|table| table.symbol == symbol).unwrap();
+            let rows: Vec<[f64; 4]> = table.rows.into_iter().map(|(_, row)| [row[0], row[1], row[2], row[3]]).collect();
+            DMat4::from_cols_array_2d(&[rows[0], rows[1], rows[2], rows[3]]).transpose()
+        };
+        let plain = Conventions::default();
+        let left = Conventions { left_handed: true, ..plain };
+        let rows = Conventions { row_vectors: true, ..plain };
+        let z_c = |conventions| shown("M_v", false, conventions).row(2);
+        assert_eq!(z_c(left), -z_c(plain), "z_c grows along DOP");
+        for (forth, back) in [("M_v", "M_v⁻¹"), ("M_p", "M_p⁻¹")] {
+            let product = shown(back, true, left) * shown(forth, false, left);
+            assert!(product.abs_diff_eq(DMat4::IDENTITY, 1e-9), "{forth}: {product}");
+            assert_eq!(shown(&transposed(forth), false, rows), shown(forth, false, plain).transpose());
+            assert_eq!(shown(&transposed(back), true, rows), shown(back, true, plain).transpose());
+        }
+        let product = shown("M_p", false, left) * shown("M_v", false, left);
+        assert!(product.abs_diff_eq(shown("M_p M_v", false, left), 1e-12));
+        assert_eq!(shown("M_p M_v", false, left), shown("M_p M_v", false, plain));
+        assert_eq!(transposed("M_p M_v"), "M_vᵀ M_pᵀ");
+        assert_eq!(transposed("M_p⁻¹"), "(M_p⁻¹)ᵀ");
+    }
+}

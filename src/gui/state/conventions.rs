@@ -1,0 +1,16 @@
+//! How matrices and what follows from them are shown. The figure does not depend on it.
+
+use crate::camera::Ndc;
+
+/// Whose NDC, and how matrices are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Conventions {
+    /// Whose NDC the numbers, the probe and the canonical volume are in.
+    pub ndc: Ndc,
+    /// With whose they are compared.
+    pub compared: Option<Ndc>,
+    /// Points are rows: matrices are transposed.
+    pub row_vectors: bool,
+    /// z_c is shown growing along DOP.
+    pub left_handed: bool,
+}

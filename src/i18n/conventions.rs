@@ -1,0 +1,99 @@
+//! The words of conventions: whose NDC, rows or columns, left or right hand.
+
+use super::{Lang, pictures};
+use crate::camera::{InfiniteParallel, Ndc};
+
+texts! {
+    title: "Conventions", "Convenções";
+    ndc: "NDC of", "NDC de";
+    ndc_hint: "Whose normalised device coordinates: M_p, what follows from it, the probe and the canonical volume are in them. Pixels and depths of the image stay the same", "De quem são as coordenadas normalizadas: M_p, o que vem dela, a sonda e o volume canônico as usam. Pixels e profundidades da imagem não mudam";
+    compared: "compared with", "comparar com";
+    compared_hint: "The same matrices in another convention below; the entries that differ are marked", "As mesmas matrizes em outra convenção embaixo; as entradas que diferem ficam marcadas";
+    nobody: "nothing", "nada";
+    reversed: "reversed", "invertido";
+    reversed_hint: "z_n is 1 at F and 0 at B: floating-point numbers are dense around 0, where perspective crowds the depths. In OpenGL by glClipControl with GL_ZERO_TO_ONE", "z_n é 1 em F e 0 em B: números de ponto flutuante são densos perto de 0, onde a perspectiva comprime as profundidades. No OpenGL, por glClipControl com GL_ZERO_TO_ONE";
+    infinite: "B → ∞", "B → ∞";
+    infinite_hint: "The limit of the matrices where the far plane goes to infinity; in perspective only. The pictures are still clipped at B", "O limite das matrizes quando o plano de fundo vai ao infinito; só em perspectiva. As imagens ainda são recortadas em B";
+    row_vectors: "row vectors", "vetores-linha";
+    row_vectors_hint: "As in texts that write p′ = p M", "Como em textos que escrevem p′ = p M";
+    row_vectors_said: "Points are rows, p′ = p M: every matrix is transposed, and a product is read from the left.", "Pontos são linhas, p′ = p M: cada matriz é transposta, e um produto é lido da esquerda.";
+    left_handed: "left-handed view space", "espaço de vista canhoto";
+    left_handed_hint: "z_c grows along DOP, as in texts on Direct3D", "z_c cresce ao longo de DOP, como em textos sobre Direct3D";
+    left_handed_said: "z_c grows along DOP: the third row of M_v and the third column of M_p have the other sign, and their product is the same.", "z_c cresce ao longo de DOP: a terceira linha de M_v e a terceira coluna de M_p têm o outro sinal, e seu produto é o mesmo.";
+}
+
+/// A convention in words, as in the pictures.
+#[must_use]
+pub fn name(lang: Lang, ndc: Ndc) -> String {
+    pictures::labels(lang).ndc_title(ndc)
+}
+
+/// Why what is shown has a far plane all the same.
+#[must_use]
+pub fn finite_instead(lang: Lang, error: InfiniteParallel) -> String {
+    let name = error.0.api.title();
+    match lang {
+        Lang::En => {
+            format!("B → ∞ gives all depths of a parallel projection the same z: {name} is shown with its far plane")
+        }
+        Lang::PtBr => {
+            format!(
+                "B → ∞ dá o mesmo z a todas as profundidades de uma projeção paralela: {name} aparece com seu plano de fundo"
+            )
+        }
+    }
+}
+
+/// In what a convention differs from the one that is worked in, and so why entries do.
+#[must_use]
+pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
+    let (mine, other) = (name(lang, ndc), name(lang, compared));
+    let mut reasons = Vec::new();
+    let number = |depth: f64| lang.mark().number(depth, 2);
+    let ([near, far], [other_near, other_far]) = (ndc.depths().map(number), compared.depths().map(number));
+    if ndc.depths() != compared.depths() {
+        reasons.push(match lang {
+            Lang::En => format!("z_n goes from {other_near} at F to {other_far}, not from {near} to {far}"),
+            Lang::PtBr => format!("z_n vai de {other_near} em F a {other_far}, e não de {near} a {far}"),
+        });
+    }
+    if ndc.y_points_down() != compared.y_points_down() {
+        reasons.push(
+            match (lang, compared.y_points_down()) {
+                (Lang::En, true) => "y_n points down",
+                (Lang::En, false) => "y_n points up",
+                (Lang::PtBr, true) => "y_n aponta para baixo",
+                (Lang::PtBr, false) => "y_n aponta para cima",
+            }
+            .to_owned(),
+        );
+    }
+    if ndc.infinite != compared.infinite {
+        reasons.push(
+            match (lang, compared.infinite) {
+                (Lang::En, true) => "it has no far plane",
+                (Lang::En, false) => "it has a far plane",
+                (Lang::PtBr, true) => "não há plano de fundo",
+                (Lang::PtBr, false) => "há plano de fundo",
+            }
+            .to_owned(),
+        );
+    }
+    match (lang, reasons.is_empty()) {
+        (Lang::En, true) => format!("{other} has the same NDC as {mine}: nothing differs."),
+        (Lang::PtBr, true) => format!("{other} tem as mesmas NDC que {mine}: nada difere."),
+        (Lang::En, false) => format!("Marked: what differs in {other}. {}.", capital(&reasons.join("; "))),
+        (Lang::PtBr, false) => format!("Marcado: o que difere em {other}. {}.", capital(&reasons.join("; "))),
+    }
+}
+
+/// A sentence begins with a capital letter, but not with a symbol's.
+fn capital(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    match letters.next() {
+        Some(first) if !sentence.starts_with("z_n") && !sentence.starts_with("y_n") => {
+            first.to_uppercase().chain(letters).collect()
+        }
+        _ => sentence.to_owned(),
+    }
+}
