@@ -15,13 +15,17 @@ pub struct ShippedFigure {
 }
 
 macro_rules! shipped {
-    ($($name:literal),* $(,)?) => {
-        [$(ShippedFigure { name: $name, text: include_str!(concat!("../../assets/figures/", $name, ".toml")) },)*]
+    ($($folder:literal: $($name:literal),*;)*) => {
+        [$($(ShippedFigure {
+            name: $name,
+            text: include_str!(concat!("../../assets/figures/", $folder, $name, ".toml")),
+        },)*)*]
     };
 }
 
 /// All of them, in the order in which they are shown: every named scene is among them.
-pub const SHIPPED_FIGURES: [ShippedFigure; 12] = shipped![
+pub const SHIPPED_FIGURES: [ShippedFigure; 26] = shipped![
+    "":
     "primitives",
     "house",
     "corridor",
@@ -33,7 +37,22 @@ pub const SHIPPED_FIGURES: [ShippedFigure; 12] = shipped![
     "exercise-5.1",
     "exercise-5.2",
     "exercise-5.3",
-    "empty",
+    "empty";
+    "extreme/":
+    "far-plane",
+    "far-near",
+    "thin-volume",
+    "narrow-angle",
+    "wide-angle",
+    "wide-window",
+    "tall-window",
+    "aside",
+    "far-position",
+    "small-distance",
+    "large-distance",
+    "steep-up",
+    "zoomed-out",
+    "solar";
 ];
 
 impl ShippedFigure {
@@ -80,10 +99,10 @@ mod tests {
     #[test]
     fn every_figure_of_the_program_is_shipped_and_every_named_scene_among_them() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/figures");
-        let mut files: Vec<String> = std::fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().path().file_stem().unwrap().to_str().unwrap().to_owned())
-            .collect();
+        let entries =
+            [folder.join("extreme"), folder].into_iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
+        let paths = entries.map(|entry| entry.unwrap().path()).filter(|path| path.is_file());
+        let mut files: Vec<String> = paths.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
         let mut names: Vec<&str> = SHIPPED_FIGURES.iter().map(|figure| figure.name).collect();
         files.sort();
         names.sort_unstable();

@@ -80,6 +80,106 @@ pub fn shipped(lang: Lang, name: &str) -> (&'static str, &'static str) {
             ("Empty scene", "Nothing but the camera: a place for objects of your own."),
             ("Cena vazia", "Nada além da câmera: um lugar para seus próprios objetos."),
         ),
+        extreme => return extreme_figure(lang, extreme),
+    };
+    match lang {
+        Lang::En => en,
+        Lang::PtBr => pt,
+    }
+}
+
+/// The same, of cameras at the limits of numbers.
+fn extreme_figure(lang: Lang, name: &str) -> (&'static str, &'static str) {
+    let (en, pt) = match name {
+        "far-plane" => (
+            (
+                "B = 1e12",
+                "In parallel projection NDC make the table a sheet on the near face; what hides what is still right.",
+            ),
+            (
+                "B = 1e12 (fundo)",
+                "Em projeção paralela, as NDC fazem da mesa uma folha na frente; quem oculta quem segue certo.",
+            ),
+        ),
+        "far-near" => (
+            ("B / F = 1e15", "In perspective NDC make the table a sheet on the far face; the image is that of any F."),
+            (
+                "B / F = 1e15 (razão)",
+                "Em perspectiva, as NDC fazem da mesa uma folha no fundo; a imagem é a de qualquer F.",
+            ),
+        ),
+        "thin-volume" => (
+            (
+                "B − F = 1e-12",
+                "The volume is a sheet: it holds the fronts of three boxes, and of a fourth, just behind, nothing.",
+            ),
+            (
+                "B − F = 1e-12 (folha)",
+                "O volume é uma folha: contém a frente de três caixas e nada de uma quarta, logo atrás.",
+            ),
+        ),
+        "narrow-angle" => (
+            ("θ = 1e-6°", "A house seen from 3.6e8 units away: in the world the volume is a line."),
+            ("θ = 1e-6° (tele)", "Uma casa vista a 3,6e8 unidades: no mundo, o volume é uma linha."),
+        ),
+        "wide-angle" => (
+            ("θ = 179.9999°", "Towers a million units aside fill the image; all that stands near the axis is a point."),
+            ("θ = 179,9999°", "Torres a um milhão de unidades ao lado enchem a imagem; tudo perto do eixo é um ponto."),
+        ),
+        "wide-window" => (
+            ("A = 1e6", "A slit a million times as wide as high: what a scanner with one line of sensors sees."),
+            (
+                "A = 1e6 (fenda)",
+                "Uma fenda um milhão de vezes mais larga que alta: o que vê um scanner de uma só linha.",
+            ),
+        ),
+        "tall-window" => (
+            ("A = 1e-6", "A slit that stands upright: in the world the volume is a sheet through the table."),
+            ("A = 1e-6 (fenda)", "Uma fenda em pé: no mundo, o volume é uma folha que atravessa a mesa."),
+        ),
+        "aside" => (
+            ("Window far aside", "The window is a thousand widths beside the axis: the oblique terms are the largest."),
+            ("Janela muito ao lado", "A janela está mil larguras ao lado do eixo: os termos oblíquos são os maiores."),
+        ),
+        "far-position" => (
+            (
+                "C at 1e12",
+                "Camera and objects far from the origin: C is subtracted first, so nothing of the picture is lost.",
+            ),
+            ("C em 1e12", "Câmera e objetos longe da origem: C é subtraído primeiro, e nada da imagem se perde."),
+        ),
+        "small-distance" => (
+            ("D = 1e-9", "A camera for a world of a few atoms: grid, axes and the camera's body choose their scale."),
+            (
+                "D = 1e-9 (átomos)",
+                "Uma câmera para um mundo de poucos átomos: grade, eixos e câmera escolhem sua escala.",
+            ),
+        ),
+        "large-distance" => (
+            (
+                "D = 1e12",
+                "A table of six units from 1e12 away: the steps of the coordinates at C are smaller than a pixel.",
+            ),
+            (
+                "D = 1e12 (mesa)",
+                "Uma mesa de seis unidades a 1e12: os passos das coordenadas em C são menores que um pixel.",
+            ),
+        ),
+        "steep-up" => (
+            ("VUP almost along DOP", "Only the ninth digit of VUP says what is above: the horizon lies aslant."),
+            ("VUP quase sobre DOP", "Só o nono dígito de VUP diz o que é acima: o horizonte fica inclinado."),
+        ),
+        "zoomed-out" => (
+            ("H = 1e6", "A window far larger than the picture is not painted on: camera and table can be read."),
+            ("H = 1e6 (janela)", "Uma janela bem maior que a figura não é pintada: câmera e mesa continuam legíveis."),
+        ),
+        "solar" => (
+            (
+                "Planet and moon",
+                "Bodies of 1e9 units with F at arm's length: the moon hides the planet at nearly the same Z.",
+            ),
+            ("Planeta e lua", "Corpos de 1e9 unidades com F a meio metro: a lua oculta o planeta com quase o mesmo Z."),
+        ),
         _ => return ("", ""),
     };
     match lang {

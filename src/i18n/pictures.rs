@@ -8,6 +8,7 @@ texts! {
     window: "window", "janela";
     near: "near", "frente";
     far: "far", "fundo";
+    scene: "scene", "cena";
     vertex: "vertex", "vértice";
     point: "point", "ponto";
     before: "before", "antes";
@@ -71,6 +72,7 @@ const fn of(t: &Texts) -> Labels {
         window: t.window,
         near: t.near,
         far: t.far,
+        scene: t.scene,
         vertex: t.vertex,
         point: t.point,
         before: t.before,

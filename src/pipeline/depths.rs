@@ -8,11 +8,14 @@ use crate::drawing::order::same_depth;
 const ENOUGH: f64 = 0.01;
 
 /// What is thinner than this share of the numbers from which it is computed is not resolved further: it would be their rounding.
-const THINNEST: f64 = 1e-10;
+const THINNEST: f64 = 1e-13;
 
 /// The unit of depth in perspective is no smaller than this share of the farthest distance in view: what is small in the scale of the
 /// depths counts as the same, whatever is nearer.
 const UNIT: f64 = 0.01;
+
+/// Fits in single precision with all that is made of it.
+const GREATEST: f64 = 1e15;
 
 /// From a distance to the depth of the display list, and back: affine in the picture, and greater where it is nearer.
 ///
@@ -76,7 +79,8 @@ impl DepthScale {
     #[must_use]
     pub fn resolving(self, in_view: InView) -> Self {
         let InView { nearest, farthest, magnitude } = in_view;
-        let thinnest = THINNEST * magnitude;
+        // No more than the distance itself: beyond that nothing is known of it.
+        let thinnest = (THINNEST * magnitude).min(farthest);
         let depth = farthest - nearest;
         if !(depth >= 0.0 && depth.is_finite() && thinnest.is_finite()) {
             return self;
@@ -116,13 +120,13 @@ impl DepthScale {
     /// unit/w rather than 1/w, so that it fits in single precision in worlds of any size.
     #[inline(always)]
     pub(super) fn relative_inverse_w(&self, w: f64) -> f32 {
-        single(self.unit * (1.0 / w))
+        single((self.unit * (1.0 / w)).min(GREATEST))
     }
 
     /// The depth of the nearest.
     #[must_use]
     pub fn greatest(&self) -> f64 {
-        if self.perspective { self.unit / self.near } else { 1.0 }
+        if self.perspective { (self.unit / self.near).min(GREATEST) } else { 1.0 }
     }
 
     /// The distance that has a depth.
@@ -213,12 +217,12 @@ mod tests {
     fn a_thing_that_is_thin_and_far_away_is_told_apart_and_one_that_is_rounding_is_not() {
         for perspective in [true, false] {
             let volume = DepthScale::of_volume(perspective, 1.0, 1e13);
-            let thin = volume.resolving(InView::between(1e12, 1e12 + 200.0));
-            assert!(thin.same(1e12) < 2.0 && thin.same(1e12 + 199.0) < 2.0, "{thin:?}");
-            assert_eq!(volume.resolving(InView::between(1e12, 1e12 + 10.0)), volume);
+            let thin = volume.resolving(InView::between(1e12, 1e12 + 20.0));
+            assert!(thin.same(1e12) < 0.2 && thin.same(1e12 + 19.0) < 0.2, "{thin:?}");
+            assert_eq!(volume.resolving(InView::between(1e12, 1e12 + 0.05)), volume);
         }
-        let slab = DepthScale::of_volume(true, 5.0, 5.0 + 1e-12).resolving(InView::between(5.0, 5.0 + 1e-12));
-        assert!(slab.far - slab.near > 4e-10, "{slab:?}");
+        let slab = DepthScale::of_volume(true, 5.0, 5.0 + 1e-14).resolving(InView::between(5.0, 5.0 + 1e-14));
+        assert!(slab.far - slab.near > 4e-13, "{slab:?}");
     }
 
     #[test]

@@ -14,6 +14,8 @@ pub struct Labels {
     pub near: &'static str,
     /// The back face of the volume.
     pub far: &'static str,
+    /// All objects together.
+    pub scene: &'static str,
     /// A corner of an object.
     pub vertex: &'static str,
     /// A place on an object.

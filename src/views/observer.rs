@@ -131,7 +131,9 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
     let Some(bounds) = Aabb::around(points.iter().copied()) else {
         return enclosing(&[DVec3::NEG_ONE, DVec3::ONE], direction, size);
     };
-    let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-9).max(1e-9);
+    // Far from the origin coordinates are coarse: the eye stays many of their steps away.
+    let least = (bounds.radius() * 0.05).max(bounds.center().abs().max_element() * 1e-13);
+    let least = if least > 0.0 { least } else { 1e-9 };
     let target = bounds.center();
     let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, roll, parallel }.axes();
     let tan = (VIEW_ANGLE.radians() / 2.0).tan();

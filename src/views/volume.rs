@@ -13,8 +13,10 @@ const MOST_ENLARGED: f64 = 2.5;
 const END: f64 = 1.22;
 const GAP: [f64; 2] = [1.06, 1.105];
 
-/// How far the corners of a wide volume may pull the picture's border, measured by the radius of all else.
+/// How far the corners of a wide volume may pull the picture's border, measured by the radius of all else. Of a volume twice as wide as
+/// that only the middle is in the picture, and what it holds can be told apart.
 const WIDEST: f64 = 26.0;
+const MIDDLE: f64 = 4.0;
 
 /// The volume as it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +87,7 @@ impl DrawnVolume {
         drawn
             .flat_map(|d| {
                 let middle = c + dop * d;
-                self.section(d).map(|p| if limit > 0.0 { middle + (p - middle).clamp_length_max(limit) } else { p })
+                self.section(d).map(|p| if limit > 0.0 { middle + drawn_in(p - middle, core.radius()) } else { p })
             })
             .collect()
     }
@@ -94,4 +96,11 @@ impl DrawnVolume {
     pub(super) fn far_moved(&self, way: f64) -> f64 {
         if self.gap.is_some() { self.far * (self.end + way) / self.end } else { self.far + way }
     }
+}
+
+/// The way from the axis to a corner, as far as the picture follows it.
+fn drawn_in(aside: DVec3, radius: f64) -> DVec3 {
+    let width = aside.length() / radius;
+    let beyond = (width / WIDEST - 1.0).clamp(0.0, 1.0);
+    aside.clamp_length_max(radius * (WIDEST + (MIDDLE - WIDEST) * beyond))
 }

@@ -45,6 +45,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         world.aim();
         let names = world.planes();
         world.axes();
+        world.speck();
         world.drop_lines();
         dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
         names
@@ -157,6 +158,9 @@ impl World<'_> {
         const LITTLE: f64 = 0.12;
         const MUCH: f64 = 0.45;
         const FAINTEST: f64 = 0.3;
+        // A window so many times as large as all else is a wall without a picture.
+        const LARGE: f64 = 2.0;
+        const WALL: f64 = 6.0;
         let Some(bounds) = self.request.scene.bounds() else { return 1.0 };
         let (window, eye) = (self.request.camera.window(), self.builder.screen.camera());
         let camera = &self.request.camera;
@@ -181,7 +185,9 @@ impl World<'_> {
             hidden += f64::from(u8::from(covers(bounds.min + (bounds.max - bounds.min) * share)));
         }
         let share = ((hidden / all - LITTLE) / (MUCH - LITTLE)).clamp(0.0, 1.0);
-        1.0 - (1.0 - FAINTEST) * share
+        let size = window.width().hypot(window.height()) / (2.0 * self.content.radius());
+        let wall = ((size - LARGE) / (WALL - LARGE)).clamp(0.0, 1.0);
+        1.0 - (1.0 - FAINTEST * (1.0 - wall)) * share
     }
 
     /// The names of window and far face, as they are written.
@@ -283,6 +289,18 @@ impl World<'_> {
         let Some(tips) = self.content.axis_tips() else { return };
         for ((tip, color), name) in tips.into_iter().zip(self.palette.axes).zip(["x", "y", "z"]) {
             self.builder.vector(DVec3::ZERO, tip, color, 1.5, name);
+        }
+    }
+
+    /// A ring around a scene that is too small to be seen where it is.
+    fn speck(&mut self) {
+        const SMALL: f64 = 5.0;
+        let (screen, bounds) = (self.builder.screen, self.request.scene.bounds());
+        let Some(bounds) = bounds.filter(|b| b.radius() > 0.0) else { return };
+        let middle = bounds.center();
+        if bounds.radius() < SMALL * screen.scale() * screen.units_per_pixel(middle) {
+            self.builder.mark_above(middle, MarkShape::Ring, 4.5, self.palette.soft);
+            self.builder.text(middle, self.request.labels.scene, DVec2::new(1.0, 0.4), SMALL_TYPE, self.palette.ink);
         }
     }
 

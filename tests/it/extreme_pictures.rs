@@ -1,0 +1,111 @@
+//! Cameras at the limits of numbers draw pictures that a person can read: the gallery of `assets/figures/extreme`.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use std::collections::BTreeSet;
+
+use camera_lab::camera::Camera;
+use camera_lab::drawing::Drawing;
+use camera_lab::figure::read::parse;
+use camera_lab::files::{SHIPPED_FIGURES, ShippedFigure};
+use camera_lab::i18n::{Lang, pictures};
+use camera_lab::progress::Progress;
+use camera_lab::raster::Rasterizer;
+use camera_lab::scene::no_files;
+use camera_lab::text::measure;
+use camera_lab::views::{Request, SharedScene, Size, TimedPipeline, View, frame, scene_of};
+
+use crate::common::picture::assert_picture;
+
+const SIZE: Size = Size { width: 400, height: 300, scale: 1.0 };
+
+fn extreme() -> impl Iterator<Item = ShippedFigure> {
+    let first = SHIPPED_FIGURES.iter().position(|figure| figure.name == "empty").unwrap();
+    SHIPPED_FIGURES.into_iter().skip(first + 1)
+}
+
+fn drawing(figure: ShippedFigure, view: View, lang: Lang) -> Drawing {
+    let figure = parse(&figure.text()).unwrap();
+    let camera = Camera::new(&figure.camera).unwrap();
+    let scene = SharedScene::new(scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
+    let mut request = Request::of(&figure, view, &camera, &scene, pictures::labels(lang), SIZE);
+    request.look.style.antialias = 1;
+    frame(&request, None, &mut TimedPipeline::default()).drawing
+}
+
+/// All numbers of a drawing.
+fn numbers(drawing: &Drawing) -> impl Iterator<Item = f32> + '_ {
+    let faces = drawing.surfaces.iter().flat_map(|s| s.positions.iter().flatten().chain(&s.inverse_w));
+    let strokes = drawing.strokes.iter().flat_map(|s| s.points.iter().flatten());
+    let marks = drawing.marks.iter().flat_map(|m| &m.position);
+    let labels = drawing.labels.iter().flat_map(|l| l.position.iter().chain(&l.offset));
+    faces.chain(strokes).chain(marks).chain(labels).copied()
+}
+
+#[test]
+fn nothing_is_blank_nan_or_crowded_past_reading() {
+    assert!(extreme().count() >= 12);
+    for figure in extreme() {
+        for view in [View::World, View::Canonical, View::Image] {
+            let what = format!("{} {view:?}", figure.name);
+            let drawing = drawing(figure, view, Lang::PtBr);
+            assert!(numbers(&drawing).all(f32::is_finite), "{what}");
+            assert!(drawing.labels.len() <= 24, "{what}: {} texts", drawing.labels.len());
+            let pixels = Rasterizer::default().paint(&drawing).unwrap();
+            let colours: BTreeSet<[u8; 4]> = pixels.data().as_chunks().0.iter().copied().collect();
+            let ground = pixels.data().as_chunks::<4>().0.iter().filter(|p| {
+                let background = drawing.background;
+                **p == [background.r, background.g, background.b, 255]
+            });
+            let covered = 1.0 - ground.count() as f64 / f64::from(SIZE.width * SIZE.height);
+            // Of the image of a table in a window of a million units a mark is left.
+            let (few, least) = if figure.name == "zoomed-out" && view == View::Image { (5, 1e-4) } else { (8, 0.01) };
+            assert!(colours.len() >= few && covered > least, "{what}: {} colours, {covered}", colours.len());
+            for label in &drawing.labels {
+                let size = measure(&label.text, label.size);
+                let x = label.position[0] + label.offset[0];
+                let y = label.position[1] + label.offset[1];
+                let inside = x > -size.width && x < 400.0 + size.width && y > 0.0 && y < 300.0;
+                assert!(inside, "{what}: {} at {x}, {y}", label.text);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_world_has_the_camera_and_names_what_it_shows() {
+    for figure in extreme() {
+        let drawing = drawing(figure, View::World, Lang::En);
+        let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
+        for wanted in ["C", "PF", "u", "v", "n", "VUP", "DOP"] {
+            assert!(texts.contains(&wanted), "{}: {wanted} is not in {texts:?}", figure.name);
+        }
+        // The scene, or the ring where it is too small.
+        let c = drawing.labels.iter().find(|label| label.text == "C").unwrap();
+        assert!((0.0..400.0).contains(&c.position[0]) && (0.0..300.0).contains(&c.position[1]), "{}", figure.name);
+        let speck = ["narrow-angle", "large-distance", "aside"].contains(&figure.name);
+        assert_eq!(texts.contains(&"scene"), speck, "{}: {texts:?}", figure.name);
+    }
+}
+
+#[test]
+fn the_worlds_of_the_wide_and_of_the_far() {
+    for name in ["zoomed-out", "wide-angle", "far-position", "large-distance"] {
+        let drawing = drawing(ShippedFigure::named(name).unwrap(), View::World, Lang::En);
+        assert_picture(
+            &format!("extreme_world_{}", name.replace('-', "_")),
+            &Rasterizer::default().paint(&drawing).unwrap(),
+        );
+    }
+}
+
+#[test]
+fn the_canonical_volumes_of_the_deep() {
+    for name in ["far-plane", "far-near", "thin-volume"] {
+        let drawing = drawing(ShippedFigure::named(name).unwrap(), View::Canonical, Lang::En);
+        assert_picture(
+            &format!("extreme_canonical_{}", name.replace('-', "_")),
+            &Rasterizer::default().paint(&drawing).unwrap(),
+        );
+    }
+}

@@ -1,0 +1,24 @@
+//! A sample of what the example `stress` tries by the million.
+
+use crate::stress_case::{Tried, case};
+
+#[test]
+fn no_camera_operation_or_scene_breaks_what_must_be_true() {
+    let mut tried = Tried::default();
+    for k in 0..20_000 {
+        if let Err(what) = case(20_261_122, k, 100, &mut tried) {
+            panic!("cargo run --release --example stress -- 1 20261122 {k}: {what}");
+        }
+    }
+    assert!(tried.cameras > 10_000 && tried.pictures > 200, "{tried:?}");
+}
+
+/// Cases that were found, by seed and number.
+#[test]
+fn what_was_found_stays_found() {
+    for (seed, k) in FOUND {
+        assert_eq!(case(seed, k, 1, &mut Tried::default()), Ok(()), "{seed} {k}");
+    }
+}
+
+const FOUND: [(u64, u64); 1] = [(1, 0)];
