@@ -31,6 +31,7 @@ fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     window.click("Galeria (Ctrl+G)");
     window.wait_for("Primitivas: Uma de cada forma");
     window.wait_for("Cena vazia: Nada");
+    window.wait_for("Planeta e lua: Corpos");
     for key in [Key::ArrowRight, Key::ArrowDown, Key::ArrowLeft, Key::ArrowUp, Key::ArrowUp] {
         window.key(key);
     }
