@@ -8,6 +8,7 @@ use crate::export::plot::{self, Block};
 use crate::files::{self, Overwrite};
 use crate::foreign;
 use crate::i18n::{Lang, messages, numerics as words};
+use crate::numerics::price::{self, Price};
 use crate::numerics::{self, Effort, Findings, Row, Study};
 
 /// What programs read.
@@ -15,6 +16,9 @@ use crate::numerics::{self, Effort, Findings, Row, Study};
 struct Accuracy<'a> {
     seed: u64,
     studies: &'a [Findings],
+    /// Where all studies are run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    price: Option<Price>,
 }
 
 /// A line of a table for spreadsheets: all of a row but its figure.
@@ -38,8 +42,10 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
     let plot = args.plot(lang)?;
     #[expect(clippy::cast_precision_loss, reason = "a handful of studies")]
     let effort = Effort { seed, seconds: seconds / studies.len().max(1) as f64, thorough: true };
-    let findings: Vec<Findings> = progress::watched(lang, |progress| {
-        studies.iter().map(|&study| numerics::run(study, &effort, progress)).collect()
+    let (findings, price) = progress::watched(lang, |progress| {
+        let findings: Vec<Findings> = studies.iter().map(|&study| numerics::run(study, &effort, progress)).collect();
+        let price = (studies.len() == Study::ALL.len()).then(|| price::measure(&effort, progress));
+        (findings, price.flatten())
     });
     // What goes to standard output and into files does not depend on the system.
     let written = args.lang.map_or(Lang::En, LangArg::lang);
@@ -52,9 +58,13 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
     }
     let failed = |error: &dyn std::fmt::Display| Failure::Failed(error.to_string());
     let text = match args.format {
-        DataFormat::Text => findings.iter().map(|f| words::table(written, f)).collect::<Vec<_>>().join("\n"),
+        DataFormat::Text => {
+            let tables = findings.iter().map(|f| words::table(written, f));
+            let price = price.map(|price| words::price(written, &price));
+            tables.chain(price).collect::<Vec<_>>().join("\n")
+        }
         DataFormat::Json => {
-            let accuracy = Accuracy { seed, studies: &findings };
+            let accuracy = Accuracy { seed, studies: &findings, price };
             serde_json::to_string_pretty(&accuracy).map_err(|error| failed(&error))? + "\n"
         }
         DataFormat::Csv => csv_of(&findings).map_err(|error| failed(&error))?,

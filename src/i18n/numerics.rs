@@ -3,6 +3,7 @@
 use super::Lang;
 use crate::numbers::significant;
 use crate::numerics::charts::Words;
+use crate::numerics::price::{Cost, Price};
 use crate::numerics::{Findings, Row, Study, Unit};
 
 texts! {
@@ -249,6 +250,24 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
         );
     }
     table
+}
+
+/// What the camera model in double-double costs.
+#[must_use]
+pub fn price(lang: Lang, price: &Price) -> String {
+    let micros = |nanos: f64| lang.mark().printed(&significant(nanos / 1e3, 3));
+    let [(a, b), (c, d)] = [price.numbers, price.frame].map(|cost| (micros(cost.camera_lab), micros(cost.f64)));
+    let more = |cost: Cost| lang.mark().printed(&format!("{:.1}", 100.0 * (cost.camera_lab / cost.f64 - 1.0)));
+    match lang {
+        Lang::En => format!(
+            "What the camera model in double-double costs\n\n  numbers of a figure: {a} µs; textbook formulas in f64: {b} µs\n  a frame of the first scene: {c} µs; with the textbook formulas: {d} µs ({} % more)\n",
+            more(price.frame)
+        ),
+        Lang::PtBr => format!(
+            "O que custa o modelo de câmera em precisão dupla-dupla\n\n  números de uma figura: {a} µs; fórmulas do livro em f64: {b} µs\n  um quadro da primeira cena: {c} µs; com as fórmulas do livro: {d} µs ({} % a mais)\n",
+            more(price.frame)
+        ),
+    }
 }
 
 /// An error with its size and little more.

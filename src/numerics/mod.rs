@@ -9,6 +9,7 @@ pub mod charts;
 pub mod diagnosis;
 pub mod health;
 mod measure;
+pub mod price;
 pub mod random;
 pub mod real;
 pub mod reference;

@@ -4,7 +4,7 @@ pub(super) mod antialiasing;
 pub(super) mod basis;
 pub(super) mod clipping;
 pub(super) mod depth_buffer;
-mod painter;
+pub(super) mod painter;
 pub(super) mod repeated_operations;
 pub(super) mod shading;
 pub(super) mod vertex_transform;

@@ -12,7 +12,7 @@ use crate::scene::{Mesh, Object, ObjectPaint, Scene};
 
 /// A pipeline and a rasterizer that keep their buffers.
 #[derive(Default)]
-pub(super) struct Painter {
+pub(in crate::numerics) struct Painter {
     pipeline: Pipeline,
     rasterizer: Rasterizer,
 }
@@ -21,7 +21,13 @@ pub(super) const BLACK: Rgba = Rgba::rgb(0, 0, 0);
 
 impl Painter {
     /// The colours of a picture on black, row by row from the top.
-    pub(super) fn paint(&mut self, scene: &Scene, camera: &Camera, size: [u32; 2], style: &Style) -> Vec<Rgba> {
+    pub(in crate::numerics) fn paint(
+        &mut self,
+        scene: &Scene,
+        camera: &Camera,
+        size: [u32; 2],
+        style: &Style,
+    ) -> Vec<Rgba> {
         let target = Target { width: size[0], height: size[1], scale: 1.0, background: BLACK };
         let frame = self.pipeline.frame(scene, camera, target, style, Options::default());
         // The sizes are those of the studies, far below the limit.

@@ -1,0 +1,122 @@
+//! What the promise costs: the camera model in double-double against the textbook chain in plain `f64`, for the numbers of a figure and for a
+//! frame of the scene that the program begins with.
+
+use std::hint::black_box;
+
+use glam::{DMat4, DVec3, DVec4};
+use serde::Serialize;
+
+use super::chain::{Matrix, basis, projection_matrix, view_matrix, window};
+use super::measure::Trial;
+use super::studies::painter::Painter;
+use super::{Effort, Lab};
+use crate::camera::{Camera, Parameters};
+use crate::figure::Figure;
+use crate::progress::Progress;
+use crate::scene::{Preset, build, no_files};
+
+/// Median times of one thing, in nanoseconds.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Cost {
+    /// As the program does it, in double-double.
+    pub camera_lab: f64,
+    /// The textbook's formulas in plain `f64`.
+    pub f64: f64,
+}
+
+/// What is paid for digits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Price {
+    /// Basis, window, matrices, their inverses, and the corners of the volume, from the parameters of a figure.
+    pub numbers: Cost,
+    /// A frame of the scene that the program begins with, at the size of its image, from the parameters to the pixels. The pipeline is the
+    /// same in both: it has been in `f64` from the start.
+    pub frame: Cost,
+}
+
+/// Measures for about so many seconds as the effort says. `None` where it was cancelled, or no such scene could be built.
+#[must_use]
+pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {
+    let lab = Lab { effort: *effort, progress: progress.clone() };
+    let watch = lab.watch(4);
+    let figure = Figure::of_preset(Preset::Primitives);
+    let parameters = figure.camera;
+    let camera = Camera::new(&parameters).ok()?;
+    let scene = build(&figure.scene, &figure.style, &mut no_files).ok()?;
+    let size = [figure.image.width, figure.image.height];
+    let cost = |pass: &mut dyn FnMut()| {
+        let mut trial = Trial::default();
+        trial.time_whole(&watch, 1, pass);
+        progress.advance(1);
+        trial.nanos()
+    };
+    let numbers = Cost {
+        camera_lab: cost(&mut || {
+            black_box(own_numbers(black_box(&parameters)));
+        }),
+        f64: cost(&mut || {
+            black_box(textbook_numbers(black_box(&parameters)));
+        }),
+    };
+    let mut painter = Painter::default();
+    let frame = Cost {
+        camera_lab: cost(&mut || {
+            if let Ok(camera) = Camera::new(black_box(&parameters)) {
+                black_box(painter.paint(&scene, &camera, size, &figure.style));
+            }
+        }),
+        f64: cost(&mut || {
+            black_box(textbook_numbers(black_box(&parameters)));
+            black_box(painter.paint(&scene, &camera, size, &figure.style));
+        }),
+    };
+    (!progress.is_cancelled()).then_some(Price { numbers, frame })
+}
+
+/// Four matrices and eight corners.
+type Numbers = ([DMat4; 4], [DVec3; 8]);
+
+fn own_numbers(p: &Parameters) -> Option<Numbers> {
+    let camera = Camera::new(p).ok()?;
+    let matrices =
+        [camera.view_from_world(), camera.clip_from_view(), camera.clip_from_world(), camera.view_from_clip()];
+    Some((matrices, camera.volume_corners()))
+}
+
+/// The same by the formulas as they are printed, with the inverses that a library gives.
+fn textbook_numbers(p: &Parameters) -> Numbers {
+    let axes = basis::<f64>(p.position, p.focal_point, p.view_up);
+    let (view, projection) = (view_matrix(&axes, p.position), projection_matrix::<f64>(p));
+    let both = projection.product(&view);
+    let glam = |m: &Matrix<f64>| DMat4::from_cols_array_2d(&m.0).transpose();
+    black_box(window::<f64>(p));
+    let world_from_clip = glam(&both).inverse();
+    let corners = std::array::from_fn(|i| {
+        let side = |bit: usize| if i >> bit & 1 == 1 { 1.0 } else { -1.0 };
+        let p = world_from_clip * DVec4::new(side(0), side(1), side(2), 1.0);
+        p.truncate() / p.w
+    });
+    ([glam(&view), glam(&projection), glam(&both), glam(&projection).inverse()], corners)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both compute the same things: what is compared is their price.
+    #[test]
+    fn both_ways_give_the_same_numbers_to_f64s_own_digits() {
+        let p = Figure::of_preset(Preset::Primitives).camera;
+        let (own, own_corners) = own_numbers(&p).expect("a camera");
+        let (textbook, corners) = textbook_numbers(&p);
+        for (a, b) in own.iter().zip(&textbook) {
+            assert!(a.abs_diff_eq(*b, 1e-12), "{a} {b}");
+        }
+        for corner in corners {
+            assert!(own_corners.iter().any(|own| own.abs_diff_eq(corner, 1e-10)), "{corner}");
+        }
+        let effort = Effort { seed: 1, seconds: 0.0, thorough: false };
+        let price = measure(&effort, &Progress::default()).expect("a price");
+        assert!(price.numbers.f64 > 0.0 && price.frame.camera_lab > price.numbers.camera_lab);
+    }
+}
