@@ -31,8 +31,6 @@ texts! {
     // Below a table.
     front: "Pareto front", "frente de Pareto";
     time: "time of one item / ns", "tempo por item / ns";
-    // The program's own method.
-    own: "camera-lab", "camera-lab (este programa)";
 }
 
 /// What a study asks.
@@ -274,26 +272,4 @@ pub fn price(lang: Lang, price: &Price) -> String {
 #[must_use]
 pub fn short(x: f64) -> String {
     if x == 0.0 { "0".to_owned() } else { format!("{x:.1e}") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::numerics::{Effort, run};
-    use crate::progress::Progress;
-
-    /// Every case and every method has a name in Portuguese, or is the same in both languages.
-    #[test]
-    fn every_case_and_method_is_translated() {
-        const SAME: &[&str] = &["double-double", "f32", "gouraud", "phong", crate::numerics::OWN];
-        let effort = Effort { seed: 1, seconds: 0.0, thorough: false };
-        for study in Study::ALL {
-            for row in run(study, &effort, &Progress::default()).rows {
-                for english in [row.case.as_str(), row.method] {
-                    let known = PORTUGUESE.iter().any(|(e, _)| *e == english) || SAME.contains(&english);
-                    assert!(known, "{english} of {}", study.name());
-                }
-            }
-        }
-    }
 }

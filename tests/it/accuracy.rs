@@ -2,14 +2,20 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::sync::OnceLock;
+
 use camera_lab::figure::read;
+use camera_lab::i18n::{Lang, numerics as words};
 use camera_lab::numerics::{Effort, Findings, OWN, Row, Study, run};
 use camera_lab::progress::Progress;
 
 use crate::common::program::Bench;
 
-fn findings(study: Study) -> Findings {
-    run(study, &Effort { seed: 7, seconds: 0.0, thorough: false }, &Progress::default())
+/// What a study finds with few inputs: the same for all tests.
+fn findings(study: Study) -> &'static Findings {
+    static FOUND: [OnceLock<Findings>; Study::ALL.len()] = [const { OnceLock::new() }; Study::ALL.len()];
+    let place = Study::ALL.iter().position(|s| *s == study).unwrap();
+    FOUND[place].get_or_init(|| run(study, &Effort { seed: 7, seconds: 0.0, thorough: false }, &Progress::default()))
 }
 
 fn row<'a>(findings: &'a Findings, case: &str, parameter: f64, method: &str) -> &'a Row {
@@ -50,13 +56,27 @@ fn the_same_seed_gives_the_same_errors_and_another_seed_others() {
     assert_ne!(errors(1), errors(2));
 }
 
+/// Every case and every method has a name in Portuguese, or is the same in both languages.
+#[test]
+fn every_case_and_method_is_translated() {
+    const SAME: &[&str] = &["double-double", "f32", "gouraud", "phong", OWN];
+    for study in Study::ALL {
+        for r in &findings(study).rows {
+            for english in [r.case.as_str(), r.method] {
+                let translated = words::name(Lang::PtBr, english) != english || SAME.contains(&english);
+                assert!(translated, "{english} of {}", study.name());
+                assert_eq!(words::name(Lang::En, english), english);
+            }
+        }
+    }
+}
+
 /// The figures of the worst inputs open: they are the cameras that were measured.
 #[test]
 fn the_figure_of_the_worst_input_is_a_camera() {
     for study in Study::ALL {
-        for r in findings(study).rows {
-            let text = r.figure.unwrap();
-            let figure = read::parse(&text).unwrap();
+        for r in &findings(study).rows {
+            let figure = read::parse(r.figure.as_ref().unwrap()).unwrap();
             camera_lab::camera::Camera::new(&figure.camera).unwrap();
         }
     }
@@ -67,7 +87,7 @@ fn the_figure_of_the_worst_input_is_a_camera() {
 fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {
     let findings = findings(Study::VertexTransform);
     for distance in [1.0, 1e3, 1e6, 1e9, 1e12] {
-        let error = |method| row(&findings, "perspective", distance, method).error;
+        let error = |method| row(findings, "perspective", distance, method).error;
         let half_ulp = distance * 2f64.powi(-25);
         assert!((0.3..30.0).contains(&(error("f32 matrix") / half_ulp.max(5e-8))), "{distance}");
         assert!(error("f32 relative to eye") < 1e-6);
@@ -83,22 +103,22 @@ fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {
 fn a_naive_basis_is_off_by_the_unit_roundoff_over_the_angle_and_the_programs_is_not() {
     let findings = findings(Study::Basis);
     for angle in [1e-2, 1e-6, 1e-11, 1e-13] {
-        let error = |method| row(&findings, "size 1", angle, method).error;
+        let error = |method| row(findings, "size 1", angle, method).error;
         assert!((0.01..10.0).contains(&(error("f64 naive") * angle / f64::EPSILON)), "{angle}");
         assert!(error(OWN) < f64::EPSILON / 2.0 && error("double-double") < f64::EPSILON / 2.0);
     }
     // Squares of 1e-165 are zero.
-    assert!(row(&findings, "size 1e-150", 1e-15, "f64 naive").error > 3.0);
-    assert!(row(&findings, "size 1e-150", 1e-15, OWN).error < f64::EPSILON);
+    assert!(row(findings, "size 1e-150", 1e-15, "f64 naive").error > 3.0);
+    assert!(row(findings, "size 1e-150", 1e-15, OWN).error < f64::EPSILON);
 }
 
 #[test]
 fn matrices_drift_with_the_number_of_operations_and_the_program_does_not() {
     let findings = findings(Study::RepeatedOperations);
     for case in ["orthonormality", "distance", "position"] {
-        let drift = |method| row(&findings, case, 1000.0, method).error / row(&findings, case, 10.0, method).error;
+        let drift = |method| row(findings, case, 1000.0, method).error / row(findings, case, 10.0, method).error;
         assert!(drift("f64 matrix") > 10.0, "{case}");
-        assert!(row(&findings, case, 1000.0, OWN).error < 1e-15, "{case}");
+        assert!(row(findings, case, 1000.0, OWN).error < 1e-15, "{case}");
     }
 }
 
@@ -112,7 +132,7 @@ fn depths_are_told_apart_as_the_theory_predicts() {
         assert!((0.1..most).contains(&share), "{share} {} {} {}", r.case, r.parameter, r.method);
     }
     // A surface 1 ‰ behind another: 16 bits flicker from B / F = 100 on, 24 bits from 1e5 on, reversed floats never.
-    let fights = |ratio, method| row(&findings, "perspective z-fighting", ratio, method).error > 0.0;
+    let fights = |ratio, method| row(findings, "perspective z-fighting", ratio, method).error > 0.0;
     assert!(!fights(10.0, "fixed 16") && fights(1e3, "fixed 16"));
     assert!(!fights(1e4, "fixed 24") && fights(1e5, "fixed 24"));
     assert!(!fights(1e9, "f32 reversed") && !fights(1e9, OWN));
@@ -123,11 +143,11 @@ fn dividing_first_is_wrong_only_where_a_segment_passes_the_eye() {
     let findings = findings(Study::Clipping);
     for behind in [1e-9, 1.0, 1e6] {
         for method in ["f64 after the divide", "f64 before the divide", OWN] {
-            assert!(row(&findings, "in front", behind, method).error < 1e-12, "{method}");
+            assert!(row(findings, "in front", behind, method).error < 1e-12, "{method}");
         }
-        assert!(row(&findings, "through w = 0", behind, "f64 after the divide").error > 0.1);
-        assert!(row(&findings, "through w = 0", behind, "f64 before the divide").error < 1e-12);
-        assert!(row(&findings, "through w = 0", behind, OWN).error < 1e-14);
+        assert!(row(findings, "through w = 0", behind, "f64 after the divide").error > 0.1);
+        assert!(row(findings, "through w = 0", behind, "f64 before the divide").error < 1e-12);
+        assert!(row(findings, "through w = 0", behind, OWN).error < 1e-14);
     }
 }
 
@@ -185,7 +205,7 @@ fn plots_are_files_of_their_kind() {
 #[test]
 fn the_painter_fails_where_surfaces_interlock_and_depth_buffers_where_steps_are_coarse() {
     let findings = findings(Study::Visibility);
-    let error = |case, ratio, method| row(&findings, case, ratio, method).error;
+    let error = |case, ratio, method| row(findings, case, ratio, method).error;
     for case in ["cyclic overlap", "interpenetrating"] {
         assert!(error(case, 10.0, "painter") > 0.005, "{case}");
         for method in ["bsp", "depth buffer 24", OWN] {
@@ -201,12 +221,12 @@ fn the_painter_fails_where_surfaces_interlock_and_depth_buffers_where_steps_are_
 fn finer_meshes_come_nearer_to_the_true_surface() {
     let findings = findings(Study::Shading);
     for solid in ["sphere", "torus"] {
-        let gain = |method| row(&findings, solid, 8.0, method).error / row(&findings, solid, 32.0, method).error;
+        let gain = |method| row(findings, solid, 8.0, method).error / row(findings, solid, 32.0, method).error;
         assert!(gain("flat") > 1.2 && gain("gouraud") > 2.5 && gain("phong") > 4.0, "{solid}");
-        let at = |method| row(&findings, solid, 32.0, method).error;
+        let at = |method| row(findings, solid, 32.0, method).error;
         assert!(at("phong") < at("gouraud") && at("gouraud") < at("flat"), "{solid}");
         let silhouette = format!("{solid} silhouette");
-        let outline = |segments| row(&findings, &silhouette, segments, OWN).error;
+        let outline = |segments| row(findings, &silhouette, segments, OWN).error;
         assert!(outline(8.0) > 3.0 * outline(32.0), "{solid}");
     }
 }
@@ -215,7 +235,7 @@ fn finer_meshes_come_nearer_to_the_true_surface() {
 fn more_samples_come_nearer_to_the_area() {
     let findings = findings(Study::Antialiasing);
     for size in [8.0, 64.0] {
-        let error = |method| row(&findings, "triangles", size, method).error;
+        let error = |method| row(findings, "triangles", size, method).error;
         assert!(error("1 sample") > 1.5 * error("4 samples") && error("4 samples") > 1.5 * error("16 samples"));
         assert!(error("64 samples on a grid") < error("16 samples on a grid"));
         assert_eq!(error(OWN), error("4 samples"));
