@@ -1,16 +1,19 @@
 //! What the promise costs: the camera model in double-double against the textbook chain in plain `f64`, for the numbers of a figure and for a
 //! frame of the scene that the program begins with.
 
+use std::cell::RefCell;
 use std::hint::black_box;
+use std::time::Duration;
 
 use glam::{DMat4, DVec3, DVec4};
 use serde::Serialize;
 
 use super::chain::{Matrix, basis, projection_matrix, view_matrix, window};
-use super::measure::Trial;
+use super::measure::{Trial, Watch};
 use super::studies::painter::Painter;
 use super::{Effort, Lab};
 use crate::camera::{Camera, Parameters};
+use crate::clock;
 use crate::figure::Figure;
 use crate::progress::Progress;
 use crate::scene::{Preset, build, no_files};
@@ -38,40 +41,62 @@ pub struct Price {
 #[must_use]
 pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {
     let lab = Lab { effort: *effort, progress: progress.clone() };
-    let watch = lab.watch(4);
+    let watch = lab.watch(2);
     let figure = Figure::of_preset(Preset::Primitives);
     let parameters = figure.camera;
     let camera = Camera::new(&parameters).ok()?;
     let scene = build(&figure.scene, &figure.style, &mut no_files).ok()?;
     let size = [figure.image.width, figure.image.height];
-    let cost = |pass: &mut dyn FnMut()| {
-        let mut trial = Trial::default();
-        trial.time_whole(&watch, 1, pass);
-        progress.advance(1);
-        trial.nanos()
+    let own = || black_box(own_numbers(black_box(&parameters)));
+    let textbook = || black_box(textbook_numbers(black_box(&parameters)));
+    let numbers = in_turns(
+        &watch,
+        &mut || {
+            own();
+        },
+        &mut || {
+            textbook();
+        },
+    );
+    let painter = RefCell::new(Painter::default());
+    let frame = |camera: &Camera| {
+        black_box(painter.borrow_mut().paint(&scene, camera, size, &figure.style));
     };
-    let numbers = Cost {
-        camera_lab: cost(&mut || {
-            black_box(own_numbers(black_box(&parameters)));
-        }),
-        f64: cost(&mut || {
-            black_box(textbook_numbers(black_box(&parameters)));
-        }),
-    };
-    let mut painter = Painter::default();
-    let frame = Cost {
-        camera_lab: cost(&mut || {
-            if let Ok(camera) = Camera::new(black_box(&parameters)) {
-                black_box(painter.paint(&scene, &camera, size, &figure.style));
-            }
-        }),
-        f64: cost(&mut || {
-            black_box(textbook_numbers(black_box(&parameters)));
-            black_box(painter.paint(&scene, &camera, size, &figure.style));
-        }),
-    };
+    let frame = in_turns(
+        &watch,
+        &mut || {
+            own();
+            frame(&camera);
+        },
+        &mut || {
+            textbook();
+            frame(&camera);
+        },
+    );
     (!progress.is_cancelled()).then_some(Price { numbers, frame })
 }
+
+/// The median times of two ways, taken in turns, so that what else the machine does falls on both.
+fn in_turns(watch: &Watch, camera_lab: &mut dyn FnMut(), f64: &mut dyn FnMut()) -> Cost {
+    let once = Watch { slice: Duration::ZERO, ..watch.clone() };
+    let (mut own, mut plain) = (Trial::default(), Trial::default());
+    // To warm up.
+    camera_lab();
+    f64();
+    let end = clock::now() + watch.slice;
+    for turn in 0..MOST_TURNS {
+        if watch.progress.is_cancelled() || (turn >= LEAST_TURNS && clock::now() >= end) {
+            break;
+        }
+        own.time_whole(&once, 1, &mut *camera_lab);
+        plain.time_whole(&once, 1, &mut *f64);
+    }
+    watch.progress.advance(1);
+    Cost { camera_lab: own.nanos(), f64: plain.nanos() }
+}
+
+const LEAST_TURNS: usize = 3;
+const MOST_TURNS: usize = 20_000;
 
 /// Four matrices and eight corners.
 type Numbers = ([DMat4; 4], [DVec3; 8]);
