@@ -125,17 +125,22 @@ pub(super) fn in_world(request: &Request, palette: Palette) -> Revealed {
 }
 
 impl Revealed {
-    /// From the display space of the notes to that of a convention of NDC, which is named where it is another.
-    fn move_into(&mut self, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
-        let ndc = canonical.ndc;
+    /// From the display space of the notes to that of a convention of NDC, which is named where it is another and the picture has room:
+    /// in a small one the name would cover the axes.
+    fn move_into(&mut self, canonical: &CanonicalBox, request: &Request, palette: Palette) {
+        const SMALL: f64 = 200.0;
+        let (ndc, labels) = (canonical.ndc, request.labels);
         if ndc == Ndc::default() {
             return;
         }
         canonical.move_scene(&mut self.scene);
         let points = self.cuts.iter_mut().chain(self.sides.iter_mut().flatten());
         points.chain(self.names.iter_mut().map(|(p, _)| p)).for_each(|p| *p = canonical.place(*p));
-        let hand = if ndc.is_right_handed() { labels.right_handed } else { labels.left_handed };
-        self.rows.insert(0, Row::Title(format!("{}: {hand}", labels.ndc_title(ndc)), palette.ink));
+        let side = f64::from(request.size.width.min(request.size.height));
+        if side >= SMALL * f64::from(request.size.scale) {
+            let hand = if ndc.is_right_handed() { labels.right_handed } else { labels.left_handed };
+            self.rows.insert(0, Row::Title(format!("{}: {hand}", labels.ndc_title(ndc)), palette.ink));
+        }
     }
 
     fn add_outside(&mut self, outside: Scene, labels: &Labels, palette: Palette) {
@@ -176,7 +181,7 @@ pub(super) fn in_canonical(request: &Request, palette: Palette) -> Revealed {
     if let Some(divided) = divided {
         append(&mut revealed.scene, divided.wrong);
     }
-    revealed.move_into(&CanonicalBox::of(request), request.labels, palette);
+    revealed.move_into(&CanonicalBox::of(request), request, palette);
     revealed
 }
 
