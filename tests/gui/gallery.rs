@@ -18,7 +18,7 @@ impl Window {
     pub(crate) fn wait_for(&mut self, text: &str) {
         let since = Instant::now();
         while !self.says(text) {
-            assert!(since.elapsed() < Duration::from_secs(60), "{text}");
+            assert!(since.elapsed() < Duration::from_secs(300), "{text}");
             std::thread::sleep(Duration::from_millis(5));
             self.harness.step();
         }
