@@ -178,6 +178,7 @@ impl App {
         tooltip::beside_nothing(&ctx);
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
+        self.state.consult(&ctx);
         presentation::show(&ctx, &mut self.state, pictures.response.rect);
         if let Some(command) = bar {
             self.perform(&ctx, command);

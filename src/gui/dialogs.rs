@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::answers::{CANCEL, Pressed, buttons};
+use super::coach;
 use super::command::Command;
 use super::comparison::{Comparison, Whose};
 use super::export_dialog;
@@ -38,6 +39,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             Dialog::Help | Dialog::Delete { .. } => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
             Dialog::Gallery => 1110.0,
+            Dialog::Coach => coach::WIDTH,
             Dialog::Export(_) => export_dialog::WIDTH,
             Dialog::Changed(_) => 480.0,
             Dialog::Unsaved(_) | Dialog::Path(..) | Dialog::Overwrite(..) | Dialog::ReadOnly(..) | Dialog::Closing => {
@@ -87,6 +89,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 }
             }
             Dialog::Help => help(ui, t, state, first),
+            Dialog::Coach => coach::show(ui, t, state, first),
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);
                 if first {

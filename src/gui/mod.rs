@@ -13,6 +13,7 @@
 mod answers;
 pub mod app;
 pub mod canvas;
+mod coach;
 pub mod command;
 pub mod comparison;
 pub mod dialogs;

@@ -21,6 +21,7 @@ use serde::{Serialize, Serializer};
 
 use crate::progress::{Doing, Progress};
 use measure::{Trial, Watch};
+pub use studies::depth_buffer::{Resolution, resolutions};
 
 /// The name of the method that is the program's own.
 pub const OWN: &str = "camera-lab";

@@ -6,6 +6,7 @@ mod canvas;
 mod canvas_keys;
 mod canvas_objects;
 mod canvas_probe;
+mod coach;
 mod commands;
 mod conventions;
 mod dialogs;

@@ -43,12 +43,13 @@ use self::title::{Title, TitleAction};
 use self::vertex_name::VertexNames;
 use crate::appearance::Rgba;
 use crate::figure::{Depth, Observer};
+use crate::gui::coach::{self, Brief};
 use crate::gui::focus::{self, Region};
 use crate::gui::handle_drag::point;
 use crate::gui::highlight::Highlight;
 use crate::gui::presentation;
 use crate::gui::selection_gizmo::Movable;
-use crate::gui::state::{Message, ObserverChange, State};
+use crate::gui::state::{Dialog, Message, ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
@@ -206,6 +207,8 @@ impl Canvas {
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b)).unwrap_or(pictures);
         let place = self.place_of_card(&ctx, state, &panes, room);
         self.describe_probe((ui, room), place, state, &mut status, texts);
+        self.say_why_empty(ui, state, &panes);
+        status.coach = Brief::of(state);
         status.strip = state.layout.strip;
         status.keys = presentation::keys(&ctx, state);
         let loading = loading(state);
@@ -227,6 +230,15 @@ impl Canvas {
             Some(StatusAction::ShowAgain(view)) => state.layout.shown[view.index()] = true,
             Some(StatusAction::Arrange(arrangement)) => state.layout.arrangement = arrangement,
             Some(StatusAction::Strip) => state.layout.strip = !state.layout.strip,
+            Some(StatusAction::Coach) => state.file_flow.dialog = Some(Dialog::Coach),
+        }
+    }
+
+    /// In an empty image stands why it is empty.
+    fn say_why_empty(&self, ui: &mut Ui, state: &mut State, panes: &[Pane]) {
+        let image = panes.iter().find(|pane| pane.view == View::Image);
+        if let Some(pane) = image.filter(|_| self.drag.is_none() && self.missing[View::Image.index()].is_none()) {
+            coach::why_empty(ui, pane.rect.rect, state);
         }
     }
 

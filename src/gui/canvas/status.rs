@@ -7,6 +7,7 @@ use eframe::egui::{
 use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
+use crate::gui::coach::Brief;
 use crate::gui::fitted;
 use crate::gui::focus::with_room_before;
 use crate::gui::tooltip::Explained;
@@ -28,6 +29,8 @@ pub(super) enum StatusAction {
     Arrange(Option<Arrangement>),
     /// Show the stages of the pipeline, or hide them.
     Strip,
+    /// Show what the coach has to say.
+    Coach,
 }
 
 /// What is said under the pictures.
@@ -47,6 +50,8 @@ pub(super) struct Status {
     pub(super) arrangement: Option<Option<Arrangement>>,
     /// The stages of the pipeline are shown.
     pub(super) strip: bool,
+    /// What the coach has to say, in a few words.
+    pub(super) coach: Option<Brief>,
     /// The pictures that can be shown again.
     pub(super) hidden: Vec<View>,
     /// The coordinates of the probe.
@@ -116,6 +121,11 @@ impl Status {
                     }
                     if !self.aside.is_empty() {
                         ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));
+                    }
+                    if let Some(brief) = &self.coach
+                        && brief.button(ui).clicked()
+                    {
+                        action = Some(StatusAction::Coach);
                     }
                     let stages = egui::Button::selectable(self.strip, RichText::new(texts.strip).small());
                     if ui.add(stages.frame_when_inactive(true)).explained(texts.strip_show).clicked() {

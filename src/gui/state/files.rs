@@ -107,6 +107,8 @@ pub enum Dialog {
     Closing,
     /// What the pointer and the keys do.
     Help,
+    /// Why the picture is empty, and how near the camera is to trouble.
+    Coach,
     /// Which figure to begin with.
     Gallery,
     /// What becomes of what hangs on these objects, which are to be deleted?
@@ -164,7 +166,9 @@ impl FileFlow {
                 saves(purpose)
             }
             Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
-            Some(Dialog::Export(_) | Dialog::Help | Dialog::Gallery | Dialog::Delete { .. }) | None => false,
+            Some(Dialog::Export(_) | Dialog::Help | Dialog::Coach | Dialog::Gallery | Dialog::Delete { .. }) | None => {
+                false
+            }
         };
         asked || self.may_close || self.asking.as_ref().is_some_and(|(purpose, _)| saves(purpose))
     }

@@ -1,6 +1,7 @@
 //! What the panels and the pictures share.
 
 mod annotations;
+mod coach;
 mod conventions;
 mod files;
 mod insert;
@@ -19,6 +20,7 @@ use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::views::{Ghost, Measure, Probe};
 pub use annotations::Annotations;
+pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::{free_place, rounded};
@@ -143,6 +145,8 @@ pub struct State {
     pub annotations: Annotations,
     /// The studies of error against run time.
     pub numerics: Numerics,
+    /// What is wrong with the picture, and how near the camera is to trouble.
+    pub coach: Coach,
 }
 
 /// The document at the start. What the command line has done to the camera is a change of the figure in the file: it can be
@@ -207,6 +211,7 @@ impl State {
             export: Export::new([[640, 480]; 3], 1.0),
             annotations: Annotations::default(),
             numerics: Numerics::default(),
+            coach: Coach::default(),
         })
     }
 

@@ -240,6 +240,21 @@ impl Format {
 
     /// The length of one step at depth `z`, for the program's own with its scale: a unit of what is stored over its derivative.
     fn step(self, range: &Range, own: &DepthScale, z: f64) -> f64 {
+        if self != Self::Own {
+            return self.step_in_range(range, z);
+        }
+        // Depths relative to the farthest in view, whatever their unit.
+        let far = own.far;
+        let slope = match range.projection {
+            Projection::Perspective => z * (far - z) / far,
+            Projection::Parallel => far - z,
+        };
+        let depth = own.depth(z);
+        slope * ulp(depth) / depth
+    }
+
+    /// The same of a format whose range is F … B.
+    fn step_in_range(self, range: &Range, z: f64) -> f64 {
         let far = range.far;
         let span = far - 1.0;
         // dz/dZ, and 1 − Z.
@@ -247,27 +262,49 @@ impl Format {
             Projection::Perspective => (z * z * span / far, (far - z) / (z * span)),
             Projection::Parallel => (span, (far - z) / span),
         };
-        // From one f32 to the next.
-        #[expect(clippy::cast_possible_truncation, reason = "an exponent")]
-        let ulp = |x: f64| 2f64.powi((x.max(f64::MIN_POSITIVE).log2().floor() as i32).max(-126) - 23);
         let step = match self {
             Self::Fixed16 => slope * 2f64.powi(-16),
             Self::Fixed24 => slope * 2f64.powi(-24),
             Self::Float => slope * ulp(1.0 - reversed),
-            Self::FloatReversed => slope * ulp(reversed),
+            Self::FloatReversed | Self::Own => slope * ulp(reversed),
             Self::Logarithmic => z * far.ln() * 2f64.powi(-24),
-            // Depths relative to the farthest in view, whatever their unit.
-            Self::Own => {
-                let far = own.far;
-                let slope = match range.projection {
-                    Projection::Perspective => z * (far - z) / far,
-                    Projection::Parallel => far - z,
-                };
-                let depth = own.depth(z);
-                return slope * ulp(depth) / depth;
-            }
         };
         // Of a depth in single precision no more can be told than its own last place.
         step.max(ulp(z)).min(2.0 * far)
     }
+}
+
+/// From one f32 to the next.
+fn ulp(x: f64) -> f64 {
+    #[expect(clippy::cast_possible_truncation, reason = "an exponent")]
+    let exponent = x.max(f64::MIN_POSITIVE).log2().floor() as i32;
+    2f64.powi(exponent.max(-126) - 23)
+}
+
+/// How a format of depth buffers keeps the depths of a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resolution {
+    /// The format.
+    pub format: &'static str,
+    /// The length of one step at a depth, in scene units.
+    pub step: f64,
+    /// What is behind by the gap is always held for the farther.
+    pub told_apart: bool,
+}
+
+/// Each format of graphics cards at a depth from the eye, F … B, and whether it tells two surfaces apart that are `gap` away from each
+/// other there.
+#[must_use]
+pub fn resolutions(camera: &Camera, depth: f64, gap: f64) -> Vec<Resolution> {
+    let near = camera.near();
+    let range = Range { projection: camera.projection(), far: camera.far() / near };
+    let z = depth / near;
+    let of = |format: Format| {
+        let step = format.step_in_range(&range, z);
+        // Wherever within a step the surfaces lie.
+        let mut places = (0..32).map(|i| z + step * f64::from(i) / 32.0);
+        let told_apart = places.all(|z| format.value(&range, z + gap / near) > format.value(&range, z));
+        Resolution { format: format.name(), step: step * near, told_apart }
+    };
+    FORMATS.into_iter().filter(|format| *format != Format::Own).map(of).collect()
 }

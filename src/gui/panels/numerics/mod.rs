@@ -3,6 +3,8 @@
 
 mod plot;
 
+pub(in crate::gui) use plot::color_of;
+
 use std::time::Duration;
 
 use eframe::egui::{self, ComboBox, Grid, ProgressBar, RichText, ScrollArea, Ui};
@@ -170,7 +172,7 @@ fn methods(ui: &mut Ui, state: &mut State, findings: &Findings) -> Option<Row> {
             let name = words::name(lang, row.method);
             ui.horizontal(|ui| {
                 let color = colors.iter().position(|method| *method == row.method);
-                ui.colored_label(plot::color_of(color, ui.visuals().dark_mode), "●");
+                ui.colored_label(color_of(color, ui.visuals().dark_mode), "●");
                 ui.label(if row.pareto { RichText::new(format!("{name} *")).strong() } else { RichText::new(name) });
             });
             ui.monospace(lang.mark().printed(&words::short(row.error)));

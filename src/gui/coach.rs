@@ -1,0 +1,188 @@
+//! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say, with repairs.
+
+mod depth;
+
+use eframe::egui::{self, Align, Button, Color32, Label, Layout, Rect, Response, RichText, Ui, UiBuilder, vec2};
+
+use super::answers::{CANCEL, Pressed, buttons};
+use super::state::{Advice, Dialog, State};
+use crate::gui::tooltip::Explained;
+use crate::i18n::coach as words;
+use crate::i18n::window::Texts;
+use crate::numerics::diagnosis::{Diagnosis, Repair, changes};
+use crate::numerics::health::Level;
+
+/// The width of the dialog.
+pub(super) const WIDTH: f32 = 720.0;
+
+/// What the coach has to say, in a few words.
+pub(super) struct Brief {
+    text: String,
+    level: Level,
+    hint: &'static str,
+}
+
+impl Brief {
+    /// `None` until something is known, and in a presentation, where the room is for the keys.
+    pub(super) fn of(state: &State) -> Option<Self> {
+        if state.settings.presentation {
+            return None;
+        }
+        let t = words::texts(state.settings.lang);
+        let Advice { diagnosis, health, .. } = state.coach.advice()?;
+        let worst = health.iter().map(|line| line.level).max().unwrap_or(Level::Good);
+        let findings = diagnosis.as_ref().map_or(0, |diagnosis| diagnosis.findings.len());
+        let (text, level) = match diagnosis {
+            Some(Diagnosis { visible: 0, .. }) => (t.image_empty.to_owned(), Level::Poor),
+            _ if findings == 1 => (t.one_finding.to_owned(), Level::Fair.max(worst)),
+            _ if findings > 1 => (format!("{findings} {}", t.many_findings), Level::Fair.max(worst)),
+            _ => (format!("{} {}", t.camera_is, words::level(state.settings.lang, worst)), worst),
+        };
+        Some(Self { text, level, hint: t.coach_hint })
+    }
+
+    /// A small button with it.
+    pub(super) fn button(&self, ui: &mut Ui) -> Response {
+        let mut text = RichText::new(&self.text).small();
+        if self.level > Level::Good {
+            text = RichText::new(format!("⚠ {}", self.text)).small().color(color(ui, self.level));
+        }
+        ui.add(Button::new(text)).explained(self.hint)
+    }
+}
+
+fn color(ui: &Ui, level: Level) -> Color32 {
+    match level {
+        Level::Good => ui.visuals().text_color(),
+        Level::Fair => ui.visuals().warn_fg_color,
+        Level::Poor => ui.visuals().error_fg_color,
+    }
+}
+
+/// Says over an empty image why it is empty, with the button that shows what is missing.
+pub(super) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    let Some(diagnosis) = state.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
+    let Some(finding) = diagnosis.findings.first().filter(|_| diagnosis.visible == 0) else { return };
+    let (text, repair) = (words::finding(lang, finding, diagnosis), finding.repair);
+    let change = repair.map(|repair| change(state, &repair));
+    let room = picture.shrink2(vec2(16.0, 8.0));
+    let width = room.width().min(420.0);
+    let place = Rect::from_center_size(room.center(), vec2(width, room.height().min(110.0)));
+    let mut pressed = false;
+    let builder = UiBuilder::new().id_salt("why empty").max_rect(place).layout(Layout::top_down(Align::Center));
+    ui.scope_builder(builder, |ui| {
+        let frame = egui::Frame::popup(ui.style());
+        frame.show(ui, |ui| {
+            ui.add(Label::new(text).wrap().selectable(false));
+            if let Some(change) = change {
+                pressed = ui.button(t.show_it).explained(change).clicked();
+            }
+        });
+    });
+    if let Some(repair) = repair.filter(|_| pressed) {
+        state.apply_repair(repair);
+        ui.request_repaint();
+    }
+}
+
+/// What a repair changes.
+fn change(state: &State, repair: &Repair) -> String {
+    let figure = state.document.figure();
+    words::changes(&repair.changes(&figure.camera, &figure.style))
+}
+
+/// What is to be done.
+enum Wish {
+    Repair(Repair),
+    Camera(crate::camera::Parameters),
+}
+
+/// The dialog with all there is to say.
+pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
+    let words = words::texts(state.settings.lang);
+    ui.heading(words.coach);
+    let height = (ui.ctx().content_rect().height() - 150.0).max(120.0);
+    let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
+    let mut wish = None;
+    area.show(ui, |ui| match state.coach.advice().cloned() {
+        None => drop(ui.label(words.looking)),
+        Some(advice) => {
+            findings(ui, state, &advice, &mut wish);
+            health(ui, state, &advice, &mut wish);
+            if let Some(camera) = depth::ui(ui, state, &advice.camera) {
+                wish = Some(Wish::Camera(camera));
+            }
+        }
+    });
+    ui.add_space(8.0);
+    let closed = !matches!(buttons(ui, t.close, &[], first.then_some(CANCEL)), Pressed::Nothing);
+    let Some(wish) = wish else {
+        state.file_flow.dialog = (!closed).then_some(Dialog::Coach);
+        return;
+    };
+    match wish {
+        Wish::Repair(repair) => state.apply_repair(repair),
+        Wish::Camera(camera) => state.apply_camera(camera),
+    }
+    ui.request_repaint();
+}
+
+fn title(ui: &mut Ui, text: &str) {
+    ui.add_space(6.0);
+    ui.label(RichText::new(text).strong().color(ui.visuals().hyperlink_color));
+}
+
+fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    title(ui, t.findings);
+    let Some(diagnosis) = &advice.diagnosis else {
+        ui.label(t.too_large);
+        return;
+    };
+    ui.label(words::seen(lang, diagnosis.visible, diagnosis.covered));
+    if diagnosis.findings.is_empty() {
+        ui.label(t.as_it_should_be);
+    }
+    for finding in &diagnosis.findings {
+        let button = finding.repair.map(|repair| (t.show_it, change(state, &repair)));
+        if line(ui, &words::finding(lang, finding, diagnosis), button) {
+            *wish = finding.repair.map(Wish::Repair);
+        }
+    }
+}
+
+fn health(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    title(ui, t.health);
+    for health in &advice.health {
+        let color = color(ui, health.level);
+        let sign = if health.level == Level::Good { "" } else { "⚠ " };
+        let (name, level) = (words::quantity(lang, health.quantity), words::level(lang, health.level));
+        ui.label(RichText::new(format!("{sign}{name}: {level}")).color(color));
+        let figure = state.document.figure();
+        let change = |camera| words::changes(&changes(&figure.camera, camera));
+        let button = health.repair.as_ref().map(|camera| (t.improve, change(camera)));
+        if line(ui, &words::health(lang, health, &advice.camera), button) {
+            *wish = health.repair.map(Wish::Camera);
+        }
+    }
+}
+
+/// A sentence, and the button that acts on it; true where that was pressed.
+fn line(ui: &mut Ui, text: &str, button: Option<(&str, String)>) -> bool {
+    let mut pressed = false;
+    ui.indent(text, |ui| {
+        ui.add(Label::new(text).wrap());
+        if let Some((name, change)) = button {
+            ui.horizontal_wrapped(|ui| {
+                pressed = ui.button(name).explained(&change).clicked();
+                ui.label(RichText::new(change).small().weak());
+            });
+        }
+    });
+    pressed
+}

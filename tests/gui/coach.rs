@@ -1,0 +1,77 @@
+//! The coach in the window: an empty image says why, one click shows what was missing, one step undoes it.
+
+use std::time::Duration;
+
+use camera_lab::i18n::Lang;
+use camera_lab::scene::Preset;
+use eframe::egui::Key;
+use egui_kittest::kittest::Queryable;
+
+use super::window::Window;
+
+/// A window with a cube, which there is little to draw of.
+fn window(lang: Lang) -> Window {
+    let mut window = Window::new(lang);
+    window.app_mut().state.document.edit(|figure| figure.scene.preset = Preset::Cube);
+    settled(&mut window);
+    window
+}
+
+fn settled(window: &mut Window) {
+    window.run();
+    window.app_mut().state.coach.take(Duration::from_secs(60));
+    window.run();
+}
+
+#[test]
+fn an_empty_image_says_why_and_one_click_shows_what_was_missing() {
+    for (lang, why, button) in [(Lang::En, "behind the camera", "Show it"), (Lang::PtBr, "atrás da câmera", "Mostrar")]
+    {
+        let mut window = window(lang);
+        assert!(window.harness.query_by_label(button).is_none());
+        // It turns its back to the scene.
+        let before = window.state().document.figure().camera;
+        let behind = camera_lab::camera::Parameters { focal_point: 2.0 * before.position, ..before };
+        window.app_mut().state.document.set_parameters(behind);
+        settled(&mut window);
+        assert!(window.says(why));
+        window.click(button);
+        settled(&mut window);
+        assert!(!window.says(why));
+        let advice = window.state().coach.advice().expect("it is known").clone();
+        assert!(advice.diagnosis.expect("it can be drawn").visible > 0);
+        window.command_key(Key::Z);
+        assert_eq!(window.state().document.figure().camera, behind, "one step back");
+    }
+}
+
+#[test]
+fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
+    let mut window = window(Lang::En);
+    assert!(window.harness.query_by_label("Camera: good").is_some());
+    window.enter("F", "0.00001");
+    settled(&mut window);
+    window.click("⚠ Camera: poor");
+    settled(&mut window);
+    assert!(window.says("The picture is as it should be."));
+    assert!(window.says("⚠ B / F: poor"));
+    assert!(window.says("flicker"));
+    let improve = window.harness.query_all_by_label("Improve").next().expect("a repair");
+    improve.click();
+    settled(&mut window);
+    assert!(window.state().document.figure().camera.near > 0.5);
+    assert!(window.harness.query_by_label("Camera: good").is_some());
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.figure().camera.near, 1e-5);
+}
+
+/// Once it has said what there is to say, the coach does nothing until the figure changes.
+#[test]
+fn what_has_not_changed_is_not_looked_at_again() {
+    let mut window = window(Lang::En);
+    let known = window.state().coach.advice().expect("it is known").clone();
+    for _ in 0..3 {
+        window.run();
+    }
+    assert_eq!(window.state().coach.advice(), Some(&known));
+}
