@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use camera_lab::appearance::Theme;
 use camera_lab::gui::{Start, State};
@@ -17,6 +18,8 @@ const TOLERANCE: u8 = 2;
 
 fn assert_window(name: &str, window: &mut Window) {
     window.harness.remove_cursor();
+    window.run();
+    window.app_mut().state.coach.take(Duration::from_secs(60));
     window.run();
     let actual = window.harness.render().expect("a picture");
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/images/window");
