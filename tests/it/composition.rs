@@ -28,6 +28,7 @@ fn shipped() -> Vec<(String, Figure, SharedScene)> {
         .into_iter()
         .flat_map(|folder| std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap())
         .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
         .collect();
     paths.sort();
     assert!(paths.len() > 20);
