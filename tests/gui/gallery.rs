@@ -25,6 +25,20 @@ impl Window {
     }
 }
 
+impl Window {
+    /// Frames until two seconds bring nothing new: each small picture that comes in asks for a frame.
+    fn wait_for_quiet(&mut self) {
+        let since = Instant::now();
+        let mut quiet = 0;
+        while quiet < 40 {
+            assert!(since.elapsed() < Duration::from_secs(300), "pictures keep coming");
+            std::thread::sleep(Duration::from_millis(50));
+            let still = self.harness.try_run().is_ok_and(|steps| steps <= 1);
+            quiet = if still { quiet + 1 } else { 0 };
+        }
+    }
+}
+
 #[test]
 fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     let mut window = Window::new(Lang::PtBr);
@@ -32,6 +46,7 @@ fn figures_of_the_program_are_chosen_with_the_keys_and_opened() {
     window.wait_for("Primitivas: Uma de cada forma");
     window.wait_for("Cena vazia: Nada");
     window.wait_for("Planeta e lua: Corpos");
+    window.wait_for_quiet();
     for key in [Key::ArrowRight, Key::ArrowDown, Key::ArrowLeft, Key::ArrowUp, Key::ArrowUp] {
         window.key(key);
     }
