@@ -35,6 +35,7 @@ mod motion;
 pub mod native;
 pub mod number_field;
 pub mod panels;
+mod plotting;
 pub mod preferences;
 mod presentation;
 pub mod preview;

@@ -1,13 +1,13 @@
 //! The depth panel: z_n over the distance from the eye, what formats of depth buffers tell apart, and planes that hold the scene.
 
 use eframe::egui::{Grid, RichText, Ui};
-use egui_plot::{Corner, GridMark, Legend, Line, Plot, PlotPoints, VLine, uniform_grid_spacer};
+use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, VLine, uniform_grid_spacer};
 
 use super::title;
 use crate::camera::{Camera, Parameters};
-use crate::chart::power_of_ten;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::numerics::color_of;
+use crate::gui::plotting::{decade, decades, still};
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::{coach as words, window};
@@ -84,22 +84,13 @@ fn plot(ui: &mut Ui, t: &words::Texts, camera: &Camera, probe: Option<f64>) {
     let curve = |of: &dyn Fn(f64) -> f64| -> PlotPoints<'static> {
         (0..=SAMPLES).map(|i| [across(depth(i)), of(depth(i))]).collect()
     };
-    let mut plot = Plot::new(("depth", logarithmic))
+    let mut plot = still(Plot::new(("depth", logarithmic)))
         .height(HEIGHT)
         .x_axis_label(t.distance)
         .y_axis_label("z_n")
-        .legend(Legend::default().position(Corner::RightBottom))
-        .show_x(false)
-        .show_y(false)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false);
+        .legend(Legend::default().position(Corner::RightBottom));
     if logarithmic {
-        let axis = |mark: GridMark, _: &std::ops::RangeInclusive<f64>| {
-            if mark.value.fract() == 0.0 { power_of_ten(10f64.powf(mark.value)) } else { String::new() }
-        };
-        plot = plot.x_axis_formatter(axis).x_grid_spacer(uniform_grid_spacer(|_| [10.0, 5.0, 1.0]));
+        plot = plot.x_axis_formatter(decade).x_grid_spacer(uniform_grid_spacer(decades));
     }
     let dark = ui.visuals().dark_mode;
     let shown = plot.show(ui, |plot| {

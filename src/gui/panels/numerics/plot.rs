@@ -4,8 +4,9 @@ use eframe::egui::{self, Color32, Ui};
 use egui_plot::{Line, Plot, PlotPoint, PlotPoints, Points, uniform_grid_spacer};
 
 use crate::appearance::Rgba;
-use crate::chart::{Chart, Look, power_of_ten};
+use crate::chart::{Chart, Look};
 use crate::export::plot::COLORS;
+use crate::gui::plotting::{decade, decades, still};
 use crate::i18n::{Lang, numerics as words};
 use crate::numbers::significant;
 use crate::numerics::charts::Pair;
@@ -28,27 +29,17 @@ pub(super) fn show(
     let chart = if over_time { &pair.by_time } else { &pair.by_parameter };
     let [x, y] = chart.range().map(|[low, high]| [low.log10(), high.log10()]);
     let height = (ui.available_height() - READOUT).max(80.0);
-    let axis = |mark: egui_plot::GridMark, _: &std::ops::RangeInclusive<f64>| {
-        if mark.value.fract() == 0.0 { power_of_ten(10f64.powf(mark.value)) } else { String::new() }
-    };
-    let decades = |_: egui_plot::GridInput| [10.0, 5.0, 1.0];
-    let plot = Plot::new(("study", findings.study.name(), over_time))
+    let plot = still(Plot::new(("study", findings.study.name(), over_time)))
         .height(height)
         .default_x_bounds(x[0], x[1])
         .default_y_bounds(y[0], y[1])
         .x_axis_label(&chart.x_label)
         .y_axis_label(&chart.y_label)
-        .x_axis_formatter(axis)
-        .y_axis_formatter(axis)
+        .x_axis_formatter(decade)
+        .y_axis_formatter(decade)
         .x_grid_spacer(uniform_grid_spacer(decades))
         .y_grid_spacer(uniform_grid_spacer(decades))
-        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.5))
-        .show_x(false)
-        .show_y(false)
-        .allow_drag(false)
-        .allow_zoom(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false);
+        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.5));
     let point = |row: &Row| {
         let error = if row.error > 0.0 { row.error } else { pair.floor };
         let across = if over_time { row.nanos } else { row.parameter };
