@@ -254,8 +254,12 @@ fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
         Cause::EmptyScene => String::new(),
         Cause::CameraInsideObject => "a câmera está dentro, onde todas as faces lhe dão as costas.".to_owned(),
         Cause::BehindCamera => format!("{most}atrás da câmera, z_c ≥ 0 (5.7): ela olha para o outro lado."),
-        Cause::BeforeNear => format!("{most}mais perto que o plano da frente, −z_c < F: o recorte elimina o que está ali."),
-        Cause::BeyondFar => format!("{most}mais longe que o plano de trás, −z_c > B: o recorte elimina o que está ali."),
+        Cause::BeforeNear => {
+            format!("{most}mais perto que o plano da frente, −z_c < F: o recorte elimina o que está ali.")
+        }
+        Cause::BeyondFar => {
+            format!("{most}mais longe que o plano de trás, −z_c > B: o recorte elimina o que está ali.")
+        }
         Cause::OutsideLeft => format!("{most}à esquerda da janela de vista, x_p < l (5.9)."),
         Cause::OutsideRight => format!("{most}à direita da janela de vista, x_p > r (5.9)."),
         Cause::OutsideTop => format!("{most}acima da janela de vista, y_p > t (5.10)."),
