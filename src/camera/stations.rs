@@ -1,6 +1,6 @@
 //! One point in every space, from the world to the viewport.
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use super::basis::Frame;
 use super::{Camera, ClipSpace, ImageSize, Ndc, Projection, Viewport};
@@ -62,6 +62,22 @@ impl Camera {
     #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
         self.notes_clip_space().stations(p_world, image, viewport)
+    }
+
+    /// (x_n, y_n) of a point of an object with this model matrix, computed in double-double and rounded at the end; `None` where it is not
+    /// before the eye.
+    pub(crate) fn exact_ndc(&self, world_from_object: &DMat4, p_object: DVec3) -> Option<DVec2> {
+        let column = |k: usize, factor: f64| Dd3::from(world_from_object.col(k).truncate()) * Dd::new(factor);
+        let world = column(0, p_object.x) + column(1, p_object.y) + column(2, p_object.z) + column(3, 1.0);
+        let d = world - self.pose.position;
+        let Frame { u, v, n, .. } = &self.frame;
+        let [x, y, _, w] = self.lens.clip(self.projection(), Dd3::new(u.dot(d), v.dot(d), n.dot(d)));
+        (w.value() > 0.0).then(|| DVec2::new((x / w).value(), (y / w).value()))
+    }
+
+    /// What rounding leaves of C: where C is the result of operations, it is [`position`](Self::position) and this.
+    pub(crate) fn position_rest(&self) -> DVec3 {
+        self.pose.position_rest()
     }
 
     /// True for a point whose depth (p − C) · **n** is less than half a unit in the last place of each coordinate of p and C can make

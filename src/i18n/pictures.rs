@@ -24,6 +24,7 @@ texts! {
     wrong: "wrong", "errado";
     no_difference: "nothing wrong falls into the volume", "nada de errado cai no volume";
     not_split: "too many pieces for BSP: depth buffer instead", "pedaços demais para o BSP: usa o buffer de profundidade";
+    rounded: "vertices are off by rounding", "vértices deslocados pelo arredondamento";
     reversed: "reversed", "invertido";
     right_handed: "right-handed", "mão direita";
     left_handed: "left-handed", "mão esquerda";
@@ -88,6 +89,7 @@ const fn of(t: &Texts) -> Labels {
         wrong: t.wrong,
         no_difference: t.no_difference,
         not_split: t.not_split,
+        rounded: t.rounded,
         reversed: t.reversed,
         right_handed: t.right_handed,
         left_handed: t.left_handed,

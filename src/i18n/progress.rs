@@ -1,7 +1,9 @@
 //! What takes long, and that it was too much.
 
 use super::Lang;
+use crate::foreign::shown;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
+use crate::pipeline::MisplacedVertex;
 use crate::pipeline::too_much::{TooMuch, names};
 use crate::progress::Doing;
 
@@ -43,5 +45,22 @@ pub fn too_much(lang: Lang, too_much: &TooMuch) -> String {
         (Lang::PtBr, TooMuch::Strokes) => format!(
             "os traços encontram faces demais, ou uns aos outros vezes demais, para serem desenhados sem buffer de profundidade (mais de {MAX_STROKE_STEPS} passos); permitido: menos arestas e linhas"
         ),
+        (Lang::PtBr, TooMuch::Rounding { vertices }) => format!(
+            "{}: a imagem amplia mais do que as coordenadas têm dígitos; permitido: uma janela maior, ou cena e câmera mais perto da origem",
+            beside(vertices)
+        ),
+    }
+}
+
+/// Which vertices are drawn beside their places, in Portuguese.
+fn beside(vertices: &[MisplacedVertex]) -> String {
+    let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
+        let off = Lang::PtBr.mark().printed(&format!("{off:.1}"));
+        format!("o vértice {vertex} de {:?} é desenhado a {off} pixels do seu lugar", shown(object))
+    };
+    let first = vertices.first().map(one).unwrap_or_default();
+    match vertices.len() {
+        0 | 1 => first,
+        objects => format!("{first}, e também vértices de outros objetos ({})", objects - 1),
     }
 }

@@ -7,7 +7,7 @@ use crate::pipeline::{Frame, ObjectReport, Stage, StageReport, TooMuch};
 use crate::raster::Work;
 
 /// How a picture came about; without a clock there is only what could not be done.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Account {
     /// Every stage, in order. Their times add up to the total.
     pub stages: Vec<StageReport>,

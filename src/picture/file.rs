@@ -30,7 +30,7 @@ pub enum PictureError {
 }
 
 /// A picture as a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PictureFile {
     /// What is written.
     pub bytes: Vec<u8>,

@@ -34,6 +34,7 @@ pub mod divide_before_clip;
 mod faces;
 pub mod light;
 mod lines;
+mod misplaced;
 mod outline;
 pub mod plan;
 mod planes;
@@ -62,6 +63,8 @@ pub use cull::Containment;
 use faces::{FaceTask, Faces};
 use light::Lights;
 use lines::Strokes;
+use misplaced::Misplaced;
+pub use misplaced::MisplacedVertex;
 pub use plan::{Options, Output, Plan, Reason, Stage};
 pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
@@ -144,6 +147,7 @@ impl Pipeline {
             let in_view = places.in_view.and(lines::in_view(scene, &projector));
             projector.depths = projector.depths.resolving(in_view);
         }
+        let mut misplaced = Misplaced::new(camera, &screen, places.in_view);
         let plan = Plan::new(scene, &projector, style, places, options);
         let lights = Lights::new(&scene.lights, &projector, style.shading);
         let mut strokes = Strokes::new(&projector, &screen, target);
@@ -211,6 +215,8 @@ impl Pipeline {
                 meter.count_ends(ends);
             }
             meter.lap(Stage::Lines);
+            misplaced.look_at(object, &vertices);
+            meter.lap(Stage::Transform);
         }
         let mut too_many: Option<TooManyPieces> = None;
         match plan.order {
@@ -263,7 +269,8 @@ impl Pipeline {
             labels,
         };
         let report = meter.report(&plan, &Survey::of_done(scene, &plan.objects, &done, style), style);
-        let mut frame = Frame { drawing, report, plan, objects: done, too_much: None, depths: projector.depths };
+        let too_much = TooMuch::rounding(misplaced.found());
+        let mut frame = Frame { drawing, report, plan, objects: done, too_much, depths: projector.depths };
         if let Some(TooManyPieces { pieces, of_layer }) = too_many {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
             frame.too_much = Some(TooMuch::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));

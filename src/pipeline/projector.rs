@@ -122,6 +122,7 @@ impl Projector {
                 eye: inverse * (self.position - translation),
                 linear: view_from_world * linear,
                 through_world: None,
+                rest: condition * condition * (self.position - translation).length(),
                 determinant,
                 seen_from,
             }
@@ -130,6 +131,7 @@ impl Projector {
                 eye: self.position,
                 linear: view_from_world,
                 through_world: Some((linear, translation)),
+                rest: 0.0,
                 determinant,
                 seen_from,
             }
@@ -148,6 +150,8 @@ pub(super) struct ViewFromObject {
     linear: DMat3,
     /// Model matrix, where the eye could not be taken to object space.
     through_world: Option<(DMat3, DVec3)>,
+    /// See [`rest`](Self::rest).
+    rest: f64,
     /// Of the model matrix: negative where it mirrors.
     determinant: f64,
     seen_from: DVec4,
@@ -205,6 +209,12 @@ impl ViewFromObject {
             None => norm(self.linear) * (p - self.eye).length(),
             Some((linear, translation)) => norm(linear) * p.length() + translation.length() + self.eye.length(),
         }
+    }
+
+    /// The size of the numbers that taking the eye to object space adds to these: the inverse of the model matrix is known to as many
+    /// digits as its condition leaves, and so is its product with C.
+    pub(super) fn rest(&self) -> f64 {
+        self.rest
     }
 
     /// How fast a linear function of view space with this gradient grows in the object's space.

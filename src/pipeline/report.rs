@@ -24,7 +24,8 @@ pub struct Frame {
     pub report: Vec<StageReport>,
     /// What was done, by object of the scene.
     pub objects: Vec<ObjectReport>,
-    /// What could not be done as the plan has it: the drawing is for an output with a depth buffer then, whatever was asked for.
+    /// What could not be done as the plan has it. Where it is the pieces, the drawing is for an output with a depth buffer, whatever was
+    /// asked for; that is said before what rounding does.
     pub too_much: Option<TooMuch>,
     /// What the depths of the drawing mean.
     pub depths: DepthScale,

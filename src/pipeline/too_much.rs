@@ -1,10 +1,11 @@
 //! What there can be too much of, so that a drawing is not what was asked for.
 
+use super::misplaced::MisplacedVertex;
 use crate::foreign::shown;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
 
 /// What there is too much of.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TooMuch {
     /// Faces that cross one another make too many pieces: nothing was put in order, and a depth buffer has to decide.
     #[error(
@@ -20,6 +21,26 @@ pub enum TooMuch {
         "strokes meet too many faces or one another too often to be drawn without a depth buffer (more than {MAX_STROKE_STEPS} steps); allowed: fewer edges and lines"
     )]
     Strokes,
+    /// Rounding puts vertices more than a quarter of a pixel beside their places: the picture magnifies more than coordinates have digits.
+    #[error(
+        "{}: the picture magnifies more than coordinates have digits; allowed: a wider window, or scene and camera nearer to the origin",
+        beside(vertices)
+    )]
+    Rounding {
+        /// Of each object the vertex that is farthest beside its place, and of these the farthest first; at least one.
+        vertices: Vec<MisplacedVertex>,
+    },
+}
+
+fn beside(vertices: &[MisplacedVertex]) -> String {
+    let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
+        format!("vertex {vertex} of {:?} is drawn {off:.1} pixels beside its place", shown(object))
+    };
+    let first = vertices.first().map(one).unwrap_or_default();
+    match vertices.len() {
+        0 | 1 => first,
+        objects => format!("{first}, and so are vertices of other objects ({})", objects - 1),
+    }
 }
 
 impl TooMuch {
@@ -30,11 +51,24 @@ impl TooMuch {
         Self::Pieces { objects: shares.into_iter().map(|(name, _)| name.to_owned()).collect() }
     }
 
-    /// Names no others than those that `is_known`: a picture has objects of its own besides the scene's.
-    pub fn name_only(&mut self, is_known: impl Fn(&str) -> bool) {
+    /// `None` where no vertex is.
+    pub(super) fn rounding(vertices: Vec<MisplacedVertex>) -> Option<Self> {
+        (!vertices.is_empty()).then_some(Self::Rounding { vertices })
+    }
+
+    /// Names no others than those that `is_known`: a picture has objects of its own besides the scene's. `None` where that leaves nothing.
+    #[must_use]
+    pub fn about(self, is_known: impl Fn(&str) -> bool) -> Option<Self> {
         match self {
-            Self::Pieces { objects } => objects.retain(|name| is_known(name)),
-            Self::Strokes => {}
+            Self::Pieces { mut objects } => {
+                objects.retain(|name| is_known(name));
+                Some(Self::Pieces { objects })
+            }
+            Self::Rounding { mut vertices } => {
+                vertices.retain(|vertex| is_known(&vertex.object));
+                Self::rounding(vertices)
+            }
+            Self::Strokes => Some(Self::Strokes),
         }
     }
 }

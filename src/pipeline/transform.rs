@@ -1,6 +1,6 @@
 //! The vertices of an object on the image: object → world → view → clip → pixels, in `f64` up to the pixels.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::Target;
@@ -150,6 +150,23 @@ pub(super) const SUBPIXELS: f64 = 256.0;
 impl Screen {
     pub(super) fn new(target: Target) -> Self {
         Self { half_width: f64::from(target.width) / 2.0, half_height: f64::from(target.height) / 2.0 }
+    }
+
+    /// Half of the picture's width and height, pixels.
+    pub(super) fn half_size(&self) -> DVec2 {
+        DVec2::new(self.half_width, self.half_height)
+    }
+
+    /// A point of the window, by its x_n and y_n, in pixels (y down).
+    pub(super) fn pixels(&self, ndc: DVec2) -> DVec2 {
+        self.half_size() + DVec2::new(ndc.x, -ndc.y) * self.half_size()
+    }
+
+    /// How far [`on_grid`] may move a point of this picture, pixels: half a step of the grid in x and in y, and no more than that by
+    /// single precision, as long as that has the steps.
+    pub(super) fn of_grid(&self) -> f64 {
+        let single = 2.0 * self.half_size().max_element() * f64::from(f32::EPSILON);
+        2.0 * (0.5 / SUBPIXELS).max(single)
     }
 
     /// A point inside the volume in pixels (y down), with the depth of the display list.

@@ -54,6 +54,8 @@ pub struct Labels {
     pub left_handed: &'static str,
     /// Too many pieces to be put in order.
     pub not_split: &'static str,
+    /// Vertices are drawn beside their places.
+    pub rounded: &'static str,
 }
 
 impl Labels {

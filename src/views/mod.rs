@@ -77,9 +77,9 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     if let Some(factor) = request.overlays.stroke_factor {
         frame.drawing.strokes.iter_mut().for_each(|stroke| stroke.style.width *= factor);
     }
-    if let Some(too_much) = &mut frame.too_much {
+    if let Some(too_much) = frame.too_much.take() {
         let of_scene: BTreeSet<&str> = request.scene.objects.iter().map(|object| object.name.as_str()).collect();
-        too_much.name_only(|name| of_scene.contains(name));
+        frame.too_much = too_much.about(|name| of_scene.contains(name));
     }
     frame
 }

@@ -12,7 +12,7 @@ use crate::pipeline::clip_parts::{Parts, clip_parts};
 use crate::pipeline::cull_result::{CullResult, cull_result};
 use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
 use crate::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
-use crate::pipeline::{Frame, NEAR, PlaneSet, Target, with_triangles};
+use crate::pipeline::{Frame, NEAR, PlaneSet, Target, TooMuch, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::canonical_box::CanonicalBox;
@@ -81,7 +81,11 @@ pub(super) fn legend(request: &Request, rows: Vec<Row>, target: &Target, palette
 
 /// What a drawing shows otherwise than it was asked to.
 pub(super) fn exception(drawn: &Frame, labels: &Labels, palette: Palette) -> Option<Row> {
-    drawn.too_much.is_some().then(|| Row::Title(labels.not_split.to_owned(), palette.wrong))
+    let what = match drawn.too_much.as_ref()? {
+        TooMuch::Pieces { .. } | TooMuch::Strokes => labels.not_split,
+        TooMuch::Rounding { .. } => labels.rounded,
+    };
+    Some(Row::Title(what.to_owned(), palette.wrong))
 }
 
 /// Where it lies, and the drawing of it.

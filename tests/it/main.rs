@@ -28,6 +28,7 @@ mod layers;
 mod meshes;
 mod meshes_gltf;
 mod meshes_obj;
+mod misplaced;
 mod ndc;
 mod outline;
 mod pipeline;
