@@ -34,7 +34,7 @@ struct HealthLine {
 #[derive(Serialize)]
 struct FindingLine<'a> {
     code: &'static str,
-    objects: &'a [String],
+    objects: Vec<&'a str>,
     message: String,
     repair: Option<Changes>,
 }
@@ -73,8 +73,8 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
             .iter()
             .map(|finding| FindingLine {
                 code: finding.cause.code(),
-                objects: &finding.objects,
-                message: coach::finding(written, finding, &diagnosis),
+                objects: finding.objects().collect(),
+                message: coach::finding(written, finding, &diagnosis, &figure.scene),
                 repair: finding.repair.as_ref().map(changes),
             })
             .collect(),
@@ -87,6 +87,8 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
     };
     if let Some(path) = args.output.as_ref().filter(|_| args.repair) {
         let (repaired, note) = repaired(figure, &diagnosis, lang);
+        // The file may be for another folder than the one from which its meshes are named.
+        let repaired = files::for_folder(&repaired, args.figure.parent(), path.parent());
         let name = foreign::path(path);
         files::save(path, update(&opened.text, &repaired).as_bytes(), Overwrite::Writable)
             .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))?;

@@ -1,6 +1,7 @@
 //! The file system, for both shells: opening a figure, saving so that nothing is lost.
 
 mod look;
+mod mesh_paths;
 mod reach;
 mod save;
 mod shipped;
@@ -14,6 +15,7 @@ use crate::figure::{Figure, FigureError, read};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES};
 use crate::scene::{ReadProblem, system_words};
 pub use look::{Found, Stamp, look};
+pub use mesh_paths::{for_folder, named_in_figure};
 pub use reach::{FigureFiles, Reach};
 pub use save::{Overwrite, is_read_only, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure};

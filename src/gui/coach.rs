@@ -2,11 +2,15 @@
 
 mod depth;
 
-use eframe::egui::{self, Align, Button, Color32, Label, Layout, Rect, Response, RichText, Ui, UiBuilder, vec2};
+use eframe::egui::{
+    self, Align, Button, Color32, Label, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2,
+};
 
 use super::answers::{CANCEL, Pressed, buttons};
 use super::state::{Advice, Dialog, State};
+use crate::gui::fitted;
 use crate::gui::tooltip::Explained;
+use crate::i18n::Lang;
 use crate::i18n::coach as words;
 use crate::i18n::window::Texts;
 use crate::numerics::diagnosis::{Diagnosis, Repair, changes};
@@ -19,35 +23,56 @@ pub(super) const WIDTH: f32 = 720.0;
 pub(super) struct Brief {
     text: String,
     level: Level,
-    hint: &'static str,
+    lang: Lang,
 }
 
 impl Brief {
-    /// `None` until something is known, and in a presentation, where the room is for the keys.
+    /// What was said last, until more is known. `None` in a presentation, where the room is for the keys.
     pub(super) fn of(state: &State) -> Option<Self> {
         if state.settings.presentation {
             return None;
         }
-        let t = words::texts(state.settings.lang);
-        let Advice { diagnosis, health, .. } = state.coach.advice()?;
+        let lang = state.settings.lang;
+        let t = words::texts(lang);
+        let Some(Advice { diagnosis, health, .. }) = state.coach.newest_advice() else {
+            return Some(Self { text: t.looking.to_owned(), level: Level::Good, lang });
+        };
         let worst = health.iter().map(|line| line.level).max().unwrap_or(Level::Good);
         let findings = diagnosis.as_ref().map_or(0, |diagnosis| diagnosis.findings.len());
         let (text, level) = match diagnosis {
             Some(Diagnosis { visible: 0, .. }) => (t.image_empty.to_owned(), Level::Poor),
             _ if findings == 1 => (t.one_finding.to_owned(), Level::Fair.max(worst)),
             _ if findings > 1 => (format!("{findings} {}", t.many_findings), Level::Fair.max(worst)),
-            _ => (format!("{} {}", t.camera_is, words::level(state.settings.lang, worst)), worst),
+            _ => (words::camera_is(lang, worst), worst),
         };
-        Some(Self { text, level, hint: t.coach_hint })
+        Some(Self { text, level, lang })
+    }
+
+    /// The text of the button.
+    fn shown(text: &str, level: Level) -> String {
+        if level > Level::Good { format!("⚠ {text}") } else { text.to_owned() }
+    }
+
+    /// Room for whatever it says, so that nothing beside it moves under the pointer when it says something else.
+    fn room(&self, ui: &Ui) -> f32 {
+        let t = words::texts(self.lang);
+        let levels = [Level::Good, Level::Fair, Level::Poor];
+        let texts = levels.map(|level| Self::shown(&words::camera_is(self.lang, level), level)).into_iter();
+        let findings = [t.image_empty.to_owned(), format!("99 {}", t.many_findings)];
+        let texts = texts.chain(findings.iter().map(|text| Self::shown(text, Level::Poor)));
+        let font = TextStyle::Small.resolve(ui.style());
+        let widest = texts.map(|text| fitted::width(ui, &font, &text)).fold(0.0, f32::max);
+        (widest + 2.0 * ui.spacing().button_padding.x).ceil()
     }
 
     /// A small button with it.
     pub(super) fn button(&self, ui: &mut Ui) -> Response {
-        let mut text = RichText::new(&self.text).small();
+        let mut text = RichText::new(Self::shown(&self.text, self.level)).small();
         if self.level > Level::Good {
-            text = RichText::new(format!("⚠ {}", self.text)).small().color(color(ui, self.level));
+            text = text.color(color(ui, self.level));
         }
-        ui.add(Button::new(text)).explained(self.hint)
+        let button = Button::new(text).min_size(vec2(self.room(ui), 0.0));
+        ui.add(button).explained(words::texts(self.lang).coach_hint)
     }
 }
 
@@ -65,7 +90,7 @@ pub(super) fn why_empty(ui: &mut Ui, picture: Rect, state: &mut State) {
     let t = words::texts(lang);
     let Some(diagnosis) = state.coach.advice().and_then(|advice| advice.diagnosis.as_ref()) else { return };
     let Some(finding) = diagnosis.findings.first().filter(|_| diagnosis.visible == 0) else { return };
-    let (text, repair) = (words::finding(lang, finding, diagnosis), finding.repair);
+    let (text, repair) = (words::finding(lang, finding, diagnosis, &state.document.figure().scene), finding.repair);
     let change = repair.map(|repair| change(state, &repair));
     let room = picture.shrink2(vec2(16.0, 8.0));
     let width = room.width().min(420.0);
@@ -148,7 +173,7 @@ fn findings(ui: &mut Ui, state: &State, advice: &Advice, wish: &mut Option<Wish>
     }
     for finding in &diagnosis.findings {
         let button = finding.repair.map(|repair| (t.show_it, change(state, &repair)));
-        if line(ui, &words::finding(lang, finding, diagnosis), button) {
+        if line(ui, &words::finding(lang, finding, diagnosis, &state.document.figure().scene), button) {
             *wish = finding.repair.map(Wish::Repair);
         }
     }

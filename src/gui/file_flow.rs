@@ -12,14 +12,13 @@ use eframe::egui::{self, ViewportCommand};
 use super::document::Document;
 use super::export::{ExportError, Exporting};
 use super::gallery::Source;
-use super::mesh_paths::{for_folder, named_in_figure};
 use super::native::{FileAnswer, FileQuestion, OpenFileDialog, Wanted};
 use super::sequence::source_of;
 use super::state::{
     AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab, Theirs,
 };
 use crate::export::format::PictureFormat;
-use crate::figure::update;
+use crate::figure::{Figure, update};
 use crate::files::{self, Found};
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{gallery, scenes};
@@ -210,7 +209,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
 
 /// Puts a mesh file into the scene.
 fn mesh(state: &mut State, which: MeshFor, path: &Path) {
-    let named = named_in_figure(state.document.folder(), path);
+    let named = files::named_in_figure(state.document.folder(), path);
     match which {
         MeshFor::New => state.insert_mesh(named),
         MeshFor::Object(name) => state.document.edit(|figure| {
@@ -266,6 +265,11 @@ pub fn keep_mine(state: &mut State) {
 /// Asks what is to become of what another program has written into the figure's file.
 pub fn ask_about(state: &mut State, theirs: Theirs, then: Option<AfterSave>) {
     state.file_flow.dialog = Some(Dialog::Changed(Changed { theirs, then, comparison: None }));
+}
+
+/// The figure as it is written to `path`.
+fn for_folder(document: &Document, path: &Path) -> Figure {
+    files::for_folder(document.figure(), document.folder(), path.parent())
 }
 
 /// What saving would write.

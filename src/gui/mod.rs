@@ -30,7 +30,6 @@ mod highlight;
 mod history;
 mod key_order;
 pub mod menu;
-mod mesh_paths;
 mod motion;
 pub mod native;
 pub mod number_field;

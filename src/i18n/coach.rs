@@ -2,11 +2,13 @@
 
 use super::Lang;
 use super::cameras::warning_wording;
+use super::scenes::preset_object;
 use crate::camera::{Camera, Projection};
 use crate::foreign::shown;
 use crate::numbers::significant;
 use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value};
 use crate::numerics::health::{Health, Level, Quantity, volume_sides};
+use crate::scene::SceneSpec;
 
 texts! {
     // Of the command line.
@@ -58,6 +60,12 @@ pub const fn level(lang: Lang, level: Level) -> &'static str {
         Level::Fair => t.fair,
         Level::Poor => t.poor,
     }
+}
+
+/// How good the camera is, in two words.
+#[must_use]
+pub fn camera_is(lang: Lang, level: Level) -> String {
+    format!("{} {}", texts(lang).camera_is, self::level(lang, level))
 }
 
 /// What is judged, in a few words.
@@ -198,34 +206,43 @@ fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
     }
 }
 
-/// Why something is not in the picture, with the names concerned.
+/// Why something is not in the picture, with the names concerned, as they are called in this language; `scene`: the figure's, whose own
+/// objects have their names from its author.
 #[must_use]
-pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis) -> String {
-    let Finding { cause, partly, .. } = *finding;
-    if cause == Cause::EmptyScene {
+pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &SceneSpec) -> String {
+    if finding.cause == Cause::EmptyScene {
         return match lang {
             Lang::En => "The scene is empty: there is nothing to draw.".to_owned(),
             Lang::PtBr => "A cena está vazia: não há o que desenhar.".to_owned(),
         };
     }
-    let said = match lang {
-        Lang::En => english(cause, partly, diagnosis),
-        Lang::PtBr => portuguese(cause, partly, diagnosis),
+    let said = |partly| match lang {
+        Lang::En => english(finding.cause, partly, diagnosis),
+        Lang::PtBr => portuguese(finding.cause, partly, diagnosis),
     };
-    format!("{}: {said}", names(lang, &finding.objects))
+    let (whole, in_part) = (said(false), said(true));
+    let called = |name: &String| match name.as_str() {
+        "" if lang == Lang::En => "The scene".to_owned(),
+        "" => "A cena".to_owned(),
+        name if scene.objects.iter().any(|object| object.name == name) => shown(name),
+        name => preset_object(lang, name),
+    };
+    let [lost, cut] = [&finding.whole, &finding.partly].map(|names| names.iter().map(called).collect::<Vec<_>>());
+    // What is true of what is seen in part too is said once.
+    let groups =
+        if whole == in_part { vec![([lost, cut].concat(), whole)] } else { vec![(lost, whole), (cut, in_part)] };
+    let sentences = groups.into_iter().filter(|(names, _)| !names.is_empty());
+    sentences.map(|(names, said)| format!("{}: {said}", listed(lang, &names))).collect::<Vec<_>>().join(" ")
 }
 
 /// Some names, and how many more.
-fn names(lang: Lang, objects: &[String]) -> String {
+fn listed(lang: Lang, names: &[String]) -> String {
     const MOST: usize = 4;
-    let first: Vec<String> = objects.iter().take(MOST).map(|name| shown(name)).collect();
-    let more = objects.len().saturating_sub(MOST);
-    match (lang, more) {
-        _ if objects.is_empty() && lang == Lang::En => "The scene".to_owned(),
-        _ if objects.is_empty() => "A cena".to_owned(),
-        (_, 0) => first.join(", "),
-        (Lang::En, _) => format!("{} and {more} more", first.join(", ")),
-        (Lang::PtBr, _) => format!("{} e mais {more}", first.join(", ")),
+    let first = names.iter().take(MOST).map(String::as_str).collect::<Vec<_>>().join(", ");
+    match (lang, names.len().saturating_sub(MOST)) {
+        (_, 0) => first,
+        (Lang::En, more) => format!("{first} and {more} more"),
+        (Lang::PtBr, more) => format!("{first} e mais {more}"),
     }
 }
 

@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
+use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
-use eframe::egui::Key;
+use eframe::egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::kittest::Queryable;
 
 use super::window::Window;
@@ -63,6 +64,35 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     assert!(window.harness.query_by_label("Camera: good").is_some());
     window.command_key(Key::Z);
     assert_eq!(window.state().document.figure().camera.near, 1e-5);
+}
+
+/// A press that ends the typing in a field changes what the coach says: the button under the pointer stays the coach's, and its neighbours
+/// stay where they are.
+#[test]
+fn a_click_that_ends_typing_is_the_coachs_all_the_same() {
+    let mut window = window(Lang::En);
+    let place = |window: &Window, label: &str| window.harness.get_by_label(label).rect();
+    let (coach, stages) = (place(&window, "Camera: good").center(), place(&window, "Pipeline"));
+    window.type_into("F", "0.00001");
+    for pressed in [true, false] {
+        window.harness.event(Event::PointerMoved(coach));
+        window.harness.event(Event::PointerButton {
+            pos: coach,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        // One frame, and time for the coach to say something else.
+        window.harness.step();
+        window.app_mut().state.coach.take(Duration::from_secs(60));
+        window.harness.step();
+    }
+    settled(&mut window);
+    assert_eq!(window.state().document.figure().camera.near, 1e-5);
+    assert!(window.state().file_flow.dialog == Some(Dialog::Coach) && !window.state().layout.strip);
+    window.key(Key::Escape);
+    assert!(window.harness.query_by_label("⚠ Camera: poor").is_some());
+    assert_eq!(place(&window, "Pipeline"), stages);
 }
 
 /// Once it has said what there is to say, the coach does nothing until the figure changes.

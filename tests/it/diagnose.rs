@@ -193,6 +193,38 @@ fn the_repair_is_written_with_comments_and_shows_the_object() {
     bench.run(&["diagnose", "a.toml", "-o", "d.toml"]).refused(2);
 }
 
+/// A figure that goes to another folder still finds its meshes.
+#[test]
+fn a_repaired_figure_in_another_folder_has_the_same_meshes() {
+    let bench = Bench::new("diagnose-meshes");
+    for folder in ["aula/meshes", "other"] {
+        std::fs::create_dir_all(bench.path(folder)).unwrap();
+    }
+    bench.write("aula/meshes/face.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+    let text = "[camera]\nposition = [0, 0, 5]\nfocal_point = [0, 0, 9]\n\n[scene]\n[[scene.objects]]\nname = \"face\"\nshape = \"mesh\"\npath = \"meshes/face.obj\"  # here\n";
+    bench.write("aula/a.toml", text);
+    bench.run(&["diagnose", "aula/a.toml", "--repair", "-o", "aula/b.toml"]).done();
+    assert!(String::from_utf8(bench.read("aula/b.toml")).unwrap().contains("path = \"meshes/face.obj\"  # here"));
+    for there in ["other/b.toml", "b.toml"] {
+        bench.run(&["diagnose", "aula/a.toml", "--repair", "-o", there]).done();
+        let json = bench.run(&["diagnose", there, "--format", "json"]).json();
+        assert!(json["visible"].as_u64().unwrap() > 1000 && json["findings"].as_array().unwrap().is_empty(), "{there}");
+    }
+    assert!(String::from_utf8(bench.read("b.toml")).unwrap().contains("path = \"aula/meshes/face.obj\""));
+}
+
+/// What a named scene consists of is called by its name in the language; programs read the name itself.
+#[test]
+fn objects_of_a_named_scene_have_their_names_in_the_language() {
+    let bench = Bench::new("diagnose-names");
+    bench.write("a.toml", "[camera]\nposition = [0, 0, 9]\nfocal_point = [0, 0, 20]\n\n[scene]\npreset = \"house\"\n[[scene.objects]]\nname = \"my tree\"\nshape = \"box\"\n");
+    let json = bench.run(&["diagnose", "a.toml", "--format", "json", "--lang", "pt-BR"]).json();
+    let first = &json["findings"][0];
+    let names: Vec<&str> = first["objects"].as_array().unwrap().iter().map(|name| name.as_str().unwrap()).collect();
+    assert!(names.contains(&"walls") && names.contains(&"my tree"), "{names:?}");
+    assert!(first["message"].as_str().unwrap().starts_with("chão, paredes, telhado, chaminé e mais "), "{first}");
+}
+
 /// The figures that come with the program are as they should be.
 #[test]
 fn nothing_is_wrong_with_the_figures_that_come_with_the_program() {

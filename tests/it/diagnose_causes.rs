@@ -4,6 +4,7 @@
 
 use camera_lab::appearance::Style;
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
+use camera_lab::i18n::{Lang, coach};
 use camera_lab::numerics::diagnosis::{Cause, Diagnosis, diagnose};
 use camera_lab::numerics::random::Random;
 use camera_lab::pipeline::{Target, draw};
@@ -115,7 +116,7 @@ fn hold(seed: u64, cause: Cause, case: &Case, scene: &Scene) -> Diagnosis {
     assert_eq!(diagnosis.covered, diagnosis.visible as f64 / (160.0 * 120.0));
     let Some(first) = diagnosis.findings.first() else { panic!("{seed}: no finding, {:?}", case.camera.parameters()) };
     assert_eq!(first.cause, cause, "{seed}: {:?}\n{:?}", diagnosis.findings, case.camera.parameters());
-    assert_eq!(first.objects, ["thing"], "{seed}");
+    assert_eq!(first.objects().collect::<Vec<_>>(), ["thing"], "{seed}");
     let repair = first.repair.unwrap_or_else(|| panic!("{seed}: no repair for {cause:?}"));
     assert!(!repair.changes(case.camera.parameters(), &Style::default()).is_empty());
     assert!(pixels(scene, &repair.camera, &repair.style) > 0, "{seed}: {repair:?}");
@@ -310,8 +311,37 @@ fn the_cause_of_most_objects_comes_first() {
         scene(vec![ball("a", -50.0, -10.0), ball("b", 0.0, 10.0), ball("c", 4.0, 20.0), ball("d", 0.0, -200.0)]);
     let diagnosis = diagnose(&scene, &Camera::new(&p).unwrap(), &Style::default(), IMAGE).unwrap();
     let first = &diagnosis.findings[0];
-    assert_eq!((first.cause, first.objects.join(" ")), (Cause::BehindCamera, "b c".to_owned()));
+    assert_eq!((first.cause, first.whole.join(" ")), (Cause::BehindCamera, "b c".to_owned()));
     assert_eq!(diagnosis.findings.len(), 3);
+}
+
+/// What is lost whole and what is lost in part for the same reason is one finding, and what is done about it shows the former.
+#[test]
+fn a_cause_is_said_once_with_what_is_lost_whole_and_in_part() {
+    let p = Parameters { position: DVec3::ZERO, focal_point: DVec3::NEG_Z, far: 20.0, ..Parameters::default() };
+    let ball = |name: &str, z: f64| ObjectSpec::new(name, Shape::Sphere).at(0.0, 0.0, z).scaled(3.0, 3.0, 3.0);
+    let scene = scene(vec![ball("seen", -12.0), ball("in part", -21.0), ball("lost", -40.0)]);
+    let diagnosis = diagnose(&scene, &Camera::new(&p).unwrap(), &Style::default(), IMAGE).unwrap();
+    let [finding] = &diagnosis.findings[..] else { panic!("{:?}", diagnosis.findings) };
+    assert_eq!(finding.cause, Cause::BeyondFar);
+    assert_eq!((finding.whole.join(" "), finding.partly.join(" ")), ("lost".to_owned(), "in part".to_owned()));
+    assert_eq!(finding.objects().collect::<Vec<_>>(), ["lost", "in part"]);
+    let far = finding.repair.unwrap().camera.far;
+    assert!(far > 43.0, "{far}");
+    let texts = [
+        (
+            Lang::En,
+            "lost: farther than the far plane, −z_c > B: clipping takes away what is there. in part: most of it is farther",
+        ),
+        (
+            Lang::PtBr,
+            "lost: mais longe que o plano de trás, −z_c > B: o recorte elimina o que está ali. in part: a maior parte está",
+        ),
+    ];
+    for (lang, text) in texts {
+        let said = coach::finding(lang, finding, &diagnosis, &SceneSpec::default());
+        assert!(said.starts_with(text), "{said}");
+    }
 }
 
 #[test]

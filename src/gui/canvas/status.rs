@@ -1,7 +1,7 @@
 //! The lines under the pictures: what the pointer does and where it is, and the coordinates of the probe.
 
 use eframe::egui::{
-    self, Align, Color32, FontId, Label, Layout, Popup, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2,
+    self, Align, Color32, FontId, Id, Label, Layout, Popup, Rect, RichText, TextStyle, Ui, UiBuilder, pos2, vec2,
 };
 
 use super::icons::{Icon, icon_button};
@@ -123,16 +123,17 @@ impl Status {
                         ui.add(Label::new(RichText::new(&self.aside).small()).selectable(false));
                     }
                     if let Some(brief) = &self.coach
-                        && brief.button(ui).clicked()
+                        && named(ui, "coach", |ui| brief.button(ui)).clicked()
                     {
                         action = Some(StatusAction::Coach);
                     }
                     let stages = egui::Button::selectable(self.strip, RichText::new(texts.strip).small());
-                    if ui.add(stages.frame_when_inactive(true)).explained(texts.strip_show).clicked() {
+                    let stages = stages.frame_when_inactive(true);
+                    if named(ui, "stages", |ui| ui.add(stages)).explained(texts.strip_show).clicked() {
                         action = Some(StatusAction::Strip);
                     }
                     if let Some(now) = self.arrangement {
-                        action = arrangement_menu(ui, now, texts).or(action);
+                        action = named(ui, "arrangement", |ui| arrangement_menu(ui, now, texts)).or(action);
                     }
                 },
             );
@@ -191,6 +192,12 @@ impl Status {
             response.explained_by(|ui| table(ui, &self.exact));
         }
     }
+}
+
+/// A button that is the same whatever comes before it: one that is pressed is let go of as itself, also where what stands before it
+/// comes or goes meanwhile.
+fn named<R>(ui: &mut Ui, name: &'static str, button: impl FnOnce(&mut Ui) -> R) -> R {
+    ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("under the pictures", name))), button).inner
 }
 
 fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) -> Option<StatusAction> {

@@ -74,6 +74,12 @@ impl Coach {
     pub fn advice(&self) -> Option<&Advice> {
         self.known.as_ref().filter(|(of, _)| Some(of) == self.asked.as_ref()).map(|(_, advice)| advice)
     }
+
+    /// The same, or what was said last, while what has changed since is looked at.
+    #[must_use]
+    pub fn newest_advice(&self) -> Option<&Advice> {
+        self.known.as_ref().map(|(_, advice)| advice)
+    }
 }
 
 impl State {

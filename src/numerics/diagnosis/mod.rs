@@ -92,12 +92,20 @@ impl Cause {
 pub struct Finding {
     /// Why.
     pub cause: Cause,
-    /// The names of the objects concerned, in the order of the scene; empty for what has no name.
-    pub objects: Vec<String>,
-    /// Something of them is seen all the same.
-    pub partly: bool,
-    /// What shows them; `None` where no change of the camera does.
+    /// The names of the objects that are lost whole, in the order of the scene; what has no name has an empty one.
+    pub whole: Vec<String>,
+    /// The names of those of which something is seen all the same.
+    pub partly: Vec<String>,
+    /// What shows those for which it is most useful: where there are any, those that this alone keeps out of the picture. `None` where no
+    /// change of the camera does.
     pub repair: Option<Repair>,
+}
+
+impl Finding {
+    /// The names of all objects concerned: those that are lost whole, and the others.
+    pub fn objects(&self) -> impl Iterator<Item = &str> {
+        self.whole.iter().chain(&self.partly).map(String::as_str).filter(|name| !name.is_empty())
+    }
 }
 
 /// What is seen, and why not more.
@@ -121,7 +129,7 @@ pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize)
     let subjects = Subject::all(scene);
     let mut findings = Findings::default();
     if subjects.is_empty() {
-        findings.0.push(Group { cause: Cause::EmptyScene, rank: 0, members: Vec::new(), partly: false });
+        findings.0.push(Group { cause: Cause::EmptyScene, rank: 0, members: Vec::new() });
     }
     let mut looked = Looked { scene, camera, style, image, counter };
     let mut seen = Vec::new();
@@ -144,53 +152,75 @@ pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize)
     let opened = looked.opened_by_near(&subjects, &drawn.objects);
     opened.into_iter().for_each(|index| findings.note(Cause::HiddenByNearCut, index, true, 1));
     if drawn.pixels > 0 && covered < FEW && !seen.is_empty() {
-        findings.few(seen);
+        findings.few(&seen);
     }
     let findings = findings.sorted().into_iter().map(|group| {
-        let members: Vec<&Subject> = group.members.iter().map(|&i| &subjects[i]).collect();
-        let objects = members.iter().map(|s| s.name).filter(|name| !name.is_empty()).map(str::to_owned).collect();
-        let repair = looked.repair(group.cause, &members);
-        Finding { cause: group.cause, objects, partly: group.partly, repair }
+        let names = |partly: bool| {
+            let members = group.members.iter().filter(|member| member.partly == partly);
+            members.map(|member| subjects[member.subject].name.to_owned()).collect()
+        };
+        let leading: Vec<&Subject> = group.leading().map(|member| &subjects[member.subject]).collect();
+        let repair = looked.repair(group.cause, &leading);
+        Finding { cause: group.cause, whole: names(false), partly: names(true), repair }
     });
     Some(Diagnosis { visible: drawn.pixels, covered, findings: findings.collect() })
+}
+
+/// A subject with a cause.
+struct Member {
+    /// Its place among the subjects.
+    subject: usize,
+    /// As that of its group.
+    rank: u8,
+    /// Something of it is seen all the same.
+    partly: bool,
 }
 
 /// Subjects with the same cause.
 struct Group {
     cause: Cause,
-    /// 0: first of all; 1: what is not shown, or wrongly; 2: what comes on top of another cause, or is shown in part.
+    /// The least of its members. 0: first of all; 1: what is not shown, or wrongly; 2: what comes on top of another cause, or is shown in
+    /// part.
     rank: u8,
-    members: Vec<usize>,
-    partly: bool,
+    /// In the order of the scene.
+    members: Vec<Member>,
 }
 
-/// What has been found so far.
+impl Group {
+    /// The members of which it has its rank.
+    fn leading(&self) -> impl Iterator<Item = &Member> {
+        self.members.iter().filter(|member| member.rank == self.rank)
+    }
+}
+
+/// What has been found so far, one group for each cause.
 #[derive(Default)]
 struct Findings(Vec<Group>);
 
 impl Findings {
-    fn note(&mut self, cause: Cause, index: usize, partly: bool, rank: u8) {
-        match self.0.iter_mut().find(|group| group.cause == cause && group.rank == rank) {
+    fn note(&mut self, cause: Cause, subject: usize, partly: bool, rank: u8) {
+        let member = Member { subject, rank, partly };
+        match self.0.iter_mut().find(|group| group.cause == cause) {
             Some(group) => {
-                group.members.push(index);
-                group.partly &= partly;
+                group.rank = group.rank.min(rank);
+                group.members.push(member);
             }
-            None => self.0.push(Group { cause, rank, members: vec![index], partly }),
+            None => self.0.push(Group { cause, rank, members: vec![member] }),
         }
     }
 
     /// All that is seen is tiny. Where some of it is larger than a pixel, that some is smaller is not worth a word.
-    fn few(&mut self, seen: Vec<usize>) {
+    fn few(&mut self, seen: &[usize]) {
         let tiny = |group: &Group| group.cause == Cause::SmallerThanPixel;
         if self.0.iter().filter(|group| tiny(group)).flat_map(|group| &group.members).count() < seen.len() {
             self.0.retain(|group| !tiny(group));
-            self.0.push(Group { cause: Cause::FewPixels, rank: 0, members: seen, partly: true });
+            seen.iter().for_each(|&subject| self.note(Cause::FewPixels, subject, true, 0));
         }
     }
 
     /// The most useful first: what concerns most objects, and is the first to stand in the way.
     fn sorted(mut self) -> Vec<Group> {
-        self.0.sort_by_key(|group| (group.rank, std::cmp::Reverse(group.members.len()), group.cause));
+        self.0.sort_by_key(|group| (group.rank, std::cmp::Reverse(group.leading().count()), group.cause));
         self.0
     }
 }

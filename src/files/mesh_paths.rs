@@ -1,38 +1,44 @@
 //! How figures name the files of their meshes.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::document::Document;
+use super::{is_network, whole};
 use crate::figure::Figure;
-use crate::files;
 use crate::scene::Shape;
 
 /// How a figure in this folder names a file: relative to the folder where the file lies in it, with slashes; else by its
 /// whole path.
-pub(super) fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
-    let whole = files::whole(path);
-    let folder = folder.map(files::whole);
-    match folder.as_deref().and_then(|folder| whole.strip_prefix(folder).ok()) {
+#[must_use]
+pub fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
+    let file = whole(path);
+    let folder = folder.map(whole_folder);
+    match folder.as_deref().and_then(|folder| file.strip_prefix(folder).ok()) {
         Some(inside) => {
             let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
             parts.join("/")
         }
-        None => whole.to_string_lossy().into_owned(),
+        None => file.to_string_lossy().into_owned(),
     }
 }
 
-/// The figure as it is written to `to`: in another folder it names its meshes anew, so that they are the same files.
-pub(super) fn for_folder(document: &Document, to: &Path) -> Figure {
-    let mut figure = document.figure().clone();
-    let (from, to) = (document.folder(), to.parent());
-    if from == to {
+/// The folder of a file that is named without one is the current folder.
+fn whole_folder(folder: &Path) -> PathBuf {
+    whole(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
+}
+
+/// A figure that names files as from the folder `from`, as it is written into the folder `to`: in another one it names its meshes anew, so
+/// that they are the same files. A figure without a folder names them as from where the program was started.
+#[must_use]
+pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Figure {
+    let mut figure = figure.clone();
+    if from.map(whole_folder) == to.map(whole_folder) {
         return figure;
     }
     for object in &mut figure.scene.objects {
         if let Some(Shape::Mesh { path }) = &mut object.shape {
             let file = from.unwrap_or(Path::new("")).join(&path);
             // A foreign figure must not make the system look for another machine.
-            if !files::is_network(&file) && file.exists() {
+            if !is_network(&file) && file.exists() {
                 *path = named_in_figure(to, &file);
             }
         }
