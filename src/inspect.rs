@@ -5,8 +5,8 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use crate::camera::{
-    Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, Operation, Parameters, Projection,
-    Stations, ViewWindow, Viewport, Warning,
+    Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, NoWayBack, Operation, Parameters,
+    Projection, Stations, ViewWindow, Viewport, Warning,
 };
 use crate::figure::Figure;
 
@@ -199,6 +199,14 @@ pub enum InspectError {
         /// The first space that cannot hold it.
         space: &'static str,
     },
+    /// A pixel with a depth that no point has.
+    #[error("depth pixel {},{}: {error}", pixel[0], pixel[1])]
+    DepthPixel {
+        /// (i, j).
+        pixel: [i64; 2],
+        /// Why.
+        error: NoWayBack,
+    },
     /// A pixel has a ray that `f64` cannot hold, or the image has no pixels.
     #[error("pixel {},{}: its ray would exceed the range of numbers (about 1e-308 to 1e308)", pixel[0], pixel[1])]
     Pixel {
@@ -291,12 +299,17 @@ impl Report {
     #[must_use]
     pub fn to_json(&self) -> String {
         // A report has nothing that could fail to become a JSON value.
-        let value = serde_json::to_value(self).unwrap_or_default();
-        let mut text = String::new();
-        write_json(&mut text, &value, "");
-        text.push('\n');
-        text
+        json_text(&serde_json::to_value(self).unwrap_or_default())
     }
+}
+
+/// A JSON value as reports are written: indented, vectors and rows on one line, with a line break at its end.
+#[must_use]
+pub fn json_text(value: &Value) -> String {
+    let mut text = String::new();
+    write_json(&mut text, value, "");
+    text.push('\n');
+    text
 }
 
 fn write_json(text: &mut String, value: &Value, indent: &str) {

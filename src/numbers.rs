@@ -3,6 +3,10 @@
 use std::cmp::Ordering;
 use std::time::Duration;
 
+mod exact;
+
+pub use exact::{ExactForm, exact_form};
+
 /// More digits than these are exact: the shortest text that reads back as the same `f64`.
 pub const EXACT_DIGITS: usize = 17;
 

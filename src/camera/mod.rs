@@ -29,6 +29,7 @@ mod ray;
 mod stations;
 mod volume;
 mod warnings;
+mod way_back;
 mod window;
 
 pub use basis::Basis;
@@ -40,6 +41,7 @@ pub use operations::{Changes, Convention, Operation};
 pub use parameters::{CameraError, Derived, Parameters, Projection, Range, ViewWindow};
 pub use stations::{Projected, Stations};
 pub use warnings::{Warning, thresholds};
+pub use way_back::{NoWayBack, WayBack};
 
 use glam::DVec3;
 

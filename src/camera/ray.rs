@@ -51,7 +51,7 @@ impl Camera {
 }
 
 /// Exactly `i`: 63 bits fit into two halves of 32.
-fn whole(i: i64) -> Dd {
+pub(super) fn whole(i: i64) -> Dd {
     let (high, low) = ((i >> 32) as i32, (i & 0xffff_ffff) as u32);
     Dd::sum(f64::from(high) * 4_294_967_296.0, f64::from(low))
 }

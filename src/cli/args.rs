@@ -64,9 +64,15 @@ pub(super) struct InspectArgs {
     /// A world point to follow through every space
     #[arg(long = "point", value_name = "X,Y,Z", allow_hyphen_values = true)]
     points: Vec<String>,
+    /// Adds each point's whole arithmetic, step by step from the world to pixel and viewport
+    #[arg(long, requires = "points")]
+    pub(super) trace: bool,
     /// A pixel (column, row; 0,0 is the top left) whose ray is wanted
     #[arg(long = "pixel", value_name = "I,J", allow_hyphen_values = true)]
     pixels: Vec<String>,
+    /// A pixel with a depth Z of (5.25): its centre is followed back to the world, step by step
+    #[arg(long = "depth-pixel", value_name = "I,J,Z", allow_hyphen_values = true)]
+    depth_pixels: Vec<String>,
     /// Whose normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too: glClipControl with zero to one), -infinite
     /// lets the far plane go to infinity (in perspective). Vulkan's y points down; pixels, window and viewport are the same in all
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
@@ -380,10 +386,22 @@ impl InspectArgs {
         self.pixels.iter().map(read).collect()
     }
 
+    /// Pixels with a depth: (i, j) and Z.
+    pub(super) fn depth_pixels(&self, lang: Lang) -> Result<Vec<([i64; 2], f64)>, Failure> {
+        let read = |text: &String| {
+            let parts: Vec<&str> = expression::parts(text).map(str::trim).collect();
+            let fault = || Failure::BadInput(texts::depth_pixel(lang, text));
+            let [i, j, z] = parts[..] else { return Err(fault()) };
+            let pixel = [i.parse().map_err(|_| fault())?, j.parse().map_err(|_| fault())?];
+            Ok((pixel, expression::evaluate(z, Dimension::Number).map_err(|_| fault())?))
+        };
+        self.depth_pixels.iter().map(read).collect()
+    }
+
     /// The only format so far, so that nothing depends on it.
-    pub(super) fn to_text(&self, report: &crate::inspect::Report) -> String {
+    pub(super) fn to_text(&self, json: impl FnOnce() -> String) -> String {
         match self.format {
-            Format::Json => report.to_json(),
+            Format::Json => json(),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::Lang;
 use super::expressions::in_expression;
 use super::wording::Wording;
 use crate::camera::{
-    Amount, CameraError, Derived, Descriptor, InfiniteParallel, Operation, OperationError, Range, Warning,
+    Amount, CameraError, Derived, Descriptor, InfiniteParallel, NoWayBack, Operation, OperationError, Range, Warning,
 };
 use crate::foreign::shown;
 use crate::inspect::InspectError;
@@ -182,6 +182,23 @@ pub(super) fn infinite_parallel(lang: Lang, error: InfiniteParallel) -> String {
     }
 }
 
+/// Why a depth belongs to no point.
+#[must_use]
+fn no_way_back(lang: Lang, error: NoWayBack) -> String {
+    match (lang, error) {
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, NoWayBack::EmptyDepthRange { depth }) => {
+            format!("toda profundidade é {depth}: com depth_near = depth_far perde-se o caminho de volta")
+        }
+        (Lang::PtBr, NoWayBack::BeyondInfinity { depth, near, infinity }) => format!(
+            "profundidade {depth}: nenhum ponto do mundo está tão longe; do plano da frente ao infinito, as profundidades vão de {near} até antes de {infinity}"
+        ),
+        (Lang::PtBr, NoWayBack::Overflow { depth }) => format!(
+            "profundidade {depth}: as coordenadas do ponto excederiam os limites dos números (cerca de 1e-308 a 1e308)"
+        ),
+    }
+}
+
 /// Why there are no numbers to report.
 #[must_use]
 pub fn inspect(lang: Lang, error: &InspectError) -> String {
@@ -197,6 +214,9 @@ pub fn inspect(lang: Lang, error: &InspectError) -> String {
             format!(
                 "ponto {x},{y},{z}: suas coordenadas ({space}) excederiam os limites dos números (cerca de 1e-308 a 1e308)"
             )
+        }
+        (Lang::PtBr, InspectError::DepthPixel { pixel: [i, j], error }) => {
+            format!("pixel {i},{j} com profundidade: {}", no_way_back(lang, *error))
         }
         (Lang::PtBr, InspectError::Pixel { pixel: [i, j] }) => {
             format!("pixel {i},{j}: seu raio excederia os limites dos números (cerca de 1e-308 a 1e308)")

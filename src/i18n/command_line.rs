@@ -144,6 +144,20 @@ pub fn pixel(lang: Lang, text: &str) -> String {
     }
 }
 
+/// A text that is not a pixel with a depth.
+#[must_use]
+pub fn depth_pixel(lang: Lang, text: &str) -> String {
+    let text = shown(text);
+    match lang {
+        Lang::En => format!(
+            "--depth-pixel is \"{text}\"; allowed: two integers and a number I,J,Z (column, row, depth), such as --depth-pixel 512,384,0.5"
+        ),
+        Lang::PtBr => format!(
+            "--depth-pixel é \"{text}\"; permitido: dois inteiros e um número I,J,Z (coluna, linha, profundidade), como --depth-pixel 512,384,0.5"
+        ),
+    }
+}
+
 /// A pixel that the image does not have. It has a ray all the same.
 #[must_use]
 pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {

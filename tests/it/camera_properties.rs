@@ -78,7 +78,7 @@ pub(super) fn any_camera() -> BoxedStrategy<Camera> {
 }
 
 /// Cameras of everyday size.
-fn plain_camera() -> BoxedStrategy<Camera> {
+pub(super) fn plain_camera() -> BoxedStrategy<Camera> {
     let vector = || [-10.0..10.0, -10.0..10.0, -10.0..10.0].prop_map(DVec3::from_array);
     (vector(), vector(), vector(), any_lens())
         .prop_filter_map("no camera", |(position, focal_point, view_up, lens)| {

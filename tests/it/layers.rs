@@ -36,6 +36,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("clock", &[]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
     ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
+    ("explain", &["geometry", "camera", "scene", "figure", "inspect", "numbers"]),
     // The enums of errors, warnings, labels and stages.
     (
         "i18n",
@@ -52,6 +53,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "pipeline",
             "picture",
             "numerics",
+            "explain",
         ],
     ),
     ("cli", EVERYTHING),
@@ -59,6 +61,7 @@ const TABLE: &[(&str, &[&str])] = &[
 ];
 
 const EVERYTHING: &[&str] = &[
+    "explain",
     "numerics",
     "numbers",
     "expression",

@@ -1,0 +1,24 @@
+//! Every number explained: the formulas of the matrices, and a point followed from space to space with its whole arithmetic, as data that
+//! the window, the command line and exported texts share.
+//!
+//! A [`Formula`] is written in the notes' [`Symbol`]s; a [`Setting`] (a camera in a convention of NDC, with image, viewport and what is
+//! followed) gives each of them its number. What is shown of a formula, with its symbols or with its numbers, comes from the same tree
+//! that is evaluated, so that the two cannot disagree.
+
+mod definitions;
+mod formula;
+mod matrices;
+mod report;
+mod setting;
+mod symbol;
+mod trace;
+mod writing;
+
+pub use definitions::{Definition, definition, leaves};
+pub use formula::{Formula, Function};
+pub use matrices::{EntryFormula, MatrixFormula};
+pub use report::{DepthPixelReport, json};
+pub use setting::{Placement, Setting};
+pub use symbol::{Axis, Component, Matrix, Symbol, Vector};
+pub use trace::{Step, back, forward};
+pub use writing::{Notation, Numbers, Writer};

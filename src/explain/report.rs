@@ -1,0 +1,68 @@
+//! What `camera-lab inspect` prints of points that are followed: their traces, and pixels with a depth on their way back.
+
+use serde::Serialize;
+
+use super::{Setting, Step, back, forward};
+use crate::camera::{NoWayBack, WayBack};
+use crate::inspect::{Report, json_text};
+
+/// A pixel with a depth, followed back to the world.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DepthPixelReport {
+    /// (i, j)
+    pub pixel: [i64; 2],
+    /// Z
+    pub depth: f64,
+    /// (x_p, y_p) of the pixel's centre.
+    pub window: [f64; 2],
+    /// NDC.
+    pub ndc: [f64; 3],
+    /// Clip coordinates.
+    pub clip: [f64; 4],
+    /// VRC.
+    pub view: [f64; 3],
+    /// World.
+    pub world: [f64; 3],
+    /// Step by step, from the pixel to the world.
+    pub trace: Vec<Step>,
+}
+
+impl DepthPixelReport {
+    /// The way back from the centre of a pixel with a depth.
+    ///
+    /// # Errors
+    /// [`NoWayBack`]: the depth belongs to no point.
+    pub fn new(setting: &Setting<'_>, pixel: [i64; 2], depth: f64) -> Result<Self, NoWayBack> {
+        let way = setting.space().way_back(setting.image(), &setting.viewport(), pixel, depth)?;
+        let trace = back(setting, &way);
+        let WayBack { pixel, depth, window, ndc, clip, view, world } = way;
+        Ok(Self {
+            pixel,
+            depth,
+            window: window.to_array(),
+            ndc: ndc.to_array(),
+            clip: clip.to_array(),
+            view: view.to_array(),
+            world: world.to_array(),
+            trace,
+        })
+    }
+}
+
+/// The report as JSON, as [`Report::to_json`], with the `trace` of each of its points where that is wanted, and with `depth_pixels` where there are
+/// such.
+#[must_use]
+pub fn json(report: &Report, setting: &Setting<'_>, traced: bool, depth_pixels: &[DepthPixelReport]) -> String {
+    // Neither a report nor a trace has anything that could fail to become a JSON value.
+    let mut value = serde_json::to_value(report).unwrap_or_default();
+    if traced {
+        for (point, entry) in report.points.iter().zip(value["points"].as_array_mut().into_iter().flatten()) {
+            let steps = forward(&setting.clone().with_point(point.world.into()));
+            entry["trace"] = serde_json::to_value(steps).unwrap_or_default();
+        }
+    }
+    if !depth_pixels.is_empty() {
+        value["depth_pixels"] = serde_json::to_value(depth_pixels).unwrap_or_default();
+    }
+    json_text(&value)
+}

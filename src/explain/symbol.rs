@@ -1,0 +1,366 @@
+//! The notes' symbols.
+
+/// A coordinate of a point or of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Component {
+    /// x
+    X,
+    /// y
+    Y,
+    /// z
+    Z,
+    /// w, of homogeneous coordinates
+    W,
+}
+
+impl Component {
+    /// x, y and z.
+    pub const THREE: [Self; 3] = [Self::X, Self::Y, Self::Z];
+    /// x, y, z and w.
+    pub const FOUR: [Self; 4] = [Self::X, Self::Y, Self::Z, Self::W];
+
+    /// Its place in a row.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// Its letter.
+    #[must_use]
+    pub const fn letter(self) -> char {
+        match self {
+            Self::X => 'x',
+            Self::Y => 'y',
+            Self::Z => 'z',
+            Self::W => 'w',
+        }
+    }
+}
+
+/// An axis of the VRC.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Axis {
+    /// **u**
+    U,
+    /// **v**
+    V,
+    /// **n**
+    N,
+}
+
+impl Axis {
+    /// In the order of the rows of M_v.
+    pub const ALL: [Self; 3] = [Self::U, Self::V, Self::N];
+}
+
+/// A vector that has a name of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Vector {
+    /// **u**, **v** or **n**
+    Axis(Axis),
+    /// **c** = C − O
+    Position,
+    /// PF − C
+    ToFocalPoint,
+    /// VUP × **n**
+    UpCrossNormal,
+}
+
+/// A matrix of the notes, or its inverse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Matrix {
+    /// M_m, of one object: local → world.
+    Model,
+    /// `M_m⁻¹`
+    InverseModel,
+    /// The M_m of the object's parent.
+    Parent,
+    /// Its inverse.
+    InverseParent,
+    /// M_v, `[0]` (5.7): world → view.
+    View,
+    /// `M_v⁻¹`
+    InverseView,
+    /// M_p, `[0]` (5.13) to (5.16): view → clip.
+    Projection,
+    /// `M_p⁻¹`
+    InverseProjection,
+    /// M_p M_v: world → clip.
+    ViewProjection,
+    /// (M_p `M_v)⁻¹`
+    InverseViewProjection,
+    /// `M_vp`, of (5.24) before the floor, and (5.25): NDC → viewport.
+    Viewport,
+    /// `M_vp⁻¹`
+    InverseViewport,
+}
+
+impl Matrix {
+    /// Those that a figure has, in the order in which a point meets them; each with its inverse behind it.
+    pub const ALL: [Self; 10] = [
+        Self::Model,
+        Self::InverseModel,
+        Self::View,
+        Self::InverseView,
+        Self::Projection,
+        Self::InverseProjection,
+        Self::ViewProjection,
+        Self::InverseViewProjection,
+        Self::Viewport,
+        Self::InverseViewport,
+    ];
+
+    /// The matrix that undoes it.
+    #[must_use]
+    pub const fn inverse(self) -> Self {
+        match self {
+            Self::Model => Self::InverseModel,
+            Self::InverseModel => Self::Model,
+            Self::Parent => Self::InverseParent,
+            Self::InverseParent => Self::Parent,
+            Self::View => Self::InverseView,
+            Self::InverseView => Self::View,
+            Self::Projection => Self::InverseProjection,
+            Self::InverseProjection => Self::Projection,
+            Self::ViewProjection => Self::InverseViewProjection,
+            Self::InverseViewProjection => Self::ViewProjection,
+            Self::Viewport => Self::InverseViewport,
+            Self::InverseViewport => Self::Viewport,
+        }
+    }
+
+    /// Its symbol as text: `M_v`, `M_p⁻¹`.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Model => "M_m",
+            Self::InverseModel => "M_m⁻¹",
+            Self::Parent => "M_parent",
+            Self::InverseParent => "M_parent⁻¹",
+            Self::View => "M_v",
+            Self::InverseView => "M_v⁻¹",
+            Self::Projection => "M_p",
+            Self::InverseProjection => "M_p⁻¹",
+            Self::ViewProjection => "M_p M_v",
+            Self::InverseViewProjection => "(M_p M_v)⁻¹",
+            Self::Viewport => "M_vp",
+            Self::InverseViewport => "M_vp⁻¹",
+        }
+    }
+
+    /// Its symbol in LaTeX.
+    #[must_use]
+    pub const fn latex(self) -> &'static str {
+        match self {
+            Self::Model => r"\mathbf{M}_m",
+            Self::InverseModel => r"\mathbf{M}_m^{-1}",
+            Self::Parent => r"\mathbf{M}_{\mathrm{parent}}",
+            Self::InverseParent => r"\mathbf{M}_{\mathrm{parent}}^{-1}",
+            Self::View => r"\mathbf{M}_v",
+            Self::InverseView => r"\mathbf{M}_v^{-1}",
+            Self::Projection => r"\mathbf{M}_p",
+            Self::InverseProjection => r"\mathbf{M}_p^{-1}",
+            Self::ViewProjection => r"\mathbf{M}_p \mathbf{M}_v",
+            Self::InverseViewProjection => r"(\mathbf{M}_p \mathbf{M}_v)^{-1}",
+            Self::Viewport => r"\mathbf{M}_{vp}",
+            Self::InverseViewport => r"\mathbf{M}_{vp}^{-1}",
+        }
+    }
+
+    /// The letters of its entries: `p` in p₁₁.
+    pub(super) const fn entry_letter(self) -> &'static str {
+        match self {
+            Self::Model | Self::InverseModel => "m",
+            Self::Parent | Self::InverseParent => "a",
+            Self::View | Self::InverseView => "v",
+            Self::Projection | Self::InverseProjection => "p",
+            Self::ViewProjection | Self::InverseViewProjection => "q",
+            Self::Viewport | Self::InverseViewport => "d",
+        }
+    }
+}
+
+/// What stands for a number in a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Symbol {
+    /// `u_x` … `n_z`
+    Axis(Axis, Component),
+    /// `c_x`, `c_y`, `c_z`: C
+    Position(Component),
+    /// `PF_x`, `PF_y`, `PF_z`
+    FocalPoint(Component),
+    /// `VUP_x`, `VUP_y`, `VUP_z`
+    ViewUp(Component),
+    /// D
+    Distance,
+    /// F
+    Near,
+    /// B
+    Far,
+    /// l
+    Left,
+    /// r
+    Right,
+    /// b
+    Bottom,
+    /// t
+    Top,
+    /// W
+    Width,
+    /// H
+    Height,
+    /// A
+    Aspect,
+    /// θ, degrees
+    ViewAngle,
+    /// m, columns of the image
+    ImageWidth,
+    /// n, rows of the image; written `n_j` beside the **n** of the VRC
+    ImageHeight,
+    /// `X_v`
+    ViewportX,
+    /// `Y_v`
+    ViewportY,
+    /// `W_v`
+    ViewportWidth,
+    /// `H_v`
+    ViewportHeight,
+    /// n of glDepthRange, written `d_n`
+    DepthNear,
+    /// f of glDepthRange, written `d_f`
+    DepthFar,
+    /// `t_x`, `t_y`, `t_z` of an object
+    Translate(Component),
+    /// `φ_x`, `φ_y`, `φ_z` of an object, degrees
+    Rotate(Component),
+    /// `s_x`, `s_y`, `s_z` of an object
+    Scale(Component),
+    /// An entry of a matrix: row and column from 0
+    Entry(Matrix, u8, u8),
+    /// `x_o`, `y_o`, `z_o`: a point in the space of its object
+    Local(Component),
+    /// x, y, z: a point of the world
+    World(Component),
+    /// x_c, y_c, z_c
+    View(Component),
+    /// x_r, y_r, z_r, w_r
+    Clip(Component),
+    /// x_n, y_n, z_n
+    Ndc(Component),
+    /// x_p, y_p
+    Window(Component),
+    /// i, j
+    Pixel(Component),
+    /// X, Y, Z
+    Viewport(Component),
+}
+
+impl Symbol {
+    /// The letters, and what stands below them.
+    const fn parts(self) -> (&'static str, &'static str) {
+        const fn below(component: Component) -> &'static str {
+            match component {
+                Component::X => "x",
+                Component::Y => "y",
+                Component::Z => "z",
+                Component::W => "w",
+            }
+        }
+        match self {
+            Self::Axis(Axis::U, component) => ("u", below(component)),
+            Self::Axis(Axis::V, component) => ("v", below(component)),
+            Self::Axis(Axis::N, component) => ("n", below(component)),
+            Self::Position(component) => ("c", below(component)),
+            Self::FocalPoint(component) => ("PF", below(component)),
+            Self::ViewUp(component) => ("VUP", below(component)),
+            Self::Distance => ("D", ""),
+            Self::Near => ("F", ""),
+            Self::Far => ("B", ""),
+            Self::Left => ("l", ""),
+            Self::Right => ("r", ""),
+            Self::Bottom => ("b", ""),
+            Self::Top => ("t", ""),
+            Self::Width => ("W", ""),
+            Self::Height => ("H", ""),
+            Self::Aspect => ("A", ""),
+            Self::ViewAngle => ("θ", ""),
+            Self::ImageWidth => ("m", ""),
+            Self::ImageHeight => ("n", ""),
+            Self::ViewportX => ("X", "v"),
+            Self::ViewportY => ("Y", "v"),
+            Self::ViewportWidth => ("W", "v"),
+            Self::ViewportHeight => ("H", "v"),
+            Self::DepthNear => ("n", "d"),
+            Self::DepthFar => ("f", "d"),
+            Self::Translate(component) => ("t", below(component)),
+            Self::Rotate(component) => ("φ", below(component)),
+            Self::Scale(component) => ("s", below(component)),
+            Self::Entry(matrix, ..) => (matrix.entry_letter(), ""),
+            Self::Local(component) => (below(component), "o"),
+            Self::World(component) => (below(component), ""),
+            Self::View(component) => (below(component), "c"),
+            Self::Clip(component) => (below(component), "r"),
+            Self::Ndc(component) => (below(component), "n"),
+            Self::Window(component) => (below(component), "p"),
+            Self::Pixel(Component::X) => ("i", ""),
+            Self::Pixel(_) => ("j", ""),
+            Self::Viewport(Component::X) => ("X", ""),
+            Self::Viewport(Component::Y) => ("Y", ""),
+            Self::Viewport(_) => ("Z", ""),
+        }
+    }
+
+    /// As text: `u_x`, `F`, `p_11`.
+    #[must_use]
+    pub fn text(self) -> String {
+        match (self, self.parts()) {
+            (Self::Entry(_, row, column), (letter, _)) => format!("{letter}_{}{}", row + 1, column + 1),
+            (_, (letters, "")) => letters.to_owned(),
+            (_, (letters, below)) => format!("{letters}_{below}"),
+        }
+    }
+
+    /// In LaTeX: `u_x`, `\mathrm{PF}_x`, `\theta`.
+    #[must_use]
+    pub fn latex(self) -> String {
+        let (letters, below) = match (self, self.parts()) {
+            (Self::Entry(_, row, column), (letter, _)) => (letter, format!("{}{}", row + 1, column + 1)),
+            (_, (letters, below)) => (letters, below.to_owned()),
+        };
+        let letters = match letters {
+            "θ" => r"\theta".to_owned(),
+            "φ" => r"\varphi".to_owned(),
+            letters if letters.len() > 1 => format!(r"\mathrm{{{letters}}}"),
+            letters => letters.to_owned(),
+        };
+        if below.is_empty() { letters } else { format!("{letters}_{{{below}}}") }
+    }
+}
+
+impl Vector {
+    /// As text.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Axis(Axis::U) => "u",
+            Self::Axis(Axis::V) => "v",
+            Self::Axis(Axis::N) => "n",
+            Self::Position => "c",
+            Self::ToFocalPoint => "PF − C",
+            Self::UpCrossNormal => "VUP × n",
+        }
+    }
+
+    /// In LaTeX.
+    #[must_use]
+    pub const fn latex(self) -> &'static str {
+        match self {
+            Self::Axis(Axis::U) => r"\mathbf{u}",
+            Self::Axis(Axis::V) => r"\mathbf{v}",
+            Self::Axis(Axis::N) => r"\mathbf{n}",
+            Self::Position => r"\mathbf{c}",
+            Self::ToFocalPoint => r"\mathrm{PF}-C",
+            Self::UpCrossNormal => r"\mathbf{VUP}\times\mathbf{n}",
+        }
+    }
+}

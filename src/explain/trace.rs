@@ -1,0 +1,333 @@
+//! A point followed from space to space, with its whole arithmetic, and a pixel with a depth followed back.
+
+use glam::DVec4;
+use serde::Serialize;
+
+use super::formula::{minus, over, plus, times};
+use super::matrices::projection_equation;
+use super::{Axis, Component, Formula, Function, Matrix, Setting, Symbol};
+use crate::camera::{Ndc, Projection, WayBack};
+
+/// One step of a point's way. The sum of each row of `terms` is the number of `output` in that row.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Step {
+    /// The space that it comes from, as `camera-lab inspect` names it.
+    pub from: &'static str,
+    /// The space that it leads to.
+    pub to: &'static str,
+    /// The equation of `[0]`, or a name.
+    pub equation: String,
+    /// The matrix, where the step is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub matrix: Option<[[f64; 4]; 4]>,
+    /// What is multiplied, divided or mapped.
+    pub input: Vec<f64>,
+    /// What is added up, a row for each number of `output`. In a row that is floored the last but what does not belong under the floor is what the floor takes away.
+    pub terms: Vec<Vec<f64>>,
+    /// What comes out: the numbers of `camera-lab inspect`.
+    pub output: Vec<f64>,
+    /// The symbols of the output.
+    #[serde(skip)]
+    pub symbols: Vec<Symbol>,
+    /// How each number of the output is computed.
+    #[serde(skip)]
+    pub formulas: Vec<Formula>,
+    /// Which matrix it is.
+    #[serde(skip)]
+    pub by: Option<Matrix>,
+}
+
+impl Step {
+    /// How far the terms of each row, added as they stand, are from the output: what rounding the factors to `f64` costs.
+    #[must_use]
+    pub fn rests(&self) -> Vec<f64> {
+        self.terms.iter().zip(&self.output).map(|(terms, out)| terms.iter().sum::<f64>() - out).collect()
+    }
+}
+
+/// A row of a step before it is evaluated.
+struct Row {
+    symbol: Symbol,
+    /// What is added.
+    terms: Vec<Formula>,
+    /// What is added after the floor, where there is one.
+    after_floor: Option<Option<Formula>>,
+}
+
+impl Row {
+    fn sum(symbol: Symbol, terms: impl IntoIterator<Item = Formula>) -> Self {
+        Self { symbol, terms: terms.into_iter().collect(), after_floor: None }
+    }
+
+    fn floor(symbol: Symbol, terms: impl IntoIterator<Item = Formula>, after: Option<Formula>) -> Self {
+        Self { symbol, terms: terms.into_iter().collect(), after_floor: Some(after) }
+    }
+
+    fn formula(&self) -> Formula {
+        let sum = if let [only] = &self.terms[..] { only.clone() } else { Formula::Sum(self.terms.clone()) };
+        match &self.after_floor {
+            None => sum,
+            Some(None) => Formula::Of(Function::Floor, Box::new(sum)),
+            Some(Some(after)) => plus(Formula::Of(Function::Floor, Box::new(sum)), after.clone()),
+        }
+    }
+
+    /// The summands. What a floor takes away is one of them, so that the row adds up.
+    fn numbers(&self, setting: &Setting<'_>) -> Vec<f64> {
+        let mut numbers: Vec<f64> = self.terms.iter().map(|term| term.value(setting) + 0.0).collect();
+        if let Some(after) = &self.after_floor {
+            let after = after.as_ref().map(|after| after.value(setting));
+            let whole = setting.value(self.symbol) - after.unwrap_or(0.0);
+            let sum: f64 = numbers.iter().sum();
+            numbers.push(whole - sum);
+            numbers.extend(after);
+        }
+        numbers
+    }
+}
+
+fn step(
+    setting: &Setting<'_>,
+    (from, to): (&'static str, &'static str),
+    equation: impl Into<String>,
+    input: Vec<f64>,
+    rows: Vec<Row>,
+) -> Step {
+    Step {
+        from,
+        to,
+        equation: equation.into(),
+        matrix: None,
+        input,
+        terms: rows.iter().map(|row| row.numbers(setting)).collect(),
+        output: rows.iter().map(|row| setting.value(row.symbol) + 0.0).collect(),
+        symbols: rows.iter().map(|row| row.symbol).collect(),
+        formulas: rows.iter().map(Row::formula).collect(),
+        by: None,
+    }
+}
+
+/// The rows of a matrix times a column of symbols, of which the fourth is 1.
+fn matrix_step(
+    setting: &Setting<'_>,
+    spaces: (&'static str, &'static str),
+    equation: &str,
+    matrix: Matrix,
+    input: [Symbol; 3],
+    output: &[Symbol],
+) -> Step {
+    const INDICES: [u8; 4] = [0, 1, 2, 3];
+    let factor = |column: u8| input.get(usize::from(column)).map_or(Formula::Number(1.0), |s| Formula::Symbol(*s));
+    let rows = output.iter().zip(INDICES).map(|(symbol, row)| {
+        // Products with 1 stand there too: students write them.
+        let product = |column| Formula::Product(vec![Symbol::Entry(matrix, row, column).into(), factor(column)]);
+        Row::sum(*symbol, INDICES.map(product))
+    });
+    let column = input.iter().map(|symbol| setting.value(*symbol)).chain([1.0]).collect();
+    let numbers = setting.matrix(matrix).transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
+    let step = step(setting, spaces, equation, column, rows.collect());
+    Step { matrix: Some(numbers), by: Some(matrix), ..step }
+}
+
+/// The way of the setting's point, from its object (where it was given there) or from the world to pixel and viewport. It ends with
+/// clip coordinates where w = 0; empty without a point.
+#[must_use]
+pub fn forward(setting: &Setting<'_>) -> Vec<Step> {
+    let Some(point) = setting.point() else { return Vec::new() };
+    let mut steps = Vec::new();
+    if setting.local().is_some() {
+        let (input, output) = (Component::THREE.map(Symbol::Local), Component::THREE.map(Symbol::World));
+        steps.push(matrix_step(setting, ("local", "world"), "§5.3.1", Matrix::Model, input, &output));
+    }
+    steps.push(to_view(setting));
+    let equation = if setting.space().ndc() == Ndc::default() {
+        projection_equation(setting)
+    } else {
+        setting.space().ndc().name()
+    };
+    let (input, output) = (Component::THREE.map(Symbol::View), Component::FOUR.map(Symbol::Clip));
+    steps.push(matrix_step(setting, ("view", "clip"), equation, Matrix::Projection, input, &output));
+    if point.projected.is_some() {
+        steps.extend([divide(setting), to_window(setting), to_pixel(setting), to_viewport(setting)]);
+    }
+    steps
+}
+
+/// By M_v; where the terms of the matrix cancel so far that its rows no longer add up (C far from the origin), by p − C, as the program computes.
+fn to_view(setting: &Setting<'_>) -> Step {
+    let (input, output) = (Component::THREE.map(Symbol::World), Component::THREE.map(Symbol::View));
+    let by_matrix = matrix_step(setting, ("world", "view"), "(5.7)", Matrix::View, input, &output);
+    let size = by_matrix.output.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    if by_matrix.rests().iter().all(|rest| rest.abs() <= 1e-12 * size) {
+        return by_matrix;
+    }
+    let from_eye = |c| minus(Symbol::World(c), Symbol::Position(c));
+    let rows = Axis::ALL.into_iter().zip(output).map(|(axis, symbol)| {
+        Row::sum(symbol, Component::THREE.map(|c| Formula::Product(vec![Symbol::Axis(axis, c).into(), from_eye(c)])))
+    });
+    let offset = Component::THREE.map(|c| from_eye(c).value(setting)).to_vec();
+    step(setting, ("world", "view"), "(5.7), p − C", offset, rows.collect())
+}
+
+/// (5.6).
+fn divide(setting: &Setting<'_>) -> Step {
+    let input = Component::FOUR.map(|c| setting.value(Symbol::Clip(c))).to_vec();
+    let row = |c| Row::sum(Symbol::Ndc(c), [over(Symbol::Clip(c), Symbol::Clip(Component::W))]);
+    step(setting, ("clip", "ndc"), "(5.6)", input, Component::THREE.map(row).into())
+}
+
+/// (5.9) and (5.10); in parallel projection (x_p, y_p) = (x_c, y_c).
+fn to_window(setting: &Setting<'_>) -> Step {
+    let input = Component::THREE.map(|c| setting.value(Symbol::View(c))).to_vec();
+    let perspective = setting.space().camera().projection() == Projection::Perspective;
+    let row = |c| {
+        let formula = if perspective {
+            over(times([Symbol::Near.into(), Symbol::View(c).into()]), -Formula::from(Symbol::View(Component::Z)))
+        } else {
+            Symbol::View(c).into()
+        };
+        Row::sum(Symbol::Window(c), [formula])
+    };
+    let equation = if perspective { "(5.9), (5.10)" } else { "§5.3.2" };
+    step(setting, ("view", "window"), equation, input, vec![row(Component::X), row(Component::Y)])
+}
+
+/// (5.22), for a window that need not be symmetric.
+fn to_pixel(setting: &Setting<'_>) -> Step {
+    let input = [Component::X, Component::Y].map(|c| setting.value(Symbol::Window(c))).to_vec();
+    let scaled = |pixels: Symbol, size: Symbol, x: Symbol| times([over(pixels, size), x.into()]);
+    let (columns, rows) = (Symbol::ImageWidth, Symbol::ImageHeight);
+    let (x, y) = (Symbol::Window(Component::X), Symbol::Window(Component::Y));
+    let window = setting.space().camera().window();
+    let (from_left, from_top) = if window.left == -window.right && window.bottom == -window.top {
+        (over(columns, 2.0), over(rows, 2.0))
+    } else {
+        (-scaled(columns, Symbol::Width, Symbol::Left), scaled(rows, Symbol::Height, Symbol::Top))
+    };
+    let rows = vec![
+        Row::floor(Symbol::Pixel(Component::X), [scaled(columns, Symbol::Width, x), from_left], None),
+        Row::floor(Symbol::Pixel(Component::Y), [from_top, -scaled(rows, Symbol::Height, y)], None),
+    ];
+    step(setting, ("window", "pixel"), "(5.22)", input, rows)
+}
+
+/// (5.24) and (5.25). They are the notes', whose NDC has a far plane: without one, the same convention with one is used.
+fn to_viewport(setting: &Setting<'_>) -> Step {
+    let ndc = setting.space().ndc();
+    if ndc.infinite {
+        let camera = setting.space().camera();
+        let finite = camera.possible_clip_space(Ndc { infinite: false, ..ndc });
+        let finite = Setting::new(finite, setting.image(), Some(setting.viewport()));
+        let world = setting.point().map(|point| point.world).unwrap_or_default();
+        let step = to_viewport(&finite.with_point(world));
+        return Step { equation: format!("{} B < ∞", step.equation), ..step };
+    }
+    let input = Component::THREE.map(|c| setting.value(Symbol::Ndc(c))).to_vec();
+    let entry = |row, column| Formula::from(Symbol::Entry(Matrix::Viewport, row, column));
+    let along = |output, size: Symbol, start: Symbol, ndc: Symbol, down: bool| {
+        let half = || over(size, 2.0);
+        let scaled = times([half(), ndc.into()]);
+        Row::floor(output, [if down { -scaled } else { scaled }, half()], Some(start.into()))
+    };
+    let (x, y, z) = (Component::X, Component::Y, Component::Z);
+    let depth = [times([entry(2, 2), Symbol::Ndc(z).into()]), entry(2, 3)];
+    let rows = vec![
+        along(Symbol::Viewport(x), Symbol::ViewportWidth, Symbol::ViewportX, Symbol::Ndc(x), false),
+        along(Symbol::Viewport(y), Symbol::ViewportHeight, Symbol::ViewportY, Symbol::Ndc(y), ndc.y_points_down()),
+        Row::sum(Symbol::Viewport(z), depth),
+    ];
+    step(setting, ("ndc", "viewport"), "(5.24), (5.25)", input, rows)
+}
+
+/// The way back from the centre of a pixel with a depth Z: (5.23), (5.25), then the inverses of M_p and M_v.
+///
+/// The setting's point is the one to which it leads ([`Camera::way_back`](crate::camera::Camera::way_back)).
+#[must_use]
+pub fn back(setting: &Setting<'_>, way: &WayBack) -> Vec<Step> {
+    let on_the_way = setting.clone().with_point(way.world);
+    let numbers = |from, to, equation: &str, input: Vec<f64>, terms: Vec<Vec<f64>>, output: Vec<f64>| Step {
+        from,
+        to,
+        equation: equation.to_owned(),
+        matrix: None,
+        input,
+        terms,
+        output,
+        symbols: Vec::new(),
+        formulas: Vec::new(),
+        by: None,
+    };
+    let value = |symbol| setting.value(symbol);
+    let (width, height) = (value(Symbol::Width), value(Symbol::Height));
+    #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
+    let [i, j] = way.pixel.map(|x| x as f64 + 0.5);
+    let to_window = numbers(
+        "pixel",
+        "window",
+        "(5.23)",
+        vec![i, j],
+        vec![
+            vec![width / value(Symbol::ImageWidth) * i, value(Symbol::Left)],
+            vec![value(Symbol::Top), -height / value(Symbol::ImageHeight) * j],
+        ],
+        way.window.to_array().to_vec(),
+    );
+    let matrix = |m: Matrix| setting.matrix(m).transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
+    let products = |m: [[f64; 4]; 4], p: DVec4, rows: usize| -> Vec<Vec<f64>> {
+        m[..rows].iter().map(|row| row.iter().zip(p.to_array()).map(|(m, x)| m * x + 0.0).collect()).collect()
+    };
+    let window_of_ndc = {
+        let ndc = setting.space().ndc();
+        let down = if ndc.y_points_down() { -1.0 } else { 1.0 };
+        let (sum_x, sum_y) = (value(Symbol::Right) + value(Symbol::Left), value(Symbol::Top) + value(Symbol::Bottom));
+        let inverse = matrix(Matrix::InverseViewport);
+        numbers(
+            "window",
+            "ndc",
+            "(5.11), (5.12), (5.25)",
+            vec![way.window.x, way.window.y, way.depth],
+            vec![
+                vec![2.0 / width * way.window.x, 0.0 - sum_x / width],
+                vec![down * 2.0 / height * way.window.y, 0.0 - down * sum_y / height],
+                vec![inverse[2][2] * way.depth, inverse[2][3]],
+            ],
+            way.ndc.to_array().to_vec(),
+        )
+    };
+    let inverse = matrix(Matrix::InverseProjection);
+    let homogeneous = way.view.extend(1.0) / way.clip.w;
+    let unprojected = Step {
+        matrix: Some(inverse),
+        by: Some(Matrix::InverseProjection),
+        ..numbers(
+            "ndc",
+            "homogeneous",
+            Matrix::InverseProjection.text(),
+            way.ndc.extend(1.0).to_array().to_vec(),
+            products(inverse, way.ndc.extend(1.0), 4),
+            homogeneous.to_array().to_vec(),
+        )
+    };
+    let divided = numbers(
+        "homogeneous",
+        "view",
+        "÷ w",
+        homogeneous.to_array().to_vec(),
+        way.view.to_array().iter().zip(homogeneous.to_array()).map(|(_, x)| vec![x / homogeneous.w]).collect(),
+        way.view.to_array().to_vec(),
+    );
+    let inverse = matrix(Matrix::InverseView);
+    let to_world = Step {
+        matrix: Some(inverse),
+        by: Some(Matrix::InverseView),
+        ..numbers(
+            "view",
+            "world",
+            Matrix::InverseView.text(),
+            way.view.extend(1.0).to_array().to_vec(),
+            products(inverse, way.view.extend(1.0), 3),
+            on_the_way.point().map(|p| p.world).unwrap_or_default().to_array().to_vec(),
+        )
+    };
+    vec![to_window, window_of_ndc, unprojected, divided, to_world]
+}

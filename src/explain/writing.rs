@@ -1,0 +1,222 @@
+//! Formulas as text and as LaTeX: with the notes' symbols, or with the numbers put in.
+
+use super::formula::components;
+use super::{Formula, Function, Setting, Symbol};
+use crate::numbers::{DecimalMark, exact_form};
+
+/// How mathematics is written down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Notation {
+    /// One line of Unicode: `2F/(r − l)`.
+    Text,
+    /// LaTeX: `\frac{2F}{r - l}`.
+    Latex,
+}
+
+/// The numbers that take the place of symbols, and how they are written.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers<'a> {
+    /// What gives them.
+    pub setting: &'a Setting<'a>,
+    /// The decimal mark.
+    pub mark: DecimalMark,
+    /// Significant digits.
+    pub digits: usize,
+    /// 1/√3 for 0.57735 where a number is a fraction or a root.
+    pub exact: bool,
+}
+
+/// Writes formulas.
+#[derive(Clone, Copy, Debug)]
+pub struct Writer<'a> {
+    /// As text or LaTeX.
+    pub notation: Notation,
+    /// Numbers instead of symbols.
+    pub numbers: Option<Numbers<'a>>,
+}
+
+/// How tightly a formula holds together; what holds less tightly than its place asks for gets parentheses.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Strength {
+    Sum,
+    Negative,
+    Product,
+    Atom,
+}
+
+impl Writer<'_> {
+    /// The formula, as it is written.
+    #[must_use]
+    pub fn write(&self, formula: &Formula) -> String {
+        self.at(formula, Strength::Sum)
+    }
+
+    /// A number, as this writer writes them; the minus is a true one in text.
+    #[must_use]
+    pub fn number(&self, value: f64) -> String {
+        let (mark, digits, exact) = self
+            .numbers
+            .map_or((DecimalMark::Point, 6, false), |numbers| (numbers.mark, numbers.digits, numbers.exact));
+        let form = exact.then(|| exact_form(value)).flatten();
+        match (self.notation, form) {
+            (Notation::Text, Some(form)) => form.text(),
+            (Notation::Latex, Some(form)) => form.latex(),
+            (Notation::Text, None) => mark.number(value, digits),
+            (Notation::Latex, None) => latex_number(&mark.number(value, digits)),
+        }
+    }
+
+    fn is_latex(&self) -> bool {
+        self.notation == Notation::Latex
+    }
+
+    fn at(&self, formula: &Formula, place: Strength) -> String {
+        let (text, strength) = self.bare(formula);
+        if strength >= place {
+            text
+        } else if self.is_latex() {
+            format!(r"\left({text}\right)")
+        } else {
+            format!("({text})")
+        }
+    }
+
+    fn bare(&self, formula: &Formula) -> (String, Strength) {
+        match formula {
+            Formula::Number(number) => self.valued(*number),
+            Formula::Symbol(symbol) => self.symbol(*symbol),
+            Formula::Negative(inner) => {
+                let minus = if self.is_latex() { "-" } else { "−" };
+                (format!("{minus}{}", self.at(inner, Strength::Product)), Strength::Negative)
+            }
+            Formula::Sum(terms) => (self.sum(terms), Strength::Sum),
+            Formula::Product(factors) => (self.product(factors), Strength::Product),
+            Formula::Quotient(above, below) if self.is_latex() => {
+                let fraction = format!(r"\frac{{{}}}{{{}}}", self.write(above), self.write(below));
+                (fraction, Strength::Product)
+            }
+            Formula::Quotient(above, below) => {
+                let quotient = format!("{}/{}", self.at(above, Strength::Product), self.at(below, Strength::Atom));
+                (quotient, Strength::Product)
+            }
+            Formula::Dot(a, b) if self.numbers.is_none() => {
+                let dot = if self.is_latex() {
+                    format!(r"{} \cdot {}", a.latex(), b.latex())
+                } else {
+                    format!("{} · {}", a.text(), b.text())
+                };
+                (dot, Strength::Product)
+            }
+            Formula::Dot(..) => (self.sum(&formula.terms()), Strength::Sum),
+            Formula::Norm(vector) if self.numbers.is_none() => {
+                let norm = if self.is_latex() {
+                    format!(r"\left\|{}\right\|", vector.latex())
+                } else {
+                    format!("‖{}‖", vector.text())
+                };
+                (norm, Strength::Atom)
+            }
+            Formula::Norm(vector) => (self.root_of_squares(&components(*vector)), Strength::Atom),
+            Formula::Of(function, argument) => (self.of(*function, argument), Strength::Atom),
+        }
+    }
+
+    /// Those that are negative need parentheses as a minus does.
+    fn valued(&self, value: f64) -> (String, Strength) {
+        let text = self.number(value);
+        let negative = text.starts_with(['−', '-']);
+        let compound = text.contains(['/', '√']) || text.contains('\\') || text.contains(['e', '×']);
+        let strength = match (negative, compound) {
+            (true, _) => Strength::Negative,
+            (false, true) => Strength::Product,
+            (false, false) => Strength::Atom,
+        };
+        (text, strength)
+    }
+
+    fn symbol(&self, symbol: Symbol) -> (String, Strength) {
+        let Some(numbers) = self.numbers else {
+            let name = if self.is_latex() { symbol.latex() } else { symbol.text() };
+            return (name, Strength::Atom);
+        };
+        let value = numbers.setting.value(symbol);
+        let (text, strength) = self.valued(value);
+        if numbers.setting.angle(symbol).is_none() {
+            return (text, strength);
+        }
+        let degrees = if self.is_latex() { r"^{\circ}" } else { "°" };
+        (format!("{}{degrees}", numbers.mark.number(value, numbers.digits)), strength)
+    }
+
+    fn sum(&self, terms: &[Formula]) -> String {
+        let minus = if self.is_latex() { " - " } else { " − " };
+        let mut text = String::new();
+        for (i, term) in terms.iter().enumerate() {
+            match term {
+                Formula::Negative(inner) if i > 0 => {
+                    text.push_str(minus);
+                    text.push_str(&self.at(inner, Strength::Product));
+                }
+                term if i > 0 => {
+                    text.push_str(" + ");
+                    text.push_str(&self.at(term, Strength::Product));
+                }
+                term => text.push_str(&self.at(term, Strength::Negative)),
+            }
+        }
+        text
+    }
+
+    /// Numbers are kept apart by a dot; symbols of one letter stand side by side.
+    fn product(&self, factors: &[Formula]) -> String {
+        let single = |formula: &Formula| match formula {
+            Formula::Number(_) => true,
+            Formula::Symbol(symbol) => symbol.text().chars().count() == 1,
+            _ => false,
+        };
+        let between = match (self.numbers.is_some(), self.is_latex()) {
+            (true, true) => r" \cdot ",
+            (true, false) => "·",
+            (false, _) if factors.iter().all(single) && !self.is_latex() => "",
+            (false, _) => " ",
+        };
+        let written = factors.iter().enumerate().map(|(i, factor)| {
+            let place = match factor {
+                // a/b c would read as a/(b c).
+                Formula::Quotient(..) if self.is_latex() => Strength::Product,
+                Formula::Quotient(..) | Formula::Number(_) if i == 0 && factors.len() == 1 => Strength::Product,
+                _ => Strength::Atom,
+            };
+            self.at(factor, place)
+        });
+        written.collect::<Vec<_>>().join(between)
+    }
+
+    fn root_of_squares(&self, components: &[Formula; 3]) -> String {
+        let square = if self.is_latex() { "^2" } else { "²" };
+        let squares = components.iter().map(|c| format!("{}{square}", self.at(c, Strength::Atom)));
+        let sum = squares.collect::<Vec<_>>().join(" + ");
+        if self.is_latex() { format!(r"\sqrt{{{sum}}}") } else { format!("√({sum})") }
+    }
+
+    fn of(&self, function: Function, argument: &Formula) -> String {
+        let inner = self.write(argument);
+        let (text, latex) = match function {
+            Function::Sine => ("sin", r"\sin"),
+            Function::Cosine => ("cos", r"\cos"),
+            Function::Tangent => ("tan", r"\tan"),
+            Function::Floor if self.is_latex() => return format!(r"\left\lfloor {inner} \right\rfloor"),
+            Function::Floor => return format!("⌊{inner}⌋"),
+        };
+        if self.is_latex() { format!(r"{latex}\left({inner}\right)") } else { format!("{text}({inner})") }
+    }
+}
+
+/// A printed number in LaTeX: a decimal comma keeps no space behind it, and a power of ten is one.
+fn latex_number(printed: &str) -> String {
+    let plain = printed.replace('−', "-").replace(',', "{,}");
+    match plain.split_once('e') {
+        Some((mantissa, exponent)) => format!(r"{mantissa} \cdot 10^{{{exponent}}}"),
+        None => plain,
+    }
+}
