@@ -46,28 +46,36 @@ impl Corner {
     }
 
     /// Where an edge meets `plane`: what is known of the plane is exact, the rest is the mean.
+    ///
+    /// A mean is rounded by the greater of the ends, and F may be far below that: then x_c of a corner on the near plane is anywhere beside
+    /// the window there, although both distances from its sides, which are means too, are positive. The distances decide, so that
+    /// neighbours agree and no plane needs to be asked that the ends are inside of; and the point is put into what they say.
     fn crossing(polygon: &[Self], edge: &Edge, plane: usize, projector: &Projector) -> Self {
         let (inside, outside) = (&polygon[edge.inside], &polygon[edge.outside]);
         let (a, b) = (inside.point, outside.point);
+        let mut distances: [f64; PLANES] =
+            std::array::from_fn(|i| edge.mean(inside.distances[i], outside.distances[i]));
+        distances[plane] = 0.0;
+        let between = |value: f64, planes: [usize; 2], [least, most]: [f64; 2]| {
+            let value = if distances[planes[0]] >= 0.0 { value.max(least) } else { value };
+            if distances[planes[1]] >= 0.0 { value.min(most) } else { value }
+        };
         let depth = match plane {
             4 => projector.near,
             5 => projector.far,
-            _ => edge.mean(a.depth, b.depth),
+            _ => between(edge.mean(a.depth, b.depth), [4, 5], [projector.near, projector.far]),
         };
         let w = if projector.perspective { depth } else { 1.0 };
         let x = match plane {
             0 => -w,
             1 => w,
-            _ => edge.mean(a.x, b.x),
+            _ => between(edge.mean(a.x, b.x), [0, 1], [-w, w]),
         };
         let y = match plane {
             2 => -w,
             3 => w,
-            _ => edge.mean(a.y, b.y),
+            _ => between(edge.mean(a.y, b.y), [2, 3], [-w, w]),
         };
-        let mut distances: [f64; PLANES] =
-            std::array::from_fn(|i| edge.mean(inside.distances[i], outside.distances[i]));
-        distances[plane] = 0.0;
         Self {
             point: ClipPoint { x, y, w, depth },
             weights: std::array::from_fn(|i| edge.mean(inside.weights[i], outside.weights[i])),

@@ -4,7 +4,7 @@
 
 use camera_lab::appearance::{Rgba, Shading};
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
-use camera_lab::pipeline::project::{clipped_scene, displayed_ndc};
+use camera_lab::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
 use camera_lab::scene::{Light, Line, Mesh, Object, ObjectPaint, Scene};
 use glam::{DMat4, DVec3};
 
@@ -147,4 +147,48 @@ fn an_oblique_window_agrees_with_its_matrix() {
             assert!(displayed_ndc(&camera, p_world).unwrap().abs_diff_eq(by_matrix(&camera, p_world), 1e-14));
         }
     }
+}
+
+#[test]
+fn what_is_left_of_edges_beyond_all_proportion_to_the_volume_is_in_it() {
+    // Rounding where an edge of these meets the near plane is up to a million times as wide as the window there, and of any sign.
+    let mut state = 1_u64;
+    let mut number = |least: f64, most: f64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        least + (most - least) * ((state >> 11) as f64 / 2_f64.powi(53))
+    };
+    let mut corners = 0;
+    for k in 0..4000 {
+        let decade = |from: f64, to: f64, number: &mut dyn FnMut(f64, f64) -> f64| 10_f64.powf(number(from, to));
+        let near = decade(-15.0, 0.0, &mut number);
+        let parameters = Parameters {
+            position: DVec3::ZERO,
+            focal_point: DVec3::new(number(-0.1, 0.1), number(-0.1, 0.1), -1.0),
+            near,
+            far: near + decade(-18.0, 3.0, &mut number),
+            view_angle: number(1.0, 170.0),
+            projection: if k % 4 == 0 { Projection::Parallel } else { Projection::Perspective },
+            ..Parameters::default()
+        };
+        let Ok(camera) = Camera::new(&parameters) else { continue };
+        // A triangle around the eye, of any size: its plane passes the near window at a distance like F.
+        let mut size = || decade(-3.0, 6.0, &mut number);
+        let (a, b, c) = (size(), size(), size());
+        let z = near * number(1.0, 3.0);
+        let positions = vec![
+            DVec3::new(-a, number(-a, a), -z - number(-a, a)),
+            DVec3::new(b, number(-b, b), -z),
+            DVec3::new(0.0, -c, c),
+        ];
+        let mesh =
+            Mesh { positions, triangles: vec![[0, 1, 2]], edges: vec![[0, 1], [1, 2], [2, 0]], ..Mesh::default() };
+        let scene = only(object(mesh, DMat4::IDENTITY));
+        for clipped in [clipped_scene, legible_clipped_scene].map(|clip| clip(&scene, &camera, Shading::Flat)) {
+            for p in clipped.objects.iter().flat_map(|object| &object.mesh.positions) {
+                assert!(p.abs().max_element() <= 1.0 + 1e-9, "{p} of {parameters:?}");
+                corners += 1;
+            }
+        }
+    }
+    assert!(corners > 2000, "{corners}");
 }
