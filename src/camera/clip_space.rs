@@ -177,6 +177,17 @@ impl<'a> ClipSpace<'a> {
         ])
     }
 
+    /// z_n of what has this distance from the plane of the eye, −z_c, which is not 0 in perspective.
+    #[must_use]
+    pub fn ndc_depth(&self, distance: f64) -> f64 {
+        let distance = Dd::new(distance);
+        let clip = self.lens.depth - self.lens.z * distance;
+        match self.camera.projection() {
+            Projection::Perspective => (clip / distance).value(),
+            Projection::Parallel => clip.value(),
+        }
+    }
+
     /// Is what has these clip coordinates in the volume: |X|, |Y| ≤ W, Z / W between the depths of F and B, and W > 0?
     pub(super) fn is_inside(&self, clip: DVec4) -> bool {
         let [at_near, at_far] = self.ndc.depths();

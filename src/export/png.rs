@@ -11,6 +11,9 @@ use crate::progress::{Doing, Progress};
 /// The keyword of the iTXt chunk that holds the figure file.
 pub const KEYWORD: &str = "camera-lab-figure";
 
+/// The keyword that the format has for what is said of a picture.
+const DESCRIPTION: &str = "Description";
+
 /// The first bytes of every PNG.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
@@ -65,14 +68,20 @@ impl From<DecodingError> for PngError {
     }
 }
 
-/// The PNG of `pixmap`, with `figure` (the text of a figure file) in an iTXt chunk and, for paper, `dpi` (pixels per inch) in a pHYs chunk,
+/// The PNG of `pixmap`, with `figure` (the text of a figure file) and what else is `said` of the picture in iTXt chunks, and, for paper, `dpi` (pixels per inch) in a pHYs chunk,
 /// as pixels per metre; what is too fine or too coarse for that chunk is left out. Opaque pictures have no alpha channel.
 ///
 /// *Guarantees*: the same picture and text give the same bytes.
 ///
 /// # Errors
 /// [`PngError::Encode`] when the encoder fails or the work is cancelled.
-pub fn encode(pixmap: Pixmap, figure: &str, dpi: Option<f64>, progress: &Progress) -> Result<Vec<u8>, PngError> {
+pub fn encode(
+    pixmap: Pixmap,
+    figure: &str,
+    said: Option<&str>,
+    dpi: Option<f64>,
+    progress: &Progress,
+) -> Result<Vec<u8>, PngError> {
     let error = |e: png::EncodingError| PngError::Encode(e.to_string());
     let (width, height) = (pixmap.width(), pixmap.height());
     let opaque = pixmap.pixels().iter().all(|p| p.alpha() == u8::MAX);
@@ -89,6 +98,9 @@ pub fn encode(pixmap: Pixmap, figure: &str, dpi: Option<f64>, progress: &Progres
     encoder.set_compression(Compression::Balanced);
     encoder.set_pixel_dims(dpi.and_then(density));
     encoder.add_itxt_chunk(KEYWORD.to_owned(), figure.to_owned()).map_err(error)?;
+    if let Some(said) = said {
+        encoder.add_itxt_chunk(DESCRIPTION.to_owned(), said.to_owned()).map_err(error)?;
+    }
     let mut writer = encoder.write_header().map_err(error)?;
     progress.begin(Doing::Encoding, height as usize);
     let mut stream = writer.stream_writer_with_size(CHUNK).map_err(error)?;
@@ -206,7 +218,7 @@ mod tests {
     #[test]
     fn the_figure_comes_back_with_accents_and_line_ends() {
         let text = "[camera] # câmera θ\nnear = 1\r\n";
-        let bytes = encode(picture(255), text, None, &Progress::default()).unwrap();
+        let bytes = encode(picture(255), text, None, None, &Progress::default()).unwrap();
         assert_eq!(figure_text(&bytes, LIMIT).unwrap().as_deref(), Some(text));
         assert_eq!(figure_bytes(&bytes, LIMIT).unwrap().as_ref(), text.as_bytes());
         assert_eq!(figure_bytes(text.as_bytes(), LIMIT).unwrap().as_ref(), text.as_bytes());
@@ -215,7 +227,7 @@ mod tests {
     #[test]
     fn paper_has_its_pixels_per_metre_and_the_figure_is_there_as_well() {
         let dims = |dpi| {
-            let bytes = encode(picture(255), "near = 1", dpi, &Progress::default()).unwrap();
+            let bytes = encode(picture(255), "near = 1", None, dpi, &Progress::default()).unwrap();
             assert_eq!(figure_text(&bytes, LIMIT).unwrap().as_deref(), Some("near = 1"));
             let reader = Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
             reader.info().pixel_dims.map(|dims| (dims.xppu, dims.yppu, dims.unit == Unit::Meter))
@@ -227,15 +239,15 @@ mod tests {
 
     #[test]
     fn opaque_pictures_are_rgb_and_others_have_straight_alpha() {
-        let (color, data) = pixels(&encode(picture(255), "", None, &Progress::default()).unwrap());
+        let (color, data) = pixels(&encode(picture(255), "", None, None, &Progress::default()).unwrap());
         assert_eq!((color, &data[..6]), (ColorType::Rgb, &[200, 100, 50, 127, 0, 255][..]));
-        let (color, data) = pixels(&encode(picture(128), "", None, &Progress::default()).unwrap());
+        let (color, data) = pixels(&encode(picture(128), "", None, None, &Progress::default()).unwrap());
         assert_eq!((color, &data[..8]), (ColorType::Rgba, &[200, 100, 50, 255, 128, 0, 255, 128][..]));
     }
 
     #[test]
     fn a_figure_behind_the_pixels_is_found() {
-        let with = encode(picture(255), "near the end", None, &Progress::default()).unwrap();
+        let with = encode(picture(255), "near the end", None, None, &Progress::default()).unwrap();
         let start = with.windows(4).position(|w| w == b"iTXt").unwrap() - 4;
         let length = 12 + u32::from_be_bytes(with[start..start + 4].try_into().unwrap()) as usize;
         let mut moved = with.clone();
@@ -252,7 +264,7 @@ mod tests {
         encoder.set_color(ColorType::Grayscale);
         encoder.write_header().unwrap().write_image_data(&[7]).unwrap();
         assert_eq!(figure_bytes(&bytes, LIMIT), Err(PngError::NoFigure));
-        let whole = encode(picture(255), "text", None, &Progress::default()).unwrap();
+        let whole = encode(picture(255), "text", None, None, &Progress::default()).unwrap();
         for end in [8, 20, 40, 60] {
             assert!(matches!(figure_bytes(&whole[..end], LIMIT), Err(PngError::Damaged(_))), "{end}");
         }
@@ -274,13 +286,13 @@ mod tests {
         assert!(bytes.len() < LIMIT);
         assert_eq!(figure_text(&bytes, LIMIT), Err(PngError::TooLong { limit: LIMIT }));
         assert_eq!(figure_text(&bytes, 16 << 20).unwrap().map(|text| text.len()), Some(16 << 20));
-        let whole = encode(picture(255), "text", None, &Progress::default()).unwrap();
+        let whole = encode(picture(255), "text", None, None, &Progress::default()).unwrap();
         assert_eq!(figure_text(&whole, 3), Err(PngError::TooLong { limit: 3 }));
     }
 
     #[test]
     fn a_figure_whose_checksum_does_not_fit_is_damage() {
-        let mut bytes = encode(picture(255), "near = 1", None, &Progress::default()).unwrap();
+        let mut bytes = encode(picture(255), "near = 1", None, None, &Progress::default()).unwrap();
         let at = bytes.windows(8).position(|w| w == b"near = 1").unwrap();
         bytes[at] ^= 1;
         assert_eq!(figure_text(&bytes, LIMIT), Err(PngError::Damaged(Damage::Checksum)));
@@ -289,7 +301,7 @@ mod tests {
 
     #[test]
     fn a_damaged_text_of_another_program_does_not_hide_the_figure() {
-        let with = encode(picture(255), "mine", None, &Progress::default()).unwrap();
+        let with = encode(picture(255), "mine", None, None, &Progress::default()).unwrap();
         let other = with_chunk(*b"tEXt", b"Comment\0theirs");
         let start = other.windows(4).position(|w| w == b"tEXt").unwrap() - 4;
         let length = 12 + u32::from_be_bytes(other[start..start + 4].try_into().unwrap()) as usize;

@@ -164,7 +164,7 @@ mod tests {
     fn figures_are_opened_from_text_and_from_pictures() {
         let text = "[camera]\nnear = 0.5 # perto\n";
         let pixmap = tiny_skia::Pixmap::new(2, 2).unwrap();
-        let picture = png::encode(pixmap, text, None, &crate::progress::Progress::default()).unwrap();
+        let picture = png::encode(pixmap, text, None, None, &crate::progress::Progress::default()).unwrap();
         let from_text = figure_from(text.as_bytes()).unwrap();
         assert_eq!(from_text.figure.camera.near, 0.5);
         assert_eq!(figure_from(&picture).unwrap(), Opened { from_picture: true, ..from_text });

@@ -1,9 +1,9 @@
 //! What the coach says: how near a camera is to trouble, and why a picture is empty.
 
-use super::Lang;
 use super::cameras::warning_wording;
 use super::scenes::preset_object;
-use crate::camera::{Camera, Projection};
+use super::{Lang, conventions};
+use crate::camera::{Camera, Ndc, Projection};
 use crate::foreign::shown;
 use crate::numbers::significant;
 use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value};
@@ -31,7 +31,7 @@ texts! {
     looking: "Looking…", "Examinando…";
     too_large: "The image is too large to be drawn.", "A imagem é grande demais para ser desenhada.";
     depth: "Depth", "Profundidade";
-    depth_hint: "z_n over the distance from the eye, from F to B: with this camera's projection (from −1 to 1), evenly as in parallel projection, and reversed (from 1 to 0)", "z_n em função da distância do olho, de F a B: com a projeção desta câmera (de −1 a 1), por igual como na projeção paralela, e invertida (de 1 a 0)";
+    depth_hint: "z_n over the distance from the eye, from F to B, in the convention that is worked in: in perspective, evenly as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância do olho, de F a B, na convenção de trabalho: em perspectiva, por igual como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
     distance: "distance from the eye", "distância do olho";
     perspective: "perspective", "perspectiva";
     parallel: "parallel", "paralela";
@@ -39,9 +39,10 @@ texts! {
     format: "format", "formato";
     step_here: "step at this depth", "passo nesta profundidade";
     two_planes: "Two planes, so far apart:", "Dois planos, a esta distância:";
-    two_planes_hint: "In scene units: one surface so far behind another. Where a format keeps the same value for both, pixels of the one show through the other", "Em unidades da cena: uma superfície atrás de outra. Quando um formato guarda o mesmo valor para as duas, pixels de uma aparecem através da outra";
-    told_apart: "told apart", "distinguem-se";
-    flickers: "flicker (z-fighting)", "cintilam (z-fighting)";
+    two_planes_hint: "In scene units: one tilted plane so far behind another, parallel to it, and drawn after it. Where a format keeps the same value for both, the farther one shows through", "Em unidades da cena: um plano inclinado a esta distância atrás de outro, paralelo a ele, e desenhado depois. Quando um formato guarda o mesmo valor para os dois, aparece o mais distante";
+    scene_units: "scene units", "unidades da cena";
+    nearer: "nearer", "o mais próximo";
+    farther: "farther", "o mais distante";
     at_probe: "at the depth of the probe,", "na profundidade da sonda,";
     at_focus: "at PF,", "em PF,";
     suggested: "F and B that hold the scene:", "F e B que contêm a cena:";
@@ -203,6 +204,30 @@ fn view_angle(lang: Lang, degrees: f64, perspective: bool) -> String {
         Lang::PtBr => format!(
             "θ é {angle}° (5.4): na borda de cima tudo é desenhado 1/cos²(θ/2) = {stretched} vezes mais alto que no meio."
         ),
+    }
+}
+
+/// In whose NDC depths are.
+#[must_use]
+pub fn depth_in(lang: Lang, ndc: Ndc) -> String {
+    let name = conventions::name(lang, ndc);
+    let [near, far] = ndc.depths().map(|depth| lang.mark().number(depth, 2));
+    let back = if ndc.infinite { "B → ∞" } else { "B" };
+    match lang {
+        Lang::En => format!("In the NDC of {name}: z_n is {near} at F and {far} at {back}."),
+        Lang::PtBr => format!("Nas NDC de {name}: z_n é {near} em F e {far} em {back}."),
+    }
+}
+
+/// Whether a depth buffer tells two planes apart; `share`: of what both cover, that in which the farther is seen.
+#[must_use]
+pub fn two_planes(lang: Lang, share: f64) -> String {
+    let percent = lang.mark().number(100.0 * share, 2);
+    match lang {
+        Lang::En if share == 0.0 => "told apart".to_owned(),
+        Lang::PtBr if share == 0.0 => "distinguem-se".to_owned(),
+        Lang::En => format!("flicker (z-fighting): the farther on {percent} %"),
+        Lang::PtBr => format!("cintilam (z-fighting): o mais distante em {percent} %"),
     }
 }
 

@@ -6,6 +6,7 @@
 
 pub mod chain;
 pub mod charts;
+mod depth_format;
 pub mod diagnosis;
 pub mod health;
 mod measure;
@@ -20,8 +21,8 @@ use std::time::Duration;
 use serde::{Serialize, Serializer};
 
 use crate::progress::{Doing, Progress};
+pub use depth_format::{Resolution, Seen, TwoPlanes, resolutions};
 use measure::{Trial, Watch};
-pub use studies::depth_buffer::{Resolution, resolutions};
 
 /// The name of the method that is the program's own.
 pub const OWN: &str = "camera-lab";

@@ -1,11 +1,13 @@
 //! Pictures as files, in the format that is asked for.
 
 use super::{Picture, Renderer, Sheet};
+use crate::camera::Ndc;
 use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
 use crate::export::web;
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
+use crate::views::View;
 
 /// Why there is no picture file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -63,6 +65,8 @@ pub fn assembled(sheet: &Sheet, crop: bool, progress: &Progress) -> Result<(Pict
 
 /// The file that shows the pictures of `sheet`, with a figure file in it where the format can carry one.
 ///
+/// Where a PNG shows the canonical volume in another convention than the notes', it says which, also where the picture is too small to.
+///
 /// *Guarantees*: the same sheet, form and text give the same bytes.
 ///
 /// # Errors
@@ -73,9 +77,18 @@ pub fn file(sheet: &Sheet, form: Form, figure: &str, progress: &Progress) -> Res
     let (mut picture, too_much) = assembled(sheet, crop, progress)?;
     let encode = |bytes: Result<Vec<u8>, String>| bytes.map_err(|why| PictureError::Encode { format, why });
     let bytes = match format {
-        PictureFormat::Png => picture.into_png(figure, dpi, progress).map_err(|error| or_cancelled(error.into()))?,
+        PictureFormat::Png => picture
+            .into_png(figure, convention(sheet).as_deref(), dpi, progress)
+            .map_err(|error| or_cancelled(error.into()))?,
         PictureFormat::WebP => encode(web::webp(picture.take_pixmap().ok_or(PictureError::TooLarge)?))?,
         PictureFormat::Jpeg => encode(web::jpeg(&picture.take_pixmap().ok_or(PictureError::TooLarge)?, dpi))?,
     };
     Ok(PictureFile { bytes, too_much })
+}
+
+/// In which convention of NDC the canonical volume is, where it is shown in another one than that of the notes.
+fn convention(sheet: &Sheet) -> Option<String> {
+    let request = sheet.requests.iter().find(|request| request.view == View::Canonical)?;
+    let ndc = request.camera.possible_clip_space(request.ndc).ndc();
+    (ndc != Ndc::default()).then(|| format!("NDC: {}", request.labels.ndc_title(ndc)))
 }

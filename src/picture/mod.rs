@@ -52,15 +52,21 @@ impl Picture {
         self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).into())
     }
 
-    /// The picture as a PNG with a figure file in it, and with the number of pixels per inch of its paper.
+    /// The picture as a PNG with a figure file in it, with what else is `said` of it, and with the number of pixels per inch of its paper.
     ///
     /// *Guarantees*: the same picture and text give the same bytes.
     ///
     /// # Errors
     /// [`PngError::Encode`] for a picture without pixels, and when the encoder fails or the work is cancelled.
-    pub fn into_png(mut self, figure: &str, dpi: Option<f64>, progress: &Progress) -> Result<Vec<u8>, PngError> {
+    pub fn into_png(
+        mut self,
+        figure: &str,
+        said: Option<&str>,
+        dpi: Option<f64>,
+        progress: &Progress,
+    ) -> Result<Vec<u8>, PngError> {
         let pixmap = self.take_pixmap().ok_or_else(|| PngError::Encode("no pixels".to_owned()))?;
-        png::encode(pixmap, figure, dpi, progress)
+        png::encode(pixmap, figure, said, dpi, progress)
     }
 
     /// Pictures on a sheet with a ground. `None` where that would be empty or too large for memory.

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use camera_lab::camera::{Api, Ndc};
 use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::Preset;
@@ -104,4 +105,51 @@ fn what_has_not_changed_is_not_looked_at_again() {
         window.run();
     }
     assert_eq!(window.state().coach.advice(), Some(&known));
+}
+
+/// The depth panel is in the convention that is worked in, and draws what it says of two planes.
+#[test]
+fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
+    let cases = [
+        (
+            Lang::En,
+            "In the NDC of OpenGL: z_n is −1 at F and 1 at B.",
+            "fixed 24",
+            "f32",
+            "told apart",
+            "flicker (z-fighting)",
+        ),
+        (
+            Lang::PtBr,
+            "Nas NDC de OpenGL: z_n é −1 em F e 1 em B.",
+            "ponto fixo 24",
+            "f32",
+            "distinguem-se",
+            "cintilam (z-fighting)",
+        ),
+    ];
+    for (lang, in_convention, fixed, float, apart, flicker) in cases {
+        let mut window = window(lang);
+        window.app_mut().state.file_flow.dialog = Some(Dialog::Coach);
+        window.run();
+        assert!(window.harness.query_by_label(in_convention).is_some());
+        assert!(window.harness.query_by_label(float).is_some());
+        let picture = |window: &Window, text: &str| {
+            let label = format!("{fixed}: {text}");
+            window.harness.query_by(|node| node.label().is_some_and(|l| l.starts_with(&label))).is_some()
+        };
+        assert!(picture(&window, apart) && !picture(&window, flicker));
+        let field = if lang == Lang::En { "Two planes, so far apart:" } else { "Dois planos, a esta distância:" };
+        window.enter(field, "1e-9");
+        assert_eq!(window.state().coach.gap, 1e-9);
+        assert!(picture(&window, flicker) && !picture(&window, apart));
+        window.app_mut().state.settings.conventions.ndc = Ndc { api: Api::Vulkan, reversed: true, infinite: true };
+        window.run();
+        let (said, missing) = match lang {
+            Lang::En => ("In the NDC of Vulkan, reversed, B → ∞: z_n is 1 at F and 0 at B → ∞.", "f32 reversed"),
+            Lang::PtBr => ("Nas NDC de Vulkan, invertido, B → ∞: z_n é 1 em F e 0 em B → ∞.", "f32 invertido"),
+        };
+        assert!(window.harness.query_by_label(said).is_some());
+        assert!(window.harness.query_by_label(missing).is_some() && window.harness.query_by_label(float).is_none());
+    }
 }

@@ -1,12 +1,18 @@
 //! Conventions: whose NDC, compared with whose, row vectors, the left hand.
 
-use camera_lab::camera::{Api, Ndc, Projection};
-use camera_lab::gui::state::Conventions;
-use camera_lab::i18n::Lang;
-use eframe::egui::Key;
-use eframe::egui::accesskit::Role;
-use egui_kittest::kittest::Queryable;
+use std::fs;
+use std::time::{Duration, Instant};
 
+use camera_lab::camera::{Api, Ndc, Projection};
+use camera_lab::gui::state::{Conventions, Dialog};
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::Lang;
+use camera_lab::views::{Probe, View, Views};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable};
+
+use super::files::Folder;
 use super::window::Window;
 
 const VULKAN: Ndc = Ndc { api: Api::Vulkan, reversed: false, infinite: false };
@@ -88,4 +94,85 @@ fn rows_and_the_left_hand_are_said() {
     window.click("left-handed view space");
     assert!(window.says("the third row of M_v and the third column of M_p have the other sign"));
     assert!(shown(&window).row_vectors && shown(&window).left_handed);
+}
+
+/// A window of its size with the canonical volume alone, in a convention.
+fn canonical(ndc: Ndc) -> Window {
+    let start = Start { figure: camera_lab::gui::fresh(), file: None, lang: Lang::En, allow_files: false };
+    let mut state = State::new(start).expect("a possible camera");
+    state.file_flow.native = false;
+    state.layout.maximized = Some(View::Canonical);
+    state.settings.conventions.ndc = ndc;
+    Window::with_state(state, [900.0, 560.0])
+}
+
+/// What is read out of a place is in the convention, and a presentation stays in it.
+#[test]
+fn the_probe_and_a_presentation_are_in_the_convention() {
+    let mut window = canonical(VULKAN);
+    let read_out = |window: &Window| {
+        let node = window.harness.get_by_label_contains("NDC");
+        node.accesskit_node().value().unwrap_or_default()
+    };
+    for presenting in [false, true] {
+        if presenting {
+            window.key(Key::F11);
+            assert!(window.state().settings.presentation && shown(&window).ndc == VULKAN);
+        }
+        let picture = window.harness.get_by(|node| {
+            node.role() == Role::Image && node.label().is_some_and(|label| label.starts_with("Canonical volume"))
+        });
+        // Somewhere near the middle there is a vertex.
+        let middle = picture.rect().center();
+        let places = (-12..12).flat_map(|j| (-12..12).map(move |i| middle + 8.0 * vec2(i as f32, j as f32)));
+        let vertex = places.into_iter().find_map(|at| {
+            window.harness.hover_at(at);
+            window.run();
+            window.state().probe.and_then(|probe| if let Probe::Point(p) = probe { Some(p) } else { None })
+        });
+        let p = vertex.expect("a vertex");
+        let clip = window.state().document.camera().clip_space(VULKAN).expect("in perspective").clip_from_view()
+            * window.state().document.camera().view_point(p).extend(1.0);
+        let text = read_out(&window);
+        let z = format!("{:.3}", clip.z / clip.w);
+        assert!(text.contains(&z) && clip.z > 0.0, "{text} has no {z}");
+    }
+}
+
+/// The exported canonical volume is the one on the screen and says whose NDC it is in; in that of the notes nothing is said.
+#[test]
+fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
+    let folder = Folder::new("export-convention");
+    let export = |name: &str, ndc: Ndc| {
+        let mut window = canonical(ndc);
+        let path = folder.file(name);
+        let [width, height] = window.state().picture_sizes[View::Canonical.index()];
+        let on_screen = window.textures.only([width as usize, height as usize]);
+        window.command_key(Key::E);
+        let Some(Dialog::Export(mut export)) = window.state().file_flow.dialog.clone() else { panic!("no dialog") };
+        assert_eq!(export.ndc, ndc);
+        let (sizes, unit) = (window.state().picture_sizes, window.state().screen_scale);
+        let theme = window.state().settings.theme;
+        (export.what, export.times, export.theme) = (Views::One(View::Canonical), Some(1), theme);
+        export.fit_screen(sizes, unit);
+        window.app_mut().state.file_flow.dialog = Some(Dialog::Export(export));
+        window.run();
+        window.click("Export…");
+        window.choose(&path);
+        let since = Instant::now();
+        while !path.exists() {
+            assert!(since.elapsed() < Duration::from_secs(60), "{:?}", window.state().message);
+            std::thread::sleep(Duration::from_millis(20));
+            window.run();
+        }
+        let bytes = fs::read(&path).expect("exported");
+        let image = image::load_from_memory(&bytes).expect("a PNG").to_rgba8();
+        assert!(image.into_raw() == on_screen, "{name}: not what is on the screen");
+        bytes
+    };
+    let says = |bytes: &[u8], text: &str| bytes.windows(text.len()).any(|part| part == text.as_bytes());
+    let (of_notes, vulkan) = (export("notes.png", Ndc::default()), export("vulkan.png", VULKAN));
+    assert!(says(&vulkan, "Description") && says(&vulkan, "NDC: Vulkan"));
+    assert!(!says(&of_notes, "Description"));
+    assert!(of_notes != vulkan);
 }

@@ -215,6 +215,7 @@ fn a_picture_is_never_replaced_by_text_whatever_its_name_says() {
         pixmap,
         "[camera]\nnear = 0.5\n\n[scene]\npreset = \"empty\"\n",
         None,
+        None,
         &camera_lab::progress::Progress::default(),
     )
     .expect("encoded");

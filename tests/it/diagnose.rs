@@ -2,11 +2,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{Camera, ImageSize, Parameters, Projection};
+use camera_lab::camera::{Camera, ImageSize, Ndc, Parameters, Projection};
 use camera_lab::figure::read;
 use camera_lab::numerics::health::{Health, Level, Quantity, health};
 use camera_lab::numerics::random::Random;
-use glam::DVec3;
+use camera_lab::numerics::resolutions;
+use glam::{DVec3, DVec4};
 
 use crate::common::program::Bench;
 
@@ -141,6 +142,46 @@ fn where_a_warning_says_something_the_line_is_not_good_and_repairs_help() {
         }
     }
     assert!(warned > 400);
+}
+
+/// z_n as the matrix of each convention has it, and what formats make of two planes: the length of a step against the change of depth
+/// that changes what is stored by one, by a formula of its own, and stripes where that is longer than the gap.
+#[test]
+fn depth_formats_follow_the_convention() {
+    for projection in [Projection::Perspective, Projection::Parallel] {
+        let p = Parameters { projection, near: 0.5, far: 400.0, ..Parameters::default() };
+        let camera = Camera::new(&p).unwrap();
+        for ndc in Ndc::ALL {
+            let space = camera.possible_clip_space(ndc);
+            for depth in [0.5, 0.7, 30.0, 399.0, 400.0] {
+                let clip = space.clip_from_view() * DVec4::new(0.1, 0.2, -depth, 1.0);
+                let z_n = space.ndc_depth(depth);
+                assert!((z_n - clip.z / clip.w).abs() < 1e-12, "{}: {z_n}", ndc.name());
+                let [at_near, at_far] = space.ndc().depths();
+                // From z_n to 0 … 1, of which 2^-16 is a step.
+                let slope = (space.ndc_depth(depth * 1.0001) - space.ndc_depth(depth * 0.9999)) / (depth * 0.0002);
+                let expected = (at_far - at_near).abs() / (65536.0 * slope.abs());
+                let found = resolutions(&space, depth, 0.01);
+                let fixed = &found[0];
+                assert_eq!(fixed.format, "fixed 16");
+                let expected = expected.min(800.0);
+                assert!((fixed.step / expected - 1.0).abs() < 1e-3, "{} {depth}: {fixed:?} {expected}", ndc.name());
+                assert_eq!(found.iter().any(|format| format.format == "f32"), !ndc.reversed);
+                for format in found {
+                    let through = format.planes.share_through();
+                    // A step that is much shorter than the gap parts the planes everywhere, one that is much longer almost nowhere.
+                    let clear = format.step < 0.004 || format.step > 0.2;
+                    assert!(
+                        !clear || (through > 0.5) == (format.step > 0.2),
+                        "{} {depth} {}: {through}, {}",
+                        ndc.name(),
+                        format.format,
+                        format.step
+                    );
+                }
+            }
+        }
+    }
 }
 
 const BEHIND: &str = "# Mine.\n[camera]\nposition = [0, 0, 5]  # here\nfocal_point = [0, 0, 9]\n\n[image]\nwidth = 200\nheight = 150\n\n[scene]\n[[scene.objects]]\nname = \"ball\"\nshape = \"sphere\"\n";

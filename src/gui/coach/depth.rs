@@ -1,18 +1,19 @@
 //! The depth panel: z_n over the distance from the eye, what formats of depth buffers tell apart, and planes that hold the scene.
 
-use eframe::egui::{Grid, RichText, Ui};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
 use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, VLine, uniform_grid_spacer};
 
 use super::title;
-use crate::camera::{Camera, Parameters};
+use crate::camera::{Camera, Ndc, Parameters, Projection};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::numerics::color_of;
 use crate::gui::plotting::{decade, decades, still};
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
-use crate::i18n::{coach as words, window};
+use crate::i18n::{Lang, coach as words, window};
 use crate::numerics::health::{suggested_planes, with_planes};
-use crate::numerics::{Resolution, resolutions};
+use crate::numerics::{Resolution, Seen, TwoPlanes, resolutions};
 use crate::views::Probe;
 
 /// Height of the plot in points.
@@ -31,7 +32,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Para
         Some(Probe::Point(p)) => Some(-camera.view_point(p).z).filter(|depth| (near..=far).contains(depth)),
         Some(Probe::Window(_)) | None => None,
     };
-    plot(ui, t, camera, probe);
+    let space = camera.possible_clip_space(state.settings.conventions.ndc);
+    ui.label(words::depth_in(lang, space.ndc()));
+    plot(ui, t, camera, space.ndc(), probe);
     let depth = probe.unwrap_or_else(|| camera.distance().clamp(near, far));
     let n = |x: f64| lang.mark().number(x, 3);
     ui.horizontal(|ui| {
@@ -42,24 +45,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Para
         field.hint(t.two_planes_hint).show(ui, texts, &mut gap);
         state.coach.gap = gap;
         let place = if probe.is_some() { t.at_probe } else { t.at_focus };
-        ui.label(format!("{place} −z_c = {}", n(depth)));
+        ui.label(format!("{}; {place} −z_c = {}", t.scene_units, n(depth)));
     });
-    Grid::new("formats").num_columns(3).spacing([18.0, 2.0]).show(ui, |ui| {
-        for head in [t.format, t.step_here, ""] {
-            ui.label(RichText::new(head).small().weak());
-        }
-        ui.end_row();
-        for Resolution { format, step, told_apart } in resolutions(camera, depth, state.coach.gap) {
-            ui.label(crate::i18n::numerics::name(lang, format));
-            ui.label(n(step));
-            if told_apart {
-                ui.label(t.told_apart);
-            } else {
-                ui.label(RichText::new(format!("⚠ {}", t.flickers)).color(ui.visuals().warn_fg_color));
-            }
-            ui.end_row();
-        }
-    });
+    formats(ui, lang, &resolutions(&space, depth, state.coach.gap));
     let planes = suggested_planes(camera, state.scene_cache.scene().bounds()?)?;
     let mut wanted = None;
     ui.horizontal(|ui| {
@@ -71,19 +59,104 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, camera: &Camera) -> Option<Para
     wanted.filter(|p| Camera::new(p).is_ok())
 }
 
-/// z_n of (5.6) in perspective, as in parallel projection, and reversed (1 at F, 0 at B).
-fn plot(ui: &mut Ui, t: &words::Texts, camera: &Camera, probe: Option<f64>) {
+/// What each format of depth buffers tells apart, and what it makes of the two planes.
+fn formats(ui: &mut Ui, lang: Lang, resolutions: &[Resolution]) {
+    let t = words::texts(lang);
+    let colors = Planes::of(ui);
+    Grid::new("formats").num_columns(4).spacing([18.0, 2.0]).show(ui, |ui| {
+        for head in [t.format, t.step_here] {
+            ui.label(RichText::new(head).small().weak());
+        }
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(t.nearer).small().strong().color(colors.nearer));
+            ui.label(RichText::new(t.farther).small().strong().color(colors.farther));
+        });
+        ui.end_row();
+        for Resolution { format, step, planes } in resolutions {
+            let name = crate::i18n::numerics::name(lang, format);
+            ui.label(&name);
+            ui.label(lang.mark().number(*step, 3));
+            let said = words::two_planes(lang, planes.share_through());
+            picture(ui, planes, &colors, &format!("{name}: {said}"));
+            if planes.share_through() > 0.0 {
+                ui.label(RichText::new(format!("⚠ {said}")).color(ui.visuals().warn_fg_color));
+            } else {
+                ui.label(said);
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// The colours of the two planes.
+struct Planes {
+    nearer: Color32,
+    farther: Color32,
+}
+
+impl Planes {
+    fn of(ui: &Ui) -> Self {
+        let dark = ui.visuals().dark_mode;
+        Self { nearer: color_of(Some(4), dark), farther: color_of(Some(0), dark) }
+    }
+}
+
+/// The two planes, a point for each pixel.
+fn picture(ui: &mut Ui, planes: &TwoPlanes, colors: &Planes, said: &str) {
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(TwoPlanes::WIDTH as f32, TwoPlanes::HEIGHT as f32), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, said));
+    let mut mesh = Mesh::default();
+    for (row, seen) in planes.seen.chunks(TwoPlanes::WIDTH as usize).enumerate() {
+        let mut left = 0;
+        // Neighbours of one colour are one rectangle.
+        for run in seen.chunk_by(|a, b| a == b) {
+            let color = match run.first() {
+                Some(Seen::Nearer) => Some(colors.nearer),
+                Some(Seen::Farther | Seen::Through) => Some(colors.farther),
+                Some(Seen::Ground) | None => None,
+            };
+            if let Some(color) = color {
+                let corner = rect.min + vec2(left as f32, row as f32);
+                mesh.add_colored_rect(Rect::from_min_size(corner, vec2(run.len() as f32, 1.0)), color);
+            }
+            left += run.len();
+        }
+    }
+    ui.painter().add(Shape::mesh(mesh));
+}
+
+/// A curve of z_n, by name, and whether it is that of the camera in the convention that is worked in.
+type Curve = (&'static str, Vec<[f64; 2]>, bool);
+
+/// z_n over the distance from the eye, as the matrices of a convention have it: in perspective, in parallel projection, and reversed.
+fn curves(t: &'static words::Texts, camera: &Camera, ndc: Ndc, across: impl Fn(f64) -> f64) -> Vec<Curve> {
     let (f, b) = (camera.near(), camera.far());
-    let perspective = move |d: f64| (1.0 + f / b - 2.0 * f / d) / (1.0 - f / b);
-    let parallel = move |d: f64| (2.0 * d - f - b) / (b - f);
-    let reversed = move |d: f64| (f / d - f / b) / (1.0 - f / b);
     // Near F there are as many samples as far from it.
-    let depth = move |i: u32| f * (b / f).powf(f64::from(i) / f64::from(SAMPLES));
+    let depth = |i: u32| f * (b / f).powf(f64::from(i) / f64::from(SAMPLES));
+    let own = camera.projection();
+    let all = [
+        (t.perspective, Projection::Perspective, false),
+        (t.parallel, Projection::Parallel, false),
+        // In the projection of the camera, where the convention is reversed itself.
+        (t.reversed, if ndc.reversed { own } else { Projection::Perspective }, true),
+    ];
+    let curve = |(name, projection, reversed): (&'static str, Projection, bool)| {
+        let camera = Camera::new(&Parameters { projection, ..*camera.parameters() }).ok()?;
+        let space = camera.possible_clip_space(Ndc { reversed, ..ndc });
+        let points = (0..=SAMPLES).map(|i| [across(depth(i)), space.ndc_depth(depth(i))]).collect();
+        Some((name, points, projection == own && reversed == ndc.reversed))
+    };
+    all.into_iter().filter_map(curve).collect()
+}
+
+fn plot(ui: &mut Ui, t: &'static words::Texts, camera: &Camera, ndc: Ndc, probe: Option<f64>) {
+    let (f, b) = (camera.near(), camera.far());
     let logarithmic = b / f > WIDE_RANGE;
     let across = move |d: f64| if logarithmic { d.log10() } else { d };
-    let curve = |of: &dyn Fn(f64) -> f64| -> PlotPoints<'static> {
-        (0..=SAMPLES).map(|i| [across(depth(i)), of(depth(i))]).collect()
-    };
+    let curves = curves(t, camera, ndc, across);
+    let depths = curves.iter().flat_map(|(_, points, _)| points).map(|point| point[1]);
+    let [low, high] = depths.fold([0.0, 0.0], |[low, high]: [f64; 2], z| [low.min(z), high.max(z)]);
     let mut plot = still(Plot::new(("depth", logarithmic)))
         .height(HEIGHT)
         .x_axis_label(t.distance)
@@ -95,11 +168,10 @@ fn plot(ui: &mut Ui, t: &words::Texts, camera: &Camera, probe: Option<f64>) {
     let dark = ui.visuals().dark_mode;
     let shown = plot.show(ui, |plot| {
         plot.set_plot_bounds_x(across(f)..=across(b));
-        plot.set_plot_bounds_y(-1.05..=1.05);
-        let curves: [(&str, &dyn Fn(f64) -> f64); 3] =
-            [(t.perspective, &perspective), (t.parallel, &parallel), (t.reversed, &reversed)];
-        for (i, (name, of)) in curves.into_iter().enumerate() {
-            plot.line(Line::new(name, curve(of)).color(color_of(Some(i), dark)).width(2.0));
+        plot.set_plot_bounds_y(low - 0.05..=high + 0.05);
+        for (i, (name, points, is_own)) in curves.into_iter().enumerate() {
+            let width = if is_own { 3.5 } else { 1.5 };
+            plot.line(Line::new(name, PlotPoints::from(points)).color(color_of(Some(i), dark)).width(width));
         }
         if let Some(depth) = probe {
             let line = VLine::new(t.at_probe.trim_end_matches(','), across(depth));

@@ -13,10 +13,11 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Parameters, Projection};
 use crate::figure::{Figure, write};
+use crate::numerics::depth_format::{FORMATS, Format, Range, order};
 use crate::numerics::measure::{Off, Trial, bits_off};
 use crate::numerics::random::Random;
-use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
-use crate::pipeline::depths::{DepthScale, InView};
+use crate::numerics::{Findings, Group, Lab, Method, Study, Unit};
+use crate::pipeline::depths::InView;
 use crate::pipeline::project::depth_buffer_of;
 use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
 
@@ -58,7 +59,7 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
             let depths: Vec<f64> = (0..count).map(|_| place.depth(&mut random, ratio)).collect();
             let cubes = depths.iter().map(|&z| InView::between(z, z * (1.0 + GAP) + 2.0 * size_of_cube(z)));
             let (own_scale, own) = depth_buffer_of(&camera, cubes.fold(InView::NOTHING, InView::and));
-            let range = Range { projection, far: ratio };
+            let range = Range::from_0_to_1(projection, ratio);
             let methods = FORMATS
                 .into_iter()
                 .map(|format| {
@@ -172,139 +173,4 @@ fn interval(range: &Range, z: f64, value: &impl Fn(f64) -> i64) -> f64 {
         high
     };
     edge(1.0) + edge(-1.0)
-}
-
-/// F = 1, B, and the kind of projection.
-pub(super) struct Range {
-    pub(super) projection: Projection,
-    pub(super) far: f64,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Format {
-    Fixed16,
-    Fixed24,
-    Float,
-    FloatReversed,
-    Logarithmic,
-    Own,
-}
-
-const FORMATS: [Format; 6] =
-    [Format::Fixed16, Format::Fixed24, Format::Float, Format::FloatReversed, Format::Logarithmic, Format::Own];
-
-/// Reversed depth as a number that grows with the depth.
-fn order(reversed: f32) -> i64 {
-    -i64::from(reversed.to_bits())
-}
-
-impl Format {
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Fixed16 => "fixed 16",
-            Self::Fixed24 => "fixed 24",
-            Self::Float => "f32",
-            Self::FloatReversed => "f32 reversed",
-            Self::Logarithmic => "logarithmic 24",
-            Self::Own => OWN,
-        }
-    }
-
-    /// The value that is stored for a depth, as a whole number that grows with it. The transformation is done in single precision, as
-    /// graphics cards do: Z = (z_c entries of M_p) / w.
-    pub(super) fn value(self, range: &Range, z: f64) -> i64 {
-        #[expect(clippy::cast_possible_truncation, reason = "single precision is what is studied")]
-        let (depth, far) = (z as f32, range.far as f32);
-        let perspective = range.projection == Projection::Perspective;
-        // 0 at F, 1 at B; reversed: 1 at F, 0 at B.
-        let normal = || {
-            if perspective {
-                (far / (far - 1.0) * depth - far / (far - 1.0)) / depth
-            } else {
-                (depth - 1.0) / (far - 1.0)
-            }
-        };
-        let reversed = || {
-            if perspective { (far / (far - 1.0) - depth / (far - 1.0)) / depth } else { (far - depth) / (far - 1.0) }
-        };
-        #[expect(clippy::cast_possible_truncation, reason = "between 0 and 2^24")]
-        let fixed = |x: f32, bits: i32| (f64::from(x) * (2f64.powi(bits) - 1.0)).round() as i64;
-        match self {
-            Self::Fixed16 => fixed(normal(), 16),
-            Self::Fixed24 => fixed(normal(), 24),
-            Self::Float => i64::from(normal().max(0.0).to_bits()),
-            Self::FloatReversed | Self::Own => order(reversed().max(0.0)),
-            Self::Logarithmic => fixed(depth.ln() / far.ln(), 24),
-        }
-    }
-
-    /// The length of one step at depth `z`, for the program's own with its scale: a unit of what is stored over its derivative.
-    fn step(self, range: &Range, own: &DepthScale, z: f64) -> f64 {
-        if self != Self::Own {
-            return self.step_in_range(range, z);
-        }
-        // Depths relative to the farthest in view, whatever their unit.
-        let far = own.far;
-        let slope = match range.projection {
-            Projection::Perspective => z * (far - z) / far,
-            Projection::Parallel => far - z,
-        };
-        let depth = own.depth(z);
-        slope * ulp(depth) / depth
-    }
-
-    /// The same of a format whose range is F … B.
-    fn step_in_range(self, range: &Range, z: f64) -> f64 {
-        let far = range.far;
-        let span = far - 1.0;
-        // dz/dZ, and 1 − Z.
-        let (slope, reversed) = match range.projection {
-            Projection::Perspective => (z * z * span / far, (far - z) / (z * span)),
-            Projection::Parallel => (span, (far - z) / span),
-        };
-        let step = match self {
-            Self::Fixed16 => slope * 2f64.powi(-16),
-            Self::Fixed24 => slope * 2f64.powi(-24),
-            Self::Float => slope * ulp(1.0 - reversed),
-            Self::FloatReversed | Self::Own => slope * ulp(reversed),
-            Self::Logarithmic => z * far.ln() * 2f64.powi(-24),
-        };
-        // Of a depth in single precision no more can be told than its own last place.
-        step.max(ulp(z)).min(2.0 * far)
-    }
-}
-
-/// From one f32 to the next.
-fn ulp(x: f64) -> f64 {
-    #[expect(clippy::cast_possible_truncation, reason = "an exponent")]
-    let exponent = x.max(f64::MIN_POSITIVE).log2().floor() as i32;
-    2f64.powi(exponent.max(-126) - 23)
-}
-
-/// How a format of depth buffers keeps the depths of a camera.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Resolution {
-    /// The format.
-    pub format: &'static str,
-    /// The length of one step at a depth, in scene units.
-    pub step: f64,
-    /// What is behind by the gap is always held for the farther.
-    pub told_apart: bool,
-}
-
-/// Each format of graphics cards at a depth from the eye, F … B, and whether it tells two surfaces apart that are `gap` away from each
-/// other there.
-#[must_use]
-pub fn resolutions(camera: &Camera, depth: f64, gap: f64) -> Vec<Resolution> {
-    let near = camera.near();
-    let range = Range { projection: camera.projection(), far: camera.far() / near };
-    let z = depth / near;
-    let of = |format: Format| {
-        let step = format.step_in_range(&range, z);
-        // Wherever within a step the surfaces lie.
-        let mut places = (0..32).map(|i| z + step * f64::from(i) / 32.0);
-        let told_apart = places.all(|z| format.value(&range, z + gap / near) > format.value(&range, z));
-        Resolution { format: format.name(), step: step * near, told_apart }
-    };
-    FORMATS.into_iter().filter(|format| *format != Format::Own).map(of).collect()
 }

@@ -7,12 +7,12 @@ use std::mem::size_of;
 
 use glam::DVec3;
 
-use super::depth_buffer::{Format, Range};
 use super::painter::{Painter, flat, triangle};
 use crate::appearance::{Rgba, Visibility};
 use crate::camera::{Camera, Parameters, Projection};
 use crate::figure::{Figure, write};
 use crate::numerics::chain::Vector;
+use crate::numerics::depth_format::{Format, Range};
 use crate::numerics::measure::{Off, Trial, Watch};
 use crate::numerics::random::Random;
 use crate::numerics::real::Real;
@@ -243,7 +243,7 @@ fn picture(setup: &Setup, visibility: Visibility, trial: &mut Trial, watch: &Wat
 /// A depth buffer of another format, in double precision but for the depths that it keeps; of equal depths the first stays.
 fn buffered(setup: &Setup, format: Format, trial: &mut Trial, watch: &Watch) -> Vec<Option<usize>> {
     let (near, far) = (setup.parameters.near, setup.parameters.far);
-    let range = Range { projection: Projection::Perspective, far: far / near };
+    let range = Range::from_0_to_1(Projection::Perspective, far / near);
     let mut seen = Vec::new();
     trial.time_whole(watch, setup.rays.len(), || {
         let mut depths = vec![i64::MAX; setup.rays.len()];
