@@ -170,8 +170,8 @@ fn extreme_figure(lang: Lang, name: &str) -> (&'static str, &'static str) {
             ("VUP quase sobre DOP", "Só o nono dígito de VUP diz o que é acima: o horizonte fica inclinado."),
         ),
         "zoomed-out" => (
-            ("H = 1e6", "A window far larger than the picture is not painted on: camera and table can be read."),
-            ("H = 1e6 (janela)", "Uma janela bem maior que a figura não é pintada: câmera e mesa continuam legíveis."),
+            ("H = 1e6", "A volume far wider than all else is drawn narrower, with broken sides."),
+            ("H = 1e6 (janela)", "Um volume bem mais largo que o resto é desenhado mais estreito, com lados interrompidos."),
         ),
         "solar" => (
             (

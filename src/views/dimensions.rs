@@ -100,7 +100,7 @@ fn one(builder: &mut SceneBuilder, request: &Request, volume: &DrawnVolume, gear
         span(builder, &Span { ends: [c, c + dop * to], aside, text: &text, gap }, pen);
     };
     match measure {
-        Measure::Near => along_axis(camera.near(), 0.75, None),
+        Measure::Near => along_axis(volume.start, 0.75, volume.before.map(|gap| gap.map(|d| d / volume.start))),
         Measure::Distance => along_axis(camera.distance(), 1.25, None),
         Measure::Far => along_axis(volume.end, LOWEST, volume.gap.map(|gap| gap.map(|d| d / volume.end))),
         Measure::Width => {
@@ -112,7 +112,7 @@ fn one(builder: &mut SceneBuilder, request: &Request, volume: &DrawnVolume, gear
             span(builder, &Span { ends: [rb, rt], aside, text: &text, gap: None }, pen);
         }
         Measure::HalfAngle => {
-            if let Some(top) = half_angle(request, volume) {
+            if let Some(top) = half_angle(request) {
                 angle(builder, c, [dop, top], 1.6 * gear.axis, &text, pen);
             }
         }
@@ -120,10 +120,10 @@ fn one(builder: &mut SceneBuilder, request: &Request, volume: &DrawnVolume, gear
 }
 
 /// The direction from C to the middle of the window's upper side; `None` where θ is not a parameter.
-pub(super) fn half_angle(request: &Request, volume: &DrawnVolume) -> Option<DVec3> {
+pub(super) fn half_angle(request: &Request) -> Option<DVec3> {
     let camera = &request.camera;
     let has_angle = camera.projection() == Projection::Perspective && camera.parameters().window.is_none();
-    let [_, _, rt, lt] = volume.window();
+    let [_, _, rt, lt] = DrawnVolume::whole(camera).window();
     has_angle.then(|| (rt.lerp(lt, 0.5) - camera.position()).normalize_or_zero())
 }
 

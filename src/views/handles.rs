@@ -58,7 +58,7 @@ pub(super) fn on_axis(request: &Request, screen: &Screen, volume: &DrawnVolume, 
         return Vec::new();
     }
     let least = unit * clear * screen.scale() / pixels_per_step;
-    [(Handle::Near, camera.near()), (Handle::Far, volume.end)].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
+    [(Handle::Near, volume.start), (Handle::Far, volume.end)].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
 }
 
 /// The camera parameters after `handle` was taken at `from` and is now at `to` (pixels), beginning with the camera of `request`,
@@ -84,7 +84,8 @@ pub fn drag(request: &Request, handle: Handle, from: DVec2, to: DVec2, vertical:
         Handle::FocalPoint => parameters.focal_point += grip.shift(camera.focal_point(), vertical),
         Handle::Near => {
             let least = (1e-3 * camera.distance()).min(camera.near());
-            parameters.near = (camera.near() + along_axis()).clamp(least, (0.99 * camera.far()).max(camera.near()));
+            let near = Content::of(request).volume.near_moved(along_axis());
+            parameters.near = near.clamp(least, (0.99 * camera.far()).max(camera.near()));
         }
         Handle::Far => {
             let far = Content::of(request).volume.far_moved(along_axis());
@@ -318,6 +319,23 @@ mod tests {
             assert!((moved.far - 450.0).abs() < 1e-6, "{}", moved.far);
             let stopped = drag(&request, Handle::Far, place, on_axis(-end), false);
             assert!(Camera::new(&stopped).is_ok());
+        });
+    }
+
+    #[test]
+    fn a_window_that_is_drawn_nearer_is_taken_where_it_is_drawn_and_goes_in_proportion() {
+        with_picture(CORNER, |request, screen| {
+            let camera = Camera::new(&Parameters { near: 5e3, far: 6e3, ..*request.camera.parameters() }).unwrap();
+            let request = Request { camera: camera.clone(), ..request.clone() };
+            let place = |wanted| handles(&request).into_iter().find(|(handle, _)| *handle == wanted).unwrap().1;
+            let on_axis = |d: f64| screen.place(camera.position() + camera.direction_of_projection() * d).unwrap();
+            let volume = Content::of(&request).volume;
+            assert!(volume.start < 20.0 && place(Handle::Near).distance(on_axis(volume.start)) < 1e-9);
+            assert!(volume.end < 30.0 && place(Handle::Far).distance(on_axis(volume.end)) < 1e-9);
+            let moved = drag(&request, Handle::Near, place(Handle::Near), on_axis(0.5 * volume.start), false);
+            assert!((moved.near - 2500.0).abs() < 1e-6, "{}", moved.near);
+            let moved = drag(&request, Handle::Far, place(Handle::Far), on_axis(0.9 * volume.end), false);
+            assert!((moved.far - 5400.0).abs() < 1e-6, "{}", moved.far);
         });
     }
 

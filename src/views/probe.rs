@@ -52,15 +52,17 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
         }
         Some(Probe::Window(point)) => {
             let pixel = Pixel::new(request, point);
-            let share = (volume.end - request.camera.near()) / (request.camera.far() - request.camera.near());
-            let end = pixel.window.lerp(pixel.end, share);
+            let share =
+                |distance: f64| (distance - request.camera.near()) / (request.camera.far() - request.camera.near());
+            let end = pixel.window.lerp(pixel.end, share(volume.end));
+            let window = pixel.window.lerp(pixel.end, share(volume.start));
             builder.line(vec![pixel.origin, pixel.hit.unwrap_or(end)], color, 1.6, Dash::Solid);
             if let Some(hit) = pixel.hit {
                 builder.line(vec![hit, end], color, 1.2, Dash::Dotted);
                 builder.mark(hit, MarkShape::Ring, 6.0, color);
                 builder.text(hit, "P", DVec2::new(0.8, -0.8), TYPE, color);
             }
-            builder.mark(pixel.window, MarkShape::Square, 3.0, color);
+            builder.mark(window, MarkShape::Square, 3.0, color);
             if request.camera.projection() == Projection::Parallel {
                 builder.mark(pixel.origin, MarkShape::Disc, 3.0, color);
                 builder.text(pixel.origin, "O_R", DVec2::new(-0.7, 0.7), SMALL_TYPE, color);

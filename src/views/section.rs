@@ -31,7 +31,8 @@ struct Profile<'a> {
 
 impl<'a> Profile<'a> {
     fn new(request: &'a Request, content: &Content) -> Self {
-        let (camera, volume) = (&request.camera, content.volume);
+        let camera = &request.camera;
+        let volume = content.volume.measured(camera);
         let around = Aabb::around(volume.all_corners().chain([camera.position()])).map_or(1.0, |b| b.radius());
         let (p, name) = example(request);
         Self { camera, volume, p, name, step: 0.13 * around }
@@ -226,7 +227,7 @@ fn lengths(builder: &mut SceneBuilder, request: &Request, palette: Palette, prof
         &format!("y_c = {}", number(profile.height())),
         probe,
     );
-    if dimensions::half_angle(request, &profile.volume).is_some() {
+    if dimensions::half_angle(request).is_some() {
         let side = profile.sides(near)[usize::from(profile.height() < 0.0)];
         let toward = (side - camera.position()).normalize_or_zero();
         let text = dimensions::text(request, Measure::HalfAngle);

@@ -1,9 +1,9 @@
-//! The view volume as the world shows it: whole, or, where B is so great that all else would be too small to be read, with its
-//! far end drawn nearer and its long edges broken, as draughtsmen break a long shaft.
+//! The view volume as the world shows it: whole, or, where it is so large or so far that all else would be too small to be read, drawn
+//! nearer and narrower, with its edges broken, as draughtsmen break a long shaft.
 
 use glam::DVec3;
 
-use crate::camera::Camera;
+use crate::camera::{Camera, Projection};
 use crate::geometry::Aabb;
 
 /// So many times larger than all else the whole volume may make what there is to see; beyond it, the volume is broken.
@@ -13,9 +13,15 @@ const MOST_ENLARGED: f64 = 2.5;
 const END: f64 = 1.22;
 const GAP: [f64; 2] = [1.06, 1.105];
 
-/// How far the corners of a wide volume may pull the picture's border, measured by the radius of all else. Of a volume twice as wide as
-/// that only the middle is in the picture, and what it holds can be told apart.
+/// Where F is more than so many times the depth at which all that there is to see ends, the window is drawn where the far face of a broken
+/// volume is, the far face behind it, as deep as this at most.
+const FARTHEST: f64 = 4.0;
+const DEEPEST: f64 = 0.5;
+
+/// How far the corners of a wide volume may pull the picture's border, measured by the radius of all else. One that is wider around its
+/// axis is drawn as wide as [`NARROWED`], with broken sides; of one twice as wide that lies aside, only the middle is in the picture.
 const WIDEST: f64 = 26.0;
+const NARROWED: f64 = 2.2;
 const MIDDLE: f64 = 4.0;
 
 /// The volume as it is drawn.
@@ -24,6 +30,19 @@ pub(super) struct DrawnVolume {
     corners: [DVec3; 8],
     near: f64,
     far: f64,
+    eye: DVec3,
+    dop: DVec3,
+    /// **u** and **v**.
+    across: [DVec3; 2],
+    /// From the axis to the corners of the window, along **u** and **v**.
+    window: [[f64; 2]; 4],
+    perspective: bool,
+    /// How much narrower than it is the volume is drawn along **u** and **v**: 1, or less where its sides are broken.
+    pub(super) narrowed: [f64; 2],
+    /// The distance from C at which the window is drawn: F, or less where it lies far beyond all else.
+    pub(super) start: f64,
+    /// From which to which distance what leads from C to the window is left out.
+    pub(super) before: Option<[f64; 2]>,
     /// The distance from C at which the far face is drawn: B, or less where the volume is broken.
     pub(super) end: f64,
     /// From which to which distance the volume is left out.
@@ -33,20 +52,86 @@ pub(super) struct DrawnVolume {
 impl DrawnVolume {
     /// The volume among what else there is to see: the box around it, and the points of it that the volume should hold.
     pub(super) fn of(camera: &Camera, core: &Aabb, points: &[DVec3]) -> Self {
-        let (near, far, corners) = (camera.near(), camera.far(), camera.volume_corners());
-        let whole = Self { corners, near, far, end: far, gap: None };
-        let deepest = points.iter().map(|&p| -camera.view_point(p).z).fold(near, f64::max);
-        let enlarged = Aabb::around(corners).map_or(0.0, |volume| volume.union(*core).radius()) / core.radius();
+        let whole = Self::whole(camera);
+        let depth = |least: f64| points.iter().map(|&p| -camera.view_point(p).z).fold(least, f64::max);
+        let reach = depth(0.5 * core.radius());
+        let deep = if core.radius() > 0.0 && whole.near > FARTHEST * reach {
+            whole.nearer(reach)
+        } else {
+            whole.shorter(core, depth(whole.near))
+        };
+        deep.narrower(core.radius())
+    }
+
+    /// The volume as it is.
+    pub(super) fn whole(camera: &Camera) -> Self {
+        let (near, far, window) = (camera.near(), camera.far(), camera.window());
+        let (left, right) = (window.left, window.right);
+        Self {
+            corners: camera.volume_corners(),
+            near,
+            far,
+            eye: camera.position(),
+            dop: camera.direction_of_projection(),
+            across: [camera.basis().u, camera.basis().v],
+            window: [[left, window.bottom], [right, window.bottom], [right, window.top], [left, window.top]],
+            perspective: camera.projection() == Projection::Perspective,
+            narrowed: [1.0; 2],
+            start: near,
+            before: None,
+            end: far,
+            gap: None,
+        }
+    }
+
+    /// As it is drawn where F and the window are measured: these are in their place.
+    pub(super) fn measured(self, camera: &Camera) -> Self {
+        if self.before.is_some() { Self::whole(camera) } else { Self { narrowed: [1.0; 2], ..self } }
+    }
+
+    /// With the far face where all that there is to see ends, if it would make that too small.
+    fn shorter(self, core: &Aabb, deepest: f64) -> Self {
+        let enlarged = Aabb::around(self.corners).map_or(0.0, |volume| volume.union(*core).radius()) / core.radius();
         let (end, gap) = (END * deepest, GAP.map(|share| share * deepest));
         // `!(… > …)`: where there is nothing else to see, the volume is all.
         let fits = !(enlarged > MOST_ENLARGED && core.radius() > 0.0);
-        if fits || end > 0.9 * far || !end.is_finite() { whole } else { Self { end, gap: Some(gap), ..whole } }
+        if fits || end > 0.9 * self.far || !end.is_finite() { self } else { Self { end, gap: Some(gap), ..self } }
     }
 
-    /// The corners of the window: (l, b), (r, b), (r, t), (l, t).
+    /// With the window where all that there is to see ends, and the far face behind it.
+    fn nearer(self, reach: f64) -> Self {
+        let (start, before) = (END * reach, Some(GAP.map(|share| share * reach)));
+        let (depth, most) = (self.far - self.near, DEEPEST * reach);
+        let gap = (depth > most).then_some([start + 0.45 * most, start + 0.55 * most]);
+        Self { start, before, end: start + depth.min(most), gap, ..self }
+    }
+
+    /// With sides that leave what else there is to see readable.
+    fn narrower(self, radius: f64) -> Self {
+        let widest = self.scale(self.end);
+        let narrowed = std::array::from_fn(|axis| {
+            let (least, most) = (self.window[0][axis], self.window[2][axis]);
+            let reach = widest * most.max(-least);
+            let around_the_axis = least < 0.0 && most > 0.0;
+            let wide = around_the_axis && radius > 0.0 && reach > WIDEST * radius && reach.is_finite();
+            if wide { NARROWED * radius / reach } else { 1.0 }
+        });
+        Self { narrowed, ..self }
+    }
+
+    /// How many times as wide as the window a section is.
+    fn scale(&self, distance: f64) -> f64 {
+        if self.perspective { distance / self.near } else { 1.0 }
+    }
+
+    /// True where the sides are broken along **u** (0) or **v** (1).
+    pub(super) fn is_narrowed(&self, axis: usize) -> bool {
+        self.narrowed[axis] < 1.0
+    }
+
+    /// The corners of the window as it is drawn: (l, b), (r, b), (r, t), (l, t).
     pub(super) fn window(&self) -> [DVec3; 4] {
-        let [a, b, c, d, ..] = self.corners;
-        [a, b, c, d]
+        self.section(self.start)
     }
 
     /// The corners of the far face as it is drawn, in the same order.
@@ -54,9 +139,22 @@ impl DrawnVolume {
         self.section(self.end)
     }
 
-    /// The corners of the volume's section at a distance from C, in the same order.
+    /// The corners of the volume's section at a distance from C as it is drawn, in the same order.
     pub(super) fn section(&self, distance: f64) -> [DVec3; 4] {
         let c = self.corners;
+        if distance == 0.0 && self.perspective {
+            return [self.eye; 4];
+        }
+        if self.before.is_some() || self.narrowed != [1.0; 2] {
+            let middle = self.eye + self.dop * distance;
+            let along = |corner: usize, axis: usize| {
+                self.across[axis] * (self.window[corner][axis] * self.scale(distance) * self.narrowed[axis])
+            };
+            return std::array::from_fn(|corner| middle + along(corner, 0) + along(corner, 1));
+        }
+        if distance == self.near {
+            return [c[0], c[1], c[2], c[3]];
+        }
         if distance == self.far {
             return [c[4], c[5], c[6], c[7]];
         }
@@ -67,8 +165,16 @@ impl DrawnVolume {
     /// The parts of the volume that are drawn, by their distances from C.
     pub(super) fn parts(&self) -> Vec<[f64; 2]> {
         match self.gap {
-            None => vec![[self.near, self.end]],
-            Some([from, to]) => vec![[self.near, from], [to, self.end]],
+            None => vec![[self.start, self.end]],
+            Some([from, to]) => vec![[self.start, from], [to, self.end]],
+        }
+    }
+
+    /// The parts between C and the window that are drawn.
+    pub(super) fn parts_before(&self) -> Vec<[f64; 2]> {
+        match self.before {
+            None => vec![[0.0, self.start]],
+            Some([from, to]) => vec![[0.0, from], [to, self.start]],
         }
     }
 
@@ -77,13 +183,13 @@ impl DrawnVolume {
         self.window().into_iter().chain(self.far_face())
     }
 
-    /// The corners that a picture should hold; those of an angle so wide that little else would be seen are drawn in, and those
-    /// of a volume that begins far beyond all else are left out.
+    /// The corners that a picture should hold; those of an angle so wide that little else would be seen are drawn in.
     pub(super) fn of_interest(&self, camera: &Camera, core: &Aabb) -> Vec<DVec3> {
         let limit = WIDEST * core.radius();
         let (c, dop) = (camera.position(), camera.direction_of_projection());
         let deepest = core.corners().iter().map(|&p| -camera.view_point(p).z).fold(0.0, f64::max);
-        let drawn = [self.near, self.end].into_iter().filter(|d| core.radius() <= 0.0 || *d <= 4.0 * deepest);
+        let held = |d: &f64| core.radius() <= 0.0 || self.before.is_some() || *d <= FARTHEST * deepest;
+        let drawn = [self.start, self.end].into_iter().filter(held);
         drawn
             .flat_map(|d| {
                 let middle = c + dop * d;
@@ -92,9 +198,15 @@ impl DrawnVolume {
             .collect()
     }
 
+    /// F after the window was moved by `way` (units) along DOP from where it is drawn: one that is drawn nearer goes in proportion.
+    pub(super) fn near_moved(&self, way: f64) -> f64 {
+        if self.before.is_some() { self.near * (self.start + way) / self.start } else { self.near + way }
+    }
+
     /// B after the far face was moved by `way` (units) along DOP from where it is drawn: that of a broken volume goes in proportion.
     pub(super) fn far_moved(&self, way: f64) -> f64 {
-        if self.gap.is_some() { self.far * (self.end + way) / self.end } else { self.far + way }
+        let broken = self.gap.or(self.before).is_some();
+        if broken { self.far * (self.end + way) / self.end } else { self.far + way }
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Texture};
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
 use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
@@ -128,16 +128,47 @@ impl World<'_> {
                 self.builder.breaks(from, to, color);
             }
         }
-        self.builder.closed(&far, color, 1.5, Dash::Dashed);
+        self.face(&far, color, 1.5, Dash::Dashed);
+    }
+
+    /// The sides of the window or of the far face; broken where they are longer than they are drawn.
+    fn face(&mut self, corners: &[DVec3; 4], color: Rgba, width: f32, dash: Dash) {
+        const GAPS: [[f64; 2]; 2] = [[0.11, 0.14], [0.86, 0.89]];
+        let volume = self.content.volume;
+        if !volume.is_narrowed(0) && !volume.is_narrowed(1) {
+            return self.builder.closed(corners, color, width, dash);
+        }
+        for side in 0..4 {
+            let (a, b) = (corners[side], corners[(side + 1) % 4]);
+            if !volume.is_narrowed(side % 2) {
+                self.builder.line(vec![a, b], color, width, dash);
+                continue;
+            }
+            let [first, last] = GAPS.map(|gap| gap.map(|t| a.lerp(b, t)));
+            for ends in [[a, first[0]], [first[1], last[0]], [last[1], b]] {
+                self.builder.line(ends.to_vec(), color, width, dash);
+            }
+            for [from, to] in [first, last] {
+                self.builder.breaks(from, to, color);
+            }
+        }
     }
 
     /// The window at distance F, with the image on it, and the rays through its corners.
     fn window(&mut self) {
         let camera = &self.request.camera;
-        let near = self.content.volume.window();
+        let volume = self.content.volume;
+        let (near, color) = (volume.window(), self.palette.volume_edge);
         if camera.projection() == Projection::Perspective {
-            for corner in near {
-                self.builder.line(vec![camera.position(), corner], self.palette.volume_edge, 1.0, Dash::Solid);
+            for [from, to] in volume.parts_before() {
+                for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
+                    self.builder.line(vec![from, to], color, 1.0, Dash::Solid);
+                }
+            }
+            if let Some([from, to]) = volume.before {
+                for (from, to) in volume.section(from).into_iter().zip(volume.section(to)) {
+                    self.builder.breaks(from, to, color);
+                }
             }
         }
         match self.on_window {
@@ -149,7 +180,7 @@ impl World<'_> {
             }
             None => self.builder.sheer("window", &[near], self.palette.volume),
         }
-        self.builder.closed(&near, self.palette.ink, 2.0, Dash::Solid);
+        self.face(&near, self.palette.ink, 2.0, Dash::Solid);
     }
 
     /// How opaque the image on the window may be so that it does not hide the scene: fully as long as it stands before little of
@@ -158,6 +189,10 @@ impl World<'_> {
         const LITTLE: f64 = 0.12;
         const MUCH: f64 = 0.45;
         const FAINTEST: f64 = 0.3;
+        // What is on a window that is drawn narrower is not to scale.
+        if self.content.volume.narrowed != [1.0; 2] {
+            return 0.0;
+        }
         // A window so many times as large as all else is a wall without a picture.
         const LARGE: f64 = 2.0;
         const WALL: f64 = 6.0;
@@ -193,8 +228,11 @@ impl World<'_> {
     /// The names of window and far face, as they are written.
     fn planes(&mut self) -> [String; 2] {
         let (labels, volume) = (self.request.labels, self.content.volume);
-        let window = format!("{} (F)", labels.window);
-        let far = match volume.gap {
+        let window = match volume.before {
+            None => format!("{} (F)", labels.window),
+            Some(_) => format!("{} (F = {})", labels.window, labels.mark.number(self.request.camera.near(), 4)),
+        };
+        let far = match volume.gap.or(volume.before) {
             None => format!("{} (B)", labels.far),
             Some(_) => format!("{} (B = {})", labels.far, labels.mark.number(self.request.camera.far(), 4)),
         };
@@ -256,13 +294,15 @@ impl World<'_> {
         let camera = &self.request.camera;
         let (c, pf, dop) = (camera.position(), camera.focal_point(), camera.direction_of_projection());
         self.builder.line(vec![c, pf], self.palette.aim, 1.1, Dash::DashDot);
-        for [from, to] in self.content.volume.parts() {
+        let volume = self.content.volume;
+        let before = volume.before.map_or_else(Vec::new, |_| volume.parts_before());
+        for [from, to] in before.into_iter().chain(volume.parts()) {
             let from = from.max(camera.distance());
             if from < to {
                 self.builder.line(vec![c + dop * from, c + dop * to], self.palette.soft, 0.8, Dash::DashDot);
             }
         }
-        if let Some([from, to]) = self.content.volume.gap {
+        for [from, to] in volume.before.into_iter().chain(volume.gap) {
             self.builder.breaks(c + dop * from, c + dop * to, self.palette.soft);
         }
         self.builder.mark(pf, MarkShape::Diamond, 5.0, self.palette.aim);

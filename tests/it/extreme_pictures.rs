@@ -4,6 +4,7 @@
 
 use std::collections::BTreeSet;
 
+use camera_lab::appearance::{Rgba, Theme};
 use camera_lab::camera::Camera;
 use camera_lab::drawing::Drawing;
 use camera_lab::figure::read::parse;
@@ -13,7 +14,7 @@ use camera_lab::progress::Progress;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::no_files;
 use camera_lab::text::measure;
-use camera_lab::views::{Request, SharedScene, Size, TimedPipeline, View, frame, scene_of};
+use camera_lab::views::{Palette, Request, SharedScene, Size, TimedPipeline, View, frame, scene_of};
 
 use crate::common::picture::assert_picture;
 
@@ -25,7 +26,11 @@ fn extreme() -> impl Iterator<Item = ShippedFigure> {
 }
 
 fn drawing(figure: ShippedFigure, view: View, lang: Lang) -> Drawing {
-    let figure = parse(&figure.text()).unwrap();
+    drawing_of(&figure.text(), view, lang)
+}
+
+fn drawing_of(text: &str, view: View, lang: Lang) -> Drawing {
+    let figure = parse(text).unwrap();
     let camera = Camera::new(&figure.camera).unwrap();
     let scene = SharedScene::new(scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
     let mut request = Request::of(&figure, view, &camera, &scene, pictures::labels(lang), SIZE);
@@ -85,6 +90,46 @@ fn the_world_has_the_camera_and_names_what_it_shows() {
         assert!((0.0..400.0).contains(&c.position[0]) && (0.0..300.0).contains(&c.position[1]), "{}", figure.name);
         let speck = ["narrow-angle", "large-distance", "aside"].contains(&figure.name);
         assert_eq!(texts.contains(&"scene"), speck, "{}: {texts:?}", figure.name);
+    }
+}
+
+/// The rectangle around the points of all strokes of a colour.
+fn around(drawing: &Drawing, color: Rgba) -> [[f32; 2]; 2] {
+    let strokes = drawing.strokes.iter().filter(|stroke| stroke.style.color == color);
+    let points = strokes.flat_map(|stroke| &stroke.points);
+    points.fold([[f32::MAX; 2], [f32::MIN; 2]], |[least, most], p| {
+        [[least[0].min(p[0]), least[1].min(p[1])], [most[0].max(p[0]), most[1].max(p[1])]]
+    })
+}
+
+/// The share of the picture's width or height that the volume has; panics where it leaves the picture.
+fn share_of_the_volume(drawing: &Drawing, what: &str) -> f32 {
+    // Strokes end where they leave the picture.
+    let [least, most] = around(drawing, Palette::of(Theme::Light).volume_edge);
+    let inside = least[0] > 2.0 && least[1] > 2.0 && most[0] < 398.0 && most[1] < 298.0;
+    assert!(inside, "{what}: the volume is at {least:?} to {most:?}");
+    ((most[0] - least[0]) / 400.0).max((most[1] - least[1]) / 300.0)
+}
+
+#[test]
+fn the_world_frames_the_volume_however_thin_deep_wide_or_far_it_is() {
+    for figure in extreme() {
+        let share = share_of_the_volume(&drawing(figure, View::World, Lang::En), figure.name);
+        assert!((0.3..0.95).contains(&share), "{}: {share}", figure.name);
+    }
+    for projection in ["perspective", "parallel"] {
+        for (near, far) in [("5000.0", "6000.0"), ("5000.0", "5003.0"), ("1e12", "1.5e12"), ("1e6", "1e12")] {
+            let text = format!("[camera]\nprojection = \"{projection}\"\nnear = {near}\nfar = {far}\n");
+            let what = format!("{projection} {near} {far}");
+            let drawing = drawing_of(&text, View::World, Lang::En);
+            assert!((0.2..0.95).contains(&share_of_the_volume(&drawing, &what)), "{what}");
+            let named = |start: &str| drawing.labels.iter().any(|label| label.text.starts_with(start));
+            assert!(named("window (F = ") && named("far (B = "), "{what}");
+            // And what is near C has room: camera and table are a quarter of the picture.
+            let table = drawing.surfaces.iter().filter(|s| s.depth_test && !s.translucent).flat_map(|s| &s.positions);
+            let [least, most] = table.fold([f32::MAX, f32::MIN], |[a, b], p| [a.min(p[0]), b.max(p[0])]);
+            assert!(most - least > 100.0, "{what}: {least} to {most}");
+        }
     }
 }
 
