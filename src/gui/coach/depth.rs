@@ -161,7 +161,7 @@ fn plot(ui: &mut Ui, t: &'static words::Texts, camera: &Camera, ndc: Ndc, probe:
         .height(HEIGHT)
         .x_axis_label(t.distance)
         .y_axis_label("z_n")
-        .legend(Legend::default().position(Corner::RightBottom));
+        .legend(Legend::default().position(Corner::RightBottom).follow_insertion_order(true));
     if logarithmic {
         plot = plot.x_axis_formatter(decade).x_grid_spacer(uniform_grid_spacer(decades));
     }
