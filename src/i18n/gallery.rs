@@ -171,7 +171,10 @@ fn extreme_figure(lang: Lang, name: &str) -> (&'static str, &'static str) {
         ),
         "zoomed-out" => (
             ("H = 1e6", "A volume far wider than all else is drawn narrower, with broken sides."),
-            ("H = 1e6 (janela)", "Um volume bem mais largo que o resto é desenhado mais estreito, com lados interrompidos."),
+            (
+                "H = 1e6 (janela)",
+                "Um volume bem mais largo que o resto é desenhado mais estreito, com lados interrompidos.",
+            ),
         ),
         "solar" => (
             (
