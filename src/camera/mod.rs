@@ -19,6 +19,7 @@
 
 mod basis;
 mod clip_space;
+mod decomposition;
 mod descriptors;
 mod image_map;
 mod ndc;
@@ -34,6 +35,7 @@ mod window;
 
 pub use basis::Basis;
 pub use clip_space::ClipSpace;
+pub use decomposition::{Decomposition, Factor, Step};
 pub use descriptors::{Amount, Descriptor, Freedom, OPERATIONS, OperationError};
 pub use image_map::{ImageSize, Viewport};
 pub use ndc::{Api, InfiniteParallel, Ndc};

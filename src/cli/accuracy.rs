@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::args::{AccuracyArgs, DataFormat, LangArg};
+use super::args::AccuracyArgs;
+use super::words::{DataFormat, LangArg};
 use super::{Failure, print, progress};
 use crate::export::plot::{self, Block};
 use crate::files::{self, Overwrite};

@@ -3,13 +3,13 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use clap::builder::PossibleValue;
 use clap::{Args, CommandFactory as _, Parser, Subcommand, ValueEnum};
 use glam::DVec3;
 
 use super::Failure;
+use super::words::{ConventionArg, DataFormat, Format, LangArg, TableFormat, ThemeArg};
 use crate::appearance;
-use crate::camera::{Amount, Convention, ImageSize, Ndc, OPERATIONS, Operation};
+use crate::camera::{Amount, Convention, Decomposition, ImageSize, Ndc, OPERATIONS, Operation};
 use crate::export::format::PictureFormat;
 use crate::export::plot::PlotFormat;
 use crate::expression::{self, Dimension};
@@ -44,6 +44,8 @@ pub(super) enum Command {
     Accuracy(AccuracyArgs),
     /// Tell how near a camera is to trouble with numbers, why a picture is empty, and what would repair it
     Diagnose(DiagnoseArgs),
+    /// Write how the view volume becomes the canonical one, step by step: an animation or a strip of stills
+    Animate(AnimateArgs),
 }
 
 /// Without a command the window opens.
@@ -216,6 +218,26 @@ pub(super) struct DiagnoseArgs {
 
 /// What every command that takes a figure understands.
 #[derive(Debug, Args)]
+pub(super) struct AnimateArgs {
+    /// Figure file, or a PNG that camera-lab wrote
+    pub(super) figure: PathBuf,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// Whose steps: `notes` [0] T, R, M_p, division; `box` [2] S T P; `scale` [1] M_xyscale M_pers; `normalised` [3] N_persp M_P, N_ort
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) steps: Decomposition,
+    /// Width and height of each picture in pixels
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    size: Option<String>,
+    /// How long a step takes in an animation, in seconds, 0.1 to 60
+    #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true)]
+    seconds: String,
+    /// The file to write; its ending says what: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)
+    #[arg(short, long, value_name = "OUT")]
+    pub(super) output: PathBuf,
+}
+
+#[derive(Debug, Args)]
 pub(super) struct FigureArgs {
     // The words stand in `OPERATIONS`.
     #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true, help = operations_help())]
@@ -230,97 +252,6 @@ pub(super) struct FigureArgs {
     /// Language of the window, of messages, and of words in pictures
     #[arg(long, value_enum, ignore_case = true)]
     pub(super) lang: Option<LangArg>,
-}
-
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum Format {
-    #[default]
-    Json,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(super) enum TableFormat {
-    #[default]
-    Text,
-    Json,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(super) enum DataFormat {
-    #[default]
-    Text,
-    Json,
-    Csv,
-}
-
-impl ValueEnum for Ndc {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for Study {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for View {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-impl ValueEnum for Views {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::CHOICES
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(self.name().into())
-    }
-}
-
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum ConventionArg {
-    #[default]
-    RightHand,
-    Vtk,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum LangArg {
-    En,
-    #[value(name = "pt-BR", aliases = ["pt", "pt_BR"])]
-    PtBr,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum ThemeArg {
-    Light,
-    Dark,
-    Print,
-}
-
-impl LangArg {
-    pub(super) fn lang(self) -> Lang {
-        match self {
-            Self::En => Lang::En,
-            Self::PtBr => Lang::PtBr,
-        }
-    }
 }
 
 /// The language that the arguments ask for, even where they are at fault otherwise.
@@ -481,6 +412,18 @@ impl BenchArgs {
     pub(super) fn frames(&self, lang: Lang) -> Result<usize, Failure> {
         let frames = self.frames.trim().parse().ok().filter(|frames| (1..=1_000_000).contains(frames));
         frames.ok_or_else(|| Failure::BadInput(texts::frames(lang, &self.frames)))
+    }
+}
+
+impl AnimateArgs {
+    /// Width and height of each picture, if they are given.
+    pub(super) fn size(&self, lang: Lang) -> Result<Option<ImageSize>, Failure> {
+        size(self.size.as_deref(), lang)
+    }
+
+    pub(super) fn seconds(&self, lang: Lang) -> Result<f64, Failure> {
+        let seconds = self.seconds.trim().parse().ok().filter(|seconds| (0.1..=60.0).contains(seconds));
+        seconds.ok_or_else(|| Failure::BadInput(texts::step_seconds(lang, &self.seconds)))
     }
 }
 

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-use super::args::{BenchArgs, TableFormat};
+use super::args::BenchArgs;
+use super::words::TableFormat;
 use super::{Failure, Subject, print};
 use crate::clock;
 use crate::i18n::{Lang, command_line as texts};

@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
-use super::args::{DiagnoseArgs, TableFormat};
+use super::args::DiagnoseArgs;
+use super::words::TableFormat;
 use super::{Failure, Subject, print, say};
 use crate::figure::{Figure, update};
 use crate::files::{self, Overwrite};

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::args::{ExplainArgs, TableFormat};
+use super::args::ExplainArgs;
+use super::words::TableFormat;
 use super::{Failure, Subject, print};
 use crate::clock;
 use crate::foreign::shown;

@@ -4,6 +4,7 @@
 //! language of `--lang` or of the system; what is written to standard output or into a picture never depends on the system.
 
 mod accuracy;
+mod animate;
 mod args;
 mod bench;
 mod diagnose;
@@ -12,6 +13,7 @@ mod inspect;
 mod opening;
 mod progress;
 mod render;
+mod words;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -30,7 +32,8 @@ use crate::inspect::{InspectError, camera_after};
 use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
-use args::{Command, CommandLine, FigureArgs, LangArg};
+use args::{Command, CommandLine, FigureArgs};
+use words::LangArg;
 
 /// Why a command ends early.
 #[derive(Debug)]
@@ -78,6 +81,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Explain(args)) => explain::run(&args, lang),
             Some(Command::Bench(args)) => bench::run(&args, lang),
             Some(Command::Accuracy(args)) => accuracy::run(&args, lang),
+            Some(Command::Animate(args)) => animate::run(&args, lang),
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             None => match opening::opening(&line.window, lang) {
                 Ok(opening) => return Asked::Window(Box::new(opening)),

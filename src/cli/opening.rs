@@ -1,6 +1,7 @@
 //! No subcommand: what the window opens with.
 
-use super::args::{LangArg, WindowArgs};
+use super::args::WindowArgs;
+use super::words::LangArg;
 use super::{Failure, Opening};
 use crate::figure::Figure;
 use crate::i18n::{Lang, messages};

@@ -1,6 +1,7 @@
 //! `camera-lab render`: a picture of a figure.
 
-use super::args::{LangArg, RenderArgs};
+use super::args::RenderArgs;
+use super::words::LangArg;
 use super::{Failure, open, progress, say, scene};
 use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
@@ -41,15 +42,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let text = update(&opened.text, &opened.figure);
     let form = Form { format, crop: args.crop, dpi: paper.filter(|_| args.is_for_paper()).map(|paper| paper.dpi) };
     let made = progress::watched(lang, |progress| picture::file(&sheet, form, &text, progress));
-    let PictureFile { bytes, too_much } = made.map_err(|error| match error {
-        PictureError::TooLarge => too_large(),
-        // Nobody cancels it: whoever wants to ends the program.
-        PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
-        PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
-        PictureError::Encode { format, why } => {
-            Failure::Failed(format!("{name}: {}", messages::encoder(lang, format, &why)))
-        }
-    })?;
+    let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, too_large()))?;
     if let Some(too_much) = too_much {
         say(&format!("{}: {}", foreign::path(&args.figure), messages::too_much(lang, &too_much)));
     }
@@ -58,6 +51,19 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     }
     files::save(&args.output, &bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+}
+
+/// Why there is no picture file.
+pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, too_large: Failure) -> Failure {
+    let encoder = |format, why: &str| Failure::Failed(format!("{name}: {}", messages::encoder(lang, format, why)));
+    match error {
+        PictureError::TooLarge => too_large,
+        // Nobody cancels it: whoever wants to ends the program.
+        PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
+        PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
+        PictureError::Encode { format, why } => encoder(format.name(), &why),
+        PictureError::Animate { format, why } => encoder(format.name(), &why),
+    }
 }
 
 /// A picture with strokes and letters as they are wanted: by a scale, by the height of letters in pixels, or as on a screen.

@@ -1,5 +1,6 @@
 //! Drawing or report → file formats.
 
+pub mod animation;
 pub mod crop;
 pub mod format;
 pub mod plot;

@@ -4,7 +4,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Lang;
 use super::expressions::in_expression;
-use crate::camera::ImageSize;
+use crate::camera::{Decomposition, ImageSize};
 use crate::export::format::PictureFormat;
 use crate::expression::ExpressionError;
 use crate::foreign::{self, shown};
@@ -141,6 +141,47 @@ pub fn pixel(lang: Lang, text: &str) -> String {
     match lang {
         Lang::En => format!("--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0"),
         Lang::PtBr => format!("--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
+    }
+}
+
+/// The name of a file whose ending says neither an animation nor a picture.
+#[must_use]
+pub fn animation_ending(lang: Lang, name: &str) -> String {
+    match lang {
+        Lang::En => {
+            format!("{name}: unknown ending; allowed: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)")
+        }
+        Lang::PtBr => {
+            format!(
+                "{name}: terminação desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)"
+            )
+        }
+    }
+}
+
+/// A text that is not a step's time.
+#[must_use]
+pub fn step_seconds(lang: Lang, text: &str) -> String {
+    let text = shown(text);
+    match lang {
+        Lang::En => format!("--seconds is \"{text}\"; allowed: 0.1 to 60"),
+        Lang::PtBr => format!("--seconds é \"{text}\"; permitido: 0.1 a 60"),
+    }
+}
+
+/// A source that has no steps for a camera.
+#[must_use]
+pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
+    let source = decomposition.source();
+    match (lang, decomposition) {
+        (Lang::En, Decomposition::Scale) => {
+            format!("{source} has these steps in perspective, with a symmetric window, only")
+        }
+        (Lang::En, _) => format!("{source} has these steps with a symmetric window only"),
+        (Lang::PtBr, Decomposition::Scale) => {
+            format!("{source} tem esses passos só em perspectiva, com janela simétrica")
+        }
+        (Lang::PtBr, _) => format!("{source} tem esses passos só com janela simétrica"),
     }
 }
 

@@ -3,7 +3,6 @@
 use super::Lang;
 use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
-use crate::export::format::PictureFormat;
 use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
 use crate::limits::MAX_FILE_BYTES;
@@ -36,10 +35,10 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
 
 /// Why a picture cannot be written in a format.
 #[must_use]
-pub fn encoder(lang: Lang, format: PictureFormat, why: &str) -> String {
+pub fn encoder(lang: Lang, format: &str, why: &str) -> String {
     match lang {
-        Lang::En => format!("the picture cannot be written as {} ({why})", format.name()),
-        Lang::PtBr => format!("a imagem não pode ser gravada como {} ({why})", format.name()),
+        Lang::En => format!("the picture cannot be written as {format} ({why})"),
+        Lang::PtBr => format!("a imagem não pode ser gravada como {format} ({why})"),
     }
 }
 

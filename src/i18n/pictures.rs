@@ -35,6 +35,23 @@ texts! {
     plane_top: "top", "topo";
     plane_near: "near", "frente";
     plane_far: "far", "fundo";
+    world: "world", "mundo";
+    // The steps from the world to the canonical volume.
+    to_eye: "T(−C): the eye moves to the origin", "T(−C): o olho vai à origem";
+    turn: "R: u, v, n turn onto x, y, z (5.7)", "R: u, v, n giram sobre x, y, z (5.7)";
+    turn_left_handed: "M_{rot} (1-3): u, v, DOP turn onto x, y, z", "M_rot (1-3): u, v, DOP giram sobre x, y, z";
+    clip_rows: "M_p: clip coordinates (5.8), not yet divided", "M_p: coordenadas de recorte (5.8), ainda sem dividir";
+    divide: "÷ w_r (5.6): what is far becomes small", "÷ w_r (5.6): o que está longe fica pequeno";
+    to_box: "P: the frustum becomes a box", "P: o tronco de pirâmide vira uma caixa";
+    centre: "T: the middle of the box moves to the origin", "T: o meio da caixa vai à origem";
+    scale: "S: the box becomes the cube, z turns around", "S: a caixa vira o cubo, z se inverte";
+    pers: "M_{pers}: depth, and division by −z", "M_pers: profundidade e divisão por −z";
+    xy_scale: "M_{xyscale}: width and height become 2", "M_xyscale: largura e altura viram 2";
+    unit_slope: "S_{xy} (1-10): the sides become x = ±z, y = ±z", "S_xy (1-10): os lados viram x = ±z, y = ±z";
+    unit_depth: "S_z (1-12): the far plane comes to z = 1", "S_z (1-12): o plano de trás vai a z = 1";
+    canonical_box: "M_P (1-17), k = F/B: the frustum becomes the box", "M_P (1-17), k = F/B: o tronco vira a caixa";
+    near_to_origin: "T_{ort} (1-7): the near plane comes to z = 0", "T_ort (1-7): o plano da frente vai a z = 0";
+    scale_ort: "S_{ort} (1-7): the box becomes the canonical one", "S_ort (1-7): a caixa vira a canônica";
 }
 
 static LABELS_EN: Labels = of(&EN);
@@ -93,6 +110,24 @@ const fn of(t: &Texts) -> Labels {
         reversed: t.reversed,
         right_handed: t.right_handed,
         left_handed: t.left_handed,
+        world: t.world,
+        steps: [
+            t.to_eye,
+            t.turn,
+            t.turn_left_handed,
+            t.clip_rows,
+            t.divide,
+            t.to_box,
+            t.centre,
+            t.scale,
+            t.pers,
+            t.xy_scale,
+            t.unit_slope,
+            t.unit_depth,
+            t.canonical_box,
+            t.near_to_origin,
+            t.scale_ort,
+        ],
         planes: [t.plane_left, t.plane_right, t.plane_bottom, t.plane_top, t.plane_near, t.plane_far],
     }
 }

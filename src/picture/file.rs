@@ -2,6 +2,7 @@
 
 use super::{Picture, Renderer, Sheet};
 use crate::camera::Ndc;
+use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
 use crate::export::web;
@@ -23,6 +24,14 @@ pub enum PictureError {
     Encode {
         /// The format.
         format: PictureFormat,
+        /// What the encoder says.
+        why: String,
+    },
+    /// It cannot be written as an animation.
+    #[error("the picture cannot be written as {} ({why})", .format.name())]
+    Animate {
+        /// The format.
+        format: AnimationFormat,
         /// What the encoder says.
         why: String,
     },

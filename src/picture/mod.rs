@@ -3,6 +3,7 @@
 
 mod account;
 mod file;
+mod film;
 mod renderer;
 mod sheet;
 
@@ -16,6 +17,7 @@ use crate::progress::Progress;
 use crate::views::Arrangement;
 pub use account::Account;
 pub use file::{Form, PictureError, PictureFile, assembled, file};
+pub use film::Film;
 pub use renderer::Renderer;
 pub use sheet::{Crowded, OnPaper, Sheet, gap};
 

@@ -15,6 +15,7 @@ mod part;
 mod polygon;
 mod presets;
 pub mod primitives;
+mod projective;
 mod read_error;
 mod resolve;
 mod soup;

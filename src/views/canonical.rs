@@ -58,7 +58,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
 
 /// The observer's camera and its pixels; `None` for an observer that is not a camera.
 pub(super) fn screen(request: &Request) -> Option<Screen> {
-    let observer = request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso));
+    let observer = observer_of(request);
     let bounds = Aabb { min: CUBE.min * 2.0, max: CUBE.max * 2.0 };
     let camera = observer.camera(Some(bounds), request.size.aspect()).ok()?;
     Some(Screen::new(camera, PixelRect::whole(request.size), request.size.scale))
@@ -71,6 +71,11 @@ pub(super) fn contents(request: &Request) -> Scene {
 
 fn revealed(request: &Request) -> Revealed {
     revealed_scene::in_canonical(request, Palette::of(request.look.style.theme))
+}
+
+/// The observer of the picture.
+pub(super) fn observer_of(request: &Request) -> Observer {
+    request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
 /// Draws the canonical volume; an observer that is not a camera sees nothing.

@@ -1,6 +1,6 @@
 //! The words in the pictures.
 
-use crate::camera::Ndc;
+use crate::camera::{Ndc, Step};
 use crate::numbers::DecimalMark;
 
 /// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
@@ -56,9 +56,19 @@ pub struct Labels {
     pub not_split: &'static str,
     /// Vertices are drawn beside their places.
     pub rounded: &'static str,
+    /// Before the first step of the way to the canonical volume.
+    pub world: &'static str,
+    /// What each step does, in the order of [`Step`].
+    pub steps: [&'static str; 15],
 }
 
 impl Labels {
+    /// What a step of the way to the canonical volume does.
+    #[must_use]
+    pub fn step(&self, step: Step) -> &'static str {
+        self.steps.get(step as usize).copied().unwrap_or_default()
+    }
+
     /// A convention of NDC in words: whose, reversed, without a far plane.
     #[must_use]
     pub fn ndc_title(&self, ndc: Ndc) -> String {

@@ -25,6 +25,7 @@ mod hits;
 mod image;
 mod labels;
 mod legend;
+mod normalizing;
 pub mod observer;
 mod overlays;
 pub mod palette;
@@ -58,7 +59,7 @@ use observer::Viewpoint;
 pub use overlays::{Ghost, GizmoPart, Handle, Measure, Overlays, Probe, TransformGizmo, Transforming};
 pub use palette::Palette;
 pub use pixels::{PixelRect, Size, image_frame};
-pub use request::{Look, Request, SharedScene, observer_in};
+pub use request::{Look, Normalizing, Request, SharedScene, observer_in};
 pub use timed_pipeline::TimedPipeline;
 pub use view::{View, Views};
 
@@ -68,7 +69,7 @@ pub use view::{View, Views};
 pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
     let mut frame = match request.view {
         View::World => world::frame_of(request, on_window, pipeline),
-        View::Canonical => canonical::frame_of(request, pipeline),
+        View::Canonical => normalizing::frame_of(request, pipeline),
         View::Image => image::frame_of(request, pipeline),
     };
     if request.overlays.transparent {

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use super::pixels::image_frame;
 use super::{Labels, Overlays, Size, View};
 use crate::appearance::Style;
-use crate::camera::{Camera, ImageSize, Ndc, Viewport};
+use crate::camera::{Camera, Decomposition, ImageSize, Ndc, Viewport};
 use crate::figure::{Figure, Observer, Observers, Reveal, WorldLook};
 use crate::geometry::Aabb;
 use crate::pipeline::Output;
@@ -28,6 +28,8 @@ pub struct Request {
     pub observer: Option<Observer>,
     /// Whose NDC the canonical volume and the numbers are in.
     pub ndc: Ndc,
+    /// The canonical picture on its way from the world, step by step; `None`: arrived.
+    pub normalizing: Option<Normalizing>,
     /// What comes and goes with the pointer.
     pub overlays: Overlays,
     /// The words in the picture.
@@ -59,6 +61,7 @@ impl Request {
             scene: scene.clone(),
             observer: observer_in(&figure.observers, view),
             ndc: Ndc::default(),
+            normalizing: None,
             overlays: Overlays::default(),
             labels,
             size,
@@ -84,6 +87,15 @@ impl Request {
             ..self.clone()
         }
     }
+}
+
+/// How far the scene has come on the way of a decomposition: whole numbers are whole steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Normalizing {
+    /// Whose steps.
+    pub decomposition: Decomposition,
+    /// 0: the world; from the number of steps on: the canonical volume.
+    pub time: f64,
 }
 
 /// What a figure says about the observer of a picture.

@@ -96,6 +96,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("plotters_backend", &["export"]),
     ("toml_edit", &["figure", "gui"]),
     ("fearless_simd", &["simd"]),
+    ("gif", &["export"]),
     ("skrifa", &["text"]),
     ("tiny_skia", &["raster", "export", "files", "picture"]),
 ];

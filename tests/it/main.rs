@@ -31,6 +31,7 @@ mod meshes_gltf;
 mod meshes_obj;
 mod misplaced;
 mod ndc;
+mod normalizing;
 mod outline;
 mod pipeline;
 mod pipeline_bounds;

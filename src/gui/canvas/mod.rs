@@ -153,6 +153,7 @@ impl Canvas {
             scene: state.scene_cache.scene().clone(),
             observer: self.seen[view.index()],
             ndc: state.settings.conventions.ndc,
+            normalizing: None,
             overlays: self.overlays.seen_in(view),
             labels: labels(state.settings.lang),
             size,

@@ -1,0 +1,85 @@
+//! The way from the world to the canonical volume: as a strip of stills, and as an animation.
+
+use super::{Picture, PictureError, Renderer, Sheet, gap};
+use crate::appearance::Rgba;
+use crate::camera::Decomposition;
+use crate::export::animation::{AnimationFormat, TICK, animation};
+use crate::progress::{Doing, Progress};
+use crate::views::{Arrangement, Normalizing, Palette, Request, View};
+
+/// A way, and how it is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// The canonical picture; its size is that of each picture.
+    pub request: Request,
+    /// Whose steps.
+    pub decomposition: Decomposition,
+}
+
+/// Pictures in a second of an animation.
+const PER_SECOND: u32 = 20;
+/// How long a whole step stands still, in seconds.
+const REST: f64 = 1.2;
+
+impl Film {
+    /// How many steps it has; 0 where the camera has no such steps.
+    #[must_use]
+    pub fn steps(&self) -> u32 {
+        let factors = self.request.camera.decomposed(self.decomposition).unwrap_or_default();
+        u32::try_from(factors.len()).unwrap_or(0)
+    }
+
+    /// The picture after so many steps, of which the last may be under way.
+    #[must_use]
+    pub fn at(&self, time: f64) -> Request {
+        let normalizing = Some(Normalizing { decomposition: self.decomposition, time });
+        Request { view: View::Canonical, normalizing, ..self.request.clone() }
+    }
+
+    /// The world and what is left after each step, side by side.
+    #[must_use]
+    pub fn stills(&self) -> Sheet {
+        let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();
+        let ground: Rgba = Palette::of(self.request.look.style.theme).surround;
+        Sheet { requests, arrangement: Arrangement::Row, gap: gap(self.request.size.scale), ground, crowded: None }
+    }
+
+    /// The animation, a step in so many seconds; each whole step stands still for a moment.
+    ///
+    /// # Errors
+    /// [`PictureError`].
+    pub fn animation(
+        &self,
+        format: AnimationFormat,
+        seconds: f64,
+        progress: &Progress,
+    ) -> Result<Vec<u8>, PictureError> {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few seconds")]
+        let per_step = (seconds * f64::from(PER_SECOND)).round().clamp(1.0, 10_000.0) as u32;
+        let pictures = self.steps() * per_step + 1;
+        let mut renderer = Renderer::default();
+        renderer.watch(progress);
+        let size = [self.request.size.width, self.request.size.height];
+        progress.begin(Doing::Encoding, pictures as usize);
+        let made = animation(format, size, pictures, |picture| {
+            let time = f64::from(picture / per_step) + eased(f64::from(picture % per_step) / f64::from(per_step));
+            let still = picture % per_step == 0;
+            let drawn: Option<Picture> = renderer.pixels(&self.at(time));
+            let pixmap = drawn.and_then(|mut picture| picture.take_pixmap()).ok_or_else(String::new)?;
+            progress.advance(1);
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "about a second")]
+            let ticks = if still { REST / TICK } else { 1.0 / f64::from(PER_SECOND) / TICK }.round() as u16;
+            Ok((pixmap, ticks))
+        });
+        made.map_err(|why| match why.as_str() {
+            "" if progress.is_cancelled() => PictureError::Cancelled,
+            "" => PictureError::TooLarge,
+            _ => PictureError::Animate { format, why },
+        })
+    }
+}
+
+/// Begins and ends slowly: 3 t² − 2 t³.
+fn eased(t: f64) -> f64 {
+    t * t * (3.0 - 2.0 * t)
+}

@@ -1,0 +1,39 @@
+//! A scene under a projective map.
+
+use std::sync::Arc;
+
+use glam::{DMat4, DVec3};
+
+use super::{Mesh, Scene};
+
+impl Scene {
+    /// Moves everything by a projective map that keeps orientation: positions are divided by their w, planes go along. Normals and lights are
+    /// dropped: what is lit must have its colours already. An object, line, mark or text of which a point has w ≤ 0 is left out.
+    pub fn project(&mut self, matrix: &DMat4) {
+        let place = |p: DVec3| {
+            let q = *matrix * p.extend(1.0);
+            (q.w > 0.0).then(|| q.truncate() / q.w).filter(|p| p.is_finite())
+        };
+        self.lights.clear();
+        self.grids.clear();
+        self.objects.retain_mut(|object| {
+            let map = *matrix * object.world_from_object;
+            let of_planes = map.inverse().transpose();
+            let positions: Option<Vec<DVec3>> =
+                object.mesh.positions.iter().map(|&p| place(object.world_from_object.transform_point3(p))).collect();
+            let Some(positions) = positions else { return false };
+            let mut mesh = Mesh { positions, normals: Vec::new(), ..Mesh::clone(&object.mesh) };
+            mesh.adjacency.planes.iter_mut().for_each(|plane| *plane = of_planes * *plane);
+            object.mesh = Arc::new(mesh);
+            object.world_from_object = DMat4::IDENTITY;
+            object.lit = false;
+            true
+        });
+        self.lines.retain_mut(|line| {
+            let points: Option<Vec<DVec3>> = line.points.iter().map(|&p| place(p)).collect();
+            points.map(|points| line.points = points).is_some()
+        });
+        self.marks.retain_mut(|mark| place(mark.position).map(|p| mark.position = p).is_some());
+        self.texts.retain_mut(|text| place(text.position).map(|p| text.position = p).is_some());
+    }
+}
