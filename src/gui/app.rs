@@ -18,7 +18,7 @@ use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{News, Sessions};
 use super::state::{AfterSave, Dialog, Message, Purpose, Side, State};
-use super::{dialogs, menu, panels, presentation, sequence, theme, tooltip};
+use super::{dialogs, explain, menu, panels, presentation, sequence, theme, tooltip};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::Lang;
@@ -175,6 +175,14 @@ impl App {
             });
             name_handle(ui, "numbers", t.panel_width);
         }
+        if sides.is_shown(Side::Explain) {
+            egui::Panel::right("explain").default_size(400.0).size_range(320.0..=620.0).show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Numbers, t.explain_panel);
+                tooltip::beside_panel(ui, egui::RectAlign::LEFT_START);
+                explain::ui(ui, &mut self.state);
+            });
+            name_handle(ui, "explain", t.panel_width);
+        }
         tooltip::beside_nothing(&ctx);
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
@@ -305,6 +313,7 @@ impl App {
             Command::ZoomReset => state.settings.zoom = 1.0,
             Command::ParametersPanel => state.settings.panels_mut().toggle(Side::Left),
             Command::NumbersPanel => state.settings.panels_mut().toggle(Side::Right),
+            Command::Explain => state.settings.panels_mut().toggle(Side::Explain),
             Command::Tab(tab) => {
                 state.settings.tab = tab;
                 if !state.settings.panels().is_shown(Side::Left) {

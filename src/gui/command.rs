@@ -90,6 +90,8 @@ pub enum Command {
     Pipeline,
     /// Shows or hides the studies of error against run time.
     Numerics,
+    /// Shows or hides the explanations of the numbers.
+    Explain,
     /// Mouse and keyboard at a glance.
     Help,
 }
@@ -130,12 +132,13 @@ impl Command {
         Self::Numerics,
     ];
     /// The menu of the window: its panels, its looks, its language.
-    pub const WINDOW: [Self; 11] = [
+    pub const WINDOW: [Self; 12] = [
         Self::Tab(Tab::Camera),
         Self::Tab(Tab::Scene),
         Self::Tab(Tab::Drawing),
         Self::ParametersPanel,
         Self::NumbersPanel,
+        Self::Explain,
         Self::Theme,
         Self::ReduceMotion,
         Self::ZoomIn,
@@ -216,6 +219,7 @@ impl Command {
             Self::ZoomReset => (t.zoom_reset, t.zoom_reset_hint),
             Self::ParametersPanel => (t.parameters_panel, t.parameters_panel_hint),
             Self::NumbersPanel => (t.numbers_panel, t.numbers_panel_hint),
+            Self::Explain => (t.explain_panel, t.explain_panel_hint),
             Self::Tab(Tab::Camera) => (t.camera_tab, t.camera_tab_hint),
             Self::Tab(Tab::Scene) => (t.scene_tab, t.scene_tab_hint),
             Self::Tab(Tab::Drawing) => (t.drawing_tab, t.drawing_tab_hint),
@@ -274,6 +278,7 @@ impl Command {
             Self::ZoomReset => (Modifiers::COMMAND, Key::Num0),
             Self::ParametersPanel => (Modifiers::NONE, Key::F8),
             Self::NumbersPanel => (Modifiers::NONE, Key::F9),
+            Self::Explain => (Modifiers::ALT, Key::E),
             Self::Pipeline => (Modifiers::NONE, Key::F10),
             Self::Numerics => (Modifiers::COMMAND, Key::Num9),
             Self::Tab(Tab::Camera) => (Modifiers::NONE, Key::F5),
@@ -338,6 +343,7 @@ impl Command {
             | Self::ZoomReset
             | Self::ParametersPanel
             | Self::NumbersPanel
+            | Self::Explain
             | Self::Tab(_)
             | Self::Show(_)
             | Self::Arrange(_)
@@ -388,6 +394,7 @@ impl Command {
             | Self::ZoomReset
             | Self::ParametersPanel
             | Self::NumbersPanel
+            | Self::Explain
             | Self::Tab(_)
             | Self::Show(_)
             | Self::Arrange(_)
@@ -413,6 +420,7 @@ impl Command {
             Self::Blank => Some(state.annotations.blank),
             Self::ParametersPanel => Some(state.settings.panels().is_shown(Side::Left)),
             Self::NumbersPanel => Some(state.settings.panels().is_shown(Side::Right)),
+            Self::Explain => Some(state.settings.panels().is_shown(Side::Explain)),
             Self::Tab(tab) => Some(state.settings.tab == tab && state.settings.panels().is_shown(Side::Left)),
             Self::Show(picture) => Some(state.layout.is_shown(picture)),
             Self::Arrange(arrangement) => Some(state.layout.arrangement == arrangement),

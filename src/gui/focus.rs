@@ -20,7 +20,7 @@ pub(super) enum Region {
     Strip,
     /// The studies of error against run time.
     Numerics,
-    /// Operations and numbers.
+    /// Operations and numbers, or the explanations.
     Numbers,
 }
 

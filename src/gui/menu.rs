@@ -58,6 +58,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
                 (Command::ParametersPanel, "◧"),
                 (Command::Pipeline, "⬓"),
                 (Command::NumbersPanel, "◨"),
+                (Command::Explain, "?"),
             ] {
                 if switch(ui, t, state, command, sign) {
                     switched = Some(command);

@@ -18,6 +18,7 @@ pub mod command;
 pub mod comparison;
 pub mod dialogs;
 pub mod document;
+pub mod explain;
 pub mod export;
 mod export_dialog;
 pub mod file_flow;

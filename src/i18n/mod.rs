@@ -38,6 +38,7 @@ pub mod canvas;
 pub mod coach;
 pub mod command_line;
 pub mod conventions;
+pub mod explain;
 mod expressions;
 pub mod faults;
 mod figure_files;

@@ -67,6 +67,8 @@ texts! {
     parameters_panel_hint: "The panel on the left", "O painel da esquerda";
     numbers_panel: "Operations and numbers", "Operações e números";
     numbers_panel_hint: "The panel on the right", "O painel da direita";
+    explain_panel: "Explanations", "Explicações";
+    explain_panel_hint: "Every number with its formula, in the place of operations and numbers", "Cada número com sua fórmula, no lugar de operações e números";
     camera_tab: "Camera tab", "Aba da câmera";
     camera_tab_hint: "Camera, projection, view window, image", "Câmera, projeção, janela de vista, imagem";
     scene_tab: "Scene tab", "Aba da cena";

@@ -71,7 +71,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 28] = [
+const KEYS: [Key; 29] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -85,6 +85,7 @@ const KEYS: [Key; 28] = [
     },
     key!("parameters_panel", switch, settings.panels.wanted[0]),
     key!("numbers_panel", switch, settings.panels.wanted[1]),
+    key!("explanations", switch, settings.panels.wanted[2]),
     key!("layout", one of LAYOUTS, layout.arrangement),
     Key {
         name: "pictures",
@@ -265,8 +266,7 @@ mod tests {
         let mut changed = state();
         let settings = &mut changed.settings;
         (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
-        (settings.panels.wanted, settings.reduce_motion) = ([true, false], true);
-        changed.settings.panels.wanted = [false, false];
+        (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
         changed.layout.arrangement = Some(Arrangement::Beside);
         (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
         changed.operations.convention = Convention::Vtk;

@@ -74,6 +74,8 @@ pub enum Side {
     Left,
     /// The operations and the numbers.
     Right,
+    /// The explanations, in the place of operations and numbers.
+    Explain,
 }
 
 /// What the panel on the left shows.
@@ -91,11 +93,11 @@ pub enum Tab {
 /// Which panels are wanted, and which there is room for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Panels {
-    /// Wanted by the user: left and right.
-    pub wanted: [bool; 2],
-    /// The one that stays where there is no room for both.
+    /// Wanted by the user, in the order of [`Side`].
+    pub wanted: [bool; 3],
+    /// The one that stays where there is no room beside it.
     pub last: Side,
-    /// There is no room for both.
+    /// There is room for one panel.
     pub narrow: bool,
 }
 
@@ -103,8 +105,13 @@ impl Panels {
     /// True where the panel is on the screen.
     #[must_use]
     pub fn is_shown(&self, side: Side) -> bool {
-        let both = self.wanted == [true; 2];
-        self.wanted[side as usize] && !(self.narrow && both && self.last != side)
+        let [left, right, explain] = self.wanted;
+        let at_right = right || explain;
+        match side {
+            Side::Left => left && !(self.narrow && at_right && self.last != Side::Left),
+            Side::Right => right && !explain && !(self.narrow && left && self.last == Side::Left),
+            Side::Explain => explain && !(self.narrow && left && self.last == Side::Left),
+        }
     }
 
     /// Shows or hides a panel.
@@ -113,6 +120,7 @@ impl Panels {
         self.wanted[side as usize] = !shown;
         if !shown {
             self.last = side;
+            self.wanted[Side::Explain as usize] &= side != Side::Right;
         }
     }
 }

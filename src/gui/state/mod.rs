@@ -3,6 +3,7 @@
 mod annotations;
 mod coach;
 mod conventions;
+mod explain;
 mod files;
 mod insert;
 mod layout;
@@ -22,6 +23,7 @@ use crate::views::{Ghost, Measure, Probe};
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
+pub use explain::{Explain, ExplainTab};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::{free_place, rounded};
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
@@ -145,6 +147,8 @@ pub struct State {
     pub annotations: Annotations,
     /// The studies of error against run time.
     pub numerics: Numerics,
+    /// The side of explanations.
+    pub explain: Explain,
     /// What is wrong with the picture, and how near the camera is to trouble.
     pub coach: Coach,
 }
@@ -180,7 +184,7 @@ impl State {
                 lang: start.lang,
                 zoom: 1.0,
                 presentation: false,
-                panels: Panels { wanted: [true; 2], ..Panels::default() },
+                panels: Panels { wanted: [true, true, false], ..Panels::default() },
                 presentation_panels: Panels::default(),
                 tab: Tab::default(),
                 aspect_follows_image: square,
@@ -211,6 +215,7 @@ impl State {
             export: Export::new([[640, 480]; 3], 1.0),
             annotations: Annotations::default(),
             numerics: Numerics::default(),
+            explain: Explain::default(),
             coach: Coach::default(),
         })
     }
