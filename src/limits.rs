@@ -30,6 +30,9 @@ pub const MAX_VERTICES: usize = 1 << 31;
 /// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be told apart.
 pub const MAX_LIGHTS: usize = 1024;
 
+/// The most named points of a figure: more names and rays can hardly be told apart in a picture.
+pub const MAX_NAMED_POINTS: usize = 32;
+
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;
 

@@ -43,6 +43,14 @@ pub enum Problem {
     /// A key or section that is there twice.
     #[error("there twice")]
     Duplicate,
+    /// More of them than there may be.
+    #[error("are {count}; allowed: at most {limit}")]
+    TooMany {
+        /// How many there are.
+        count: usize,
+        /// How many there may be.
+        limit: usize,
+    },
     /// A key that no section of this name has.
     #[error("unknown; known: {}", known.join(", "))]
     UnknownKey {

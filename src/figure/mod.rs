@@ -1,9 +1,10 @@
-//! A figure: camera parameters, image, viewport, scene, style, what is revealed of the pipeline, and observers. One figure file is one `Figure`.
+//! A figure: camera parameters, image, viewport, scene, points, style, what is revealed of the pipeline, and observers. One figure file is one `Figure`.
 
 mod edit;
 pub mod error;
 mod near;
 pub mod observer;
+pub mod points;
 pub mod read;
 mod recommended;
 mod reveal;
@@ -17,6 +18,7 @@ use crate::scene::{Preset, SceneSpec};
 pub use edit::update;
 pub use error::FigureError;
 pub use observer::Observer;
+pub use points::NamedPoint;
 pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal};
 pub use world_look::WorldLook;
@@ -35,6 +37,8 @@ pub struct Figure {
     pub viewport: Option<Viewport>,
     /// `[scene]`
     pub scene: SceneSpec,
+    /// `[[points]]`: at most [`MAX_NAMED_POINTS`](crate::limits::MAX_NAMED_POINTS).
+    pub points: Vec<NamedPoint>,
     /// `[style]`
     pub style: Style,
     /// `[reveal]`

@@ -4,7 +4,7 @@ use glam::DVec3;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
 use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
-use super::{Depth, Figure, Observer, Outside, Reveal, WorldLook};
+use super::{Depth, Figure, NamedPoint, Observer, Outside, Reveal, WorldLook};
 use crate::appearance::Style;
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
@@ -52,6 +52,10 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     }
     if !sections.is_empty() {
         put("observers", sections);
+    }
+    let points: ArrayOfTables = figure.points.iter().map(point).collect();
+    if !points.is_empty() {
+        document.insert("points", Item::ArrayOfTables(points));
     }
     document
 }
@@ -137,6 +141,10 @@ fn light(light: &LightSpec) -> Table {
         LightSpec::Point(position) => ("position", vector(position)),
     };
     table([("kind", light.name().into()), place])
+}
+
+fn point(point: &NamedPoint) -> Table {
+    table([("name", quoted(&point.name)), ("position", vector(point.position))])
 }
 
 fn style(style: &Style) -> Table {

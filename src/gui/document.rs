@@ -281,11 +281,13 @@ impl Document {
     /// True where closing would lose something. From where the pictures are seen does not count.
     #[must_use]
     pub fn is_changed(&self) -> bool {
-        let Figure { camera, image, undistorted, viewport, scene, style, reveal, world, observers: _ } = &self.figure;
+        let Figure { camera, image, undistorted, viewport, scene, points, style, reveal, world, observers: _ } =
+            &self.figure;
         let saved = &self.saved;
         (camera, image, undistorted, viewport) != (&saved.camera, &saved.image, &saved.undistorted, &saved.viewport)
             || (style, reveal, world) != (&saved.style, &saved.reveal, &saved.world)
             || *scene != saved.scene
+            || *points != saved.points
             || self.draft != saved.camera
     }
 }

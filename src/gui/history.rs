@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Viewport};
-use crate::figure::{Figure, Observers, Reveal, WorldLook};
+use crate::figure::{Figure, NamedPoint, Observers, Reveal, WorldLook};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
@@ -12,6 +12,7 @@ use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 #[derive(Clone, Debug)]
 struct Snapshot {
     scene: Arc<SceneSpec>,
+    points: Vec<NamedPoint>,
     image: ImageSize,
     undistorted: bool,
     viewport: Option<Viewport>,
@@ -34,10 +35,12 @@ pub(super) struct Moment {
 impl Snapshot {
     /// `before`: whose scene is shared where it is the same.
     fn new(figure: &Figure, camera: &Camera, draft: &Parameters, before: Option<&Self>) -> Self {
-        let Figure { camera: _, image, undistorted, viewport, scene, style, reveal, world, observers: _ } = figure;
+        let Figure { camera: _, image, undistorted, viewport, scene, points, style, reveal, world, observers: _ } =
+            figure;
         let shared = before.map(|before| &before.scene).filter(|before| ***before == *scene);
         Self {
             scene: shared.map_or_else(|| Arc::new(scene.clone()), Arc::clone),
+            points: points.clone(),
             image: *image,
             undistorted: *undistorted,
             viewport: *viewport,
@@ -50,15 +53,17 @@ impl Snapshot {
     }
 
     fn is_of(&self, figure: &Figure, camera: &Camera, draft: &Parameters) -> bool {
-        let Figure { camera: _, image, undistorted, viewport, scene, style, reveal, world, observers: _ } = figure;
+        let Figure { camera: _, image, undistorted, viewport, scene, points, style, reveal, world, observers: _ } =
+            figure;
         (&self.image, &self.undistorted, &self.viewport) == (image, undistorted, viewport)
             && (&self.style, &self.reveal, &self.world) == (style, reveal, world)
             && (&self.camera, &self.draft) == (camera, draft)
+            && self.points == *points
             && *self.scene == *scene
     }
 
     fn moment(&self, observers: Observers) -> Moment {
-        let Self { scene, image, undistorted, viewport, style, reveal, world, camera, draft } = self.clone();
+        let Self { scene, points, image, undistorted, viewport, style, reveal, world, camera, draft } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
         let figure = Figure {
             camera: *camera.parameters(),
@@ -66,6 +71,7 @@ impl Snapshot {
             undistorted,
             viewport,
             scene,
+            points,
             style,
             reveal,
             world,

@@ -25,6 +25,7 @@ pub fn figure(lang: Lang, error: &FigureError) -> String {
         | Problem::TooLarge { .. }
         | Problem::Syntax { .. }
         | Problem::Duplicate
+        | Problem::TooMany { .. }
         | Problem::UnknownKey { .. }
         | Problem::Value { .. }
         | Problem::Expression { .. }
@@ -61,6 +62,10 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
         Problem::Duplicate => match lang {
             Lang::En => "is there twice; allowed: once".to_owned(),
             Lang::PtBr => "aparece duas vezes; permitido: uma".to_owned(),
+        },
+        Problem::TooMany { count, limit } => match lang {
+            Lang::En => format!("are {count}; allowed: at most {limit}"),
+            Lang::PtBr => format!("são {count}; permitido: no máximo {limit}"),
         },
         Problem::UnknownKey { near, known } => {
             let (near, known) = (meant(lang, near.as_deref()), known.join(", "));

@@ -4,7 +4,7 @@ use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
 use crate::camera::{ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use crate::figure::words::{PRESETS, SHADINGS, VISIBILITIES};
-use crate::figure::{Depth, Observer, Observers, Outside, Reveal, WorldLook};
+use crate::figure::{Depth, NamedPoint, Observer, Observers, Outside, Reveal, WorldLook};
 use crate::limits::MAX_LIGHTS;
 use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
 use glam::DVec3;
@@ -115,14 +115,20 @@ fn figure() -> impl Strategy<Value = Figure> {
             (reveal, undistorted)
         },
     );
-    (parameters(), 1_u32..=16_384, viewport, scene(), style, reveal, observer(), observer()).prop_map(
-        |(camera, width, viewport, scene, style, (reveal, undistorted), world, canonical)| Figure {
+    let points = proptest::collection::vec(point(), 0..4);
+    (parameters(), 1_u32..=16_384, viewport, scene(), (style, points), reveal, observer(), observer()).prop_map(
+        |(camera, width, viewport, scene, (style, points), (reveal, undistorted), world, canonical)| Figure {
             camera,
             image: ImageSize { width, height: 16_385 - width },
             undistorted,
             viewport,
             scene,
             style,
+            points: points
+                .into_iter()
+                .enumerate()
+                .map(|(i, position)| NamedPoint { name: format!("p \"{i}\""), position })
+                .collect(),
             reveal,
             world: WorldLook {
                 section: undistorted,
@@ -223,6 +229,23 @@ fn objects_keep_their_comments_when_others_come_and_go() {
     let edited = update(BY_HAND, &turned);
     assert!(edited.find("# the box") < edited.find("# the torus"), "{edited}");
     assert!(edited.contains("# red") && edited.contains("# its name"), "{edited}");
+}
+
+#[test]
+fn a_point_that_moves_keeps_what_was_typed_of_it_and_of_the_others() {
+    let text = concat!(
+        "[[points]]\nname = \"P\" # the corner\nposition = [\"sqrt(2)/2\", 1, 2] # exact\n",
+        "# the other\n[[points]]\nposition = [0, 0, 3]\nname = \"Q\"\n",
+    );
+    let mut figure = read::parse(text).unwrap();
+    figure.points[0].position.y = 1.5;
+    let edited = update(text, &figure);
+    assert_eq!(edited, text.replace("\", 1, 2]", "\", 1.5, 2]"));
+    figure.points.remove(0);
+    let without = update(&edited, &figure);
+    assert_eq!(without, "# the other\n[[points]]\nposition = [0, 0, 3]\nname = \"Q\"\n");
+    figure.points.clear();
+    assert_eq!(read::parse(&update(&without, &figure)).unwrap(), Figure::default());
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The text of a figure file → [`Figure`].
 
+mod points;
 mod scene;
 mod section;
 mod syntax;
@@ -76,11 +77,11 @@ fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
     let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
     let mut root = Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0);
     // Asked for in the order of the documentation, in which a message lists them.
-    let mut section = |key| root.section(key, &format!("[{key}]"));
-    let (camera_section, image_section, viewport_section) = (section("camera"), section("image"), section("viewport"));
-    let (scene_section, style_section) = (section("scene"), section("style"));
-    let (reveal_section, world_section, observers_section) =
-        (section("reveal"), section("world"), section("observers"));
+    let [camera_section, image_section, viewport_section, scene_section] =
+        ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &format!("[{key}]")));
+    let point_sections = root.sections("points", "[[points]]");
+    let [style_section, reveal_section, world_section, observers_section] =
+        ["style", "reveal", "world", "observers"].map(|key| root.section(key, &format!("[{key}]")));
     let mut faults = root.finish();
     let (image, undistorted) = image(image_section, &mut faults);
     let figure = Figure {
@@ -89,6 +90,7 @@ fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
         undistorted,
         viewport: viewport(viewport_section, image, &mut faults),
         scene: scene::scene(scene_section, &mut faults),
+        points: points::points(point_sections, &mut faults),
         style: style(style_section, &mut faults),
         reveal: reveal(reveal_section, &mut faults),
         world: world(world_section, &mut faults),

@@ -73,6 +73,12 @@ fn every_key_is_read() {
         [[scene.lights]]
         kind = "point"
         position = [1, 2, 3]
+        [[points]]
+        name = "P"
+        position = ["sqrt(2)/2", 2, -1]
+        [[points]]
+        name = "Q"
+        position = [0, 0, 0]
         [style]
         shading = "gouraud"
         visibility = "painter"
@@ -112,6 +118,8 @@ fn every_key_is_read() {
     assert_eq!(figure.scene.objects[1].shape, None);
     assert_eq!(figure.scene.objects[2].shape, Some(Shape::Segments(vec![[DVec3::ZERO, DVec3::X]])));
     assert_eq!(figure.scene.lights, [LightSpec::Point(DVec3::new(1.0, 2.0, 3.0))]);
+    let points: Vec<_> = figure.points.iter().map(|p| (p.name.as_str(), p.position)).collect();
+    assert_eq!(points, [("P", DVec3::new(0.5_f64.sqrt(), 2.0, -1.0)), ("Q", DVec3::ZERO)]);
     assert_eq!(figure.style.antialias, 16);
     let all =
         Reveal { depth: Depth::Linear, outside: Outside::Tinted, clipping: true, divide_first: true, culled: true };
@@ -119,6 +127,17 @@ fn every_key_is_read() {
     let world = figure.observers.world.unwrap();
     assert_eq!((world.distance, world.azimuth, world.parallel), (7.0, -400.0, true));
     assert_eq!(figure.observers.canonical, None);
+}
+
+#[test]
+fn there_are_at_most_32_points() {
+    let text = |count: usize| -> String {
+        (0..count).map(|i| format!("[[points]]\nname = \"{i}\"\nposition = [{i}, 0, 0]\n")).collect()
+    };
+    assert_eq!(parse(&text(32)).unwrap().points.len(), 32);
+    let (line, key, problem) = error(&text(34));
+    assert_eq!((line, key.as_str()), (97, "[[points]]"));
+    assert_eq!(problem, Problem::TooMany { count: 34, limit: 32 });
 }
 
 #[test]
@@ -189,6 +208,19 @@ fn wrong_values_are_refused_with_line_key_and_what_is_allowed() {
         ("[[scene.lights]]\ndirection = [0, 1, 0]", "[[scene.lights]] kind", 1),
         ("[[scene.lights]]\nkind = \"directional\"\ndirection = [0, 0, 0]", "[[scene.lights]] direction", 3),
         ("[[scene.lights]]\nkind = \"point\"\ndirection = [0, 1, 0]", "[[scene.lights]] direction", 3),
+        ("[[points]]\nposition = [1, 2, 3]", "[[points]] name", 1),
+        ("[[points]]\nname = \"P\"", "[[points]] position", 1),
+        ("[[points]]\nposition = [1, 2, 3]\nname = \"\"", "[[points]] name", 3),
+        ("[[points]]\nname = \"P\"\nposition = [1, 2]", "[[points]] position", 3),
+        ("[[points]]\nname = \"P\"\nposition = [1, inf, 2]", "[[points]] position", 3),
+        ("[[points]]\nname = \"P\"\nposition = [1, 2, 3]\ncolor = \"#fff\"", "[[points]] color", 4),
+        (
+            "[[points]]\nname = \"P\"\nposition = [1, 2, 3]\n[[points]]\nposition = [1, 2, 3]\nname = \"P\"",
+            "[[points]] name",
+            6,
+        ),
+        ("[points]\nname = \"P\"", "points", 1),
+        ("points = 3", "points", 1),
         ("[world]\nwindow_opacity = 1.5", "[world] window_opacity", 2),
         ("[world]\n\ndimensions = 1", "[world] dimensions", 3),
         ("[world]\nsections = true", "[world] sections", 2),
