@@ -42,6 +42,10 @@ impl Content {
         let volume = DrawnVolume::of(camera, &core, &points);
         points.extend(volume.of_interest(camera, &core));
         let mut content = Self { scene, of_interest: points, core, volume };
+        // Followed points that are not far beyond all else are in the picture.
+        let (middle, reach) = (content.core.center(), 4.0 * content.core.radius());
+        let near = |p: &DVec3| p.distance(middle) < reach;
+        content.of_interest.extend(request.points.iter().map(|point| point.position).filter(near));
         let tips = content.axis_tips();
         content.of_interest.extend(tips.into_iter().flatten());
         content

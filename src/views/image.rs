@@ -39,7 +39,8 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let rect = frame(request);
     let target = Target { width: rect.width, height: rect.height, ..whole };
     // A scene of many objects is not copied where nothing is added to it.
-    let plain = request.look.reveal == Reveal::default() && request.overlays.probe.is_none();
+    let plain =
+        request.look.reveal == Reveal::default() && request.overlays.probe.is_none() && request.points.is_empty();
     let (revealed, wrong) = if plain { Default::default() } else { revealed_scene::in_image(request, palette) };
     let mut drawn = if plain {
         pipeline.frame(request, &request.scene, &request.camera, target, &style)

@@ -19,7 +19,7 @@ use super::pixels::PixelRect;
 use super::placing::Rules;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Normalizing, Palette, Request, canonical, placing, revealed_scene};
+use super::{Normalizing, Palette, Request, canonical, placing, probe, revealed_scene};
 
 /// The steps of a camera, and where on them a picture is.
 struct Way {
@@ -103,17 +103,20 @@ fn mapped(matrix: &DMat4, p: DVec3) -> Option<DVec3> {
     (q.w > 0.0).then(|| q.truncate() / q.w).filter(|p| p.is_finite())
 }
 
+/// How many times as far from the middle of the volume as its corners what is drawn with it may be.
+const FARTHEST: f64 = 4.0;
+
 /// How long the axes are beside the volume.
 const AXIS: f64 = 0.45;
 
 /// What must be in the picture after so many whole steps: the volume, and the origin with its axes where that is near enough to be seen with it.
 fn extent(way: &Way, camera: &Camera, steps: usize) -> Option<Aabb> {
-    const FARTHEST: f64 = 8.0;
+    const FAR_AWAY: f64 = 8.0;
     let matrix = way.forward_from_world(steps);
     let volume = Aabb::around(camera.volume_corners().into_iter().filter_map(|p| mapped(&matrix, p)))?;
     let axes = Aabb { min: DVec3::ZERO, max: DVec3::splat(AXIS * volume.radius()) };
     let with_axes = volume.union(axes);
-    Some(if with_axes.radius() <= FARTHEST * volume.radius() { with_axes } else { volume })
+    Some(if with_axes.radius() <= FAR_AWAY * volume.radius() { with_axes } else { volume })
 }
 
 /// The radius of the volume after so many whole steps.
@@ -175,6 +178,10 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     axes(&mut builder, way, reach, palette);
     faces(&mut builder, near, far, palette);
     eye(&mut builder, request, way, bounds, palette);
+    let (now, reach) = (way.now(), bounds.radius());
+    probe::on_the_way(&mut builder, request, palette, |p| {
+        mapped(&now, p).filter(|p| p.distance(bounds.center()) <= FARTHEST * reach)
+    });
     let mut drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
     let legend = revealed_scene::legend(request, way.said(request, palette), &target, palette);
     let rules = Rules {
@@ -219,7 +226,6 @@ fn faces(builder: &mut SceneBuilder, near: [DVec3; 4], far: [DVec3; 4], palette:
 
 /// C, until it has gone too far: a division sends it to infinity.
 fn eye(builder: &mut SceneBuilder, request: &Request, way: &Way, bounds: Aabb, palette: Palette) {
-    const FARTHEST: f64 = 4.0;
     let Some(p) = mapped(&way.now(), request.camera.position()) else { return };
     if p.distance(bounds.center()) <= FARTHEST * bounds.radius() {
         builder.mark(p, MarkShape::Disc, 4.0, palette.body_edge);

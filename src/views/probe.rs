@@ -1,9 +1,11 @@
-//! What the probe adds to each picture: the same point, or the same ray, three times.
+//! What the probe and the figure's points add to each picture: the same point, or the same ray, three times.
 
 use glam::{DVec2, DVec3};
 
-use crate::appearance::{Dash, MarkShape};
+use crate::appearance::{Dash, MarkShape, Rgba};
 use crate::camera::Projection;
+use crate::figure::NamedPoint;
+use crate::foreign;
 use crate::geometry::Aabb;
 use crate::pipeline::project::displayed_ndc;
 
@@ -24,32 +26,82 @@ pub(super) struct Pixel {
 
 impl Pixel {
     pub(super) fn new(request: &Request, point: DVec2) -> Self {
-        let camera = &request.camera;
-        let ray = camera.ray_through_window(point);
-        // Depths along −n are what F and B measure.
-        let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
-        let (window, end) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
-        Self { origin: ray.origin, window, end, hit: hits::first_hit(&request.scene, window, end) }
+        let (origin, window, end) = ray_of(request, point);
+        Self { origin, window, end, hit: hits::first_hit(&request.scene, window, end) }
     }
 }
 
-/// The ray from O_R through the window, or the point with its projector.
+/// How a point is drawn: what is pointed at, or one of the figure's.
+#[derive(Clone, Copy)]
+struct Look<'a> {
+    name: &'a str,
+    mark: (MarkShape, f32),
+    ray: f32,
+    color: Rgba,
+}
+
+impl<'a> Look<'a> {
+    /// Of what is pointed at.
+    fn probe(palette: Palette) -> Self {
+        Self { name: "P", mark: (MarkShape::Ring, 6.0), ray: 1.4, color: palette.probe }
+    }
+
+    fn named(point: &'a NamedPoint, palette: Palette) -> Self {
+        Self { name: &point.name, mark: (MarkShape::Disc, 3.6), ray: 1.1, color: palette.probe }
+    }
+
+    /// The mark, and the name beside it.
+    fn mark(self, builder: &mut SceneBuilder, p: DVec3) {
+        builder.mark(p, self.mark.0, self.mark.1, self.color);
+        if !self.name.is_empty() {
+            builder.text(p, &foreign::shown(self.name), DVec2::new(0.8, -0.8), TYPE, self.color);
+        }
+    }
+}
+
+/// The point that the probe is at, and those of the figure; where the probe is at one of them, only this has a name.
+fn points<'a>(request: &'a Request, palette: Palette) -> impl Iterator<Item = (DVec3, Look<'a>)> {
+    let named = request.points.iter().map(move |point| (point.position, Look::named(point, palette)));
+    let probed = match request.overlays.probe {
+        Some(Probe::Point(p)) => {
+            let name = if request.points.iter().any(|point| point.position == p) { "" } else { "P" };
+            Some((p, Look { name, ..Look::probe(palette) }))
+        }
+        Some(Probe::Window(_)) | None => None,
+    };
+    named.chain(probed)
+}
+
+/// A point with its projector from O_R, on to the window where it lies before it; behind the eye, the line back to it is dotted, since
+/// nothing of it reaches the window.
+fn point_in_world(builder: &mut SceneBuilder, request: &Request, p: DVec3, look: Look<'_>) {
+    let c = request.camera.view_point(p);
+    let parallel = request.camera.projection() == Projection::Parallel;
+    if c.is_finite() {
+        if c.z < 0.0 || parallel {
+            let (origin, window, _) = ray_of(request, window_of(request, c));
+            if c.z < 0.0 {
+                builder.line(vec![origin, p], look.color, look.ray, Dash::Solid);
+            }
+            if -c.z < request.camera.near() {
+                builder.line(vec![p, window], look.color, 0.85 * look.ray, Dash::Dotted);
+            }
+            builder.mark(window, MarkShape::Square, 3.0, look.color);
+        } else {
+            builder.line(vec![request.camera.position(), p], look.color, 0.85 * look.ray, Dash::Dotted);
+        }
+    }
+    look.mark(builder, p);
+}
+
+/// The rays of points, from O_R to each; or the ray from O_R through the window.
 pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette, volume: &DrawnVolume) {
+    for (p, look) in points(request, palette) {
+        point_in_world(builder, request, p, look);
+    }
     let color = palette.probe;
     match request.overlays.probe {
-        None => {}
-        Some(Probe::Point(p)) => {
-            let camera = &request.camera;
-            let c = camera.view_point(p);
-            if c.z < 0.0 {
-                let w = window_of(request, c);
-                let pixel = Pixel::new(request, w);
-                builder.line(vec![pixel.origin, p], color, 1.4, Dash::Solid);
-                builder.mark(pixel.window, MarkShape::Square, 3.0, color);
-            }
-            builder.mark(p, MarkShape::Ring, 6.0, color);
-            builder.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
-        }
+        None | Some(Probe::Point(_)) => {}
         Some(Probe::Window(point)) => {
             let pixel = Pixel::new(request, point);
             let share =
@@ -73,40 +125,76 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
 
 /// Projectors are parallel to z_n in the canonical volume, whatever the projection.
 pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
-    let Some(probe) = request.overlays.probe else { return };
-    let color = palette.probe;
     let canonical = CanonicalBox::of(request);
     let shown = |p: DVec3| displayed_ndc(&request.camera, p).map(|p| canonical.place(p));
-    let Aabb { min, max } = canonical.bounds();
-    let (through, marked) = match probe {
-        Probe::Point(p) => (shown(p), shown(p)),
-        Probe::Window(point) => {
-            let pixel = Pixel::new(request, point);
-            (shown(pixel.window), pixel.hit.and_then(shown))
+    for (p, look) in points(request, palette) {
+        if let Some(place) = shown(p) {
+            ray_through_box(builder, &canonical, place, Some(place), look);
         }
-    };
-    let Some(through) = through else { return };
-    let (front, back) = (through.with_z(max.z), through.with_z(min.z));
-    if through.x.abs() <= 1.0 && through.y.abs() <= 1.0 {
-        let stop = marked.map_or(back, |p| p.with_z(p.z.clamp(min.z, max.z)));
-        builder.line(vec![front, stop], color, 1.6, Dash::Solid);
-        builder.line(vec![stop, back], color, 1.2, Dash::Dotted);
-        builder.mark(front, MarkShape::Square, 3.0, color);
     }
-    if let Some(p) = marked {
-        builder.mark(p, MarkShape::Ring, 6.0, color);
-        builder.text(p, "P", DVec2::new(0.8, -0.8), TYPE, color);
+    if let Some(Probe::Window(point)) = request.overlays.probe {
+        let pixel = Pixel::new(request, point);
+        if let Some(through) = shown(pixel.window) {
+            let look = Look { ray: 1.6, ..Look::probe(palette) };
+            ray_through_box(builder, &canonical, through, pixel.hit.and_then(shown), look);
+        }
     }
 }
 
-/// A cross at the pixel, or a ring around the point.
+/// The projector through a place, up to what is marked on it, and dotted to the back of the box.
+fn ray_through_box(
+    builder: &mut SceneBuilder,
+    canonical: &CanonicalBox,
+    through: DVec3,
+    marked: Option<DVec3>,
+    look: Look<'_>,
+) {
+    let Aabb { min, max } = canonical.bounds();
+    let (front, back) = (through.with_z(max.z), through.with_z(min.z));
+    if through.x.abs() <= 1.0 && through.y.abs() <= 1.0 {
+        let stop = marked.map_or(back, |p| p.with_z(p.z.clamp(min.z, max.z)));
+        builder.line(vec![front, stop], look.color, look.ray, Dash::Solid);
+        builder.line(vec![stop, back], look.color, 0.75 * look.ray, Dash::Dotted);
+        builder.mark(front, MarkShape::Square, 3.0, look.color);
+    }
+    if let Some(p) = marked {
+        look.mark(builder, p);
+    }
+}
+
+/// The figure's points on the way from the world to the canonical volume, as far as they can be seen with the volume.
+pub(super) fn on_the_way(
+    builder: &mut SceneBuilder,
+    request: &Request,
+    palette: Palette,
+    place: impl Fn(DVec3) -> Option<DVec3>,
+) {
+    for point in request.points.iter() {
+        if let Some(p) = place(point.position) {
+            Look::named(point, palette).mark(builder, p);
+        }
+    }
+}
+
+/// A cross at the pixel, or a ring around the point; the figure's points with their names.
 pub(super) fn in_image(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
-    let (point, shape) = match request.overlays.probe {
-        None => return,
-        Some(Probe::Point(p)) => (p, MarkShape::Ring),
-        Some(Probe::Window(point)) => (Pixel::new(request, point).window, MarkShape::Cross),
-    };
-    builder.mark(point, shape, 6.0, palette.probe);
+    for (p, look) in points(request, palette) {
+        // A ring around a corner of the scene hides nothing of it, and needs no name.
+        let name = if look.mark.0 == MarkShape::Ring { "" } else { look.name };
+        Look { name, ..look }.mark(builder, p);
+    }
+    if let Some(Probe::Window(point)) = request.overlays.probe {
+        builder.mark(ray_of(request, point).1, MarkShape::Cross, 6.0, palette.probe);
+    }
+}
+
+/// Where a ray through a point of the window begins, where it meets the window and where the back plane.
+fn ray_of(request: &Request, point: DVec2) -> (DVec3, DVec3, DVec3) {
+    let camera = &request.camera;
+    let ray = camera.ray_through_window(point);
+    // Depths along −n are what F and B measure.
+    let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
+    (ray.origin, ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far())
 }
 
 /// (x_p, y_p) of a point in front of C (VRC), `[0]` Eqs. (5.9) and (5.10).

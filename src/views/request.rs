@@ -7,7 +7,7 @@ use super::pixels::image_frame;
 use super::{Labels, Overlays, Size, View};
 use crate::appearance::Style;
 use crate::camera::{Camera, Decomposition, ImageSize, Ndc, Viewport};
-use crate::figure::{Figure, Observer, Observers, Reveal, WorldLook};
+use crate::figure::{Figure, NamedPoint, Observer, Observers, Reveal, WorldLook};
 use crate::geometry::Aabb;
 use crate::pipeline::Output;
 use crate::scene::Scene;
@@ -23,6 +23,8 @@ pub struct Request {
     pub camera: Camera,
     /// What it looks at.
     pub scene: SharedScene,
+    /// The points that are followed.
+    pub points: Arc<[NamedPoint]>,
     /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image is
     /// seen by the camera alone.
     pub observer: Option<Observer>,
@@ -59,6 +61,7 @@ impl Request {
             look: Look::of(figure),
             camera: camera.clone(),
             scene: scene.clone(),
+            points: figure.points.as_slice().into(),
             observer: observer_in(&figure.observers, view),
             ndc: Ndc::default(),
             normalizing: None,
@@ -79,6 +82,8 @@ impl Request {
         Self {
             view: View::Image,
             look: Look { undistorted: true, ..self.look },
+            // They are drawn in the world.
+            points: Arc::default(),
             observer: None,
             overlays: Overlays { bare: true, stroke_factor: self.overlays.stroke_factor, ..Overlays::default() },
             size: Size { width: frame.width, height: frame.height, scale: 1.0 },

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Dash, MarkShape};
 use crate::camera::{Camera, Projection};
 use crate::figure::Observer;
+use crate::foreign;
 use crate::geometry::Aabb;
 
 use super::content::Content;
@@ -92,7 +93,7 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// The point that is pointed at; without one, P where the scene names one in front of C; else the vertex inside the volume whose image
+/// The point that is pointed at; without one, the first of the figure's points in front of C, or P where the scene names one there; else the vertex inside the volume whose image
 /// is farthest from the axis, or PF. And its name, by which it is told from others.
 fn example(request: &Request) -> (DVec3, String) {
     let camera = &request.camera;
@@ -110,6 +111,10 @@ fn example(request: &Request) -> (DVec3, String) {
         let text = request.scene.texts.iter().find(|text| text.text == "P")?;
         (-camera.view_point(text.position).z > least).then(|| (text.position, text.text.clone()))
     };
+    let followed = || {
+        let mut in_front = request.points.iter().filter(|point| -camera.view_point(point.position).z > least);
+        in_front.next().map(|point| (point.position, foreign::shown(&point.name)))
+    };
     let image = |p: DVec3| {
         let clip = camera.clip_point(p);
         let ndc = clip.truncate() / clip.w;
@@ -120,6 +125,7 @@ fn example(request: &Request) -> (DVec3, String) {
         || vertices().filter_map(|p| Some((p, image(p)?))).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(p, _)| p);
     probed
         .filter(in_front)
+        .or_else(followed)
         .or_else(of_exercise)
         .or_else(|| farthest().map(|p| called(labels.vertex, p)))
         .unwrap_or_else(|| (camera.focal_point(), String::new()))

@@ -16,7 +16,7 @@ use glam::{DVec2, DVec3, DVec4};
 /// Pictures of a figure, without the image on the view window.
 pub(crate) struct Pictured {
     pub(crate) figure: Figure,
-    request: Request,
+    pub(crate) request: Request,
 }
 
 impl Pictured {

@@ -2,20 +2,20 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use camera_lab::appearance::Theme;
-use camera_lab::camera::{Operation, Parameters, Projection, ViewWindow};
+use camera_lab::camera::{Camera, Operation, Parameters, Projection, ViewWindow};
 use camera_lab::drawing::Drawing;
-use camera_lab::figure::Figure;
+use camera_lab::figure::{Figure, NamedPoint};
 use camera_lab::geometry::Angle;
 use camera_lab::picture::Renderer;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::Preset as ScenePreset;
 use camera_lab::views::observer::Viewpoint;
 use camera_lab::views::{self, View};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use tiny_skia::Pixmap;
 
 use crate::common::picture::{assert_picture, assert_rendered};
-use crate::views::{Pictured, figure};
+use crate::views::{Pictured, draw, figure};
 
 fn paint(drawing: &Drawing) -> Pixmap {
     Rasterizer::default().paint(drawing).unwrap()
@@ -104,4 +104,40 @@ fn the_canonical_volume_reversed_and_without_a_far_plane() {
     let figure = short(Theme::Dark, ScenePreset::House, |_| {});
     let pictured = Pictured::of(figure).in_ndc("direct3d-reversed-infinite");
     assert_picture("canonical_reversed_infinite", &paint(&pictured.canonical(Viewpoint::Iso)));
+}
+
+/// Points in the volume, before the window, behind the eye, in its plane, and beyond all numbers.
+fn followed(projection: Projection) -> Figure {
+    let mut figure = short(Theme::Light, ScenePreset::House, |c| (c.projection, c.height) = (projection, 6.0));
+    let camera = Camera::new(&figure.camera).unwrap();
+    let (c, basis) = (camera.position(), camera.basis());
+    let points = [
+        ("P", DVec3::new(0.5, 1.0, 1.5)),
+        ("near", c - basis.n * 1.2 + basis.u * 0.3 + basis.v * 0.4),
+        ("behind", c + basis.n * 2.0 + basis.v),
+        ("beside", c + basis.u * 2.5),
+        ("nowhere", DVec3::splat(1e308)),
+    ];
+    figure.points = points.map(|(name, position)| NamedPoint { name: name.to_owned(), position }).into_iter().collect();
+    figure
+}
+
+#[test]
+fn points_are_in_all_three_pictures_with_their_rays() {
+    for (projection, name) in [(Projection::Perspective, "perspective"), (Projection::Parallel, "parallel")] {
+        let pictured = Pictured::of(followed(projection));
+        assert_picture(&format!("points_world_{name}"), &paint(&pictured.world(Viewpoint::Iso)));
+    }
+    let pictured = Pictured::of(followed(Projection::Perspective));
+    assert_picture("points_canonical", &paint(&pictured.canonical(Viewpoint::Iso)));
+    assert_picture("points_image", &paint(&pictured.image()));
+}
+
+#[test]
+fn the_image_on_the_window_has_no_points_of_its_own() {
+    let pictured = Pictured::of(followed(Projection::Perspective));
+    let without = Pictured::of(Figure { points: Vec::new(), ..followed(Projection::Perspective) });
+    let on_window = |pictured: &Pictured| draw(&pictured.request.image_on_window());
+    assert_eq!(on_window(&pictured), on_window(&without));
+    assert_ne!(pictured.image(), without.image());
 }

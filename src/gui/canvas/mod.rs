@@ -151,6 +151,7 @@ impl Canvas {
             look: Look { style: state.style(), ..Look::of(document.figure()) },
             camera: document.camera().clone(),
             scene: state.scene_cache.scene().clone(),
+            points: document.figure().points.as_slice().into(),
             observer: self.seen[view.index()],
             ndc: state.settings.conventions.ndc,
             normalizing: None,
