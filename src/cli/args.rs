@@ -10,6 +10,7 @@ use super::Failure;
 use super::words::{ConventionArg, DataFormat, Format, LangArg, TableFormat, ThemeArg};
 use crate::appearance;
 use crate::camera::{Amount, Convention, Decomposition, ImageSize, Ndc, OPERATIONS, Operation};
+use crate::explain::code::CodeTarget;
 use crate::export::format::PictureFormat;
 use crate::export::plot::PlotFormat;
 use crate::expression::{self, Dimension};
@@ -46,6 +47,8 @@ pub(super) enum Command {
     Diagnose(DiagnoseArgs),
     /// Write how the view volume becomes the canonical one, step by step: an animation or a strip of stills
     Animate(AnimateArgs),
+    /// Print the camera as code for a library
+    Code(CodeArgs),
 }
 
 /// Without a command the window opens.
@@ -235,6 +238,17 @@ pub(super) struct AnimateArgs {
     /// The file to write; its ending says what: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CodeArgs {
+    /// Figure file, or a PNG that camera-lab wrote
+    pub(super) figure: PathBuf,
+    #[command(flatten)]
+    pub(super) common: FigureArgs,
+    /// For what
+    #[arg(long = "for", value_enum, value_name = "NAME")]
+    pub(super) target: CodeTarget,
 }
 
 #[derive(Debug, Args)]

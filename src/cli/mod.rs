@@ -7,6 +7,7 @@ mod accuracy;
 mod animate;
 mod args;
 mod bench;
+mod code;
 mod diagnose;
 mod explain;
 mod inspect;
@@ -82,6 +83,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Bench(args)) => bench::run(&args, lang),
             Some(Command::Accuracy(args)) => accuracy::run(&args, lang),
             Some(Command::Animate(args)) => animate::run(&args, lang),
+            Some(Command::Code(args)) => code::run(&args, lang),
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             None => match opening::opening(&line.window, lang) {
                 Ok(opening) => return Asked::Window(Box::new(opening)),

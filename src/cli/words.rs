@@ -4,6 +4,7 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
 use crate::camera::{Decomposition, Ndc};
+use crate::explain::code::CodeTarget;
 use crate::i18n::Lang;
 use crate::numerics::Study;
 use crate::views::{View, Views};
@@ -36,6 +37,16 @@ impl ValueEnum for Ndc {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         Some(self.name().into())
+    }
+}
+
+impl ValueEnum for CodeTarget {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(self.word().into())
     }
 }
 

@@ -5,6 +5,7 @@
 //! followed) gives each of them its number. What is shown of a formula, with its symbols or with its numbers, comes from the same tree
 //! that is evaluated, so that the two cannot disagree.
 
+pub mod code;
 mod definitions;
 mod formula;
 mod matrices;
@@ -12,6 +13,7 @@ mod report;
 mod setting;
 mod symbol;
 mod trace;
+pub mod vocabulary;
 mod writing;
 
 pub use definitions::{Definition, definition, leaves};

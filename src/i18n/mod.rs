@@ -36,6 +36,7 @@ macro_rules! texts {
 mod cameras;
 pub mod canvas;
 pub mod coach;
+pub mod code;
 pub mod command_line;
 pub mod conventions;
 pub mod explain;

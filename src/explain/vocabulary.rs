@@ -1,0 +1,359 @@
+//! The camera in the words of other sources and libraries, and back: each number that can be set sets the camera.
+//!
+//! | words | what |
+//! | --- | --- |
+//! | [`Vocabulary::OpenGl`] | `gluLookAt`, `gluPerspective`, `glFrustum`, `glOrtho`, `[2]` |
+//! | [`Vocabulary::Vrc`] | VRP, VPN, VUV, D, w, h, F, B, `[3]`: left-handed, **n** into the scene |
+//! | [`Vocabulary::ReferencePoint`] | P₀, P_ref, V, projection reference point, view plane, `[1]` |
+//! | [`Vocabulary::Pinhole`] | K \[R \| t\] of computer vision: x right, y down, z into the scene, pixels |
+
+use glam::{DMat3, DVec3};
+
+use super::{Axis, Component};
+use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
+
+/// In whose words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Vocabulary {
+    /// `[2]`: OpenGL and GLU
+    OpenGl,
+    /// `[3]`
+    Vrc,
+    /// `[1]`
+    ReferencePoint,
+    /// Computer vision
+    Pinhole,
+}
+
+/// A call or an equation with its numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// `gluLookAt`, `VRP`, `K` …
+    pub name: &'static str,
+    /// Its numbers.
+    pub arguments: Vec<Argument>,
+}
+
+/// A number of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Argument {
+    /// As the source calls it: `eyeX`, `fovy`, `z_near`.
+    pub name: &'static str,
+    /// Its number.
+    pub value: f64,
+    /// What is set by it; [`Quantity::Fixed`]: nothing.
+    pub quantity: Quantity,
+}
+
+/// What of a camera a number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// C
+    Position(Component),
+    /// PF
+    FocalPoint(Component),
+    /// VUP
+    ViewUp(Component),
+    /// DOP times any length: PF = C + D DOP
+    Direction(Component),
+    /// θ, degrees
+    ViewAngle,
+    /// A
+    Aspect,
+    /// l
+    Left,
+    /// r
+    Right,
+    /// b
+    Bottom,
+    /// t
+    Top,
+    /// W/2
+    HalfWidth,
+    /// H/2
+    HalfHeight,
+    /// F
+    Near,
+    /// B
+    Far,
+    /// −F
+    NearCoordinate,
+    /// −B
+    FarCoordinate,
+    /// `f_x`, `f_y`: F m/W, F n/H in pixels
+    FocalLength(Component),
+    /// `c_x`, `c_y`: where the axis meets the image, pixels
+    PrincipalPoint(Component),
+    /// t = −R C
+    Translation(Component),
+    /// An axis: it cannot be set one number at a time.
+    Axis(Axis, Component),
+    /// It is what it is there, and cannot be set.
+    Fixed,
+}
+
+/// What a vocabulary cannot say of a camera, or what it says otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Limitation {
+    /// The window is symmetric there.
+    SymmetricOnly,
+    /// It knows perspective only.
+    PerspectiveOnly,
+    /// Clipping planes are not part of it: F and B stay.
+    NoClippingPlanes,
+    /// PF is not part of it: D stays.
+    NoFocalPoint,
+    /// The view plane is the front plane here: D = F, and `z_vp` = −F.
+    ViewPlaneIsNear,
+    /// Left-handed: **n** points into the scene, **u** = **n** × **v**.
+    LeftHanded,
+    /// `z_near` and `z_far` are coordinates there, negative.
+    Coordinates,
+    /// y points down, and pixels are counted from the centre of the first one in some books; here from its corner, as in (5.22).
+    YDown,
+}
+
+impl Vocabulary {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::OpenGl, Self::Vrc, Self::ReferencePoint, Self::Pinhole];
+
+    /// What it cannot say of this camera.
+    ///
+    /// # Errors
+    /// [`Limitation::SymmetricOnly`] or [`Limitation::PerspectiveOnly`] where it has no words for it at all.
+    fn check(self, camera: &Camera) -> Result<(), Limitation> {
+        let window = camera.window();
+        let symmetric = window.left == -window.right && window.bottom == -window.top;
+        match self {
+            Self::OpenGl => Ok(()),
+            Self::Vrc if symmetric => Ok(()),
+            Self::ReferencePoint if symmetric || camera.projection() == Projection::Parallel => Ok(()),
+            Self::Vrc | Self::ReferencePoint => Err(Limitation::SymmetricOnly),
+            Self::Pinhole if camera.projection() == Projection::Perspective => Ok(()),
+            Self::Pinhole => Err(Limitation::PerspectiveOnly),
+        }
+    }
+
+    /// What is otherwise than in `[0]`, or not there at all.
+    #[must_use]
+    pub fn limitations(self) -> &'static [Limitation] {
+        match self {
+            Self::OpenGl => &[],
+            Self::Vrc => &[Limitation::LeftHanded, Limitation::ViewPlaneIsNear, Limitation::NoFocalPoint],
+            Self::ReferencePoint => &[Limitation::Coordinates, Limitation::ViewPlaneIsNear],
+            Self::Pinhole => &[Limitation::YDown, Limitation::NoClippingPlanes, Limitation::NoFocalPoint],
+        }
+    }
+
+    /// The camera in these words.
+    ///
+    /// # Errors
+    /// The [`Limitation`] that makes it impossible.
+    pub fn lines(self, camera: &Camera, image: ImageSize) -> Result<Vec<Line>, Limitation> {
+        self.check(camera)?;
+        let symmetric = Self::Vrc.check(camera).is_ok();
+        let values = Values { camera, image };
+        Ok(match (self, camera.projection()) {
+            (Self::OpenGl, projection) => vec![values.look_at(), values.open_gl_lens(projection, symmetric)],
+            (Self::Vrc, _) => values.vrc(),
+            (Self::ReferencePoint, projection) => values.reference_point(projection),
+            (Self::Pinhole, _) => values.pinhole(),
+        })
+    }
+
+    /// The parameters of the camera with one of the numbers changed. Whether they are those of a camera, [`Camera::new`] says.
+    /// [`Quantity::Axis`] and [`Quantity::Fixed`] change nothing.
+    #[must_use]
+    pub fn set(self, camera: &Camera, image: ImageSize, quantity: Quantity, value: f64) -> Parameters {
+        let mut p = *camera.parameters();
+        let component = |vector: &mut DVec3, c: Component| vector[c.index().min(2)] = value;
+        let (m, n) = (f64::from(image.width), f64::from(image.height));
+        let window = camera.window();
+        match quantity {
+            Quantity::Position(c) => component(&mut p.position, c),
+            Quantity::FocalPoint(c) => component(&mut p.focal_point, c),
+            Quantity::ViewUp(c) => component(&mut p.view_up, c),
+            Quantity::Direction(c) => {
+                let mut direction = camera.direction_of_projection();
+                component(&mut direction, c);
+                p.focal_point = p.position + direction.normalize_or_zero() * camera.distance();
+            }
+            Quantity::ViewAngle => p.view_angle = value,
+            Quantity::Aspect => p.aspect = value,
+            Quantity::Left => p.window = Some(ViewWindow { left: value, ..window }),
+            Quantity::Right => p.window = Some(ViewWindow { right: value, ..window }),
+            Quantity::Bottom => p.window = Some(ViewWindow { bottom: value, ..window }),
+            Quantity::Top => p.window = Some(ViewWindow { top: value, ..window }),
+            Quantity::HalfWidth => p.aspect = 2.0 * value / camera.window_height(),
+            Quantity::HalfHeight => {
+                p.aspect = camera.window_width() / (2.0 * value);
+                match camera.projection() {
+                    Projection::Perspective => p.view_angle = 2.0 * value.atan2(camera.near()).to_degrees(),
+                    Projection::Parallel => p.height = 2.0 * value,
+                }
+            }
+            Quantity::Near => p.near = value,
+            Quantity::Far => p.far = value,
+            Quantity::NearCoordinate => p.near = -value,
+            Quantity::FarCoordinate => p.far = -value,
+            Quantity::FocalLength(c) => {
+                // The image keeps its size: a longer focal length is a smaller window around the same axis.
+                let (pixels, size) = if c == Component::X { (m, window.width()) } else { (n, window.height()) };
+                let factor = camera.near() * pixels / value / size;
+                p.window = Some(if c == Component::X {
+                    ViewWindow { left: window.left * factor, right: window.right * factor, ..window }
+                } else {
+                    ViewWindow { bottom: window.bottom * factor, top: window.top * factor, ..window }
+                });
+            }
+            Quantity::PrincipalPoint(Component::X) => {
+                let left = -value * window.width() / m;
+                p.window = Some(ViewWindow { left, right: left + window.width(), ..window });
+            }
+            Quantity::PrincipalPoint(_) => {
+                let top = value * window.height() / n;
+                p.window = Some(ViewWindow { bottom: top - window.height(), top, ..window });
+            }
+            Quantity::Translation(c) => {
+                let rotation = vision_rotation(camera);
+                let mut t = -(rotation * camera.position());
+                component(&mut t, c);
+                let position = -(rotation.transpose() * t);
+                p.focal_point += position - p.position;
+                p.position = position;
+            }
+            Quantity::Axis(..) | Quantity::Fixed => {}
+        }
+        p
+    }
+}
+
+/// Rows **u**, −**v**, −**n**.
+fn vision_rotation(camera: &Camera) -> DMat3 {
+    let basis = camera.basis();
+    DMat3::from_cols(basis.u, -basis.v, -basis.n).transpose()
+}
+
+struct Values<'a> {
+    camera: &'a Camera,
+    image: ImageSize,
+}
+
+fn argument(name: &'static str, value: f64, quantity: Quantity) -> Argument {
+    Argument { name, value: value + 0.0, quantity }
+}
+
+fn vector(names: [&'static str; 3], value: DVec3, quantity: fn(Component) -> Quantity) -> Vec<Argument> {
+    let parts = names.into_iter().zip(value.to_array()).zip(Component::THREE);
+    parts.map(|((name, value), component)| argument(name, value, quantity(component))).collect()
+}
+
+impl Values<'_> {
+    fn window(&self) -> [f64; 4] {
+        let ViewWindow { left, right, bottom, top } = self.camera.window();
+        [left, right, bottom, top]
+    }
+
+    fn look_at(&self) -> Line {
+        let camera = self.camera;
+        let eye = vector(["eyeX", "eyeY", "eyeZ"], camera.position(), Quantity::Position);
+        let center = vector(["centerX", "centerY", "centerZ"], camera.focal_point(), Quantity::FocalPoint);
+        let up = vector(["upX", "upY", "upZ"], camera.view_up(), Quantity::ViewUp);
+        Line { name: "gluLookAt", arguments: [eye, center, up].concat() }
+    }
+
+    fn open_gl_lens(&self, projection: Projection, symmetric: bool) -> Line {
+        let camera = self.camera;
+        let planes =
+            [argument("nearVal", camera.near(), Quantity::Near), argument("farVal", camera.far(), Quantity::Far)];
+        if projection == Projection::Perspective && symmetric && camera.parameters().window.is_none() {
+            let angle = argument("fovy", camera.view_angle().degrees(), Quantity::ViewAngle);
+            let aspect = argument("aspect", camera.window_aspect(), Quantity::Aspect);
+            return Line { name: "gluPerspective", arguments: [&[angle, aspect], &planes[..]].concat() };
+        }
+        let name = if projection == Projection::Perspective { "glFrustum" } else { "glOrtho" };
+        Line { name, arguments: [&self.sides(["left", "right", "bottom", "top"])[..], &planes].concat() }
+    }
+
+    fn sides(&self, names: [&'static str; 4]) -> Vec<Argument> {
+        let quantities = [Quantity::Left, Quantity::Right, Quantity::Bottom, Quantity::Top];
+        let parts = names.into_iter().zip(self.window()).zip(quantities);
+        parts.map(|((name, value), quantity)| argument(name, value, quantity)).collect()
+    }
+
+    fn vrc(&self) -> Vec<Line> {
+        let camera = self.camera;
+        let line = |name, arguments| Line { name, arguments };
+        let number = |name, value, quantity| line(name, vec![argument(name, value, quantity)]);
+        vec![
+            line("VRP", vector(["x", "y", "z"], camera.position(), Quantity::Position)),
+            line("VPN", vector(["x", "y", "z"], camera.direction_of_projection(), Quantity::Direction)),
+            line("VUV", vector(["x", "y", "z"], camera.view_up(), Quantity::ViewUp)),
+            number("D", camera.near(), Quantity::Fixed),
+            number("w", camera.window_width() / 2.0, Quantity::HalfWidth),
+            number("h", camera.window_height() / 2.0, Quantity::HalfHeight),
+            number("F", camera.near(), Quantity::Near),
+            number("B", camera.far(), Quantity::Far),
+        ]
+    }
+
+    fn reference_point(&self, projection: Projection) -> Vec<Line> {
+        let camera = self.camera;
+        let line = |name, arguments| Line { name, arguments };
+        let number = |name, value, quantity| line(name, vec![argument(name, value, quantity)]);
+        let mut lines = vec![
+            line("P_0", vector(["x_0", "y_0", "z_0"], camera.position(), Quantity::Position)),
+            line("P_ref", vector(["x", "y", "z"], camera.focal_point(), Quantity::FocalPoint)),
+            line("V", vector(["x", "y", "z"], camera.view_up(), Quantity::ViewUp)),
+        ];
+        if projection == Projection::Perspective {
+            let origin = vector(["x_prp", "y_prp", "z_prp"], DVec3::ZERO, |_| Quantity::Fixed);
+            lines.push(line("prp", origin));
+            lines.push(number("z_vp", -camera.near(), Quantity::Fixed));
+            let angle = if camera.parameters().window.is_none() { Quantity::ViewAngle } else { Quantity::Fixed };
+            let aspect = if camera.parameters().window.is_none() { Quantity::Aspect } else { Quantity::Fixed };
+            lines.push(number("θ", camera.view_angle().degrees(), angle));
+            lines.push(number("aspect", camera.window_aspect(), aspect));
+        } else {
+            lines.push(line("xw, yw", self.sides(["xw_min", "xw_max", "yw_min", "yw_max"])));
+        }
+        lines.push(number("z_near", -camera.near(), Quantity::NearCoordinate));
+        lines.push(number("z_far", -camera.far(), Quantity::FarCoordinate));
+        lines
+    }
+
+    fn pinhole(&self) -> Vec<Line> {
+        let camera = self.camera;
+        let [left, _, _, top] = self.window();
+        let (m, n) = (f64::from(self.image.width), f64::from(self.image.height));
+        let (width, height) = (camera.window_width(), camera.window_height());
+        let (x, y) = (Component::X, Component::Y);
+        let k = vec![
+            argument("f_x", camera.near() * m / width, Quantity::FocalLength(x)),
+            argument("skew", 0.0, Quantity::Fixed),
+            argument("c_x", -left / width * m, Quantity::PrincipalPoint(x)),
+            argument("f_y", camera.near() * n / height, Quantity::FocalLength(y)),
+            argument("c_y", top / height * n, Quantity::PrincipalPoint(y)),
+        ];
+        let rotation = vision_rotation(camera);
+        let axes = [Axis::U, Axis::V, Axis::N];
+        let row = |i: usize, names| {
+            let parts = Component::THREE.into_iter().zip(rotation.row(i).to_array()).zip(names);
+            parts.map(|((c, value), name)| argument(name, value, Quantity::Axis(axes[i], c))).collect::<Vec<_>>()
+        };
+        let t = -(rotation * camera.position());
+        vec![
+            Line { name: "K", arguments: k },
+            Line {
+                name: "R",
+                arguments: [
+                    row(0, ["r_11", "r_12", "r_13"]),
+                    row(1, ["r_21", "r_22", "r_23"]),
+                    row(2, ["r_31", "r_32", "r_33"]),
+                ]
+                .concat(),
+            },
+            Line { name: "t", arguments: vector(["t_1", "t_2", "t_3"], t, Quantity::Translation) },
+        ]
+    }
+}

@@ -1,0 +1,54 @@
+//! What is said in and about code that sets up a camera.
+
+use super::Lang;
+use crate::explain::code::{CodeConvention, CodeTarget};
+
+/// What the code states about itself.
+#[must_use]
+pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) -> String {
+    let name = target.name();
+    match (lang, convention) {
+        (Lang::En, CodeConvention::OfTheNotes) => {
+            format!(
+                "{name}: p' = M p with column vectors, right-handed view space looking along -n, NDC -1 to 1, as in the lecture notes"
+            )
+        }
+        (Lang::PtBr, CodeConvention::OfTheNotes) => {
+            format!(
+                "{name}: p' = M p com vetores coluna, espaço de vista de mão direita olhando ao longo de -n, NDC de -1 a 1, como nas notas de aula"
+            )
+        }
+        (Lang::En, CodeConvention::ColumnMajor) => {
+            format!("{name} keeps matrices by columns: m[j][i] is row i, column j")
+        }
+        (Lang::PtBr, CodeConvention::ColumnMajor) => {
+            format!("{name} guarda matrizes por colunas: m[j][i] é a linha i, coluna j")
+        }
+        (Lang::En, CodeConvention::Radians) => "angles in radians, vertical".to_owned(),
+        (Lang::PtBr, CodeConvention::Radians) => "ângulos em radianos, verticais".to_owned(),
+        (Lang::En, CodeConvention::Degrees) => "angles in degrees, vertical".to_owned(),
+        (Lang::PtBr, CodeConvention::Degrees) => "ângulos em graus, verticais".to_owned(),
+        (Lang::En, CodeConvention::WindowCentre) => {
+            "the window is not symmetric: its middle is moved in half windows (SetWindowCenter)".to_owned()
+        }
+        (Lang::PtBr, CodeConvention::WindowCentre) => {
+            "a janela não é simétrica: seu meio é deslocado em meias janelas (SetWindowCenter)".to_owned()
+        }
+        (Lang::En, CodeConvention::ByMatrix) => {
+            format!(
+                "the window is not symmetric: {name} has no call for it, the matrix is set; updateProjectionMatrix would undo it"
+            )
+        }
+        (Lang::PtBr, CodeConvention::ByMatrix) => {
+            format!(
+                "a janela não é simétrica: {name} não tem chamada para ela, define-se a matriz; updateProjectionMatrix a desfaria"
+            )
+        }
+    }
+}
+
+/// The lines of comment above the code for a camera.
+#[must_use]
+pub fn comments(lang: Lang, target: CodeTarget, conventions: &[CodeConvention]) -> Vec<String> {
+    conventions.iter().map(|said| convention(lang, target, *said)).collect()
+}
