@@ -15,6 +15,7 @@ mod symbol;
 mod trace;
 pub mod vocabulary;
 mod writing;
+mod written;
 
 pub use definitions::{Definition, definition, leaves};
 pub use formula::{Formula, Function};
@@ -24,3 +25,4 @@ pub use setting::{Placement, Setting};
 pub use symbol::{Axis, Component, Matrix, Symbol, Vector};
 pub use trace::{Step, back, forward};
 pub use writing::{Notation, Numbers, Writer};
+pub use written::{Line, Style, aligned, written};

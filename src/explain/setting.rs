@@ -1,9 +1,9 @@
 //! What gives the symbols their numbers.
 
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3};
 
 use super::{Axis, Component, Matrix, Symbol};
-use crate::camera::{ClipSpace, ImageSize, Stations, Viewport};
+use crate::camera::{ClipSpace, ImageSize, Ndc, Projected, Stations, Viewport, WayBack};
 use crate::geometry::Angle;
 
 /// How an object stands in the world.
@@ -50,6 +50,31 @@ impl<'a> Setting<'a> {
     #[must_use]
     pub fn with_point(self, world: DVec3) -> Self {
         Self { point: Some(self.space.stations(world, self.image, &self.viewport)), local: None, ..self }
+    }
+
+    /// With the point to which a pixel with a depth leads back, as it is on that way: before anything is rounded to whole pixels.
+    #[must_use]
+    pub fn with_way_back(self, way: &WayBack) -> Self {
+        let setting = self.with_point(way.world);
+        #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
+        let pixel = DVec2::from_array(way.pixel.map(|x| x as f64));
+        let viewport = |ndc: Projected| ndc.viewport.with_z(way.depth);
+        let point = setting.point.map(|point| {
+            let found = point.projected.map(viewport);
+            let viewport = found.unwrap_or(DVec3::new(f64::NAN, f64::NAN, way.depth));
+            let projected = Some(Projected { ndc: way.ndc, window: way.window, pixel, viewport });
+            Stations { view: way.view, clip: way.clip, projected, ..point }
+        });
+        Self { point, ..setting }
+    }
+
+    /// The same with a far plane, where the convention has none.
+    #[must_use]
+    pub fn with_far_plane(&self) -> Self {
+        let ndc = Ndc { infinite: false, ..self.space.ndc() };
+        let space = self.space.camera().possible_clip_space(ndc);
+        let point = self.point.map(|point| space.stations(point.world, self.image, &self.viewport));
+        Self { space, point, ..self.clone() }
     }
 
     /// With a point of the object, if there is an object.
@@ -177,6 +202,9 @@ impl<'a> Setting<'a> {
             Symbol::World(c) => maybe(self.point.map(|p| p.world), c),
             Symbol::View(c) => maybe(self.point.map(|p| p.view), c),
             Symbol::Clip(c) => self.point.map_or(f64::NAN, |p| p.clip.to_array()[c.index()] + 0.0),
+            Symbol::Homogeneous(c) => {
+                self.point.map_or(f64::NAN, |p| p.view.extend(1.0).to_array()[c.index()] / p.clip.w + 0.0)
+            }
             Symbol::Ndc(c) => maybe(projected.map(|p| p.ndc), c),
             Symbol::Window(c) => maybe(projected.map(|p| p.window.extend(0.0)), c),
             Symbol::Pixel(c) => maybe(projected.map(|p| p.pixel.extend(0.0)), c),

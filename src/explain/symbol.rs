@@ -245,6 +245,8 @@ pub enum Symbol {
     View(Component),
     /// x_r, y_r, z_r, w_r
     Clip(Component),
+    /// `x_h`, `y_h`, `z_h`, `w_h`: VRC before they are divided by `w_h`, on the way back
+    Homogeneous(Component),
     /// x_n, y_n, z_n
     Ndc(Component),
     /// x_p, y_p
@@ -300,6 +302,7 @@ impl Symbol {
             Self::World(component) => (below(component), ""),
             Self::View(component) => (below(component), "c"),
             Self::Clip(component) => (below(component), "r"),
+            Self::Homogeneous(component) => (below(component), "h"),
             Self::Ndc(component) => (below(component), "n"),
             Self::Window(component) => (below(component), "p"),
             Self::Pixel(Component::X) => ("i", ""),

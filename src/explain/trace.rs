@@ -1,6 +1,5 @@
 //! A point followed from space to space, with its whole arithmetic, and a pixel with a depth followed back.
 
-use glam::DVec4;
 use serde::Serialize;
 
 use super::formula::{minus, over, plus, times};
@@ -35,6 +34,9 @@ pub struct Step {
     /// Which matrix it is.
     #[serde(skip)]
     pub by: Option<Matrix>,
+    /// It is done with a far plane although the convention has none.
+    #[serde(skip)]
+    pub with_far_plane: bool,
 }
 
 impl Step {
@@ -42,6 +44,16 @@ impl Step {
     #[must_use]
     pub fn rests(&self) -> Vec<f64> {
         self.terms.iter().zip(&self.output).map(|(terms, out)| terms.iter().sum::<f64>() - out).collect()
+    }
+
+    /// What gives its formulas their numbers, of the setting that was followed.
+    #[must_use]
+    pub fn setting<'a>(&self, setting: &Setting<'a>) -> Setting<'a> {
+        if self.with_far_plane { setting.with_far_plane() } else { setting.clone() }
+    }
+
+    fn finite(self) -> Self {
+        Self { equation: format!("{} B < ∞", self.equation), with_far_plane: true, ..self }
     }
 }
 
@@ -104,6 +116,7 @@ fn step(
         symbols: rows.iter().map(|row| row.symbol).collect(),
         formulas: rows.iter().map(Row::formula).collect(),
         by: None,
+        with_far_plane: false,
     }
 }
 
@@ -215,12 +228,7 @@ fn to_pixel(setting: &Setting<'_>) -> Step {
 fn to_viewport(setting: &Setting<'_>) -> Step {
     let ndc = setting.space().ndc();
     if ndc.infinite {
-        let camera = setting.space().camera();
-        let finite = camera.possible_clip_space(Ndc { infinite: false, ..ndc });
-        let finite = Setting::new(finite, setting.image(), Some(setting.viewport()));
-        let world = setting.point().map(|point| point.world).unwrap_or_default();
-        let step = to_viewport(&finite.with_point(world));
-        return Step { equation: format!("{} B < ∞", step.equation), ..step };
+        return to_viewport(&setting.with_far_plane()).finite();
     }
     let input = Component::THREE.map(|c| setting.value(Symbol::Ndc(c))).to_vec();
     let entry = |row, column| Formula::from(Symbol::Entry(Matrix::Viewport, row, column));
@@ -239,95 +247,71 @@ fn to_viewport(setting: &Setting<'_>) -> Step {
     step(setting, ("ndc", "viewport"), "(5.24), (5.25)", input, rows)
 }
 
-/// The way back from the centre of a pixel with a depth Z: (5.23), (5.25), then the inverses of M_p and M_v.
+/// The way back from the centre of a pixel with a depth Z: (5.23), (5.25), then the inverses of M_p and M_v. Empty where it leads beyond all
+/// numbers.
 ///
-/// The setting's point is the one to which it leads ([`Camera::way_back`](crate::camera::Camera::way_back)).
+/// The formulas have their numbers in [`Step::setting`] of the setting [with the way](Setting::with_way_back). Without a far plane the
+/// convention with one is used, as Z of (5.25) has one.
 #[must_use]
 pub fn back(setting: &Setting<'_>, way: &WayBack) -> Vec<Step> {
-    let on_the_way = setting.clone().with_point(way.world);
-    let numbers = |from, to, equation: &str, input: Vec<f64>, terms: Vec<Vec<f64>>, output: Vec<f64>| Step {
-        from,
-        to,
-        equation: equation.to_owned(),
-        matrix: None,
-        input,
-        terms,
-        output,
-        symbols: Vec::new(),
-        formulas: Vec::new(),
-        by: None,
-    };
-    let value = |symbol| setting.value(symbol);
-    let (width, height) = (value(Symbol::Width), value(Symbol::Height));
-    #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
-    let [i, j] = way.pixel.map(|x| x as f64 + 0.5);
-    let to_window = numbers(
-        "pixel",
-        "window",
-        "(5.23)",
-        vec![i, j],
-        vec![
-            vec![width / value(Symbol::ImageWidth) * i, value(Symbol::Left)],
-            vec![value(Symbol::Top), -height / value(Symbol::ImageHeight) * j],
-        ],
-        way.window.to_array().to_vec(),
+    if setting.space().ndc().infinite {
+        let finite = setting.with_far_plane();
+        let again = finite.space().way_back(finite.image(), &finite.viewport(), way.pixel, way.depth);
+        let steps = again.map(|way| back(&finite, &way)).unwrap_or_default();
+        return steps.into_iter().map(Step::finite).collect();
+    }
+    let setting = &setting.clone().with_way_back(way);
+    let (three, four) = (Component::THREE, Component::FOUR);
+    let to_homogeneous = matrix_step(
+        setting,
+        ("ndc", "homogeneous"),
+        Matrix::InverseProjection.text(),
+        Matrix::InverseProjection,
+        three.map(Symbol::Ndc),
+        &four.map(Symbol::Homogeneous),
     );
-    let matrix = |m: Matrix| setting.matrix(m).transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
-    let products = |m: [[f64; 4]; 4], p: DVec4, rows: usize| -> Vec<Vec<f64>> {
-        m[..rows].iter().map(|row| row.iter().zip(p.to_array()).map(|(m, x)| m * x + 0.0).collect()).collect()
+    let divided = {
+        let input = four.map(|c| setting.value(Symbol::Homogeneous(c))).to_vec();
+        let row = |c| Row::sum(Symbol::View(c), [over(Symbol::Homogeneous(c), Symbol::Homogeneous(Component::W))]);
+        step(setting, ("homogeneous", "view"), "÷ w", input, three.map(row).into())
     };
-    let window_of_ndc = {
-        let ndc = setting.space().ndc();
-        let down = if ndc.y_points_down() { -1.0 } else { 1.0 };
-        let (sum_x, sum_y) = (value(Symbol::Right) + value(Symbol::Left), value(Symbol::Top) + value(Symbol::Bottom));
-        let inverse = matrix(Matrix::InverseViewport);
-        numbers(
-            "window",
-            "ndc",
-            "(5.11), (5.12), (5.25)",
-            vec![way.window.x, way.window.y, way.depth],
-            vec![
-                vec![2.0 / width * way.window.x, 0.0 - sum_x / width],
-                vec![down * 2.0 / height * way.window.y, 0.0 - down * sum_y / height],
-                vec![inverse[2][2] * way.depth, inverse[2][3]],
-            ],
-            way.ndc.to_array().to_vec(),
-        )
-    };
-    let inverse = matrix(Matrix::InverseProjection);
-    let homogeneous = way.view.extend(1.0) / way.clip.w;
-    let unprojected = Step {
-        matrix: Some(inverse),
-        by: Some(Matrix::InverseProjection),
-        ..numbers(
-            "ndc",
-            "homogeneous",
-            Matrix::InverseProjection.text(),
-            way.ndc.extend(1.0).to_array().to_vec(),
-            products(inverse, way.ndc.extend(1.0), 4),
-            homogeneous.to_array().to_vec(),
-        )
-    };
-    let divided = numbers(
-        "homogeneous",
-        "view",
-        "÷ w",
-        homogeneous.to_array().to_vec(),
-        way.view.to_array().iter().zip(homogeneous.to_array()).map(|(_, x)| vec![x / homogeneous.w]).collect(),
-        way.view.to_array().to_vec(),
+    let to_world = matrix_step(
+        setting,
+        ("view", "world"),
+        Matrix::InverseView.text(),
+        Matrix::InverseView,
+        three.map(Symbol::View),
+        &three.map(Symbol::World),
     );
-    let inverse = matrix(Matrix::InverseView);
-    let to_world = Step {
-        matrix: Some(inverse),
-        by: Some(Matrix::InverseView),
-        ..numbers(
-            "view",
-            "world",
-            Matrix::InverseView.text(),
-            way.view.extend(1.0).to_array().to_vec(),
-            products(inverse, way.view.extend(1.0), 3),
-            on_the_way.point().map(|p| p.world).unwrap_or_default().to_array().to_vec(),
-        )
-    };
-    vec![to_window, window_of_ndc, unprojected, divided, to_world]
+    vec![window_of_pixel(setting), ndc_of_window(setting), to_homogeneous, divided, to_world]
+}
+
+/// (5.23), for the centre of a pixel.
+fn window_of_pixel(setting: &Setting<'_>) -> Step {
+    let centre = |c| plus(Symbol::Pixel(c), over(1.0, 2.0));
+    let scaled = |size: Symbol, pixels: Symbol, c| times([over(size, pixels), centre(c)]);
+    let (x, y) = (Component::X, Component::Y);
+    let input = [x, y].map(|c| centre(c).value(setting)).to_vec();
+    let rows = vec![
+        Row::sum(Symbol::Window(x), [scaled(Symbol::Width, Symbol::ImageWidth, x), Symbol::Left.into()]),
+        Row::sum(Symbol::Window(y), [Symbol::Top.into(), -scaled(Symbol::Height, Symbol::ImageHeight, y)]),
+    ];
+    step(setting, ("pixel", "window"), "(5.23)", input, rows)
+}
+
+/// (5.11) and (5.12) for x_n and y_n, (5.25) solved for z_n.
+fn ndc_of_window(setting: &Setting<'_>) -> Step {
+    let (x, y, z) = (Component::X, Component::Y, Component::Z);
+    let input = [Symbol::Window(x), Symbol::Window(y), Symbol::Viewport(z)].map(|s| setting.value(s)).to_vec();
+    let middle = |a: Symbol, b: Symbol, size: Symbol| over(plus(a, b), size);
+    let scaled = |c, size: Symbol| times([over(2.0, size), Symbol::Window(c).into()]);
+    let (height, middle_y) = (scaled(y, Symbol::Height), middle(Symbol::Top, Symbol::Bottom, Symbol::Height));
+    let row_y = if setting.space().ndc().y_points_down() { [-height, middle_y] } else { [height, -middle_y] };
+    let entry = |column| Formula::from(Symbol::Entry(Matrix::InverseViewport, 2, column));
+    let rows = vec![
+        Row::sum(Symbol::Ndc(x), [scaled(x, Symbol::Width), -middle(Symbol::Right, Symbol::Left, Symbol::Width)]),
+        Row::sum(Symbol::Ndc(y), row_y),
+        Row::sum(Symbol::Ndc(z), [times([entry(2), Symbol::Viewport(z).into()]), entry(3)]),
+    ];
+    step(setting, ("window", "ndc"), "(5.11), (5.12), (5.25)", input, rows)
 }

@@ -167,14 +167,16 @@ impl Writer<'_> {
         text
     }
 
-    /// Numbers are kept apart by a dot; symbols of one letter stand side by side.
+    /// Numbers are kept apart by a dot, and so is what stands before one; symbols of one letter stand side by side.
     fn product(&self, factors: &[Formula]) -> String {
         let single = |formula: &Formula| match formula {
             Formula::Number(_) => true,
             Formula::Symbol(symbol) => symbol.text().chars().count() == 1,
             _ => false,
         };
-        let between = match (self.numbers.is_some(), self.is_latex()) {
+        // A number behind a symbol would read as an index.
+        let apart = self.numbers.is_some() || factors.iter().skip(1).any(|f| matches!(f, Formula::Number(_)));
+        let between = match (apart, self.is_latex()) {
             (true, true) => r" \cdot ",
             (true, false) => "·",
             (false, _) if factors.iter().all(single) && !self.is_latex() => "",

@@ -5,8 +5,8 @@
 
 use camera_lab::camera::{Camera, ImageSize, Ndc, NoWayBack, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::{
-    Axis, Component, Formula, Matrix, MatrixFormula, Notation, Numbers, Placement, Setting, Symbol, Writer, back,
-    definition, forward, leaves,
+    Axis, Component, Formula, Matrix, MatrixFormula, Notation, Numbers, Placement, Setting, Step, Style, Symbol,
+    Writer, back, definition, forward, leaves, written,
 };
 use camera_lab::expression::{self, Dimension};
 use camera_lab::numbers::{DecimalMark, EXACT_DIGITS};
@@ -149,6 +149,40 @@ fn depths_lead_back() {
     assert_eq!(way(&empty, 0.5), Err(NoWayBack::EmptyDepthRange { depth: 0.5 }));
 }
 
+/// Each row's formula gives the row's number, and its text with the numbers put in is read back as it.
+fn assert_formulas(steps: &[Step], setting: &Setting<'_>) {
+    let style = Style { notation: Notation::Text, mark: DecimalMark::Point, digits: EXACT_DIGITS };
+    for step in steps {
+        assert_eq!(step.formulas.len(), step.output.len(), "{step:?}");
+        let with = step.setting(setting);
+        for ((formula, line), output) in step.formulas.iter().zip(step.lines(setting, style)).zip(&step.output) {
+            let (value, size) = (formula.value(&with), formula.magnitude(&with).max(output.abs()));
+            assert!((value - output).abs() <= 1e-11 * size, "{step:?}: {value} is not {output}");
+            if !line.numbers.contains('⌊') {
+                let again = evaluated(&line.numbers);
+                assert!((again - output).abs() <= 1e-11 * size, "{line:?}: {again}");
+            }
+            assert_eq!(evaluated(&line.value), *output);
+        }
+    }
+}
+
+#[test]
+fn ways_are_written_with_symbols_and_with_numbers() {
+    let camera = camera(|p| (p.position, p.focal_point) = (DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO));
+    let setting = Setting::new(camera.notes_clip_space(), IMAGE, None).with_point(DVec3::new(1.0, 2.0, 0.5));
+    let steps = forward(&setting);
+    let style = |notation| Style { notation, mark: DecimalMark::Comma, digits: 4 };
+    let text = written(&steps[..1], &setting, style(Notation::Text), |space| space.to_uppercase());
+    let expected =
+        "WORLD → VIEW  (5.7)\n  x_c = v_11 x + v_12 y + v_13 z + v_14·1\n    = 1·1 + 0·2 + 0·0,5 + 0·1 = 1\n";
+    assert!(text.starts_with(expected), "{text}");
+    let latex = written(&steps, &setting, style(Notation::Latex), str::to_owned);
+    assert_eq!(latex.matches("\\begin{aligned}").count(), steps.len());
+    assert_eq!(latex.matches('{').count(), latex.matches('}').count());
+    assert!(latex.contains(r"x_{c} &= v_{11}") && latex.contains("{,}"), "{latex}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -175,6 +209,28 @@ proptest! {
                     prop_assert!((value - expected).abs() <= slack, "{formula:?}: {value}, not {expected}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn both_ways_have_formulas_that_give_their_numbers(camera in plain_camera(), depth in 0.3..0.8, pixel in [0_i64..1024, 0_i64..768]) {
+        for ndc in Ndc::ALL {
+            let Ok(space) = camera.clip_space(ndc) else { continue };
+            let setting = Setting::new(space, IMAGE, Some(viewport()));
+            let way = space.way_back(IMAGE, &viewport(), pixel, depth).unwrap();
+            let steps = back(&setting, &way);
+            prop_assert_eq!(steps.len(), 5);
+            let with_way = setting.clone().with_way_back(&way);
+            assert_formulas(&steps, &with_way);
+            for step in &steps {
+                let sizes = step.terms.iter().map(|terms| terms.iter().fold(1e-300_f64, |size, x| size.max(x.abs())));
+                for (rest, size) in step.rests().into_iter().zip(sizes) {
+                    prop_assert!(rest.abs() <= 1e-11 * size, "{:?}: {:?}", ndc, step);
+                }
+            }
+            prop_assert!(DVec3::from_slice(&steps[4].output).abs_diff_eq(way.world, 1e-9 * way.world.length()));
+            let setting = setting.with_point(way.world);
+            assert_formulas(&forward(&setting), &setting);
         }
     }
 
