@@ -7,9 +7,10 @@ use crate::camera::{Camera, Projection, ViewWindow};
 use crate::numbers::exact;
 
 /// A library, or a language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CodeTarget {
     /// C with OpenGL 1 and GLU
+    #[default]
     OpenGl,
     /// C++ with GLM
     Glm,

@@ -303,13 +303,13 @@ impl Values<'_> {
         let number = |name, value, quantity| line(name, vec![argument(name, value, quantity)]);
         let mut lines = vec![
             line("P_0", vector(["x_0", "y_0", "z_0"], camera.position(), Quantity::Position)),
-            line("P_ref", vector(["x", "y", "z"], camera.focal_point(), Quantity::FocalPoint)),
+            line("P_{ref}", vector(["x", "y", "z"], camera.focal_point(), Quantity::FocalPoint)),
             line("V", vector(["x", "y", "z"], camera.view_up(), Quantity::ViewUp)),
         ];
         if projection == Projection::Perspective {
             let origin = vector(["x_prp", "y_prp", "z_prp"], DVec3::ZERO, |_| Quantity::Fixed);
             lines.push(line("prp", origin));
-            lines.push(number("z_vp", -camera.near(), Quantity::Fixed));
+            lines.push(number("z_{vp}", -camera.near(), Quantity::Fixed));
             let angle = if camera.parameters().window.is_none() { Quantity::ViewAngle } else { Quantity::Fixed };
             let aspect = if camera.parameters().window.is_none() { Quantity::Aspect } else { Quantity::Fixed };
             lines.push(number("θ", camera.view_angle().degrees(), angle));
@@ -317,8 +317,8 @@ impl Values<'_> {
         } else {
             lines.push(line("xw, yw", self.sides(["xw_min", "xw_max", "yw_min", "yw_max"])));
         }
-        lines.push(number("z_near", -camera.near(), Quantity::NearCoordinate));
-        lines.push(number("z_far", -camera.far(), Quantity::FarCoordinate));
+        lines.push(number("z_{near}", -camera.near(), Quantity::NearCoordinate));
+        lines.push(number("z_{far}", -camera.far(), Quantity::FarCoordinate));
         lines
     }
 

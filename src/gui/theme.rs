@@ -7,6 +7,8 @@ use eframe::egui::{
     text::{LayoutJob, TextFormat},
 };
 
+use crate::text::runs;
+
 /// `DejaVu` first: it has the Portuguese accents, the Greek letters and the mathematical signs of the notes.
 pub fn install_fonts(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::default();
@@ -22,23 +24,17 @@ pub fn install_fonts(ctx: &egui::Context) {
     ctx.set_fonts(fonts);
 }
 
-/// A symbol in the colour of symbols; what follows a `_` is lowered.
+/// A symbol in the colour of symbols, with subscripts as in the pictures.
 #[must_use]
 pub fn symbol(ui: &egui::Ui, text: &str) -> LayoutJob {
     let font = TextStyle::Body.resolve(ui.style());
+    let low = FontId::new(font.size * 0.75, font.family.clone());
     let color = ui.visuals().hyperlink_color;
     let mut job = LayoutJob::default();
-    let mut format = TextFormat { font_id: font.clone(), color, ..Default::default() };
-    for (index, part) in text.split('_').enumerate() {
-        let mut rest = part;
-        if index > 0 {
-            let end = part.chars().next().map_or(0, char::len_utf8);
-            let low = FontId::new(font.size * 0.75, font.family.clone());
-            job.append(&part[..end], 0.0, TextFormat { font_id: low, valign: egui::Align::BOTTOM, ..format.clone() });
-            rest = &part[end..];
-        }
-        format.valign = egui::Align::Center;
-        job.append(rest, 0.0, format.clone());
+    for run in runs(text) {
+        let (font_id, valign) =
+            if run.lowered { (low.clone(), egui::Align::BOTTOM) } else { (font.clone(), egui::Align::Center) };
+        job.append(run.text, 0.0, TextFormat { font_id, color, valign, ..Default::default() });
     }
     job
 }

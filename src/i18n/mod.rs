@@ -39,6 +39,7 @@ pub mod coach;
 pub mod code;
 pub mod command_line;
 pub mod conventions;
+pub mod dialects;
 pub mod explain;
 mod expressions;
 pub mod faults;

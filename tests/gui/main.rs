@@ -9,6 +9,7 @@ mod canvas_probe;
 mod coach;
 mod commands;
 mod conventions;
+mod dialects;
 mod dialogs;
 mod files;
 mod gallery;

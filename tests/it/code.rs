@@ -164,7 +164,7 @@ fn other_vocabularies_have_the_numbers_of_their_sources() {
     let vrc = lines(Vocabulary::Vrc);
     assert_eq!((line(&vrc, "VPN"), line(&vrc, "w"), line(&vrc, "h")), (vec![0.0, 0.0, -1.0], vec![2.0], vec![1.0]));
     let reference = lines(Vocabulary::ReferencePoint);
-    assert_eq!((line(&reference, "z_near"), line(&reference, "z_far")), (vec![-1.0], vec![-4.0]));
+    assert_eq!((line(&reference, "z_{near}"), line(&reference, "z_{far}")), (vec![-1.0], vec![-4.0]));
     let pinhole = lines(Vocabulary::Pinhole);
     assert_eq!(line(&pinhole, "K"), [160.0, 0.0, 320.0, 240.0, 240.0]);
     assert_eq!(line(&pinhole, "R"), [1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, -1.0]);

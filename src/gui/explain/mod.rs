@@ -2,6 +2,8 @@
 //!
 //! A tab is a variant of [`ExplainTab`], its row in [`TABS`] and a file here with `fn ui`. Only the tab that is shown computes anything.
 
+mod code;
+mod dialects;
 mod matrices;
 
 use eframe::egui;
@@ -20,8 +22,11 @@ struct Row {
 }
 
 /// The tabs, in the order in which they are read.
-const TABS: &[Row] =
-    &[Row { tab: ExplainTab::Matrices, name: |t| t.matrices, hint: |t| t.matrices_hint, ui: matrices::ui }];
+const TABS: &[Row] = &[
+    Row { tab: ExplainTab::Matrices, name: |t| t.matrices, hint: |t| t.matrices_hint, ui: matrices::ui },
+    Row { tab: ExplainTab::Dialects, name: |t| t.dialects, hint: |t| t.dialects_hint, ui: dialects::ui },
+    Row { tab: ExplainTab::Code, name: |t| t.code, hint: |t| t.code_hint, ui: code::ui },
+];
 
 /// Shows the heads of the tabs, and the tab that is chosen.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {

@@ -1,11 +1,19 @@
 //! What the side of explanations shows.
 
+use crate::camera::{CameraError, MatrixKind};
+use crate::explain::code::CodeTarget;
+use crate::explain::vocabulary::{Quantity, Vocabulary};
+
 /// A tab of the side of explanations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ExplainTab {
     /// Each entry of each matrix, as formula and as number.
     #[default]
     Matrices,
+    /// The camera in other vocabularies, and a pasted matrix.
+    Dialects,
+    /// The camera as code.
+    Code,
 }
 
 /// The side of explanations. Whether it is shown is said by [`Panels`](super::Panels).
@@ -13,4 +21,27 @@ pub enum ExplainTab {
 pub struct Explain {
     /// The tab that is shown.
     pub tab: ExplainTab,
+    /// For what the code is.
+    pub code: CodeTarget,
+    /// A number of another vocabulary that would not give a camera, and why.
+    pub refused: Option<(Vocabulary, Quantity, f64, CameraError)>,
+    /// A matrix whose camera is asked for.
+    pub pasted: Pasted,
+}
+
+/// A matrix as text, and what it is said to be.
+#[derive(Clone, Debug)]
+pub struct Pasted {
+    /// As it was typed.
+    pub text: String,
+    /// What it does.
+    pub kind: MatrixKind,
+    /// It acts on row vectors.
+    pub transposed: bool,
+}
+
+impl Default for Pasted {
+    fn default() -> Self {
+        Self { text: String::new(), kind: MatrixKind::ViewProjection, transposed: false }
+    }
 }

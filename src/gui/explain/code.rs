@@ -1,0 +1,39 @@
+//! The tab of code: the camera for other libraries.
+
+use eframe::egui::{self, FontId, TextStyle};
+
+use crate::explain::Setting;
+use crate::explain::code::CodeTarget;
+use crate::gui::panels::choice;
+use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
+use crate::i18n::{code, explain};
+
+/// Shows the tab.
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
+    let lang = state.settings.lang;
+    let t = explain::texts(lang);
+    let targets = CodeTarget::ALL.map(|target| (target, target.name()));
+    let text = written(state);
+    ui.horizontal(|ui| {
+        choice(ui, t.code_for, t.code_hint, &mut state.explain.code, &targets);
+        if ui.button(t.copy).explained(t.copy_code_hint).clicked() {
+            ui.ctx().copy_text(text.clone());
+        }
+    });
+    ui.add_space(4.0);
+    let font = FontId::monospace(TextStyle::Small.resolve(ui.style()).size);
+    // Read, selected and copied, but not changed: what would change the camera is in the other tabs.
+    let mut shown = text.as_str();
+    let field = egui::TextEdit::multiline(&mut shown).font(font).desired_width(f32::INFINITY).code_editor();
+    ui.add(field).accessible_name(t.code);
+}
+
+/// The code for the camera as it is, in the language of the window.
+fn written(state: &State) -> String {
+    let camera = state.document.camera();
+    let figure = state.document.figure();
+    let target = state.explain.code;
+    let setting = Setting::new(camera.notes_clip_space(), figure.image, figure.viewport);
+    target.code(&setting, &code::comments(state.settings.lang, target, &target.conventions(camera)))
+}

@@ -1,0 +1,182 @@
+//! The camera in other vocabularies, and a matrix that is pasted.
+
+use super::{Lang, messages};
+use crate::camera::{MatrixKind, RecoveryError, Unknown};
+use crate::explain::vocabulary::{Limitation, Vocabulary};
+use crate::foreign::shown;
+
+texts! {
+    number_hint: "Sets the camera", "Define a câmera";
+    fixed_hint: "It follows from the others and cannot be set by itself", "Decorre dos outros e não pode ser definido sozinho";
+    pasted: "A matrix → its camera", "Uma matriz → sua câmera";
+    pasted_hint: "Paste sixteen numbers, row by row, as any program writes them. They are read in the convention of NDC that is chosen under Conventions.",
+        "Cole dezesseis números, linha por linha, como qualquer programa os escreve. São lidos na convenção de NDC escolhida em Convenções.";
+    kind: "The matrix is", "A matriz é";
+    kind_hint: "What the matrix does", "O que a matriz faz";
+    transposed: "row vectors", "vetores linha";
+    transposed_hint: "The matrix is written for row vectors, or by columns: it is transposed", "A matriz foi escrita para vetores linha, ou por colunas: é transposta";
+    try_transposed: "Transposed it is that of a camera: choose “row vectors”.", "Transposta, ela é a de uma câmera: escolha “vetores linha”.";
+    read_as: "Read in the convention", "Lida na convenção";
+    take: "Take this camera", "Usar esta câmera";
+    take_hint: "The figure gets the camera of the matrix; Ctrl+Z takes it back", "A figura recebe a câmera da matriz; Ctrl+Z desfaz";
+}
+
+/// The title of a vocabulary, and a name that no language changes.
+#[must_use]
+pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str) {
+    match (lang, vocabulary) {
+        (_, Vocabulary::OpenGl) => ("OpenGL, GLU [2]", "opengl"),
+        (Lang::En, Vocabulary::Vrc) => ("VRP, VPN, VUV [3]: left-handed", "vrc"),
+        (Lang::PtBr, Vocabulary::Vrc) => ("VRP, VPN, VUV [3]: mão esquerda", "vrc"),
+        (Lang::En, Vocabulary::ReferencePoint) => ("Reference point and view plane [1]", "reference point"),
+        (Lang::PtBr, Vocabulary::ReferencePoint) => ("Ponto de referência e plano de vista [1]", "reference point"),
+        (Lang::En, Vocabulary::Pinhole) => ("K [R | t]: computer vision", "pinhole"),
+        (Lang::PtBr, Vocabulary::Pinhole) => ("K [R | t]: visão computacional", "pinhole"),
+    }
+}
+
+/// What a vocabulary cannot say, or says otherwise.
+#[must_use]
+pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
+    match (lang, limitation) {
+        (Lang::En, Limitation::SymmetricOnly) => "It has words for symmetric windows only: this one is not.",
+        (Lang::PtBr, Limitation::SymmetricOnly) => "Só tem palavras para janelas simétricas: esta não é.",
+        (Lang::En, Limitation::PerspectiveOnly) => "It has words for perspective only.",
+        (Lang::PtBr, Limitation::PerspectiveOnly) => "Só tem palavras para a perspectiva.",
+        (Lang::En, Limitation::NoClippingPlanes) => "F and B are not part of it: they stay as they are.",
+        (Lang::PtBr, Limitation::NoClippingPlanes) => "F e B não fazem parte: ficam como estão.",
+        (Lang::En, Limitation::NoFocalPoint) => "PF is not part of it: it stays at its distance D.",
+        (Lang::PtBr, Limitation::NoFocalPoint) => "PF não faz parte: fica à sua distância D.",
+        (Lang::En, Limitation::ViewPlaneIsNear) => {
+            "Its view plane may lie anywhere; here it is the front plane, so D = F and z_vp = −F."
+        }
+        (Lang::PtBr, Limitation::ViewPlaneIsNear) => {
+            "Seu plano de vista pode ficar em qualquer lugar; aqui é o plano da frente: D = F e z_vp = −F."
+        }
+        (Lang::En, Limitation::LeftHanded) => "Left-handed: n points into the scene, along DOP, and u = n × v.",
+        (Lang::PtBr, Limitation::LeftHanded) => "Mão esquerda: n aponta para a cena, ao longo de DOP, e u = n × v.",
+        (Lang::En, Limitation::Coordinates) => {
+            "z_near and z_far are coordinates, negative, where [0] has distances F and B."
+        }
+        (Lang::PtBr, Limitation::Coordinates) => {
+            "z_near e z_far são coordenadas, negativas, onde [0] tem as distâncias F e B."
+        }
+        (Lang::En, Limitation::YDown) => {
+            "x to the right, y down, z into the scene; pixels from the corner of the image, as in (5.22)."
+        }
+        (Lang::PtBr, Limitation::YDown) => {
+            "x para a direita, y para baixo, z para dentro da cena; pixels a partir do canto da imagem, como em (5.22)."
+        }
+    }
+}
+
+/// What a matrix is.
+#[must_use]
+pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
+    match (lang, kind) {
+        (Lang::En, MatrixKind::View) => "M_v: view",
+        (Lang::PtBr, MatrixKind::View) => "M_v: vista",
+        (Lang::En, MatrixKind::Projection) => "M_p: projection",
+        (Lang::PtBr, MatrixKind::Projection) => "M_p: projeção",
+        (Lang::En, MatrixKind::ViewProjection) => "M_p M_v: both",
+        (Lang::PtBr, MatrixKind::ViewProjection) => "M_p M_v: as duas",
+    }
+}
+
+/// What a matrix leaves open.
+#[must_use]
+pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
+    match (lang, unknown) {
+        (Lang::En, Unknown::FocalDistance) => "D cannot be known: a direction has no length. PF keeps its distance.",
+        (Lang::PtBr, Unknown::FocalDistance) => {
+            "D não pode ser conhecido: uma direção não tem comprimento. PF mantém sua distância."
+        }
+        (Lang::En, Unknown::ViewUp) => "VUP cannot be known, only v: the VUP that was there stays where it fits.",
+        (Lang::PtBr, Unknown::ViewUp) => "VUP não pode ser conhecido, só v: o VUP que estava lá fica, se servir.",
+        (Lang::En, Unknown::PositionAlongNormal) => {
+            "In parallel projection C may lie anywhere along n: it is put where F stays as it was."
+        }
+        (Lang::PtBr, Unknown::PositionAlongNormal) => {
+            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto onde F fica como estava."
+        }
+        (Lang::En, Unknown::WindowCentre) => {
+            "A window beside the axis and a C that lies sideways give the same matrix: the window is taken as symmetric."
+        }
+        (Lang::PtBr, Unknown::WindowCentre) => {
+            "Uma janela ao lado do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."
+        }
+        (Lang::En, Unknown::Far) => "The far plane is at infinity: B stays as it was.",
+        (Lang::PtBr, Unknown::Far) => "O plano de trás está no infinito: B fica como estava.",
+        (Lang::En, Unknown::Lens) => "Window, F and B are not in M_v: they stay as they were.",
+        (Lang::PtBr, Unknown::Lens) => "Janela, F e B não estão em M_v: ficam como estavam.",
+        (Lang::En, Unknown::Pose) => "C, PF and VUP are not in M_p: they stay as they were.",
+        (Lang::PtBr, Unknown::Pose) => "C, PF e VUP não estão em M_p: ficam como estavam.",
+        (Lang::En, Unknown::DepthDirection) => {
+            "z grows towards the viewer there, which no camera of [0] has: the volume is the same, z_n has the other sign."
+        }
+        (Lang::PtBr, Unknown::DepthDirection) => {
+            "Ali z cresce para o observador, o que nenhuma câmera de [0] tem: o volume é o mesmo, z_n tem o outro sinal."
+        }
+        (Lang::En, Unknown::LeftHandedView) => "The axes are left-handed, as in [3]: n is turned around.",
+        (Lang::PtBr, Unknown::LeftHandedView) => "Os eixos são de mão esquerda, como em [3]: n é invertido.",
+        (Lang::En, Unknown::Rounded) => "Its rows are at right angles only up to their digits: they were straightened.",
+        (Lang::PtBr, Unknown::Rounded) => "Suas linhas só são perpendiculares até os seus dígitos: foram endireitadas.",
+    }
+}
+
+/// Why a text is not a matrix.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unreadable {
+    /// It has another count of numbers.
+    Count(usize),
+    /// A part of it is not a number.
+    Part(String),
+}
+
+/// Why a text is not a matrix, in words.
+#[must_use]
+pub fn unreadable(lang: Lang, fault: &Unreadable) -> String {
+    match (lang, fault) {
+        (Lang::En, Unreadable::Count(count)) => format!("{count} numbers; a matrix has 16, four rows of four"),
+        (Lang::PtBr, Unreadable::Count(count)) => {
+            format!("{count} números; uma matriz tem 16, quatro linhas de quatro")
+        }
+        (Lang::En, Unreadable::Part(part)) => format!("“{}” is not a number", shown(part)),
+        (Lang::PtBr, Unreadable::Part(part)) => format!("“{}” não é um número", shown(part)),
+    }
+}
+
+/// Why a matrix is not that of a camera.
+#[must_use]
+pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
+    let number = |x: f64| lang.mark().number(x, 4);
+    match (lang, error) {
+        (_, RecoveryError::Camera(error)) => messages::camera(lang, error),
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, RecoveryError::NotFinite { row, column }) => {
+            format!("o elemento {row},{column} não é um número finito")
+        }
+        (Lang::PtBr, RecoveryError::LastRow { last }) => format!(
+            "a última linha é {}; a de uma câmera é 0 0 0 1 (vista, paralela) ou, a menos de um fator, −n e n·c (perspectiva: 0 0 −1 0)",
+            last.to_array().map(number).join(" ")
+        ),
+        (Lang::PtBr, RecoveryError::Shear { a, b, cosine }) => format!(
+            "as linhas {a} e {b} não são perpendiculares (o cosseno entre elas é {}): um cisalhamento, que nenhuma câmera tem",
+            number(*cosine)
+        ),
+        (Lang::PtBr, RecoveryError::Length { row, length }) => {
+            format!("a linha {row} tem comprimento {}; as linhas de uma matriz de vista são versores", number(*length))
+        }
+        (Lang::PtBr, RecoveryError::NotZero { row, column, value }) => {
+            format!("o elemento {row},{column} é {}; numa matriz de projeção ele é 0", number(*value))
+        }
+        (Lang::PtBr, RecoveryError::Mirrored) => {
+            "ela espelha: esquerda e direita, ou em cima e embaixo, estão trocados, o que nenhuma câmera faz".to_owned()
+        }
+        (Lang::PtBr, RecoveryError::Singular(row)) => format!("a linha {row} é zero: a matriz é singular"),
+        (Lang::PtBr, RecoveryError::Depths { near, far, fits }) => {
+            let fits = fits.map_or_else(String::new, |ndc| format!("; lida como {}, é uma câmera", ndc.name()));
+            format!("F e B seriam {} e {}, e é preciso 0 < F < B{fits}", number(*near), number(*far))
+        }
+    }
+}
