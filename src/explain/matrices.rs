@@ -2,7 +2,7 @@
 
 use super::formula::{minus, over, plus, sum, times};
 use super::{Axis, Component, Formula, Function, Matrix, Setting, Symbol, Vector};
-use crate::camera::{Ndc, Projection};
+use crate::camera::{Camera, Ndc, Projection};
 
 /// The sixteen formulas of a matrix, by rows.
 pub type EntryFormula = [[Formula; 4]; 4];
@@ -52,9 +52,8 @@ impl MatrixFormula {
 
 /// The equation of M_p that is in force, `[0]` (5.13) to (5.16).
 #[must_use]
-pub(super) fn projection_equation(setting: &Setting<'_>) -> &'static str {
-    let perspective = setting.space().camera().projection() == Projection::Perspective;
-    match (perspective, is_symmetric(setting)) {
+pub fn projection_equation(camera: &Camera) -> &'static str {
+    match (camera.projection() == Projection::Perspective, is_symmetric(camera)) {
         (true, false) => "(5.13)",
         (true, true) => "(5.14)",
         (false, false) => "(5.15)",
@@ -68,7 +67,7 @@ fn place(matrix: Matrix, setting: &Setting<'_>) -> (&'static str, &'static str) 
         Matrix::Model | Matrix::InverseModel | Matrix::Parent | Matrix::InverseParent => ("", "§5.3.1"),
         Matrix::View => ("(5.7)", "§5.3.1"),
         Matrix::InverseView => ("", "§5.3.1"),
-        Matrix::Projection if of_the_notes => (projection_equation(setting), "§5.3.2"),
+        Matrix::Projection if of_the_notes => (projection_equation(setting.space().camera()), "§5.3.2"),
         Matrix::Projection | Matrix::InverseProjection => ("", "§5.3.2"),
         Matrix::ViewProjection | Matrix::InverseViewProjection => ("", "§5.3"),
         Matrix::Viewport if of_the_notes => ("(5.24), (5.25)", "§5.5"),
@@ -76,8 +75,8 @@ fn place(matrix: Matrix, setting: &Setting<'_>) -> (&'static str, &'static str) 
     }
 }
 
-fn is_symmetric(setting: &Setting<'_>) -> bool {
-    let window = setting.space().camera().window();
+fn is_symmetric(camera: &Camera) -> bool {
+    let window = camera.window();
     window.left == -window.right && window.bottom == -window.top
 }
 
@@ -131,7 +130,7 @@ struct WindowParts {
 
 fn window_parts(setting: &Setting<'_>) -> WindowParts {
     let pairs = [(Symbol::Right, Symbol::Left), (Symbol::Top, Symbol::Bottom)];
-    let symmetric = is_symmetric(setting);
+    let symmetric = is_symmetric(setting.space().camera());
     let difference = pairs.map(|(high, low)| minus(high, low));
     let size = if symmetric { [Symbol::Width, Symbol::Height].map(symbol) } else { difference.clone() };
     let sum = pairs.map(|(high, low)| if symmetric { zero() } else { plus(high, low) });

@@ -19,7 +19,7 @@ mod written;
 
 pub use definitions::{Definition, definition, leaves};
 pub use formula::{Formula, Function};
-pub use matrices::{EntryFormula, MatrixFormula};
+pub use matrices::{EntryFormula, MatrixFormula, projection_equation};
 pub use report::{DepthPixelReport, json};
 pub use setting::{Placement, Setting};
 pub use symbol::{Axis, Component, Matrix, Symbol, Vector};

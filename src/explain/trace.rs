@@ -154,7 +154,7 @@ pub fn forward(setting: &Setting<'_>) -> Vec<Step> {
     }
     steps.push(to_view(setting));
     let equation = if setting.space().ndc() == Ndc::default() {
-        projection_equation(setting)
+        projection_equation(setting.space().camera())
     } else {
         setting.space().ndc().name()
     };

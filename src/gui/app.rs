@@ -136,7 +136,9 @@ impl App {
             self.perform(&ctx, command);
         }
         // What is pointed at is said by the panels that are shown in this frame.
-        (self.state.ghost, self.state.measured) = (None, None);
+        self.state.ghost = None;
+        self.state.measured.clear();
+        self.state.explain.pointed.clear();
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         let sides = *self.state.settings.panels();
         if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {

@@ -30,6 +30,7 @@ mod held_key;
 mod highlight;
 mod history;
 mod key_order;
+mod mathematics;
 pub mod menu;
 mod motion;
 pub mod native;

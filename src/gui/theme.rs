@@ -21,6 +21,7 @@ pub fn install_fonts(ctx: &egui::Context) {
         fonts.families.entry(family).or_default().insert(0, name.to_owned());
     }
     fonts.families.entry(FontFamily::Monospace).or_default().push("DejaVu Sans".to_owned());
+    super::mathematics::add_fonts(&mut fonts);
     ctx.set_fonts(fonts);
 }
 

@@ -1,5 +1,8 @@
 //! The side of explanations.
 
+use crate::explain::{Axis, Component, Matrix, MatrixFormula, Symbol};
+use crate::i18n::Lang;
+
 texts! {
     matrices: "Matrices", "Matrizes";
     matrices_hint: "Why each entry of each matrix is what it is", "Por que cada elemento de cada matriz é o que é";
@@ -10,4 +13,139 @@ texts! {
     code_for: "Code for", "Código para";
     copy: "Copy", "Copiar";
     copy_code_hint: "Copies the code", "Copia o código";
+    inverse: "inverse", "inversa";
+    formulas: "formulas", "fórmulas";
+    formulas_hint: "The entries with the symbols of the lecture notes [0]", "Os elementos com os símbolos das notas de aula [0]";
+    numbers: "numbers put in", "com números";
+    numbers_hint: "The same formulas with the numbers of this camera", "As mesmas fórmulas com os números desta câmera";
+    values: "values", "valores";
+    values_hint: "What the formulas amount to: fractions and roots where they are exact, else decimals", "O que as fórmulas resultam: frações e raízes onde são exatas, senão decimais";
+    copy_latex: "Copy LaTeX", "Copiar LaTeX";
+    copy_latex_hint: "The matrix as it is shown, as a bmatrix", "A matriz como é mostrada, como bmatrix";
+    copy_text: "Copy text", "Copiar texto";
+    copy_text_hint: "The matrix as it is shown, in rows and columns", "A matriz como é mostrada, em linhas e colunas";
+    select_object: "M_m is the matrix of one object: select one in the world or in the scene (F6).", "M_m é a matriz de um objeto: selecione um no mundo ou na cena (F6).";
+    made_of: "made of (a click opens what a symbol is made of)", "feito de (um clique abre de que um símbolo é feito)";
+    parameter: "(parameter)", "(parâmetro)";
+    constant: "It is the same for every camera of this kind.", "É o mesmo para toda câmera deste tipo.";
+    as_in_the_notes: "Here as in [0]: points are columns, and view space is right-handed.", "Aqui como em [0]: pontos são colunas, e o espaço de vista é destro.";
+}
+
+/// Where an entry stands; rows and columns from 0.
+#[must_use]
+pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
+    let (row, column) = (row + 1, column + 1);
+    match lang {
+        Lang::En => format!("{matrix}, row {row}, column {column}"),
+        Lang::PtBr => format!("{matrix}, linha {row}, coluna {column}"),
+    }
+}
+
+/// What a matrix does.
+#[must_use]
+pub const fn matrix(lang: Lang, matrix: Matrix) -> &'static str {
+    match (lang, matrix) {
+        (Lang::En, Matrix::Model) => "object → world",
+        (Lang::PtBr, Matrix::Model) => "objeto → mundo",
+        (Lang::En, Matrix::InverseModel) => "world → object",
+        (Lang::PtBr, Matrix::InverseModel) => "mundo → objeto",
+        (Lang::En, Matrix::Parent) => "parent → world",
+        (Lang::PtBr, Matrix::Parent) => "pai → mundo",
+        (Lang::En, Matrix::InverseParent) => "world → parent",
+        (Lang::PtBr, Matrix::InverseParent) => "mundo → pai",
+        (Lang::En, Matrix::View) => "world → view",
+        (Lang::PtBr, Matrix::View) => "mundo → vista",
+        (Lang::En, Matrix::InverseView) => "view → world",
+        (Lang::PtBr, Matrix::InverseView) => "vista → mundo",
+        (Lang::En, Matrix::Projection) => "view → clip",
+        (Lang::PtBr, Matrix::Projection) => "vista → recorte",
+        (Lang::En, Matrix::InverseProjection) => "clip → view",
+        (Lang::PtBr, Matrix::InverseProjection) => "recorte → vista",
+        (Lang::En, Matrix::ViewProjection) => "world → clip",
+        (Lang::PtBr, Matrix::ViewProjection) => "mundo → recorte",
+        (Lang::En, Matrix::InverseViewProjection) => "clip → world",
+        (Lang::PtBr, Matrix::InverseViewProjection) => "recorte → mundo",
+        (Lang::En, Matrix::Viewport) => "NDC → viewport",
+        (Lang::PtBr, Matrix::Viewport) => "NDC → viewport (tela)",
+        (Lang::En, Matrix::InverseViewport) => "viewport → NDC",
+        (Lang::PtBr, Matrix::InverseViewport) => "viewport (tela) → NDC",
+    }
+}
+
+/// Why this equation is the one in force.
+#[must_use]
+pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
+    let (en, pt) = match formulas.equation {
+        "(5.13)" => ("perspective, with any window", "perspectiva, com qualquer janela"),
+        "(5.14)" => {
+            ("perspective, with a window symmetric about DOP", "perspectiva, com janela simétrica em torno de DOP")
+        }
+        "(5.15)" => ("parallel, with any window", "paralela, com qualquer janela"),
+        "(5.16)" => ("parallel, with a window symmetric about DOP", "paralela, com janela simétrica em torno de DOP"),
+        "" => (
+            "[0] has no equation for it: it follows from those it has",
+            "[0] não tem equação para ela: decorre das que tem",
+        ),
+        _ => ("the equation of [0]", "a equação de [0]"),
+    };
+    match lang {
+        Lang::En => format!("{} {en}", formulas.equation).trim().to_owned(),
+        Lang::PtBr => format!("{} {pt}", formulas.equation).trim().to_owned(),
+    }
+}
+
+/// What a symbol is, in a few words.
+#[must_use]
+pub fn symbol(lang: Lang, symbol: Symbol) -> String {
+    let of = |component: Component, en: &str, pt: &str| match lang {
+        Lang::En => format!("{} of {en}", component.letter()),
+        Lang::PtBr => format!("{} de {pt}", component.letter()),
+    };
+    let plain = |en: &str, pt: &str| match lang {
+        Lang::En => en.to_owned(),
+        Lang::PtBr => pt.to_owned(),
+    };
+    match symbol {
+        Symbol::Axis(Axis::U, c) => of(c, "u, to the right of the camera", "u, à direita da câmera"),
+        Symbol::Axis(Axis::V, c) => of(c, "v, upwards of the camera", "v, para cima da câmera"),
+        Symbol::Axis(Axis::N, c) => of(c, "n, from PF towards C", "n, de PF para C"),
+        Symbol::Position(c) => of(c, "C, the position", "C, a posição"),
+        Symbol::FocalPoint(c) => of(c, "PF, the focal point", "PF, o ponto focal"),
+        Symbol::ViewUp(c) => of(c, "VUP", "VUP"),
+        Symbol::Distance => plain("from C to PF", "de C a PF"),
+        Symbol::Near => plain("from C to the window, the front plane", "de C à janela, o plano da frente"),
+        Symbol::Far => plain("from C to the back plane", "de C ao plano de fundo"),
+        Symbol::Left => plain("left side of the window", "lado esquerdo da janela"),
+        Symbol::Right => plain("right side of the window", "lado direito da janela"),
+        Symbol::Bottom => plain("lower side of the window", "lado inferior da janela"),
+        Symbol::Top => plain("upper side of the window", "lado superior da janela"),
+        Symbol::Width => plain("width of the window", "largura da janela"),
+        Symbol::Height => plain("height of the window", "altura da janela"),
+        Symbol::Aspect => plain("aspect of the window", "aspecto da janela"),
+        Symbol::ViewAngle => plain("view angle", "ângulo de vista"),
+        Symbol::ImageWidth => plain("columns of the image", "colunas da imagem"),
+        Symbol::ImageHeight => plain("rows of the image", "linhas da imagem"),
+        Symbol::ViewportX => plain("left side of the viewport", "lado esquerdo da viewport"),
+        Symbol::ViewportY => plain("lower side of the viewport", "lado inferior da viewport"),
+        Symbol::ViewportWidth => plain("width of the viewport", "largura da viewport"),
+        Symbol::ViewportHeight => plain("height of the viewport", "altura da viewport"),
+        Symbol::DepthNear => plain("Z of the front plane", "Z do plano da frente"),
+        Symbol::DepthFar => plain("Z of the back plane", "Z do plano de fundo"),
+        Symbol::Translate(c) => of(c, "the object's translation", "a translação do objeto"),
+        Symbol::Rotate(c) => match lang {
+            Lang::En => format!("the object's rotation about {}", c.letter()),
+            Lang::PtBr => format!("a rotação do objeto em torno de {}", c.letter()),
+        },
+        Symbol::Scale(c) => of(c, "the object's scale", "a escala do objeto"),
+        Symbol::Entry(matrix, row, column) => entry(lang, matrix.text(), row.into(), column.into()),
+        Symbol::Local(c) => of(c, "the point, in its object's space", "o ponto, no espaço do objeto"),
+        Symbol::World(c) => of(c, "the point, in the world", "o ponto, no mundo"),
+        Symbol::View(c) => of(c, "the point, in view space", "o ponto, no espaço de vista"),
+        Symbol::Clip(c) => of(c, "the point, in clip space", "o ponto, no espaço de recorte"),
+        Symbol::Homogeneous(c) => of(c, "the point, before it is divided by w", "o ponto, antes de ser dividido por w"),
+        Symbol::Ndc(c) => of(c, "the point, in NDC", "o ponto, em NDC"),
+        Symbol::Window(c) => of(c, "the point, on the window", "o ponto, na janela"),
+        Symbol::Pixel(c) => of(c, "the point's pixel", "o pixel do ponto"),
+        Symbol::Viewport(c) => of(c, "the point, in the viewport", "o ponto, na viewport"),
+    }
 }

@@ -8,7 +8,7 @@ use crate::camera::Projection;
 use super::gear::Gear;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::volume::DrawnVolume;
-use super::{Measure, Palette, Request};
+use super::{Measure, Measured, Palette, Request};
 
 /// A length between two points, measured on a line beside them.
 pub(super) struct Span<'a> {
@@ -68,7 +68,7 @@ pub(super) fn angle(
     builder.text(middle, text, if toward == DVec2::ZERO { DVec2::X } else { toward }, SMALL_TYPE, pen.color);
 }
 
-/// The dimension lines of the world: all that the figure asks for, and the one that is pointed at in a panel.
+/// The dimension lines of the world: all that the figure asks for, and those that are pointed at in a panel.
 pub(super) fn in_world(
     builder: &mut SceneBuilder,
     request: &Request,
@@ -77,7 +77,7 @@ pub(super) fn in_world(
     gear: Gear,
 ) {
     for measure in Measure::ALL {
-        let hot = request.overlays.measured == Some(measure);
+        let hot = request.overlays.measured.contains(&Measured::Dimension(measure));
         if hot || request.look.world.dimensions {
             let pen =
                 if hot { Pen { color: palette.probe, width: 2.0 } } else { Pen { color: palette.soft, width: 1.2 } };

@@ -14,6 +14,7 @@
 mod arrangement;
 mod canonical;
 mod canonical_box;
+mod components;
 mod content;
 pub mod depth;
 mod dimensions;
@@ -56,7 +57,9 @@ use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, used_area};
 pub use labels::Labels;
 use observer::Viewpoint;
-pub use overlays::{Ghost, GizmoPart, Handle, Measure, Overlays, Probe, TransformGizmo, Transforming};
+pub use overlays::{
+    Ghost, GizmoPart, Handle, Measure, Measured, Overlays, Probe, TransformGizmo, Transforming, WindowSide,
+};
 pub use palette::Palette;
 pub use pixels::{PixelRect, Size, image_frame};
 pub use request::{Look, Normalizing, Request, SharedScene, observer_in};

@@ -16,8 +16,8 @@ pub struct Overlays {
     pub hot: Option<Handle>,
     /// By this what is selected can be moved, turned or scaled, in the world.
     pub gizmo: Option<TransformGizmo>,
-    /// The parameter that is pointed at in a panel: its length or angle is shown in the world.
-    pub measured: Option<Measure>,
+    /// What is pointed at in a panel: these lengths, angles and coordinates are shown in the world.
+    pub measured: Vec<Measured>,
     /// Without legends: the picture is painted on something.
     pub bare: bool,
     /// Without ground: what is behind the picture shows through.
@@ -33,7 +33,7 @@ impl Overlays {
         match view {
             View::World => self.clone(),
             View::Canonical | View::Image => {
-                Self { ghost: None, hot: None, gizmo: None, measured: None, ..self.clone() }
+                Self { ghost: None, hot: None, gizmo: None, measured: Vec::new(), ..self.clone() }
             }
         }
     }
@@ -59,6 +59,38 @@ pub enum Measure {
 impl Measure {
     /// All.
     pub const ALL: [Self; 6] = [Self::Near, Self::Far, Self::Distance, Self::Width, Self::Height, Self::HalfAngle];
+}
+
+/// What a parameter, or the entry of a matrix, measures in the world. Axes are 0 … 2: of the camera **u**, **v**, **n**.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Measured {
+    /// A length or an angle.
+    Dimension(Measure),
+    /// A component of an axis of the camera along one of the world: `u_x`.
+    Axis(usize, usize),
+    /// −**u** · **c**: where the world's origin is along an axis of the camera, seen from C.
+    OriginAlong(usize),
+    /// A coordinate of C.
+    Position(usize),
+    /// A coordinate of PF.
+    FocalPoint(usize),
+    /// A component of VUP.
+    ViewUp(usize),
+    /// l, r, b, t: a side of the window, from the foot of DOP.
+    Side(WindowSide),
+}
+
+/// A side of the view window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum WindowSide {
+    /// l
+    Left,
+    /// r
+    Right,
+    /// b
+    Bottom,
+    /// t
+    Top,
 }
 
 /// What is pointed at.

@@ -17,7 +17,7 @@ use super::revealed_scene::Revealed;
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{screen_of, seen_from};
 use super::{
-    Handle, Palette, Request, dimensions, ghost, handles, hits, placing, probe, revealed_scene, section,
+    Handle, Palette, Request, components, dimensions, ghost, handles, hits, placing, probe, revealed_scene, section,
     transform_gizmo,
 };
 
@@ -48,6 +48,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         world.speck();
         world.drop_lines();
         dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
+        components::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
         names
     };
     world.hot_handle();

@@ -7,7 +7,7 @@ use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{Measure, View};
+use camera_lab::views::{Measure, Measured, View};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Event, Key, Modifiers};
 use egui_kittest::kittest::{By, Queryable};
@@ -364,11 +364,11 @@ fn a_parameter_that_is_pointed_at_shows_its_length_in_the_world_and_no_other_doe
         let place = window.field(field).rect().center();
         window.harness.hover_at(place);
         window.run();
-        assert_eq!(window.state().measured, Some(measure), "{field}");
+        assert_eq!(window.state().measured, [Measured::Dimension(measure)], "{field}");
     }
     window.harness.remove_cursor();
     window.run();
-    assert_eq!(window.state().measured, None);
+    assert!(window.state().measured.is_empty());
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod commands;
 mod conventions;
 mod dialects;
 mod dialogs;
+mod explain;
 mod files;
 mod gallery;
 mod keyboard;

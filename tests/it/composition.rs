@@ -14,7 +14,7 @@ use camera_lab::i18n::{Lang, pictures};
 use camera_lab::progress::Progress;
 use camera_lab::text::{measure, x_height};
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{self, Measure, Palette, Probe, Request, SharedScene, Size, TimedPipeline, View};
+use camera_lab::views::{self, Measure, Measured, Palette, Probe, Request, SharedScene, Size, TimedPipeline, View};
 use glam::{DVec2, DVec3, DVec4};
 
 use crate::views::draw;
@@ -290,7 +290,7 @@ fn dimension_lines_are_as_long_as_they_say() {
     figure.world.dimensions = false;
     let mut request = world(&figure, &scene, (960, 720));
     assert_eq!(text_at(&draw(&request), "F = "), None);
-    request.overlays.measured = Some(Measure::Far);
+    request.overlays.measured = vec![Measured::Dimension(Measure::Far)];
     let measured = draw(&request);
     assert_eq!(text_at(&measured, "B = ").unwrap().0, "B = 12");
     assert_eq!(text_at(&measured, "F = "), None);

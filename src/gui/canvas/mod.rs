@@ -188,7 +188,7 @@ impl Canvas {
             state.say(Message::Scene(error));
         }
         self.overlays.ghost = state.ghost.clone();
-        self.overlays.measured = state.measured;
+        self.overlays.measured.clone_from(&state.measured);
         self.overlays.gizmo = Movable::selected(state).map(|movable| movable.gizmo);
         let panes = self.panes(ui, pictures, state, texts);
         for pane in &panes {

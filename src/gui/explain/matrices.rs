@@ -1,12 +1,195 @@
-//! The tab of matrices.
+//! The tab of matrices: each entry of each matrix with its formula, its numbers and its value.
 
-use eframe::egui;
+use std::time::Duration;
 
-use crate::gui::state::State;
-use crate::i18n::explain;
+use eframe::egui::{self, RichText, Ui};
+
+use super::answer::{self, Both, Writing};
+use super::entries::{self, Cell};
+use super::subject::Subject;
+use crate::camera::{Ndc, Projection};
+use crate::explain::{Formula, Matrix, MatrixFormula, Setting, leaves};
+use crate::gui::panels::erratum;
+use crate::gui::state::{Matrices, Reading, State};
+use crate::gui::tooltip::Explained;
+use crate::i18n::explain::{self as words, Texts};
+use crate::i18n::{conventions, window};
+use crate::numbers::without_rests;
 
 /// Shows the tab.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
-    let t = explain::texts(state.settings.lang);
-    ui.label(t.matrices_hint);
+pub(super) fn ui(ui: &mut Ui, state: &mut State) {
+    let t = words::texts(state.settings.lang);
+    choices(ui, t, &mut state.explain.matrices);
+    let subject = Subject::of(state);
+    let matrix = state.explain.matrices.shown();
+    if state.explain.matrices.matrix == Matrix::Model {
+        match &subject.object {
+            None => {
+                ui.label(t.select_object);
+                return;
+            }
+            Some((name, _)) => drop(ui.label(crate::foreign::shown(name))),
+        }
+    }
+    let setting = subject.setting(state);
+    let formulas = MatrixFormula::new(matrix, &setting);
+    heading(ui, state, &setting, &formulas);
+    let writing = Writing { setting: &setting, lang: state.settings.lang, digits: state.settings.digits };
+    let values = values(&setting, matrix, state.settings.digits);
+    let now = ui.input(|input| input.time);
+    let object = subject.object.as_ref().filter(|_| state.explain.matrices.matrix == Matrix::Model);
+    state.explain.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
+    let cells = cells(state, writing, &formulas, &values, now);
+    let Matrices { entry, wants_focus, .. } = state.explain.matrices;
+    let pointed = entries::show(ui, &cells, entry, wants_focus);
+    state.explain.matrices.wants_focus = false;
+    if let Some(chosen) = pointed.chosen {
+        state.explain.matrices.entry = chosen;
+    }
+    if state.explain.matrices.glow.is_seen(now) {
+        ui.ctx().request_repaint_after(Duration::from_millis(if state.settings.reduce_motion { 250 } else { 40 }));
+    }
+    copy(ui, t, matrix, &cells);
+    ui.separator();
+    let [row, column] = pointed.hovered.unwrap_or(state.explain.matrices.entry);
+    let name = entry_name(matrix, row, column);
+    ui.label(RichText::new(words::entry(t.lang, matrix.text(), row, column)).strong());
+    let formula = formulas.entry(row, column);
+    let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.explain.matrices);
+    let lights = answer::lights(formula, lit);
+    state.measured.extend(lights);
+}
+
+/// Which matrix, whether its inverse, how it is read.
+fn choices(ui: &mut Ui, t: &'static Texts, state: &mut Matrices) {
+    ui.horizontal_wrapped(|ui| {
+        for matrix in Matrices::CHOICES {
+            let button = egui::Button::selectable(state.matrix == matrix, matrix_symbol(ui, matrix));
+            let button = ui.add(button.frame_when_inactive(true)).explained(words::matrix(t.lang, matrix));
+            button.widget_info(|| {
+                let on = state.matrix == matrix;
+                egui::WidgetInfo::selected(egui::Role::Button, true, on, matrix.text())
+            });
+            if button.clicked() {
+                state.matrix = matrix;
+            }
+        }
+        ui.checkbox(&mut state.inverse, t.inverse);
+    });
+    ui.horizontal_wrapped(|ui| {
+        for (reading, name, hint) in [
+            (Reading::Formulas, t.formulas, t.formulas_hint),
+            (Reading::Numbers, t.numbers, t.numbers_hint),
+            (Reading::Values, t.values, t.values_hint),
+        ] {
+            ui.selectable_value(&mut state.reading, reading, name).explained(hint);
+        }
+    });
+}
+
+/// The symbol of a matrix, with what stands below its letters lowered.
+fn matrix_symbol(ui: &Ui, matrix: Matrix) -> egui::text::LayoutJob {
+    let mut job = egui::text::LayoutJob::default();
+    let font = egui::TextStyle::Button.resolve(ui.style());
+    let low = egui::FontId::new(font.size * 0.75, font.family.clone());
+    let format =
+        |font_id, valign| egui::TextFormat { font_id, valign, color: ui.visuals().text_color(), ..Default::default() };
+    for word in matrix.text().split(' ') {
+        let (letters, below) = word.split_once('_').unwrap_or((word, ""));
+        job.append(letters, if job.is_empty() { 0.0 } else { 3.0 }, format(font.clone(), egui::Align::Center));
+        job.append(below, 0.0, format(low.clone(), egui::Align::BOTTOM));
+    }
+    job
+}
+
+/// What the matrix is, which equation is in force and where it stands, and where the notes print something else.
+fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixFormula) {
+    let lang = state.settings.lang;
+    let (t, ndc) = (window::texts(lang), setting.space().ndc());
+    ui.horizontal_wrapped(|ui| {
+        ui.label(words::matrix(lang, formulas.matrix));
+        let place = format!("[0] {} {}", formulas.section, formulas.equation);
+        ui.label(RichText::new(place.trim_end()).weak()).explained(words::in_force(lang, formulas));
+        if ndc != Ndc::default() {
+            ui.label(RichText::new(format!("· {}", conventions::name(lang, ndc))).weak());
+        }
+        let parallel = setting.space().camera().projection() == Projection::Parallel;
+        if parallel && formulas.matrix == Matrix::Projection && !formulas.equation.is_empty() {
+            erratum(ui, t, t.erratum_parallel);
+        }
+    });
+    let shown = state.settings.conventions;
+    if shown.row_vectors || shown.left_handed {
+        ui.label(RichText::new(words::texts(lang).as_in_the_notes).small().weak());
+    }
+}
+
+/// The program's own numbers; of matrices whose rows are of one size, without what rounding has left of zero.
+fn values(setting: &Setting<'_>, matrix: Matrix, digits: usize) -> [[f64; 4]; 4] {
+    let rows = setting.matrix(matrix).transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
+    let of_axes = matches!(matrix, Matrix::View | Matrix::InverseView | Matrix::Model | Matrix::InverseModel);
+    if !of_axes {
+        return rows;
+    }
+    rows.map(|row| {
+        let clean = without_rests(&row, digits);
+        std::array::from_fn(|j| clean[j])
+    })
+}
+
+/// p₁₁ of M_p; of an inverse, which has no letters of its own, the matrix with the place.
+fn entry_name(matrix: Matrix, row: usize, column: usize) -> Both {
+    let place = format!("{}{}", row + 1, column + 1);
+    let (latex, text) = (matrix.latex(), matrix.text());
+    let compound = text.contains(['⁻', ' ']) && !text.ends_with(')');
+    if compound {
+        Both { latex: format!(r"\left({latex}\right)_{{{place}}}"), text: format!("({text})_{place}") }
+    } else {
+        Both { latex: format!(r"\left({latex}\right)_{{{place}}}"), text: format!("{text}_{place}") }
+    }
+}
+
+fn cells(
+    state: &State,
+    writing: Writing<'_>,
+    formulas: &MatrixFormula,
+    values: &[[f64; 4]; 4],
+    now: f64,
+) -> [[Cell; 4]; 4] {
+    let explain = &state.explain;
+    let depends = |formula: &Formula| {
+        !explain.pointed.is_empty()
+            && leaves(formula, writing.setting).iter().any(|symbol| explain.pointed.contains(symbol))
+    };
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let formula = formulas.entry(i, j);
+            let Both { latex, text } = match explain.matrices.reading {
+                Reading::Formulas => writing.formula(formula),
+                Reading::Numbers => writing.numbers(formula),
+                Reading::Values => writing.value(values[i][j]),
+            };
+            let name = format!("{}: {text}", words::entry(writing.lang, formulas.matrix.text(), i, j));
+            let strength = explain.matrices.glow.strength([i, j], now);
+            #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
+            let glow = if state.settings.reduce_motion { strength.ceil() } else { strength } as f32;
+            Cell { latex, text, name, depends: depends(formula), glow }
+        })
+    })
+}
+
+/// Copies the matrix as it is shown, as LaTeX and as text.
+fn copy(ui: &mut Ui, t: &'static Texts, matrix: Matrix, cells: &[[Cell; 4]; 4]) {
+    ui.horizontal_wrapped(|ui| {
+        if ui.button(t.copy_latex).explained(t.copy_latex_hint).clicked() {
+            let rows = cells.each_ref().map(|row| row.each_ref().map(|cell| cell.latex.as_str()).join(" & "));
+            let matrix = matrix.latex();
+            ui.ctx()
+                .copy_text(format!("{matrix} = \\begin{{bmatrix}}\n  {}\n\\end{{bmatrix}}\n", rows.join(" \\\\\n  ")));
+        }
+        if ui.button(t.copy_text).explained(t.copy_text_hint).clicked() {
+            let rows = cells.each_ref().map(|row| row.each_ref().map(|cell| cell.text.as_str()).join("\t"));
+            ui.ctx().copy_text(format!("{}\n{}\n", matrix.text(), rows.join("\n")));
+        }
+    });
 }

@@ -2,9 +2,13 @@
 //!
 //! A tab is a variant of [`ExplainTab`], its row in [`TABS`] and a file here with `fn ui`. Only the tab that is shown computes anything.
 
+mod answer;
 mod code;
 mod dialects;
+mod entries;
 mod matrices;
+mod measures;
+mod subject;
 
 use eframe::egui;
 

@@ -157,7 +157,7 @@ pub(super) fn choice<T: PartialEq + Copy>(
 }
 
 /// A quiet mark where the notes print something else; `text` says what, and what is right.
-pub(super) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
+pub(in crate::gui) fn erratum(ui: &mut egui::Ui, t: &Texts, text: &str) {
     let mark = RichText::new(t.erratum).small().weak();
     ui.add(egui::Label::new(mark).sense(egui::Sense::hover())).explained(text);
 }

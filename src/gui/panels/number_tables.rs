@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::camera::Ndc;
+use crate::camera::{Camera, Ndc};
+use crate::explain::{Matrix, projection_equation};
 use crate::gui::state::Conventions;
 use crate::i18n::conventions;
 use crate::i18n::window::Texts;
@@ -20,21 +21,21 @@ pub(super) struct Table {
     rests: bool,
     /// It is other numbers in another convention of NDC.
     pub(super) follows_ndc: bool,
+    /// The matrix whose entries these numbers are, by rows from its first.
+    of: Option<Matrix>,
+    /// Its rows are the matrix's columns.
+    transposed: bool,
 }
 
 impl Table {
     fn new(symbol: &'static str, name: &str, rows: Vec<(String, Vec<f64>)>) -> Self {
-        Self { symbol: symbol.into(), name: name.to_owned(), rows, erratum: None, rests: false, follows_ndc: false }
+        let (erratum, of) = (None, None);
+        let symbol = symbol.into();
+        Self { symbol, name: name.to_owned(), rows, erratum, rests: false, follows_ndc: false, of, transposed: false }
     }
 
     /// A matrix. `left_handed` says what another sign of z_c does to it.
-    fn matrix(
-        symbol: &'static str,
-        name: &str,
-        mut rows: [[f64; 4]; 4],
-        left_handed: Mirrored,
-        shown: Conventions,
-    ) -> Self {
+    fn matrix(matrix: Matrix, name: &str, mut rows: [[f64; 4]; 4], left_handed: Mirrored, shown: Conventions) -> Self {
         if shown.left_handed {
             match left_handed {
                 Mirrored::Row => rows[2] = rows[2].map(|x| 0.0 - x),
@@ -42,17 +43,26 @@ impl Table {
                 Mirrored::Nothing => {}
             }
         }
-        let mut symbol = Cow::from(symbol);
+        let mut symbol = Cow::from(matrix.text());
         if shown.row_vectors {
             rows = std::array::from_fn(|i| std::array::from_fn(|j| rows[j][i]));
             symbol = transposed(&symbol).into();
         }
         let rows = rows.iter().map(|row| (String::new(), row.to_vec())).collect();
-        Self { symbol, ..Self::new("", name, rows) }
+        Self { symbol, of: Some(matrix), transposed: shown.row_vectors, ..Self::new("", name, rows) }
+    }
+
+    /// The entry of a matrix that a number is; `None` for one that is not.
+    pub(super) fn entry(&self, row: usize, column: usize) -> Option<(Matrix, [usize; 2])> {
+        self.of.map(|matrix| (matrix, if self.transposed { [column, row] } else { [row, column] }))
     }
 
     fn in_ndc(self) -> Self {
         Self { follows_ndc: true, ..self }
+    }
+
+    fn rows_of(self, matrix: Matrix) -> Self {
+        Self { of: Some(matrix), ..self }
     }
 
     fn with_rests(self) -> Self {
@@ -88,22 +98,17 @@ fn transposed(symbol: &str) -> String {
     symbol.split(' ').rev().map(factor).collect::<Vec<_>>().join(" ")
 }
 
-/// The equation of M_p that is in force, `[0]` (5.13) to (5.16).
-fn projection_equation(r: &Report) -> &'static str {
-    let w = &r.window;
-    match (r.camera.projection == "perspective", w.left == -w.right && w.bottom == -w.top) {
-        (true, false) => "(5.13)",
-        (true, true) => "(5.14)",
-        (false, false) => "(5.15)",
-        (false, true) => "(5.16)",
-    }
-}
-
 fn named<const N: usize>(rows: &[(&str, [f64; N])]) -> Vec<(String, Vec<f64>)> {
     rows.iter().map(|(name, values)| ((*name).to_owned(), values.to_vec())).collect()
 }
 
-pub(super) fn tables(t: &'static Texts, r: &Report, inverse: bool, shown: Conventions) -> Vec<Table> {
+/// The tables of a report; `camera` is the one it is of.
+pub(super) fn tables(
+    t: &'static Texts,
+    (camera, r): (&Camera, &Report),
+    inverse: bool,
+    shown: Conventions,
+) -> Vec<Table> {
     let w = &r.window;
     let corner = |i: usize| {
         (
@@ -115,7 +120,8 @@ pub(super) fn tables(t: &'static Texts, r: &Report, inverse: bool, shown: Conven
         Table::new("DOP, D", t.dop_name, vec![("DOP".into(), r.dop.to_vec()), ("D".into(), vec![r.distance])])
             .with_rests(),
         Table::new("u, v, n", t.basis_name, named(&[("u", r.basis.u), ("v", r.basis.v), ("n", r.basis.n)]))
-            .with_rests(),
+            .with_rests()
+            .rows_of(Matrix::View),
         Table::new(
             "l r b t",
             t.window_name,
@@ -127,18 +133,20 @@ pub(super) fn tables(t: &'static Texts, r: &Report, inverse: bool, shown: Conven
     ];
     // Entries of M_p can differ by any factor, and each is exact: none is a rest of another.
     if inverse {
-        let view = Table::matrix("M_v⁻¹", t.inverse_view_name, r.inverse_view_matrix, Mirrored::Column, shown);
+        let view =
+            Table::matrix(Matrix::InverseView, t.inverse_view_name, r.inverse_view_matrix, Mirrored::Column, shown);
         let name = in_convention(t, t.inverse_projection_name, "", r);
-        let projection = Table::matrix("M_p⁻¹", &name, r.inverse_projection_matrix, Mirrored::Row, shown);
+        let projection =
+            Table::matrix(Matrix::InverseProjection, &name, r.inverse_projection_matrix, Mirrored::Row, shown);
         tables.extend([view.with_rests(), projection.in_ndc()]);
     } else {
-        let view = Table::matrix("M_v", t.view_name, r.view_matrix, Mirrored::Row, shown);
-        let name = in_convention(t, t.projection_name, projection_equation(r), r);
-        let projection = Table::matrix("M_p", &name, r.projection_matrix, Mirrored::Column, shown);
+        let view = Table::matrix(Matrix::View, t.view_name, r.view_matrix, Mirrored::Row, shown);
+        let name = in_convention(t, t.projection_name, projection_equation(camera), r);
+        let projection = Table::matrix(Matrix::Projection, &name, r.projection_matrix, Mirrored::Column, shown);
         let of_the_notes = r.ndc == Ndc::default().name() && !shown.row_vectors && !shown.left_handed;
         let erratum = (of_the_notes && r.camera.projection != "perspective").then_some(t.erratum_parallel);
         let name = in_convention(t, t.product_name, "", r);
-        let product = Table::matrix("M_p M_v", &name, r.view_projection_matrix, Mirrored::Nothing, shown);
+        let product = Table::matrix(Matrix::ViewProjection, &name, r.view_projection_matrix, Mirrored::Nothing, shown);
         tables.extend([view.with_rests(), Table { erratum, ..projection.in_ndc() }, product.in_ndc()]);
     }
     tables.push(Table::new("", t.corners_name, (0..8).map(corner).collect()).with_rests());
@@ -220,10 +228,10 @@ mod tests {
         ] {
             let camera = Camera::new(&Parameters { projection, window, ..Parameters::default() }).unwrap();
             let report = Report::of(&camera.notes_clip_space(), ImageSize::default(), None, &[], &[]).unwrap();
-            assert_eq!(projection_equation(&report), equation);
-            let erratum = tables(window_texts(), &report, false, Conventions::default())
-                .into_iter()
-                .any(|table| table.erratum.is_some());
+            let tables = tables(window_texts(), (&camera, &report), false, Conventions::default());
+            let named = |table: &Table| table.symbol == "M_p" && table.name.ends_with(equation);
+            assert!(tables.iter().any(named), "{equation}");
+            let erratum = tables.into_iter().any(|table| table.erratum.is_some());
             assert_eq!(erratum, projection == Projection::Parallel);
         }
     }
@@ -240,7 +248,7 @@ mod tests {
         let camera = Camera::new(&Parameters { window, ..Parameters::default() }).unwrap();
         let report = Report::of(&camera.notes_clip_space(), ImageSize::default(), None, &[], &[]).unwrap();
         let shown = |symbol: &str, inverse, conventions| {
-            let all = tables(window_texts(), &report, inverse, conventions);
+            let all = tables(window_texts(), (&camera, &report), inverse, conventions);
             let table = all.into_iter().find(|table| table.symbol == symbol).unwrap();
             let rows: Vec<[f64; 4]> = table.rows.into_iter().map(|(_, row)| [row[0], row[1], row[2], row[3]]).collect();
             DMat4::from_cols_array_2d(&[rows[0], rows[1], rows[2], rows[3]]).transpose()

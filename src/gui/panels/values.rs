@@ -1,15 +1,19 @@
 //! The numbers: basis, matrices, window, corners. Each one is what `camera-lab inspect` prints for the same figure.
 
+use std::sync::Arc;
+
 use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
 
 use super::number_tables::{GAP, Table, cells, lines, ndc_of, tables};
 use super::{TEXT_LINE, complaint, conventions, erratum, section};
-use crate::camera::Ndc;
+use crate::camera::{Camera, Ndc};
+use crate::explain::Matrix;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::{Conventions, State};
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::conventions::differences;
+use crate::i18n::explain;
 use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
 use crate::numbers;
@@ -35,14 +39,19 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
         toolbar(ui, t, state, &report);
         let (digits, inverse) = (state.settings.digits, state.settings.inverse);
         let shown = state.settings.conventions;
-        let other = compared(state).map(|other| (tables(t, &other, inverse, shown), ndc_of(&other)));
-        for (i, table) in tables(t, &report, inverse, shown).iter().enumerate() {
+        let camera = state.document.camera();
+        let other = compared(state).map(|other| (tables(t, (camera, &other), inverse, shown), ndc_of(&other)));
+        let mut asked = None;
+        for (i, table) in tables(t, (camera, &report), inverse, shown).iter().enumerate() {
             let other = other.as_ref().filter(|_| table.follows_ndc);
-            show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), digits);
+            asked = show(ui, t, table, other.and_then(|(tables, _)| tables.get(i)), digits).or(asked);
             // Said once, below M_p.
             if let Some((_, ndc)) = other.filter(|_| table.symbol.contains("M_p") && !table.symbol.contains("M_v")) {
                 ui.label(RichText::new(differences(t.lang, ndc_of(&report), *ndc)).small());
             }
+        }
+        if let Some((matrix, entry)) = asked {
+            state.explain_entry(matrix, entry);
         }
     });
     let warnings = state.warnings();
@@ -67,7 +76,7 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Rep
         state.settings.digits = digits;
         ui.checkbox(&mut state.settings.inverse, t.inverse).explained(t.inverse_hint);
         if ui.button(t.copy).explained(t.copy_numbers_hint).clicked() {
-            ui.ctx().copy_text(text(t, report, state.settings.conventions));
+            ui.ctx().copy_text(text(t, (state.document.camera(), report), state.settings.conventions));
         }
         output.error
     });
@@ -76,18 +85,22 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Rep
     }
 }
 
-/// A table; below a matrix the one that it is compared with, the entries that differ marked in both.
-fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) {
+/// An entry of a matrix.
+type Entry = (Matrix, [usize; 2]);
+
+/// A table; below a matrix the one that it is compared with, the entries that differ marked in both. Gives the entry that was clicked.
+fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
     ui.add_space(3.0);
     ui.spacing_mut().item_spacing.y = 1.0;
-    numbers(ui, t, table, other, digits);
+    let asked = numbers(ui, t, table, other, digits);
     if let Some(other) = other {
         ui.push_id("compared", |ui| numbers(ui, t, other, Some(table), digits));
     }
+    asked
 }
 
-/// Symbol, name and rows; marked where they differ from those of another table.
-fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) {
+/// Symbol, name and rows; marked where they differ from those of another table. Gives the entry that was clicked.
+fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = TEXT_LINE;
         ui.spacing_mut().item_spacing.x = 5.0;
@@ -100,29 +113,77 @@ fn numbers(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&T
         }
     });
     let room = ui.available_width() - 18.0;
-    egui::ScrollArea::horizontal().id_salt(&table.name).show(ui, |ui| {
-        let written = |digits: usize| {
-            let write = |value: f64| t.lang.mark().number(value, digits);
-            cells(&table.shown(digits), write)
-        };
-        let marked = |row: usize, column: usize| {
-            let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
-            table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
-        };
-        // Few digits are rounded to what fits; whoever wants many scrolls.
-        let mut fitting = digits;
-        while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {
-            fitting -= 1;
+    egui::ScrollArea::horizontal()
+        .id_salt(&table.name)
+        .show(ui, |ui| {
+            let written = |digits: usize| {
+                let write = |value: f64| t.lang.mark().number(value, digits);
+                cells(&table.shown(digits), write)
+            };
+            let marked = |row: usize, column: usize| {
+                let value = |table: &Table| table.rows.get(row).and_then(|(_, values)| values.get(column).copied());
+                table.is_matrix() && other.is_some_and(|other| value(other) != value(table))
+            };
+            // Few digits are rounded to what fits; whoever wants many scrolls.
+            let mut fitting = digits;
+            while (3..=MOST_TO_FIT).contains(&fitting) && width(ui, job(ui, &written(fitting), marked)) > room {
+                fitting -= 1;
+            }
+            let rows = written(fitting);
+            let galley = ui.painter().layout_job(job(ui, &rows, marked));
+            let label = egui::Label::new(Arc::clone(&galley)).extend();
+            let corner = if table.is_matrix() {
+                let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 0));
+                let shown = frame.show(ui, |ui| ui.add(label));
+                brackets(ui, shown.response.rect);
+                shown.inner.rect.min
+            } else {
+                ui.add(label).rect.min
+            };
+            questions(ui, t, table, &rows, &galley, corner)
+        })
+        .inner
+}
+
+/// Makes each number that is the entry of a matrix a control that asks why; gives the one that was clicked.
+fn questions(
+    ui: &egui::Ui,
+    t: &'static Texts,
+    table: &Table,
+    rows: &[Vec<String>],
+    galley: &egui::Galley,
+    corner: egui::Pos2,
+) -> Option<Entry> {
+    let mut asked = None;
+    for (i, (row, placed)) in rows.iter().zip(&galley.rows).enumerate() {
+        let named = usize::from(!table.is_matrix());
+        let mut begins = 0;
+        for (j, cell) in row.iter().enumerate() {
+            let (length, number) = (cell.chars().count(), cell.trim());
+            let first = begins + cell.chars().take_while(|c| *c == ' ').count();
+            let last = first + number.chars().count();
+            begins += length + GAP.len();
+            let Some(entry) = j.checked_sub(named).and_then(|column| table.entry(i, column)) else { continue };
+            let glyphs = placed.row.glyphs.get(first..last).unwrap_or_default();
+            let (Some(from), Some(to)) = (glyphs.first(), glyphs.last()) else { continue };
+            let across = (from.pos.x - 2.0)..=(to.pos.x + to.advance_width + 2.0);
+            let place = egui::Rect::from_x_y_ranges(across, 0.0..=placed.row.size.y).translate(placed.pos.to_vec2());
+            let place = place.translate(corner.to_vec2());
+            let id = ui.scope_id().with(egui::IdSalt::new(("why", &table.symbol, i, j)));
+            let response = ui.interact(place, id, egui::Sense::click());
+            let (matrix, [row, column]) = entry;
+            let name = format!("{}: {number}", explain::entry(t.lang, matrix.text(), row, column));
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
+            if response.hovered() {
+                let under = egui::Stroke::new(1.0, ui.visuals().hyperlink_color);
+                ui.painter().hline(place.x_range(), place.bottom() - 1.0, under);
+            }
+            if response.explained(t.why_hint).clicked() {
+                asked = Some(entry);
+            }
         }
-        let label = egui::Label::new(job(ui, &written(fitting), marked)).extend();
-        if table.is_matrix() {
-            let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 0));
-            let place = frame.show(ui, |ui| ui.add(label)).response.rect;
-            brackets(ui, place);
-        } else {
-            ui.add(label);
-        }
-    });
+    }
+    asked
 }
 
 /// Rows of cells as text; what is marked is underlined, on a ground of its own.
@@ -167,7 +228,7 @@ fn width(ui: &egui::Ui, job: LayoutJob) -> f32 {
 const BRACKET: f32 = 4.0;
 
 /// Square brackets at both sides of a place.
-fn brackets(ui: &egui::Ui, place: egui::Rect) {
+pub(in crate::gui) fn brackets(ui: &egui::Ui, place: egui::Rect) {
     let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
     let (top, bottom) = (place.top() + 1.0, place.bottom() - 1.0);
     for (x, inwards) in [(place.left() + 1.0, BRACKET), (place.right() - 1.0, -BRACKET)] {
@@ -177,7 +238,7 @@ fn brackets(ui: &egui::Ui, place: egui::Rect) {
 }
 
 /// All numbers as text with all their digits, as programs read them.
-fn text(t: &'static Texts, report: &Report, shown: Conventions) -> String {
+fn text(t: &'static Texts, report: (&Camera, &Report), shown: Conventions) -> String {
     let mut text = String::new();
     let inverses = tables(t, report, true, shown).into_iter().filter(|table| table.symbol.contains('⁻'));
     for table in tables(t, report, false, shown).into_iter().chain(inverses) {
@@ -195,5 +256,5 @@ fn text(t: &'static Texts, report: &Report, shown: Conventions) -> String {
 pub fn copy(state: &State) -> String {
     let t = window::texts(state.settings.lang);
     let shown = state.settings.conventions;
-    report(state, shown.ndc).map(|report| text(t, &report, shown)).unwrap_or_default()
+    report(state, shown.ndc).map(|report| text(t, (state.document.camera(), &report), shown)).unwrap_or_default()
 }

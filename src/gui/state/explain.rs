@@ -1,6 +1,8 @@
 //! What the side of explanations shows.
 
+use super::matrices::Matrices;
 use crate::camera::{CameraError, MatrixKind};
+use crate::explain::Symbol;
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{Quantity, Vocabulary};
 
@@ -21,6 +23,10 @@ pub enum ExplainTab {
 pub struct Explain {
     /// The tab that is shown.
     pub tab: ExplainTab,
+    /// The tab of matrices.
+    pub matrices: Matrices,
+    /// The parameters that are pointed at in another panel; written by the panels in each frame.
+    pub pointed: Vec<Symbol>,
     /// For what the code is.
     pub code: CodeTarget,
     /// A number of another vocabulary that would not give a camera, and why.

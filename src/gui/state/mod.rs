@@ -7,6 +7,7 @@ mod explain;
 mod files;
 mod insert;
 mod layout;
+mod matrices;
 mod message;
 mod numerics;
 mod operations;
@@ -16,10 +17,11 @@ mod view_history;
 
 use crate::appearance::{Style, Theme};
 use crate::camera::{CameraError, Operation};
+use crate::explain::Matrix;
 use crate::figure::Figure;
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
-use crate::views::{Ghost, Measure, Probe};
+use crate::views::{Ghost, Measured, Probe};
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
@@ -27,6 +29,8 @@ pub use explain::{Explain, ExplainTab};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub(super) use insert::{free_place, rounded};
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
+pub(in crate::gui) use matrices::symbols_of;
+pub use matrices::{Matrices, Reading};
 pub(in crate::gui) use message::about_session;
 pub use message::{Message, NotExported};
 pub use numerics::Numerics;
@@ -128,8 +132,8 @@ pub struct State {
     pub problem_out_of_sight: bool,
     /// The operation that is being tried or pointed at; written by the panel in each frame, shown in the world.
     pub ghost: Option<Ghost>,
-    /// The parameter that is pointed at; written by the panel in each frame, shown in the world.
-    pub measured: Option<Measure>,
+    /// What is pointed at in the panels; written by them in each frame, shown in the world.
+    pub measured: Vec<Measured>,
     /// What is pointed at; written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
     /// The files that were opened or saved last.
@@ -206,7 +210,7 @@ impl State {
             observer_change: None,
             problem_out_of_sight: false,
             ghost: None,
-            measured: None,
+            measured: Vec::new(),
             probe: None,
             recent: Recent::default(),
             gallery: Gallery::default(),
@@ -295,6 +299,15 @@ impl State {
     /// True while meshes are read or pictures written.
     pub(in crate::gui) fn runs(&self) -> bool {
         self.scene_cache.running().is_some() || self.file_flow.running().next().is_some()
+    }
+
+    /// Shows why an entry of a matrix is what it is; the entry takes the keyboard.
+    pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
+        self.explain.tab = ExplainTab::Matrices;
+        self.explain.matrices.go_to(matrix, entry);
+        if !self.settings.panels().is_shown(Side::Explain) {
+            self.settings.panels_mut().toggle(Side::Explain);
+        }
     }
 
     /// Says something at the bottom of the window.

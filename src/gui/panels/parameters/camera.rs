@@ -239,15 +239,19 @@ fn sides(ui: &mut egui::Ui, form: &mut Form) {
     let step = power_of_ten((right - left).abs().max((top - bottom).abs()) / 10.0).unwrap_or(1.0);
     let marked = form.is_marked("window");
     let mut outputs = Vec::new();
-    for pair in
-        [[("l", t.left, &mut left), ("r", t.right, &mut right)], [("b", t.bottom, &mut bottom), ("t", t.top, &mut top)]]
-    {
+    for pair in [
+        [("l", "left", t.left, &mut left), ("r", "right", t.right, &mut right)],
+        [("b", "bottom", t.bottom, &mut bottom), ("t", "top", t.top, &mut top)],
+    ] {
         let width = ((ui.available_width() - 4.0) / 2.0).floor();
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
-            for (symbol, name, value) in pair {
+            for (symbol, key, name, value) in pair {
                 let field = NumberField::new(format!("{symbol}, {name}"), Step::Add(step)).prefix(symbol);
-                outputs.push(field.hint(t.side_hint).width(width).marked(marked).show(ui, t, value));
+                let field = field.hint(t.side_hint).width(width).marked(marked);
+                let output = ui.scope(|ui| field.show(ui, t, value));
+                form.point_at(ui, key, output.response.rect);
+                outputs.push(output.inner);
             }
         });
     }

@@ -11,17 +11,18 @@ use glam::DVec3;
 
 use super::{complaint, row};
 use crate::camera::{Camera, CameraError, Parameters};
+use crate::explain::Symbol;
 use crate::gui::command::Command;
 use crate::gui::focus::keep_in_sight;
 use crate::gui::number_field::{FieldOutput, NumberField};
 use crate::gui::repair::{Repair, repairs};
-use crate::gui::state::{State, Tab};
+use crate::gui::state::{State, Tab, symbols_of};
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{Lang, faults, scenes};
 use crate::numbers;
 use crate::scene::Preset;
-use crate::views::Measure;
+use crate::views::{Measure, Measured, WindowSide};
 
 /// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -80,6 +81,7 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
     camera::projection(ui, &mut form, state);
     camera::window(ui, &mut form);
     state.measured = form.measured;
+    state.explain.pointed = form.pointed;
     state.problem_out_of_sight = form.error.is_some() && !form.said;
     match form.replaced {
         Some(camera) => state.document.set_camera(camera),
@@ -100,8 +102,10 @@ struct Form {
     /// A camera that knows more than its parameters.
     replaced: Option<Camera>,
     said: bool,
-    /// The parameter under the pointer.
-    measured: Option<Measure>,
+    /// What the parameter under the pointer measures.
+    measured: Vec<Measured>,
+    /// The parameter under the pointer, or that has the keyboard.
+    pointed: Vec<Symbol>,
 }
 
 impl Form {
@@ -115,7 +119,8 @@ impl Form {
             good: state.document.camera().clone(),
             replaced: None,
             said: false,
-            measured: None,
+            measured: Vec::new(),
+            pointed: Vec::new(),
         }
     }
 
@@ -174,10 +179,17 @@ impl Form {
         self.complain(ui, key, &[output.inner]);
     }
 
-    /// While the pointer is on the row of a parameter, the world shows its length or angle.
+    /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field has the keyboard, the
+    /// explanations mark what depends on it.
     fn point_at(&mut self, ui: &egui::Ui, key: &str, row: egui::Rect) {
-        if ui.rect_contains_pointer(row) && !ui.input(|input| input.pointer.any_down()) {
-            self.measured = measure_of(key).or(self.measured);
+        let pointed = ui.rect_contains_pointer(row);
+        if pointed && !ui.input(|input| input.pointer.any_down()) {
+            self.measured = measure_of(key).map_or_else(|| std::mem::take(&mut self.measured), |measure| vec![measure]);
+        }
+        let focused = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id));
+        let focused = focused.is_some_and(|r| r.layer_id == ui.layer_id() && row.contains(r.rect.center()));
+        if pointed || (focused && self.pointed.is_empty()) {
+            self.pointed = symbols_of(key);
         }
     }
 
@@ -210,14 +222,20 @@ struct Number {
 }
 
 /// The length or angle that a key of `[camera]` is, or sets.
-fn measure_of(key: &str) -> Option<Measure> {
+fn measure_of(key: &str) -> Option<Measured> {
+    let side = |side| Some(Measured::Side(side));
+    let dimension = |measure| Some(Measured::Dimension(measure));
     match key {
-        "near" => Some(Measure::Near),
-        "far" => Some(Measure::Far),
-        "view_angle" => Some(Measure::HalfAngle),
-        "height" => Some(Measure::Height),
-        "aspect" => Some(Measure::Width),
-        "focal_point" => Some(Measure::Distance),
+        "near" => dimension(Measure::Near),
+        "far" => dimension(Measure::Far),
+        "view_angle" => dimension(Measure::HalfAngle),
+        "height" => dimension(Measure::Height),
+        "aspect" => dimension(Measure::Width),
+        "focal_point" => dimension(Measure::Distance),
+        "left" => side(WindowSide::Left),
+        "right" => side(WindowSide::Right),
+        "bottom" => side(WindowSide::Bottom),
+        "top" => side(WindowSide::Top),
         _ => None,
     }
 }

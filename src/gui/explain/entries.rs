@@ -1,0 +1,144 @@
+//! The entries of a matrix as a grid, each a control of its own.
+
+use eframe::egui::{self, Color32, Id, Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+
+use crate::gui::mathematics::Formula;
+use crate::gui::panels::values::brackets;
+
+/// An entry as it is written.
+#[derive(Clone, Debug)]
+pub(super) struct Cell {
+    /// What is set.
+    pub(super) latex: String,
+    /// The same in a line.
+    pub(super) text: String,
+    /// What screen readers say.
+    pub(super) name: String,
+    /// It depends on the parameter that is pointed at.
+    pub(super) depends: bool,
+    /// It has changed just now: from 1 to 0.
+    pub(super) glow: f32,
+}
+
+/// What is done with the entries.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Pointed {
+    /// The one under the pointer.
+    pub(super) hovered: Option<[usize; 2]>,
+    /// The one that was clicked, or has the keyboard.
+    pub(super) chosen: Option<[usize; 2]>,
+}
+
+/// The type size of entries, in points.
+const SIZE: f32 = 13.5;
+/// How small they may become so that all of them fit.
+const SMALLEST: f32 = 0.72;
+/// Between columns and between rows, in points.
+const GAP: Vec2 = vec2(12.0, 7.0);
+/// Between the brackets and the entries.
+const MARGIN: f32 = 10.0;
+
+/// The grid, set in a type size.
+struct Layout {
+    formulas: Vec<Formula>,
+    widths: [f32; 4],
+    heights: [f32; 4],
+    baselines: [f32; 4],
+}
+
+impl Layout {
+    fn new(ui: &Ui, cells: &[[Cell; 4]; 4], size: f32) -> Self {
+        let formulas: Vec<Formula> =
+            cells.as_flattened().iter().map(|cell| Formula::new(ui, &cell.latex, &cell.text, size)).collect();
+        let at = |i: usize, j: usize| &formulas[4 * i + j];
+        let most = |values: [f32; 4]| values.into_iter().fold(0.0_f32, f32::max);
+        let each = |f: &dyn Fn(usize) -> f32| -> [f32; 4] { std::array::from_fn(f) };
+        let widths = each(&|j| most(each(&|i| at(i, j).size().x)).max(14.0));
+        let baselines = each(&|i| most(each(&|j| at(i, j).baseline())));
+        let below = each(&|i| most(each(&|j| at(i, j).size().y - at(i, j).baseline())));
+        let heights = each(&|i| (baselines[i] + below[i]).max(14.0));
+        Self { formulas, widths, heights, baselines }
+    }
+
+    fn size(&self) -> Vec2 {
+        let sum = |values: [f32; 4]| values.iter().sum::<f32>();
+        vec2(sum(self.widths) + 3.0 * GAP.x + 2.0 * MARGIN, sum(self.heights) + 4.0 * GAP.y)
+    }
+
+    /// The room of an entry, with half the gaps around it.
+    fn place(&self, corner: Pos2, i: usize, j: usize) -> Rect {
+        let x = corner.x + MARGIN + self.widths[..j].iter().sum::<f32>() + GAP.x * gaps(j);
+        let y = corner.y + GAP.y / 2.0 + self.heights[..i].iter().sum::<f32>() + GAP.y * gaps(i);
+        Rect::from_min_size(pos2(x, y), vec2(self.widths[j], self.heights[i])).expand2(GAP * 0.5 - vec2(1.0, 0.5))
+    }
+
+    /// Where a formula is painted: in the middle of its column, on the baseline of its row.
+    fn corner(&self, place: Rect, i: usize, j: usize) -> Pos2 {
+        let formula = &self.formulas[4 * i + j];
+        let top = place.center().y - self.heights[i] / 2.0 + self.baselines[i] - formula.baseline();
+        pos2(place.center().x - formula.size().x / 2.0, top)
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "0 … 3")]
+fn gaps(before: usize) -> f32 {
+    before as f32
+}
+
+/// Shows the entries between brackets. `chosen` is marked, and takes the keyboard where `wants_focus` says so.
+pub(super) fn show(ui: &mut Ui, cells: &[[Cell; 4]; 4], chosen: [usize; 2], wants_focus: bool) -> Pointed {
+    let mut layout = Layout::new(ui, cells, SIZE);
+    let factor = (ui.available_width() / layout.size().x).clamp(SMALLEST, 1.0);
+    if factor < 1.0 {
+        layout = Layout::new(ui, cells, (SIZE * factor).floor());
+    }
+    let mut pointed = Pointed::default();
+    egui::ScrollArea::horizontal().id_salt("entries").show(ui, |ui| {
+        let (room, _) = ui.allocate_exact_size(layout.size(), Sense::hover());
+        brackets(ui, room);
+        for (i, row) in cells.iter().enumerate() {
+            for (j, cell) in row.iter().enumerate() {
+                let place = layout.place(room.min, i, j);
+                let response = ui.interact(place, entry_id(ui, i, j), Sense::click());
+                if wants_focus && chosen == [i, j] {
+                    response.request_focus();
+                    ui.scroll_to_rect(place, None);
+                }
+                if response.hovered() {
+                    pointed.hovered = Some([i, j]);
+                }
+                if response.clicked() || response.gained_focus() {
+                    pointed.chosen = Some([i, j]);
+                }
+                ground(ui, place, cell, chosen == [i, j], &response);
+                layout.formulas[4 * i + j].paint(ui.painter(), layout.corner(place, i, j), ui.visuals().text_color());
+                let is_chosen = chosen == [i, j];
+                response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_chosen, &cell.name));
+            }
+        }
+    });
+    pointed
+}
+
+fn entry_id(ui: &Ui, i: usize, j: usize) -> Id {
+    ui.scope_id().with(egui::IdSalt::new(("entry", i, j)))
+}
+
+/// What lies under an entry: that it is chosen, pointed at, has changed, or depends on a parameter.
+fn ground(ui: &Ui, place: Rect, cell: &Cell, chosen: bool, response: &Response) {
+    let visuals = ui.visuals();
+    let painter = ui.painter();
+    if chosen {
+        painter.rect_filled(place, 3.0, visuals.selection.bg_fill);
+    } else if response.hovered() {
+        painter.rect_filled(place, 3.0, visuals.widgets.hovered.bg_fill);
+    }
+    if cell.glow > 0.0 {
+        painter.rect_filled(place, 3.0, visuals.warn_fg_color.gamma_multiply(0.55 * cell.glow));
+    }
+    if cell.depends {
+        let color: Color32 = visuals.warn_fg_color;
+        painter.rect_filled(place, 3.0, color.gamma_multiply(0.2));
+        painter.hline(place.x_range(), place.bottom() - 0.5, Stroke::new(1.5, color));
+    }
+}

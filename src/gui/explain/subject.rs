@@ -1,0 +1,51 @@
+//! Of what the explanations are: the figure's camera, and the object that is selected.
+
+use glam::DMat4;
+
+use crate::camera::Camera;
+use crate::explain::{Placement, Setting};
+use crate::gui::state::{Selected, State, preset_objects};
+use crate::scene::edit::placements;
+
+/// What the symbols get their numbers from, without the rest of the window.
+pub(super) struct Subject {
+    camera: Camera,
+    /// The selected object, by its name.
+    pub(super) object: Option<(String, Placement)>,
+}
+
+impl Subject {
+    /// The camera of the figure, and the object that is selected, if one is.
+    pub(super) fn of(state: &State) -> Self {
+        Self { camera: state.document.camera().clone(), object: selected(state) }
+    }
+
+    /// The setting in the convention, image and viewport of the window.
+    pub(super) fn setting(&self, state: &State) -> Setting<'_> {
+        let figure = state.document.figure();
+        let space = self.camera.possible_clip_space(state.settings.conventions.ndc);
+        let setting = Setting::new(space, figure.image, figure.viewport);
+        match &self.object {
+            Some((_, placement)) => setting.with_placement(*placement),
+            None => setting,
+        }
+    }
+}
+
+/// How the selected object stands in the world; `None` where none is selected, or the scene is impossible.
+fn selected(state: &State) -> Option<(String, Placement)> {
+    let scene = &state.document.figure().scene;
+    let (name, spec) = match state.tree.selected(scene)? {
+        Selected::Object(name) => (name, scene.objects.iter().find(|o| o.name == *name)?.clone()),
+        Selected::OfPreset(name) => (name, preset_objects(scene.preset).into_iter().find(|o| o.name == *name)?),
+        Selected::Light(_) => return None,
+    };
+    let placed = placements(scene).ok()?;
+    let parent: Option<DMat4> = match &spec.parent {
+        Some(parent) => Some(*placed.get(parent)?),
+        None => None,
+    };
+    let (translate, rotate, scale) = (spec.translate, spec.rotate, spec.scale);
+    let placement = Placement { translate, rotate, scale, parent, world_from_object: *placed.get(name)? };
+    Some((name.clone(), placement))
+}

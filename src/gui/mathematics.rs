@@ -1,0 +1,172 @@
+//! Formulas set as `KaTeX` sets them: `RaTeX` says where each glyph and each line stands, the window paints them with the fonts of `KaTeX`.
+
+use std::sync::Arc;
+
+use eframe::egui::cache::{ComputerMut, FrameCache};
+use eframe::egui::{
+    self, Color32, FontData, FontDefinitions, FontFamily, FontId, Painter, Pos2, Rect, Response, Role, Sense,
+    TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
+use ratex_layout::{LayoutOptions, layout, to_display_list};
+use ratex_types::display_item::{DisplayItem, DisplayList};
+
+/// The fonts, by the names that `RaTeX` has for them. What would need another one is written as text.
+const FONTS: [(&str, &[u8]); 7] = [
+    ("Main-Regular", include_bytes!("../../assets/fonts/KaTeX_Main-Regular.ttf")),
+    ("Main-Bold", include_bytes!("../../assets/fonts/KaTeX_Main-Bold.ttf")),
+    ("Math-Italic", include_bytes!("../../assets/fonts/KaTeX_Math-Italic.ttf")),
+    ("Size1-Regular", include_bytes!("../../assets/fonts/KaTeX_Size1-Regular.ttf")),
+    ("Size2-Regular", include_bytes!("../../assets/fonts/KaTeX_Size2-Regular.ttf")),
+    ("Size3-Regular", include_bytes!("../../assets/fonts/KaTeX_Size3-Regular.ttf")),
+    ("Size4-Regular", include_bytes!("../../assets/fonts/KaTeX_Size4-Regular.ttf")),
+];
+
+/// Makes the fonts known, each as a family of its own.
+pub(super) fn add_fonts(fonts: &mut FontDefinitions) {
+    for (name, bytes) in FONTS {
+        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
+        fonts.families.insert(FontFamily::Name(name.into()), vec![name.to_owned()]);
+    }
+}
+
+/// A glyph, in units of the type size, from the upper left corner of its formula.
+#[derive(Debug)]
+struct Glyph {
+    character: char,
+    font: &'static str,
+    /// The left end of its baseline.
+    place: [f32; 2],
+    scale: f32,
+}
+
+/// What is painted of a formula, in units of the type size.
+#[derive(Debug, Default)]
+struct Ink {
+    glyphs: Vec<Glyph>,
+    /// Left end, middle of the height; length and thickness.
+    lines: Vec<[f32; 4]>,
+    size: [f32; 2],
+    baseline: f32,
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "places in a formula, a few hundred at most")]
+fn short(x: f64) -> f32 {
+    x as f32
+}
+
+impl Ink {
+    /// `None` for what is not LaTeX, or needs more than the fonts have.
+    fn new(latex: &str) -> Option<Self> {
+        let list = to_display_list(&layout(&ratex_parser::parse(latex).ok()?, &LayoutOptions::default()));
+        let DisplayList { items, width, height, depth } = list;
+        let mut ink = Self { size: [short(width), short(height + depth)], baseline: short(height), ..Self::default() };
+        for item in items {
+            match item {
+                DisplayItem::GlyphPath { x, y, scale, font, char_code, .. } => {
+                    let (font, _) = FONTS.iter().find(|(name, _)| *name == font)?;
+                    let character = char::from_u32(char_code)?;
+                    ink.glyphs.push(Glyph { character, font, place: [short(x), short(y)], scale: short(scale) });
+                }
+                DisplayItem::Line { x, y, width, thickness, .. } => {
+                    ink.lines.push([x, y, width, thickness].map(short));
+                }
+                DisplayItem::Rect { .. } | DisplayItem::Path { .. } => return None,
+            }
+        }
+        Some(ink)
+    }
+}
+
+#[derive(Default)]
+struct Typesetter;
+
+impl ComputerMut<&str, Option<Arc<Ink>>> for Typesetter {
+    fn compute(&mut self, latex: &str) -> Option<Arc<Ink>> {
+        Ink::new(latex).map(Arc::new)
+    }
+}
+
+/// A formula of a size, ready to be painted.
+#[derive(Clone, Debug)]
+pub(super) struct Formula {
+    set: Set,
+    size: f32,
+}
+
+#[derive(Clone, Debug)]
+enum Set {
+    Ink(Arc<Ink>),
+    Text(Arc<egui::Galley>),
+}
+
+impl Formula {
+    /// Sets a formula; where that fails, `text` stands for it. It is set once, as long as it is shown in every frame.
+    pub(super) fn new(ui: &Ui, latex: &str, text: &str, size: f32) -> Self {
+        type Cache = FrameCache<Option<Arc<Ink>>, Typesetter>;
+        let ink = ui.memory_mut(|memory| memory.caches.cache::<Cache>().get(latex).clone());
+        let set = ink.map_or_else(
+            || {
+                let font = TextStyle::Body.resolve(ui.style());
+                Set::Text(ui.painter().layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER))
+            },
+            Set::Ink,
+        );
+        Self { set, size }
+    }
+
+    /// The room that it needs, in points.
+    pub(super) fn size(&self) -> Vec2 {
+        match &self.set {
+            Set::Ink(ink) => Vec2::from(ink.size) * self.size,
+            Set::Text(galley) => galley.size(),
+        }
+    }
+
+    /// How far its baseline is below its upper end, in points.
+    pub(super) fn baseline(&self) -> f32 {
+        match &self.set {
+            Set::Ink(ink) => ink.baseline * self.size,
+            Set::Text(galley) => baseline_of(galley),
+        }
+    }
+
+    /// Paints it with its upper left corner at `corner`.
+    pub(super) fn paint(&self, painter: &Painter, corner: Pos2, color: Color32) {
+        let ink = match &self.set {
+            Set::Text(galley) => {
+                painter.galley(corner, Arc::clone(galley), color);
+                return;
+            }
+            Set::Ink(ink) => ink,
+        };
+        // On whole pixels vertically, so that all formulas of a line look alike.
+        let pixel = 1.0 / painter.pixels_per_point();
+        let top = (corner.y / pixel).round() * pixel;
+        for Glyph { character, font, place: [x, y], scale } in &ink.glyphs {
+            let font = FontId::new(self.size * scale, FontFamily::Name((*font).into()));
+            let galley = painter.layout_no_wrap(character.to_string(), font, color);
+            let place = pos2(corner.x + x * self.size, top + y * self.size - baseline_of(&galley));
+            painter.galley(place, galley, color);
+        }
+        for [x, y, length, thickness] in &ink.lines {
+            let thickness = ((thickness * self.size / pixel).round() * pixel).max(pixel);
+            let upper = ((top + y * self.size - thickness / 2.0) / pixel).round() * pixel;
+            let line = Rect::from_min_size(pos2(corner.x + x * self.size, upper), vec2(length * self.size, thickness));
+            painter.rect_filled(line, 0.0, color);
+        }
+    }
+}
+
+fn baseline_of(galley: &egui::Galley) -> f32 {
+    let row = galley.rows.first();
+    row.and_then(|row| row.glyphs.first().map(|glyph| row.pos.y + glyph.pos.y)).unwrap_or(galley.size().y)
+}
+
+/// Shows a formula; `text` is the same one in a line, for screen readers.
+pub(super) fn show(ui: &mut Ui, latex: &str, text: &str, size: f32) -> Response {
+    let formula = Formula::new(ui, latex, text, size);
+    let (place, response) = ui.allocate_exact_size(formula.size(), Sense::hover());
+    formula.paint(ui.painter(), place.min, ui.visuals().text_color());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    response
+}

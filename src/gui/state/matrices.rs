@@ -1,0 +1,152 @@
+//! The tab of matrices of the side of explanations: what is shown, and what the last change touched.
+
+use std::collections::BTreeSet;
+
+use crate::explain::{Component, Matrix, Symbol};
+
+/// How the entries of a matrix are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Reading {
+    /// With the notes' symbols.
+    #[default]
+    Formulas,
+    /// With the numbers in the place of the symbols.
+    Numbers,
+    /// What they amount to.
+    Values,
+}
+
+/// The tab of matrices.
+#[derive(Clone, Debug)]
+pub struct Matrices {
+    /// Which matrix; never an inverse.
+    pub matrix: Matrix,
+    /// Its inverse is shown.
+    pub inverse: bool,
+    /// How its entries are written.
+    pub reading: Reading,
+    /// The entry that is explained: row and column from 0.
+    pub entry: [usize; 2],
+    /// The entry takes the keyboard in the next frame.
+    pub(in crate::gui) wants_focus: bool,
+    /// The symbols whose definitions are open, each with those that lead to it.
+    pub(in crate::gui) open: BTreeSet<Vec<Symbol>>,
+    /// What the last change touched.
+    pub(in crate::gui) glow: Glow,
+}
+
+impl Default for Matrices {
+    fn default() -> Self {
+        Self {
+            matrix: Matrix::Projection,
+            inverse: false,
+            reading: Reading::default(),
+            entry: [0, 0],
+            wants_focus: false,
+            open: BTreeSet::new(),
+            glow: Glow::default(),
+        }
+    }
+}
+
+impl Matrices {
+    /// The matrix that is shown.
+    #[must_use]
+    pub fn shown(&self) -> Matrix {
+        if self.inverse { self.matrix.inverse() } else { self.matrix }
+    }
+
+    /// Goes to an entry of a matrix, which takes the keyboard.
+    pub(in crate::gui) fn go_to(&mut self, matrix: Matrix, entry: [usize; 2]) {
+        let inverse = !Self::CHOICES.contains(&matrix);
+        (self.matrix, self.inverse) = (if inverse { matrix.inverse() } else { matrix }, inverse);
+        self.entry = entry;
+        self.wants_focus = true;
+    }
+
+    /// The matrices to choose from, each with its inverse.
+    pub const CHOICES: [Matrix; 5] =
+        [Matrix::Model, Matrix::View, Matrix::Projection, Matrix::ViewProjection, Matrix::Viewport];
+}
+
+/// How long what has changed glows, in seconds.
+const GLOW_SECONDS: f64 = 1.0;
+
+/// Which entries the last change touched, and when.
+#[derive(Clone, Debug, Default)]
+pub(in crate::gui) struct Glow {
+    /// The matrix, and whose it is.
+    of: Option<(Matrix, Option<String>)>,
+    values: [[f64; 4]; 4],
+    since: [[Option<f64>; 4]; 4],
+}
+
+impl Glow {
+    /// Notes which values are others than in the last frame; of another matrix, none. `now` is a time in seconds.
+    pub(in crate::gui) fn follow(&mut self, of: (Matrix, Option<&str>), values: [[f64; 4]; 4], now: f64) {
+        let same = self.of.as_ref().is_some_and(|(matrix, whose)| (*matrix, whose.as_deref()) == of);
+        if !same {
+            *self = Self { of: Some((of.0, of.1.map(str::to_owned))), values, since: Default::default() };
+            return;
+        }
+        for (i, row) in values.iter().enumerate() {
+            for (j, value) in row.iter().enumerate() {
+                if self.values[i][j].to_bits() != value.to_bits() {
+                    self.since[i][j] = Some(now);
+                }
+            }
+        }
+        self.values = values;
+    }
+
+    /// From 1, at the change, to 0.
+    pub(in crate::gui) fn strength(&self, [row, column]: [usize; 2], now: f64) -> f64 {
+        self.since[row][column].map_or(0.0, |since| (1.0 - (now - since) / GLOW_SECONDS).clamp(0.0, 1.0))
+    }
+
+    /// True while anything glows.
+    pub(in crate::gui) fn is_seen(&self, now: f64) -> bool {
+        (0..16).any(|i| self.strength([i / 4, i % 4], now) > 0.0)
+    }
+}
+
+/// The symbols of a key of `[camera]` or of the image.
+pub(in crate::gui) fn symbols_of(key: &str) -> Vec<Symbol> {
+    match key {
+        "position" => Component::THREE.map(Symbol::Position).to_vec(),
+        "focal_point" => Component::THREE.map(Symbol::FocalPoint).to_vec(),
+        "view_up" => Component::THREE.map(Symbol::ViewUp).to_vec(),
+        "near" => vec![Symbol::Near],
+        "far" => vec![Symbol::Far],
+        "view_angle" => vec![Symbol::ViewAngle],
+        "height" => vec![Symbol::Height],
+        "aspect" => vec![Symbol::Aspect],
+        "left" => vec![Symbol::Left],
+        "right" => vec![Symbol::Right],
+        "bottom" => vec![Symbol::Bottom],
+        "top" => vec![Symbol::Top],
+        _ => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_changed_glows_for_a_second_and_another_matrix_does_not() {
+        let mut glow = Glow::default();
+        let mut values = [[1.0; 4]; 4];
+        glow.follow((Matrix::View, None), values, 0.0);
+        assert!(!glow.is_seen(0.0));
+        values[1][2] = 2.0;
+        glow.follow((Matrix::View, None), values, 5.0);
+        glow.follow((Matrix::View, None), values, 5.5);
+        assert_eq!((glow.strength([1, 2], 5.5), glow.strength([2, 1], 5.5)), (0.5, 0.0));
+        assert!(glow.is_seen(5.9) && !glow.is_seen(6.0));
+        glow.follow((Matrix::Projection, None), [[0.0; 4]; 4], 5.5);
+        assert!(!glow.is_seen(5.5));
+        glow.follow((Matrix::Projection, Some("cube")), values, 5.5);
+        assert!(!glow.is_seen(5.5), "another object's");
+    }
+}
