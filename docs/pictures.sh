@@ -19,6 +19,7 @@ sed 's/^divide_first = true/divide_first = false/' figures/pipeline-divide-first
 draw right divide-right
 rm figures/pipeline-right.toml
 for lang in en pt-BR; do
+    "$program" render figures/points.toml --view all --size 960x320 --lang $lang -o images/points.$lang.png
     draw depth depth.$lang --lang $lang
     draw depth-linear depth-linear.$lang --lang $lang
     draw clipping clipping-world.$lang --view world --size 480x360 --lang $lang

@@ -46,6 +46,9 @@ pub enum NoWayBack {
         /// Z at infinity
         infinity: f64,
     },
+    /// In perspective every line of sight goes through C: what lies in its plane has no place on the window.
+    #[error("distance 0: in the plane of the eye no point has an image; allowed: any other distance, such as F")]
+    InPlaneOfEye,
     /// A coordinate exceeds the range of `f64`.
     #[error("depth {depth}: the point's coordinates would exceed the range of numbers (about 1e-308 to 1e308)")]
     Overflow {

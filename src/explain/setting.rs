@@ -77,6 +77,13 @@ impl<'a> Setting<'a> {
         Self { space, point, ..self.clone() }
     }
 
+    /// With a point of the world, which is also seen from the object, if there is one.
+    #[must_use]
+    pub fn with_point_seen_from_object(self, world: DVec3) -> Self {
+        let local = self.placement.map(|placement| placement.world_from_object.inverse().transform_point3(world));
+        Self { local, ..self.with_point(world) }
+    }
+
     /// With a point of the object, if there is an object.
     #[must_use]
     pub fn with_local_point(self, local: DVec3) -> Self {

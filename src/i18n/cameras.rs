@@ -184,7 +184,7 @@ pub(super) fn infinite_parallel(lang: Lang, error: InfiniteParallel) -> String {
 
 /// Why a depth belongs to no point.
 #[must_use]
-fn no_way_back(lang: Lang, error: NoWayBack) -> String {
+pub fn no_way_back(lang: Lang, error: NoWayBack) -> String {
     match (lang, error) {
         (Lang::En, error) => error.to_string(),
         (Lang::PtBr, NoWayBack::EmptyDepthRange { depth }) => {
@@ -193,6 +193,10 @@ fn no_way_back(lang: Lang, error: NoWayBack) -> String {
         (Lang::PtBr, NoWayBack::BeyondInfinity { depth, near, infinity }) => format!(
             "profundidade {depth}: nenhum ponto do mundo está tão longe; do plano da frente ao infinito, as profundidades vão de {near} até antes de {infinity}"
         ),
+        (Lang::PtBr, NoWayBack::InPlaneOfEye) => {
+            "distância 0: no plano do olho nenhum ponto tem imagem; permitido: qualquer outra distância, como F"
+                .to_owned()
+        }
         (Lang::PtBr, NoWayBack::Overflow { depth }) => format!(
             "profundidade {depth}: as coordenadas do ponto excederiam os limites dos números (cerca de 1e-308 a 1e308)"
         ),

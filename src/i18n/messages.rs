@@ -1,6 +1,6 @@
 //! What went wrong, or may not have been meant, in both languages: what the shells say of errors and warnings.
 
-pub use super::cameras::{camera, inspect, operation, warning};
+pub use super::cameras::{camera, inspect, no_way_back, operation, warning};
 pub use super::expressions::{expression, not_whole, outside};
 pub use super::figure_files::figure;
 pub use super::files::{encoder, file, png};

@@ -41,6 +41,7 @@ pub mod command_line;
 pub mod conventions;
 pub mod dialects;
 pub mod explain;
+pub mod explain_point;
 mod expressions;
 pub mod faults;
 mod figure_files;

@@ -18,6 +18,7 @@ mod components;
 mod content;
 pub mod depth;
 mod dimensions;
+pub mod followed;
 mod gear;
 mod ghost;
 mod gizmos;

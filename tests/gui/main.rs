@@ -21,6 +21,7 @@ mod other_programs;
 mod painter;
 mod panels;
 mod pictures;
+mod points;
 mod presentation;
 mod reveal;
 mod same_pixels;

@@ -41,6 +41,7 @@ mod pipeline_exact;
 mod pipeline_plan;
 mod pipeline_project;
 mod pipeline_visibility;
+mod places;
 mod raster_colors;
 mod raster_fill;
 mod raster_lines;

@@ -8,6 +8,7 @@ use super::{Canvas, Pane};
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
+use crate::i18n::explain_point;
 use crate::views::{Overlays, Probe, Request, pick};
 
 /// The room that a card takes before it has been shown, in points.
@@ -20,6 +21,8 @@ const MARGIN: f32 = 8.0;
 pub(super) enum CardAction {
     /// Copy all digits.
     Copy,
+    /// Follow the point through every space.
+    Follow,
     /// Forget what is pinned.
     Release,
 }
@@ -33,9 +36,10 @@ pub(super) fn show(
     ui: &Ui,
     room: Rect,
     place: Option<Pos2>,
-    cells: &[Cell],
+    (cells, is_point): (&[Cell], bool),
     texts: &CanvasTexts,
 ) -> Option<CardAction> {
+    let words = explain_point::texts(texts.lang);
     let mut action = None;
     let mut window = Window::new(texts.card).id(id()).constrain_to(room).title_bar(false).resizable(false);
     if let Some(place) = place {
@@ -51,6 +55,9 @@ pub(super) fn show(
         ui.horizontal(|ui| {
             if ui.button(texts.copy).explained(texts.copy_hint).clicked() {
                 action = Some(CardAction::Copy);
+            }
+            if is_point && ui.button(words.follow).explained(words.follow_hint).clicked() {
+                action = Some(CardAction::Follow);
             }
             if ui.button(texts.release).clicked() {
                 action = Some(CardAction::Release);

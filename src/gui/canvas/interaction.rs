@@ -6,6 +6,7 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
+use super::followed::{self, PointDrag};
 use super::keyboard_probe::Probing;
 use super::picking::{self, PickRequest, What};
 use super::status::Status;
@@ -48,6 +49,8 @@ pub(super) enum Drag {
     Handle(Box<HandleDrag>),
     /// What is selected is moved, turned or scaled.
     Gizmo(Box<GizmoDrag>),
+    /// A point that is followed is moved.
+    Point(Box<PointDrag>),
 }
 
 /// A part of the gizmo that is held.
@@ -67,6 +70,7 @@ impl Drag {
         match self {
             Self::Orbit { view, .. } | Self::Pan { view, .. } => *view,
             Self::Handle(_) | Self::Gizmo(_) => View::World,
+            Self::Point(held) => held.view(),
         }
     }
 }
@@ -178,10 +182,11 @@ impl Canvas {
     fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
         let view = pane.view;
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
-        if view == View::Image {
-            return None;
-        }
         let from = pane.rect.pixel(origin);
+        let point = || PointDrag::taken(self.request(state, view, pane.rect.size), from, pane);
+        if view == View::Image {
+            return primary.then(point)?.map(|held| Drag::Point(Box::new(held)));
+        }
         if view == View::World && primary {
             let request = self.request(state, pane.view, pane.rect.size);
             if let Some(handle) = handle_at(&request, from, pane.rect.pixels(handle_drag::REACH)) {
@@ -193,6 +198,9 @@ impl Canvas {
                 let (observer, before) = (request.observer, state.document.figure().scene.clone());
                 let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
                 return Some(Drag::Gizmo(Box::new(held)));
+            }
+            if let Some(held) = point() {
+                return Some(Drag::Point(Box::new(held)));
             }
         }
         Some(if primary && !modifiers.shift {
@@ -229,6 +237,7 @@ impl Canvas {
                     ui.request_repaint();
                 }
             }
+            Some(Drag::Point(held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
             Some(Drag::Gizmo(held)) => {
                 let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
                 let request = Request { observer: *observer, ..request };
@@ -261,6 +270,7 @@ impl Canvas {
             Some(Drag::Pan { view, pressed }) => self.turn(state, view, pressed),
             Some(Drag::Handle(held)) => state.document.set_camera(held.before()),
             Some(Drag::Gizmo(held)) => state.document.edit(|figure| figure.scene = held.before),
+            Some(Drag::Point(held)) => held.give_up(state),
         }
     }
 
@@ -291,6 +301,12 @@ impl Canvas {
                     }
                     None => format!("{} · {}", lines[0], handle_drag::hint(held.handle(), camera, digits, texts)),
                 };
+                tooltip(ui, &lines);
+                ui.set_cursor_icon(handle_drag::cursor(true));
+            }
+            Some(Drag::Point(held)) => {
+                let lines = held.lines(state);
+                status.message = lines.join(" · ");
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
@@ -363,6 +379,12 @@ impl Canvas {
                 gizmo.hot = Some(part);
             }
             return None;
+        }
+        if let Some((p, lines)) = followed::hovered(&request, pointer, pane, state) {
+            tooltip(ui, &lines);
+            status.message = lines.join(" · ");
+            ui.set_cursor_icon(handle_drag::cursor(false));
+            return Some(Probe::Point(p));
         }
         status.message = match pane.view {
             View::Image => match pick::window_point_in_image(&request, pointer) {

@@ -5,6 +5,7 @@
 
 mod arrange;
 mod card;
+mod followed;
 mod icons;
 mod interaction;
 mod keyboard_probe;
@@ -49,7 +50,7 @@ use crate::gui::handle_drag::point;
 use crate::gui::highlight::Highlight;
 use crate::gui::presentation;
 use crate::gui::selection_gizmo::Movable;
-use crate::gui::state::{Dialog, Message, ObserverChange, State};
+use crate::gui::state::{Dialog, ExplainTab, Message, ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
@@ -391,7 +392,7 @@ impl Canvas {
         &mut self,
         (ui, room): (&Ui, Rect),
         place: Option<Pos2>,
-        state: &State,
+        state: &mut State,
         status: &mut Status,
         texts: &'static CanvasTexts,
     ) {
@@ -423,8 +424,19 @@ impl Canvas {
         status.cells = cells(digits.min(4), mark);
         status.exact = cells(digits, mark);
         if self.pinned.is_some() {
-            match card::show(ui, room, place, &status.exact, texts) {
+            let point = match probe {
+                Probe::Point(p) => Some(p),
+                Probe::Window(_) => None,
+            };
+            match card::show(ui, room, place, (&status.exact, point.is_some()), texts) {
                 None => {}
+                Some(CardAction::Follow) => {
+                    if let Some(p) = point {
+                        state.follow_point(p);
+                        state.show_explanation(ExplainTab::Point);
+                        ctx.request_repaint();
+                    }
+                }
                 Some(CardAction::Copy) => ctx.copy_text(copied(&cells(EXACT_DIGITS, DecimalMark::Point))),
                 Some(CardAction::Release) => {
                     self.pinned = None;

@@ -3,11 +3,14 @@
 //! A tab is a variant of [`ExplainTab`], its row in [`TABS`] and a file here with `fn ui`. Only the tab that is shown computes anything.
 
 mod answer;
+mod arithmetic;
 mod code;
 mod dialects;
+mod digits;
 mod entries;
 mod matrices;
 mod measures;
+mod point;
 mod subject;
 
 use eframe::egui;
@@ -28,6 +31,7 @@ struct Row {
 /// The tabs, in the order in which they are read.
 const TABS: &[Row] = &[
     Row { tab: ExplainTab::Matrices, name: |t| t.matrices, hint: |t| t.matrices_hint, ui: matrices::ui },
+    Row { tab: ExplainTab::Point, name: |t| t.point, hint: |t| t.point_hint, ui: point::ui },
     Row { tab: ExplainTab::Dialects, name: |t| t.dialects, hint: |t| t.dialects_hint, ui: dialects::ui },
     Row { tab: ExplainTab::Code, name: |t| t.code, hint: |t| t.code_hint, ui: code::ui },
 ];

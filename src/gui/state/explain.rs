@@ -12,6 +12,8 @@ pub enum ExplainTab {
     /// Each entry of each matrix, as formula and as number.
     #[default]
     Matrices,
+    /// A point through every space, forward and back.
+    Point,
     /// The camera in other vocabularies, and a pasted matrix.
     Dialects,
     /// The camera as code.

@@ -7,7 +7,7 @@ use crate::files::FileError;
 use crate::foreign;
 use crate::gui::export::ExportError;
 use crate::gui::session::News;
-use crate::i18n::{Lang, faults, messages, scenes, sessions, window};
+use crate::i18n::{Lang, explain_point, faults, messages, scenes, sessions, window};
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::TooMuch;
 use crate::scene::{Preset, SceneError};
@@ -65,6 +65,8 @@ pub enum Message {
     LightDeleted(usize),
     /// What was to be selected together cannot be.
     SelectedAlone,
+    /// No more points can be followed.
+    TooManyPoints,
 }
 
 /// Why no picture was written.
@@ -87,7 +89,8 @@ impl Message {
             | Self::Shear
             | Self::Deleted { .. }
             | Self::LightDeleted(_)
-            | Self::SelectedAlone => false,
+            | Self::SelectedAlone
+            | Self::TooManyPoints => false,
             Self::NotExported(_, NotExported(error)) => !matches!(error, ExportError::Cancelled),
             Self::File(..)
             | Self::NotOpened(..)
@@ -134,6 +137,7 @@ impl Message {
             }
             Self::LightDeleted(index) => format!("{} {} {}", scene.deleted, scene.light, index + 1),
             Self::SelectedAlone => scene.selected_alone.to_owned(),
+            Self::TooManyPoints => explain_point::texts(lang).too_many.to_owned(),
         };
         foreign::printable(text.trim())
     }

@@ -5,6 +5,7 @@ mod coach;
 mod conventions;
 mod explain;
 mod files;
+mod follow;
 mod insert;
 mod layout;
 mod matrices;
@@ -15,18 +16,24 @@ mod recent;
 mod scene_tree;
 mod view_history;
 
+use glam::DVec3;
+
 use crate::appearance::{Style, Theme};
 use crate::camera::{CameraError, Operation};
 use crate::explain::Matrix;
-use crate::figure::Figure;
+use crate::figure::points::free_name;
+use crate::figure::{Figure, NamedPoint};
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
+use crate::limits::MAX_NAMED_POINTS;
 use crate::views::{Ghost, Measured, Probe};
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
 pub use explain::{Explain, ExplainTab};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
+pub use follow::Follow;
+pub(super) use follow::Space;
 pub(super) use insert::{free_place, rounded};
 pub use layout::{Layout, ObserverChange, Panels, Side, Tab};
 pub(in crate::gui) use matrices::symbols_of;
@@ -153,6 +160,8 @@ pub struct State {
     pub numerics: Numerics,
     /// The side of explanations.
     pub explain: Explain,
+    /// Which point is followed.
+    pub follow: Follow,
     /// What is wrong with the picture, and how near the camera is to trouble.
     pub coach: Coach,
 }
@@ -220,6 +229,7 @@ impl State {
             annotations: Annotations::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),
+            follow: Follow::default(),
             coach: Coach::default(),
         })
     }
@@ -235,6 +245,7 @@ impl State {
         self.file_flow.decided = None;
         self.scene_cache.expect_another();
         self.tree = SceneTree::default();
+        self.follow = Follow::default();
         self.views.reset(self.document.figure().observers);
         self.probe = None;
         self.message = None;
@@ -267,6 +278,30 @@ impl State {
     #[must_use]
     pub fn style(&self) -> Style {
         Style { theme: self.settings.theme, ..self.document.figure().style }
+    }
+
+    /// Shows a tab of the side of explanations.
+    pub(in crate::gui) fn show_explanation(&mut self, tab: ExplainTab) {
+        if !self.settings.panels().is_shown(Side::Explain) {
+            self.settings.panels_mut().toggle(Side::Explain);
+        }
+        self.explain.tab = tab;
+    }
+
+    /// Adds a point of the world to the figure and follows it; one that is there already is only followed.
+    pub(in crate::gui) fn follow_point(&mut self, position: DVec3) {
+        let points = &self.document.figure().points;
+        let name = match points.iter().find(|point| point.position == position) {
+            Some(point) => point.name.clone(),
+            None if points.len() >= MAX_NAMED_POINTS => return self.say(Message::TooManyPoints),
+            None => {
+                let name = free_name(points);
+                let point = NamedPoint { name: name.clone(), position };
+                self.document.edit(|figure| figure.points.push(point));
+                name
+            }
+        };
+        self.follow.choose(&name);
     }
 
     /// One step back; what it brings back in the scene is selected.

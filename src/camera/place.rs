@@ -1,0 +1,86 @@
+//! Coordinates of one space → the point of the world that has them.
+
+use glam::{DVec2, DVec3};
+
+use super::{ClipSpace, ImageSize, NoWayBack, Projection, Viewport};
+use crate::geometry::double_double::{Dd, Dd3};
+
+/// Coordinates of a point in one of its spaces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// World.
+    World(DVec3),
+    /// VRC.
+    View(DVec3),
+    /// NDC, in the convention of the clip space.
+    Ndc(DVec3),
+    /// (x_p, y_p), and the distance −z_c from the plane of the eye.
+    Window(DVec2, f64),
+    /// (i, j), and Z of (5.25): the centre of the pixel.
+    Pixel([i64; 2], f64),
+}
+
+impl ClipSpace<'_> {
+    /// The world point at a place. M_p and M_v are undone in double-double and rounded once.
+    ///
+    /// # Errors
+    /// [`NoWayBack`]: no point has these coordinates; in perspective those of NDC have none behind the eye.
+    pub fn world_of(&self, image: ImageSize, viewport: &Viewport, place: Place) -> Result<DVec3, NoWayBack> {
+        let camera = self.camera();
+        let (world, depth) = match place {
+            Place::World(p) => (p, p.z),
+            Place::View(p) => {
+                let view = Dd3::new(Dd::new(p.x), Dd::new(p.y), Dd::new(p.z));
+                (camera.world_of_view(view).value() + 0.0, p.z)
+            }
+            Place::Ndc(p) => {
+                let window = self.window_of_ndc(p);
+                (self.world_of_window(window, self.distance_of_ndc(p.z)?), p.z)
+            }
+            Place::Window(_, 0.0) if camera.projection() == Projection::Perspective => {
+                return Err(NoWayBack::InPlaneOfEye);
+            }
+            Place::Window(p, distance) => {
+                (self.world_of_window([Dd::new(p.x), Dd::new(p.y)], Dd::new(distance)), distance)
+            }
+            Place::Pixel(pixel, depth) => return Ok(self.way_back(image, viewport, pixel, depth)?.world),
+        };
+        if world.is_finite() { Ok(world) } else { Err(NoWayBack::Overflow { depth }) }
+    }
+
+    /// (x_p, y_p), `[0]` Eqs. (5.11) and (5.12) solved for them.
+    fn window_of_ndc(&self, ndc: DVec3) -> [Dd; 2] {
+        let w = &self.camera().wide_window;
+        let y = if self.ndc().y_points_down() { -ndc.y } else { ndc.y };
+        let along = |low: Dd, high: Dd, size: Dd, ndc: f64| ((low + high) + Dd::new(ndc) * size).scaled(-1);
+        [along(w.left, w.right, w.width(), ndc.x), along(w.bottom, w.top, w.height(), y)]
+    }
+
+    /// The distance from the plane of the eye: in perspective z_n = d/distance − z, in parallel projection z_n = d − z distance.
+    fn distance_of_ndc(&self, z_n: f64) -> Result<Dd, NoWayBack> {
+        let (z, depth) = (self.lens.z, self.lens.depth);
+        match self.camera().projection() {
+            Projection::Parallel => Ok((depth - Dd::new(z_n)) / z),
+            Projection::Perspective => {
+                let distance = depth / (Dd::new(z_n) + z);
+                if distance.value() > 0.0 && distance.value().is_finite() {
+                    return Ok(distance);
+                }
+                let [near, _] = self.ndc().depths();
+                Err(NoWayBack::BeyondInfinity { depth: z_n, near, infinity: (-z).value() + 0.0 })
+            }
+        }
+    }
+
+    fn world_of_window(&self, [x, y]: [Dd; 2], distance: Dd) -> DVec3 {
+        let camera = self.camera();
+        let view = match camera.projection() {
+            Projection::Parallel => Dd3::new(x, y, -distance),
+            Projection::Perspective => {
+                let share = distance / Dd::new(camera.near());
+                Dd3::new(x * share, y * share, -distance)
+            }
+        };
+        camera.world_of_view(view).value() + 0.0
+    }
+}

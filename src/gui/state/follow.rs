@@ -1,0 +1,45 @@
+//! Which point is followed, and what is being typed of it.
+
+use crate::camera::NoWayBack;
+use crate::figure::NamedPoint;
+
+/// A space in which a point is typed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(in crate::gui) enum Space {
+    /// That of the selected object.
+    Local,
+    /// The world.
+    World,
+    /// VRC.
+    View,
+    /// NDC, in the convention that is worked in.
+    Ndc,
+    /// (x_p, y_p) and the distance from the eye.
+    Window,
+    /// (i, j) and Z.
+    Pixel,
+}
+
+/// The tab that follows a point.
+#[derive(Clone, Debug, Default)]
+pub struct Follow {
+    /// The name of the point that is followed.
+    pub(in crate::gui) chosen: Option<String>,
+    /// The name that is being typed, of the point that has this one; and whether its field has been left.
+    pub(in crate::gui) typing: Option<(String, String, bool)>,
+    /// Why what was typed last belongs to no point; said until something else is typed.
+    pub(in crate::gui) refused: Option<(Space, NoWayBack)>,
+}
+
+impl Follow {
+    /// The place in the list of the point that is followed; the first one where the chosen one is gone. `None` without points.
+    pub(in crate::gui) fn index(&self, points: &[NamedPoint]) -> Option<usize> {
+        let chosen = self.chosen.as_ref().and_then(|name| points.iter().position(|point| point.name == *name));
+        chosen.or_else(|| (!points.is_empty()).then_some(0))
+    }
+
+    /// Follows a point from now on.
+    pub(in crate::gui) fn choose(&mut self, name: &str) {
+        *self = Self { chosen: Some(name.to_owned()), ..Self::default() };
+    }
+}

@@ -1,0 +1,63 @@
+//! The tab that follows a point.
+
+texts! {
+    no_points: "No point is followed. Add one, or pin a vertex in a picture and press *Follow*.", "Nenhum ponto é seguido. Adicione um, ou fixe um vértice em uma imagem e aperte *Seguir*.";
+    add: "Add", "Adicionar";
+    add_hint: "Adds a point, at the vertex that is pointed at or at PF, and follows it", "Adiciona um ponto, no vértice apontado ou em PF, e o segue";
+    delete: "Delete", "Excluir";
+    delete_hint: "Deletes the point that is followed", "Exclui o ponto seguido";
+    too_many: "No more points can be followed: there are 32.", "Não se podem seguir mais pontos: há 32.";
+    name: "Name of the point", "Nome do ponto";
+    name_hint: "As it is written in the pictures and in the figure file", "Como é escrito nas imagens e no arquivo da figura";
+    name_taken: "Another point has this name.", "Outro ponto tem este nome.";
+    name_empty: "A point needs a name.", "Um ponto precisa de um nome.";
+    // On the card of the probe.
+    follow: "Follow", "Seguir";
+    follow_hint: "Follows this point through every space, in the side of explanations", "Segue este ponto por todos os espaços, no lado das explicações";
+    // The spaces.
+    local: "local", "local";
+    world: "world", "mundo";
+    view: "view", "vista";
+    clip: "clip", "recorte";
+    ndc: "NDC", "NDC";
+    window: "window", "janela";
+    pixel: "pixel", "pixel";
+    viewport: "viewport", "viewport";
+    homogeneous: "homogeneous", "homogêneas";
+    typed_hint: "Type in any space: the point goes where it has these coordinates", "Digite em qualquer espaço: o ponto vai para onde tem essas coordenadas";
+    local_of: "of the selected object", "do objeto selecionado";
+    window_and_depth: "and the distance from the eye", "e a distância do olho";
+    pixel_and_depth: "and Z of the depth buffer", "e Z do buffer de profundidade";
+    no_image: "no image", "sem imagem";
+    // The arithmetic.
+    forward: "Forward", "Ida";
+    back: "Back", "Volta";
+    from_pixel: "From the centre of the pixel with its Z. (5.22) has rounded the place within the pixel away, so that it leads beside the point:", "Do centro do pixel com seu Z. (5.22) arredondou o lugar dentro do pixel, de modo que leva para o lado do ponto:";
+    no_way_back: "There is no way back:", "Não há caminho de volta:";
+    outside: "It is outside the volume: clipping takes it away, and no pixel shows it.", "Está fora do volume: o recorte o retira, e nenhum pixel o mostra.";
+    behind: "w < 0: the point is behind the eye (w = −z_c). It has no image: clipping stops it before the division. What follows is what the division would make of it: where the line through it and C meets the window, upside down and on the other side.", "w < 0: o ponto está atrás do olho (w = −z_c). Não tem imagem: o recorte o detém antes da divisão. O que segue é o que a divisão faria dele: onde a reta por ele e por C encontra a janela, de cabeça para baixo e do outro lado.";
+    in_plane: "w = 0: the point is in the plane of the eye (z_c = 0). Its projector is parallel to the window and never meets it, so that (5.6) would divide by 0: the way ends here. Such clip coordinates are a direction, a point at infinity.", "w = 0: o ponto está no plano do olho (z_c = 0). Seu projetor é paralelo à janela e nunca a encontra, de modo que (5.6) dividiria por 0: o caminho acaba aqui. Essas coordenadas de recorte são uma direção, um ponto no infinito.";
+    copy_text: "Copy text", "Copiar texto";
+    copy_latex: "Copy LaTeX", "Copiar LaTeX";
+    copy_hint: "The whole way, forward and back", "O caminho inteiro, ida e volta";
+    // In the pictures.
+    drag_point: "drag: moves it at its distance from the eye", "arrastar: move-o à sua distância do olho";
+}
+
+impl Texts {
+    /// A space, by its name in `camera-lab inspect`.
+    #[must_use]
+    pub fn space(&self, name: &str) -> &'static str {
+        match name {
+            "local" => self.local,
+            "world" => self.world,
+            "view" => self.view,
+            "clip" => self.clip,
+            "ndc" => self.ndc,
+            "window" => self.window,
+            "pixel" => self.pixel,
+            "viewport" => self.viewport,
+            _ => self.homogeneous,
+        }
+    }
+}

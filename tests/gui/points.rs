@@ -1,0 +1,221 @@
+//! A point that is followed: typed in each of its spaces, dragged, picked, undone, explained where it has no image.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use camera_lab::camera::{Parameters, Place};
+use camera_lab::explain::{Notation, Setting, Style, forward};
+use camera_lab::figure::{Figure, NamedPoint};
+use camera_lab::gui::state::ExplainTab;
+use camera_lab::i18n::Lang;
+use camera_lab::views::{Probe, image_frame};
+use eframe::egui::{Key, Pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use glam::{DVec2, DVec3};
+
+use super::canvas::{IMAGE, Stage, place, stage, world};
+use super::window::Window;
+
+const P: DVec3 = DVec3::new(0.5, 1.0, 1.5);
+
+fn followed(figure: &mut Figure, position: DVec3) {
+    figure.points = vec![NamedPoint { name: "P".to_owned(), position }];
+}
+
+/// A window with the tab, and a point at `p`.
+fn window(lang: Lang, p: DVec3) -> Window {
+    let mut window = Window::new(lang);
+    let state = &mut window.app_mut().state;
+    state.document.set_parameters(Parameters { near: 2.0, far: 12.0, ..Parameters::default() });
+    state.document.edit(|figure| followed(figure, p));
+    state.document.commit();
+    state.settings.panels.wanted = [false, false, true];
+    state.explain.tab = ExplainTab::Point;
+    window.run();
+    window
+}
+
+fn position(window: &Window) -> DVec3 {
+    window.state().document.figure().points[0].position
+}
+
+#[test]
+fn typed_in_any_space_the_point_goes_where_it_has_these_coordinates() {
+    for (field, text, of) in [
+        ("world x", "0.25", 0),
+        ("view z_c", "-4", 1),
+        ("NDC z_n", "0.5", 2),
+        ("window −z_c", "sqrt(16)", 3),
+        ("pixel j", "300", 4),
+    ] {
+        let mut window = window(Lang::En, P);
+        let figure = window.state().document.figure().clone();
+        let camera = window.state().document.camera().clone();
+        let space = camera.notes_clip_space();
+        let viewport = figure.viewport.unwrap_or(camera_lab::camera::Viewport::whole(figure.image));
+        let before = space.stations(P, figure.image, &viewport);
+        let projected = before.projected.unwrap();
+        let place = match of {
+            0 => Place::World(P.with_x(0.25)),
+            1 => Place::View(before.view.with_z(-4.0)),
+            2 => Place::Ndc(projected.ndc.with_z(0.5)),
+            3 => Place::Window(projected.window, 4.0),
+            #[expect(clippy::cast_possible_truncation, reason = "a pixel")]
+            _ => Place::Pixel([projected.pixel.x as i64, 300], projected.viewport.z),
+        };
+        let expected = space.world_of(figure.image, &viewport, place).unwrap();
+        window.enter(field, text);
+        assert!(position(&window).abs_diff_eq(expected, 1e-12), "{field}: {} not {expected}", position(&window));
+        window.command_key(Key::Z);
+        assert_eq!(position(&window), P, "{field}");
+    }
+}
+
+#[test]
+fn what_no_point_has_is_refused_with_what_is_allowed() {
+    for (lang, field, message) in
+        [(Lang::En, "NDC z_n", "no point of the world is so far"), (Lang::PtBr, "NDC z_n", "nenhum ponto do mundo")]
+    {
+        let mut window = window(lang, P);
+        window.enter(field, "5");
+        assert!(window.says(message));
+        assert_eq!(position(&window), P);
+        window.enter(field, if lang == Lang::En { "0.5" } else { "0,5" });
+        assert!(!window.says(message));
+        assert_ne!(position(&window), P);
+    }
+    let mut window = window(Lang::En, P);
+    window.enter("window −z_c", "0");
+    assert!(window.says("in the plane of the eye no point has an image; allowed: any other distance"));
+}
+
+#[test]
+fn the_arithmetic_that_is_shown_is_that_of_the_trace() {
+    let window = window(Lang::En, P);
+    let state = window.state();
+    let figure = state.document.figure();
+    let setting = Setting::new(state.document.camera().notes_clip_space(), figure.image, figure.viewport);
+    let setting = setting.with_point(P);
+    let style = Style { notation: Notation::Text, mark: Lang::En.mark(), digits: state.settings.digits };
+    for step in forward(&setting) {
+        for line in step.lines(&setting, style) {
+            assert!(window.says(&format!("{} = {}", line.symbol, line.formula)), "{line:?}");
+            assert!(window.says(&format!("= {}", line.numbers)), "{line:?}");
+            assert!(window.says(&format!("= {}", line.value)), "{line:?}");
+        }
+    }
+    assert!(window.says("world → view   (5.7)") && window.says("pixel → window   (5.23)"));
+}
+
+#[test]
+fn behind_the_eye_and_in_its_plane_the_point_is_explained() {
+    let camera = window(Lang::En, P).state().document.camera().clone();
+    let (c, basis) = (camera.position(), camera.basis());
+    for (lang, behind, in_plane, back) in [
+        (Lang::En, "w < 0: the point is behind the eye", "w = 0: the point is in the plane of the eye", "Back"),
+        (Lang::PtBr, "w < 0: o ponto está atrás do olho", "w = 0: o ponto está no plano do olho", "Volta"),
+    ] {
+        assert!(window(lang, P).says(back));
+        let shown = window(lang, c + 2.0 * basis.n + basis.u);
+        assert!(shown.says(behind) && !shown.says(in_plane) && !shown.says(back));
+        let shown = window(lang, c + 3.0 * basis.u);
+        assert!(shown.says(in_plane) && !shown.says(behind) && !shown.says("(5.6)   "));
+    }
+}
+
+#[test]
+fn points_are_added_renamed_and_deleted_and_each_is_a_step() {
+    let mut window = window(Lang::En, P);
+    window.click("Add");
+    let names = |window: &Window| -> Vec<String> {
+        window.state().document.figure().points.iter().map(|point| point.name.clone()).collect()
+    };
+    assert_eq!(names(&window), ["P", "Q"]);
+    assert_eq!(window.state().document.figure().points[1].position, DVec3::ZERO, "at PF");
+    let rename = |window: &mut Window, text: &str| {
+        window.click("Name of the point");
+        window.harness.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::A);
+        window.harness.event(eframe::egui::Event::Text(text.to_owned()));
+        window.run();
+        window.key(Key::Enter);
+    };
+    rename(&mut window, "P");
+    assert!(window.says("Another point has this name."));
+    assert_eq!(names(&window), ["P", "Q"]);
+    rename(&mut window, "corner");
+    assert_eq!(names(&window), ["P", "corner"]);
+    window.click("Delete");
+    assert_eq!(names(&window), ["P"]);
+    for expected in [vec!["P", "corner"], vec!["P", "Q"], vec!["P"]] {
+        window.command_key(Key::Z);
+        assert_eq!(names(&window), expected);
+    }
+}
+
+/// Where a point is in the image of the stage.
+fn in_image(h: &Harness<'_, Stage>, p: DVec3) -> Pos2 {
+    let rect = place(h, IMAGE);
+    let camera = h.state().state.document.camera();
+    let frame = image_frame(world(h, rect).size, camera.window().aspect());
+    let clip = camera.clip_point(p);
+    let share = DVec2::new(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
+    let inside = DVec2::new(f64::from(frame.width), f64::from(frame.height)) * share;
+    rect.min + vec2((f64::from(frame.x) + inside.x) as f32, (f64::from(frame.y) + inside.y) as f32)
+}
+
+#[test]
+fn a_point_is_dragged_in_the_image_at_its_distance_and_esc_puts_it_back() {
+    let mut h = stage(|state| state.document.edit(|figure| followed(figure, P)));
+    let camera = h.state().state.document.camera().clone();
+    let goal = P + camera.basis().u * 0.4 - camera.basis().v * 0.3;
+    let (from, to) = (in_image(&h, P), in_image(&h, goal));
+    let now = |h: &Harness<'_, Stage>| h.state().state.document.figure().points[0].position;
+    for gives_up in [false, true] {
+        let before = now(&h);
+        let (from, to) = if gives_up { (to, from) } else { (from, to) };
+        h.hover_at(from);
+        h.run();
+        assert_eq!(h.state().state.probe, Some(Probe::Point(before)));
+        h.drag_at(from);
+        h.run();
+        h.hover_at(to);
+        h.run();
+        let moved = now(&h);
+        assert!((camera.view_point(moved).z - camera.view_point(P).z).abs() < 1e-12, "its distance stays");
+        if gives_up {
+            h.key_press(Key::Escape);
+            h.run();
+            assert_eq!(now(&h), before);
+        } else {
+            assert!(moved.distance(goal) < 0.05, "{moved} is not {goal}");
+        }
+        h.drop_at(to);
+        h.run();
+    }
+}
+
+#[test]
+fn a_pinned_vertex_is_followed_from_its_card() {
+    let mut h = stage(|_| ());
+    let camera = h.state().state.document.camera().clone();
+    let scene = h.state().state.scene_cache.scene().clone();
+    let object = &scene.objects[0];
+    let corners = object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p));
+    let corner =
+        corners.min_by(|a, b| a.distance(camera.position()).total_cmp(&b.distance(camera.position()))).unwrap();
+    // Pinned as the keys do it.
+    let at = in_image(&h, corner);
+    h.hover_at(at);
+    h.run();
+    h.drag_at(at);
+    h.drop_at(at);
+    h.run();
+    if !matches!(h.state().state.probe, Some(Probe::Point(_))) {
+        panic!("{:?}", h.state().state.probe);
+    }
+    h.get_by_label("Follow").click();
+    h.run();
+    let state = &h.state().state;
+    assert_eq!(state.document.figure().points, [NamedPoint { name: "P".to_owned(), position: corner }]);
+    assert_eq!((state.explain.tab, state.settings.panels.wanted[2]), (ExplainTab::Point, true));
+}
