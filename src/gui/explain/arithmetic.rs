@@ -8,8 +8,13 @@ use eframe::egui::{self, CollapsingHeader, RichText, TextStyle, text::LayoutJob}
 use super::digits;
 use crate::camera::WayBack;
 use crate::explain::{Line, Notation, Setting, Step, Style, back, forward, written};
+use crate::gui::mathematics;
+use crate::gui::tooltip::Explained;
 use crate::i18n::explain_point::Texts;
 use crate::i18n::messages;
+
+/// The type size of formulas, in points.
+const SIZE: f32 = 14.0;
 
 /// Shows both ways of the setting's point; `name` tells it from others.
 pub(super) fn ui(ui: &mut egui::Ui, setting: &Setting<'_>, name: &str, (t, digits): (&Texts, usize)) {
@@ -20,7 +25,6 @@ pub(super) fn ui(ui: &mut egui::Ui, setting: &Setting<'_>, name: &str, (t, digit
     let on_the_way = returned.map(|way| (setting.clone().with_way_back(way), back(setting, way)));
     ui.horizontal_wrapped(|ui| {
         for (label, notation) in [(t.copy_text, Notation::Text), (t.copy_latex, Notation::Latex)] {
-            use crate::gui::tooltip::Explained;
             if ui.button(label).explained(t.copy_hint).clicked() {
                 let spaces = |space: &str| t.space(space).to_owned();
                 let mut text = written(&there, setting, style(notation), spaces);
@@ -88,21 +92,23 @@ fn step(ui: &mut egui::Ui, step: &Step, setting: &Setting<'_>, key: (&str, &str)
     let heading = format!("{} → {}   {}", t.space(step.from), t.space(step.to), step.equation);
     let id = ("step", key.1, step.from, step.to);
     CollapsingHeader::new(heading).id_salt(id).default_open(true).show(ui, |ui| {
-        for (row, line) in step.lines(setting, style).iter().enumerate() {
-            self::line(ui, line, (key, step.from, step.to, row, style.digits, t.lang.mark()));
+        let typeset = step.lines(setting, Style { notation: Notation::Latex, ..style });
+        for (row, (line, latex)) in step.lines(setting, style).iter().zip(&typeset).enumerate() {
+            self::line(ui, (line, latex), (key, step.from, step.to, row, style.digits, t.lang.mark()));
         }
     });
 }
 
-/// A row: the formula, and below it the same with the numbers and what comes out.
-fn line(ui: &mut egui::Ui, line: &Line, key: impl Hash + Debug + Copy) {
+/// A row: the formula, set as mathematics, and below it the same with the numbers and what comes out.
+fn line(ui: &mut egui::Ui, (line, latex): (&Line, &Line), key: impl Hash + Debug + Copy) {
+    let formula = |line: &Line| format!("{} = {}", line.symbol, line.formula);
+    mathematics::show(ui, &formula(latex), &formula(line), SIZE);
     let font = TextStyle::Body.resolve(ui.style());
     let (strong, weak) = (ui.visuals().strong_text_color(), ui.visuals().weak_text_color());
     let mut job = LayoutJob::default();
     let plain = |job: &mut LayoutJob, text: &str, color| {
         job.append(text, 0.0, egui::TextFormat { font_id: font.clone(), color, ..Default::default() });
     };
-    plain(&mut job, &format!("{} = {}\n", line.symbol, line.formula), weak);
     plain(&mut job, "  = ", weak);
     if line.numbers != line.value {
         digits::push(ui, &mut job, (key, "numbers"), &line.numbers, &font, ui.visuals().text_color());
