@@ -1,7 +1,9 @@
 //! The side of explanations.
 
+use crate::camera::Decomposition;
 use crate::explain::{Axis, Component, Matrix, MatrixFormula, Symbol};
-use crate::i18n::Lang;
+use crate::i18n::{Lang, conventions};
+use crate::numbers::significant;
 
 texts! {
     matrices: "Matrices", "Matrizes";
@@ -15,6 +17,17 @@ texts! {
     code_for: "Code for", "Código para";
     copy: "Copy", "Copiar";
     copy_code_hint: "Copies the code", "Copia o código";
+    steps: "Steps", "Passos";
+    steps_hint: "How the view volume becomes the canonical one, step by step, as each source takes the steps", "Como o volume de vista vira o canônico, passo a passo, como cada fonte dá os passos";
+    steps_hidden: "The picture of the canonical volume, in which this is seen, is hidden (Ctrl+2).", "A imagem do volume canônico, em que isto se vê, está escondida (Ctrl+2).";
+    nothing_done: "No step is done: this is the world.", "Nenhum passo foi dado: este é o mundo.";
+    to_world: "To the world", "Ao mundo";
+    step_back: "A step back", "Um passo atrás";
+    play: "Play", "Reproduzir";
+    hold: "Hold", "Pausar";
+    step_forward: "A step forward", "Um passo à frente";
+    to_cube: "To the canonical volume", "Ao volume canônico";
+    scrubber: "How many steps are done", "Quantos passos foram dados";
     inverse: "inverse", "inversa";
     formulas: "formulas", "fórmulas";
     formulas_hint: "The entries with the symbols of the lecture notes [0]", "Os elementos com os símbolos das notas de aula [0]";
@@ -149,5 +162,81 @@ pub fn symbol(lang: Lang, symbol: Symbol) -> String {
         Symbol::Window(c) => of(c, "the point, on the window", "o ponto, na janela"),
         Symbol::Pixel(c) => of(c, "the point's pixel", "o pixel do ponto"),
         Symbol::Viewport(c) => of(c, "the point, in the viewport", "o ponto, na viewport"),
+    }
+}
+
+/// What is particular of a way to the canonical volume.
+#[must_use]
+pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static str {
+    match (lang, decomposition) {
+        (Lang::En, Decomposition::Notes) => "M_p M_v, ÷ w",
+        (Lang::PtBr, Decomposition::Notes) => "M_p M_v, ÷ w",
+        (Lang::En | Lang::PtBr, Decomposition::Box) => "S T P",
+        (Lang::En | Lang::PtBr, Decomposition::Scale) => "M_xyscale M_pers",
+        (Lang::En | Lang::PtBr, Decomposition::Normalised) => "M_P N",
+    }
+}
+
+/// The matrix of a step; the first is 1.
+#[must_use]
+pub fn factor(lang: Lang, step: usize) -> String {
+    match lang {
+        Lang::En => format!("The matrix of step {step}"),
+        Lang::PtBr => format!("A matriz do passo {step}"),
+    }
+}
+
+/// The product of the first steps.
+#[must_use]
+pub fn product(lang: Lang, steps: usize) -> String {
+    match (lang, steps) {
+        (Lang::En, 1) => "The product so far: the first step alone".to_owned(),
+        (Lang::PtBr, 1) => "O produto até aqui: só o primeiro passo".to_owned(),
+        (Lang::En, _) => format!("The product so far: step {steps} … step 1"),
+        (Lang::PtBr, _) => format!("O produto até aqui: passo {steps} … passo 1"),
+    }
+}
+
+/// Which hand the axes follow from here on.
+#[must_use]
+pub fn handedness(lang: Lang, hand: &str) -> String {
+    match lang {
+        Lang::En => format!("from here on {hand}: z turns around"),
+        Lang::PtBr => format!("daqui em diante, {hand}: z se inverte"),
+    }
+}
+
+/// What the product of all steps is beside M_p M_v in the convention in which they end: `ratio` times it, but for `rest`, which is measured by
+/// the greatest entry.
+#[must_use]
+pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f64) -> String {
+    const ROUNDING: f64 = 1e-9;
+    let number = |value: f64, digits| lang.mark().printed(&significant(value, digits));
+    let ndc = decomposition.ndc();
+    let (from, to) = (number(ndc.depths()[0], 2), number(ndc.depths()[1], 2));
+    let convention = conventions::name(lang, ndc);
+    if rest.is_nan() || rest > ROUNDING {
+        let rest = number(rest, 2);
+        return match lang {
+            Lang::En => {
+                format!("The product of all steps differs from M_p M_v ({convention}) by {rest} of its greatest entry.")
+            }
+            Lang::PtBr => format!(
+                "O produto de todos os passos difere de M_p M_v ({convention}) em {rest} do seu maior elemento."
+            ),
+        };
+    }
+    let (k, same) = (number(ratio, 5), (ratio - 1.0).abs() <= ROUNDING);
+    match (lang, same) {
+        (Lang::En, true) => format!("The product of all steps is M_p M_v ({convention}: z_n from {from} to {to})."),
+        (Lang::PtBr, true) => {
+            format!("O produto de todos os passos é M_p M_v ({convention}: z_n de {from} a {to}).")
+        }
+        (Lang::En, false) => format!(
+            "The product of all steps is {k} · M_p M_v ({convention}: z_n from {from} to {to}): the same points, since the division by w takes the factor out."
+        ),
+        (Lang::PtBr, false) => format!(
+            "O produto de todos os passos é {k} · M_p M_v ({convention}: z_n de {from} a {to}): os mesmos pontos, pois a divisão por w elimina o fator."
+        ),
     }
 }

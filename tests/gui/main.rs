@@ -12,6 +12,7 @@ mod conventions;
 mod dialects;
 mod dialogs;
 mod explain;
+mod explain_steps;
 mod files;
 mod gallery;
 mod keyboard;

@@ -143,7 +143,8 @@ impl Canvas {
     /// While the tree of the scene is open, selects the object that was clicked; with `beside`, beside what is selected.
     fn select(&self, state: &mut State, pane: &Pane, beside: bool) {
         let is_open = state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left);
-        let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| is_open) else { return };
+        let is_there = pane.view != View::Canonical || !state.is_on_the_way();
+        let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| is_open && is_there) else { return };
         let pointer = pane.rect.pixel(pointer);
         let request = self.request(state, pane.view, pane.rect.size);
         let selected =
@@ -406,6 +407,9 @@ impl Canvas {
             },
             View::World | View::Canonical => texts.pointer_in_space.to_owned(),
         };
+        if pane.view == View::Canonical && state.is_on_the_way() {
+            return None;
+        }
         let what = What::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
         let request = Request { overlays: Overlays::default(), ..request };
         self.picker.ask(ui.ctx(), PickRequest { request, what }).probe

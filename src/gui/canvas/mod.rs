@@ -147,6 +147,7 @@ impl Canvas {
     /// A picture as it is now, seen from where it is seen in this frame, with the overlays that it shows.
     fn request(&self, state: &State, view: View, size: Size) -> Request {
         let document = &state.document;
+        let normalizing = state.normalizing().filter(|_| view == View::Canonical);
         Request {
             view,
             look: Look { style: state.style(), ..Look::of(document.figure()) },
@@ -154,8 +155,8 @@ impl Canvas {
             scene: state.scene_cache.scene().clone(),
             points: document.figure().points.as_slice().into(),
             observer: self.seen[view.index()],
-            ndc: state.settings.conventions.ndc,
-            normalizing: None,
+            ndc: normalizing.map_or(state.settings.conventions.ndc, |way| way.decomposition.ndc()),
+            normalizing,
             overlays: self.overlays.seen_in(view),
             labels: labels(state.settings.lang),
             size,

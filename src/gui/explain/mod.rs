@@ -11,6 +11,7 @@ mod entries;
 mod matrices;
 mod measures;
 mod point;
+mod steps;
 mod subject;
 
 use eframe::egui;
@@ -32,6 +33,7 @@ struct Row {
 const TABS: &[Row] = &[
     Row { tab: ExplainTab::Matrices, name: |t| t.matrices, hint: |t| t.matrices_hint, ui: matrices::ui },
     Row { tab: ExplainTab::Point, name: |t| t.point, hint: |t| t.point_hint, ui: point::ui },
+    Row { tab: ExplainTab::Steps, name: |t| t.steps, hint: |t| t.steps_hint, ui: steps::ui },
     Row { tab: ExplainTab::Dialects, name: |t| t.dialects, hint: |t| t.dialects_hint, ui: dialects::ui },
     Row { tab: ExplainTab::Code, name: |t| t.code, hint: |t| t.code_hint, ui: code::ui },
 ];

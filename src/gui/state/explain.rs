@@ -1,6 +1,7 @@
 //! What the side of explanations shows.
 
 use super::matrices::Matrices;
+use super::steps::Steps;
 use crate::camera::{CameraError, MatrixKind};
 use crate::explain::Symbol;
 use crate::explain::code::CodeTarget;
@@ -14,6 +15,8 @@ pub enum ExplainTab {
     Matrices,
     /// A point through every space, forward and back.
     Point,
+    /// The view volume becomes the canonical one, step by step.
+    Steps,
     /// The camera in other vocabularies, and a pasted matrix.
     Dialects,
     /// The camera as code.
@@ -27,6 +30,8 @@ pub struct Explain {
     pub tab: ExplainTab,
     /// The tab of matrices.
     pub matrices: Matrices,
+    /// The tab of steps.
+    pub steps: Steps,
     /// The parameters that are pointed at in another panel; written by the panels in each frame.
     pub pointed: Vec<Symbol>,
     /// For what the code is.

@@ -14,6 +14,7 @@ mod numerics;
 mod operations;
 mod recent;
 mod scene_tree;
+mod steps;
 mod view_history;
 
 use glam::DVec3;
@@ -26,7 +27,7 @@ use crate::figure::{Figure, NamedPoint};
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::limits::MAX_NAMED_POINTS;
-use crate::views::{Ghost, Measured, Probe};
+use crate::views::{Ghost, Measured, Normalizing, Probe};
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
@@ -47,6 +48,7 @@ pub use recent::Recent;
 pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
 pub use scene_tree::{SceneTree, Selected};
+pub use steps::Steps;
 pub use view_history::ViewHistory;
 
 use super::Start;
@@ -334,6 +336,23 @@ impl State {
     /// True while meshes are read or pictures written.
     pub(in crate::gui) fn runs(&self) -> bool {
         self.scene_cache.running().is_some() || self.file_flow.running().next().is_some()
+    }
+
+    /// How far the canonical picture is on its way, while the tab of steps is shown.
+    #[must_use]
+    pub fn normalizing(&self) -> Option<Normalizing> {
+        let shown = self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Steps;
+        let mut normalizing = self.explain.steps.normalizing(self.document.camera()).filter(|_| shown)?;
+        if self.settings.reduce_motion && self.explain.steps.plays() {
+            normalizing.time = normalizing.time.floor();
+        }
+        Some(normalizing)
+    }
+
+    /// True while the canonical picture is on its way: what is in it is not where the canonical volume has it, and nothing can be picked.
+    #[must_use]
+    pub fn is_on_the_way(&self) -> bool {
+        self.explain.steps.left > 0.0 && self.normalizing().is_some()
     }
 
     /// Shows why an entry of a matrix is what it is; the entry takes the keyboard.

@@ -1,0 +1,173 @@
+//! The tab of steps: the view volume becomes the canonical one, step by step, in the picture of the canonical volume; here its factors.
+
+use std::time::Duration;
+
+use eframe::egui::{self, Button, RichText, Slider, Ui};
+use glam::DMat4;
+
+use crate::camera::{Camera, Decomposition, Factor};
+use crate::gui::panels::values::brackets;
+use crate::gui::state::{State, Steps};
+use crate::gui::theme;
+use crate::gui::tooltip::Explained;
+use crate::i18n::explain::{self as words, Texts};
+use crate::i18n::{Lang, command_line, pictures};
+use crate::numbers::without_rests;
+use crate::views::View;
+
+/// Shows the tab.
+pub(super) fn ui(ui: &mut Ui, state: &mut State) {
+    let lang = state.settings.lang;
+    let t = words::texts(lang);
+    let camera = state.document.camera().clone();
+    let now = ui.input(|input| input.time);
+    sources(ui, lang, &camera, &mut state.explain.steps);
+    let Some(factors) = camera.decomposed(state.explain.steps.decomposition) else {
+        ui.label(command_line::no_steps(lang, state.explain.steps.decomposition));
+        return;
+    };
+    let steps = &mut state.explain.steps;
+    steps.advance(now);
+    controls(ui, t, &camera, steps, now);
+    if steps.plays() {
+        // Whole steps do not move in between.
+        let pause = if state.settings.reduce_motion { 200 } else { 0 };
+        ui.ctx().request_repaint_after(Duration::from_millis(pause));
+    }
+    if !state.layout.is_shown(View::Canonical) {
+        ui.label(t.steps_hidden);
+    }
+    list(ui, lang, &camera, &factors, steps);
+    let done = whole(steps.time(&camera));
+    let number = |value: f64| lang.mark().number(value, state.settings.digits.min(5));
+    ui.separator();
+    match done.checked_sub(1).and_then(|last| factors.get(last)) {
+        None => drop(ui.label(t.nothing_done)),
+        Some(factor) => {
+            ui.label(RichText::new(words::factor(lang, done)).strong());
+            numbers(ui, &factor.matrix, number);
+            let product = product(&factors[..done]);
+            ui.label(RichText::new(words::product(lang, done)).strong());
+            numbers(ui, &product, number);
+        }
+    }
+    ui.separator();
+    let decomposition = steps.decomposition;
+    let ndc = decomposition.ndc();
+    let expected = camera.possible_clip_space(ndc).clip_from_world();
+    let (ratio, rest) = compared(&product(&factors), &expected);
+    ui.label(words::comparison(lang, decomposition, ratio, rest));
+}
+
+/// Steps that are wholly done.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful of steps")]
+fn whole(time: f64) -> usize {
+    (time + 1e-9).floor() as usize
+}
+
+/// First to last, so that the last one stands to the left.
+fn product(factors: &[Factor]) -> DMat4 {
+    factors.iter().fold(DMat4::IDENTITY, |product, factor| factor.matrix * product)
+}
+
+/// The factor by which a matrix is another one, and what is left between the two, measured by the greatest entry.
+fn compared(product: &DMat4, expected: &DMat4) -> (f64, f64) {
+    let (a, b) = (product.to_cols_array(), expected.to_cols_array());
+    let greatest = (0..16).max_by(|i, j| b[*i].abs().total_cmp(&b[*j].abs())).unwrap_or(0);
+    let ratio = a[greatest] / b[greatest];
+    let rest = a.iter().zip(b).map(|(a, b)| (a - ratio * b).abs()).fold(0.0, f64::max);
+    (ratio, rest / a[greatest].abs())
+}
+
+/// Whose steps; those that the camera has not are greyed, with the reason.
+fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, steps: &mut Steps) {
+    ui.horizontal_wrapped(|ui| {
+        for decomposition in Decomposition::ALL {
+            let has = camera.decomposed(decomposition).is_some();
+            let name = format!("{} {}", decomposition.source(), words::decomposition(lang, decomposition));
+            let button = Button::selectable(steps.decomposition == decomposition, name).frame_when_inactive(true);
+            let response = ui.add_enabled(has, button).explained(decomposition.source());
+            if response.explained_disabled(command_line::no_steps(lang, decomposition)).clicked() {
+                steps.decomposition = decomposition;
+            }
+        }
+    });
+}
+
+/// To the beginning, a step back, play or hold, a step forward, to the end; and the slider over all of them.
+fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, steps: &mut Steps, now: f64) {
+    #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
+    let count = steps.count(camera) as f64;
+    let time = steps.time(camera);
+    let mut wanted = None;
+    ui.horizontal(|ui| {
+        let mut button = |ui: &mut Ui, sign: &str, name: &str, to: f64| {
+            if ui.button(sign).explained(name).accessible_name(name).clicked() {
+                wanted = Some(to);
+            }
+        };
+        button(ui, "|◀", t.to_world, 0.0);
+        button(ui, "◀", t.step_back, (time - 1e-9).ceil() - 1.0);
+        let (sign, name) = if steps.plays() { ("||", t.hold) } else { ("▶", t.play) };
+        if ui.button(sign).explained(name).accessible_name(name).clicked() {
+            steps.play_or_hold(now, camera);
+        }
+        button(ui, "▶|", t.step_forward, (time + 1e-9).floor() + 1.0);
+        button(ui, "▶▶|", t.to_cube, count);
+    });
+    ui.scope(|ui| {
+        theme::strengthen_rail(ui);
+        ui.spacing_mut().slider_width = (ui.available_width() - 16.0).max(80.0);
+        let mut shown = time;
+        let slider = Slider::new(&mut shown, 0.0..=count).show_value(false).smart_aim(false);
+        if ui.add(slider).explained(t.scrubber).accessible_name(t.scrubber).changed() {
+            wanted = Some(shown);
+        }
+    });
+    if let Some(time) = wanted {
+        steps.hold();
+        steps.go_to(time, camera);
+    }
+}
+
+/// The steps in their order, each a way to it; where the axes turn around, it is said.
+fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], steps: &mut Steps) {
+    let labels = pictures::labels(lang);
+    let done = whole(steps.time(camera));
+    let mut left_handed = false;
+    for (i, factor) in factors.iter().enumerate() {
+        let text = format!("{}. {}", i + 1, labels.step(factor.step).replace(['{', '}'], ""));
+        let button = Button::selectable(done == i + 1, text).wrap();
+        if ui.add(button).clicked() {
+            steps.hold();
+            #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
+            steps.go_to((i + 1) as f64, camera);
+        }
+        if factor.left_handed != left_handed {
+            left_handed = factor.left_handed;
+            let now = if left_handed { labels.left_handed } else { labels.right_handed };
+            ui.label(
+                RichText::new(format!("      ⚠ {}", words::handedness(lang, now))).color(ui.visuals().warn_fg_color),
+            );
+        }
+    }
+}
+
+/// A matrix as numbers.
+fn numbers(ui: &mut Ui, matrix: &DMat4, number: impl Fn(f64) -> String) {
+    let rows = matrix.transpose().to_cols_array_2d();
+    let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 2));
+    let place = frame.show(ui, |ui| {
+        ui.spacing_mut().interact_size.y = 15.0;
+        let id = ui.next_auto_id();
+        egui::Grid::new(("matrix", id)).spacing([12.0, 2.0]).show(ui, |ui| {
+            for row in rows {
+                for value in without_rests(&row, 5) {
+                    ui.monospace(number(value + 0.0));
+                }
+                ui.end_row();
+            }
+        });
+    });
+    brackets(ui, place.response.rect);
+}

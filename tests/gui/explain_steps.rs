@@ -1,0 +1,103 @@
+//! The way from the world to the canonical volume, by the scrubber and by keyboard.
+
+use camera_lab::camera::{Decomposition, Parameters, ViewWindow};
+use camera_lab::gui::state::ExplainTab;
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::explain::texts;
+use camera_lab::views::View;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use super::window::Window;
+
+fn stepping(lang: Lang) -> Window {
+    let mut window = Window::new(lang);
+    window.app_mut().state.layout.maximized = Some(View::Canonical);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+    window.run();
+    window.click(texts(lang).steps);
+    assert_eq!(window.state().explain.tab, ExplainTab::Steps);
+    window
+}
+
+fn time(window: &Window) -> f64 {
+    window.state().explain.steps.time(window.state().document.camera())
+}
+
+#[test]
+fn the_scrubber_steps_by_keyboard_and_its_end_is_the_canonical_picture() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = texts(lang);
+        let mut window = stepping(lang);
+        assert_eq!(time(&window), 4.0, "the tab opens at the end: T, R, M_p, ÷ w");
+        let at_the_end = window.app_mut().canvas.drawn();
+        assert!(!window.state().is_on_the_way());
+        window.harness.get_by_label(t.to_world).focus();
+        window.run();
+        window.key(Key::Enter);
+        assert_eq!(time(&window), 0.0);
+        assert!(window.state().is_on_the_way() && window.says(t.nothing_done));
+        assert!(window.app_mut().canvas.drawn()[View::Canonical.index()] > at_the_end[View::Canonical.index()]);
+        for step in 1..=4 {
+            window.harness.get_by_label(t.step_forward).focus();
+            window.run();
+            window.key(Key::Enter);
+            assert_eq!(time(&window), f64::from(step));
+        }
+        let way = window.state().normalizing().expect("a way");
+        assert_eq!((way.decomposition, way.time), (Decomposition::Notes, 4.0));
+        assert!(!window.state().is_on_the_way(), "things can be picked again");
+        window.click(t.step_back);
+        assert_eq!(time(&window), 3.0);
+        // Its own keys move the slider.
+        window.harness.get_by_label(t.scrubber).focus();
+        window.run();
+        window.key(Key::ArrowLeft);
+        assert!((2.0..3.0).contains(&time(&window)), "{}", time(&window));
+        // Hidden, it changes no picture.
+        window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+        window.run();
+        assert!(window.state().normalizing().is_none() && !window.state().is_on_the_way());
+    }
+}
+
+#[test]
+fn playing_ends_at_the_canonical_volume_and_then_nothing_moves() {
+    let mut window = stepping(Lang::En);
+    window.harness.get_by_label(texts(Lang::En).play).click();
+    window.harness.step();
+    assert!(window.state().explain.steps.plays());
+    for _ in 0..1000 {
+        if !window.state().explain.steps.plays() {
+            break;
+        }
+        window.harness.step();
+    }
+    assert_eq!(time(&window), 4.0);
+    window.run();
+    let delay = window.harness.output().viewport_output.values().map(|output| output.repaint_delay).min();
+    assert!(delay.is_some_and(|delay| delay.as_secs() > 5), "idle: {delay:?}");
+}
+
+#[test]
+fn the_product_is_compared_and_handedness_announced() {
+    let mut window = stepping(Lang::PtBr);
+    assert!(window.says("O produto de todos os passos é M_p M_v"));
+    assert!(window.says("daqui em diante, mão esquerda"));
+    window.click("[2] S T P");
+    // P is over F.
+    assert!(window.says("O produto de todos os passos é 1") || window.says("O produto de todos os passos é 0"));
+    window.click("[3] M_P N");
+    assert_eq!(window.state().explain.steps.decomposition, Decomposition::Normalised);
+    assert!(window.says("z_n de 0 a 1"));
+    // With a free window, [1] and [3] have no steps: greyed, and the reason where they were.
+    let document = &mut window.app_mut().state.document;
+    let free = Some(ViewWindow { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0 });
+    document.set_parameters(Parameters { window: free, ..*document.draft() });
+    window.run();
+    assert!(window.says("só com janela simétrica"));
+    assert!(window.state().normalizing().is_none());
+    assert!(window.harness.get_by_label("[3] M_P N").accesskit_node().is_disabled());
+    window.click("[0] M_p M_v, ÷ w");
+    assert!(window.says("O produto de todos os passos é M_p M_v"));
+}
