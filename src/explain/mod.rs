@@ -8,6 +8,7 @@
 pub mod code;
 mod definitions;
 mod formula;
+pub mod homogeneous;
 mod matrices;
 mod report;
 mod setting;

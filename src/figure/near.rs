@@ -105,6 +105,7 @@ const HOMES: &[(&str, &str)] = &[
     ("clipping", "reveal"),
     ("divide_first", "reveal"),
     ("culled", "reveal"),
+    ("vanishing", "reveal"),
 ];
 
 /// The one of `known` that `word` probably stands for, or where the key is at home.

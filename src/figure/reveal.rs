@@ -13,6 +13,8 @@ pub struct Reveal {
     pub divide_first: bool,
     /// The world shows the objects and faces that culling drops for the camera.
     pub culled: bool,
+    /// World and image show where the scene's directions x, y, z vanish, with the construction `[4]`.
+    pub vanishing: bool,
 }
 
 /// Whether the image shows depths, and which (`[reveal] depth`).

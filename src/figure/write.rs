@@ -167,7 +167,12 @@ fn reveal(reveal: Reveal) -> Table {
     if reveal.outside != Outside::Usual {
         keys.push(("outside", words::name(OUTSIDES, reveal.outside).into()));
     }
-    let switches = [("clipping", reveal.clipping), ("divide_first", reveal.divide_first), ("culled", reveal.culled)];
+    let switches = [
+        ("clipping", reveal.clipping),
+        ("divide_first", reveal.divide_first),
+        ("culled", reveal.culled),
+        ("vanishing", reveal.vanishing),
+    ];
     keys.extend(switches.into_iter().filter(|(_, on)| *on).map(|(key, on)| (key, on.into())));
     table(keys)
 }

@@ -10,6 +10,8 @@ texts! {
     matrices_hint: "Why each entry of each matrix is what it is", "Por que cada elemento de cada matriz é o que é";
     point: "Point", "Ponto";
     point_hint: "One point through every space, with the whole arithmetic, and back", "Um ponto por todos os espaços, com a conta inteira, e de volta";
+    homogeneous: "w", "w";
+    homogeneous_hint: "What the fourth coordinate does: division, points behind the eye, ideal points, the middle of a segment, a floor", "O que faz a quarta coordenada: divisão, pontos atrás do olho, pontos ideais, o meio de um segmento, um piso";
     dialects: "Dialects", "Dialetos";
     dialects_hint: "The camera in the words of other sources, whose numbers set it; and a pasted matrix → its camera", "A câmera nas palavras de outras fontes, cujos números a definem; e uma matriz colada → sua câmera";
     code: "Code", "Código";

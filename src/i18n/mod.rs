@@ -47,6 +47,7 @@ pub mod faults;
 mod figure_files;
 mod files;
 pub mod gallery;
+pub mod homogeneous;
 mod meshes;
 pub mod messages;
 pub mod numerics;

@@ -35,6 +35,10 @@ texts! {
     plane_top: "top", "topo";
     plane_near: "near", "frente";
     plane_far: "far", "fundo";
+    no_vanishing: "parallel: ideal points stay ideal, w = 0", "paralela: pontos ideais continuam ideais, w = 0";
+    ideal: "ideal, parallel to the view plane", "ideal, paralela ao plano de vista";
+    beyond_image: "outside the image", "fora da imagem";
+    horizon: "horizon", "horizonte";
     world: "world", "mundo";
     // The steps from the world to the canonical volume.
     to_eye: "T(−C): the eye moves to the origin", "T(−C): o olho vai à origem";
@@ -110,6 +114,10 @@ const fn of(t: &Texts) -> Labels {
         reversed: t.reversed,
         right_handed: t.right_handed,
         left_handed: t.left_handed,
+        no_vanishing: t.no_vanishing,
+        ideal: t.ideal,
+        beyond_image: t.beyond_image,
+        horizon: t.horizon,
         world: t.world,
         steps: [
             t.to_eye,

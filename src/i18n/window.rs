@@ -240,6 +240,8 @@ texts! {
     clipping_view_hint: "Marks the vertices that clipping makes, in all three pictures. Point at a vertex: its outcode and its six distances w ± x, w ± y, w ± z stand below. [2] clipping in homogeneous coordinates", "Marca os vértices que o recorte cria, nas três imagens. Aponte para um vértice: seu outcode e suas seis distâncias w ± x, w ± y, w ± z aparecem embaixo. [2] clipping em coordenadas homogêneas";
     culled_view: "What is culled", "O que é descartado";
     culled_view_hint: "Tints in the world the faces that turn their back to the camera, and the objects that are dropped whole because they are outside a plane of the volume: the camera draws neither. [2] back faces, [3] §1.1", "Tinge no mundo as faces de costas para a câmera e os objetos descartados inteiros por estarem fora de um plano do volume: a câmera não os desenha. [2] faces de trás, [3] §1.1";
+    vanishing: "Vanishing points", "Pontos de fuga";
+    vanishing_hint: "Where the directions x, y, z of the scene vanish: the image of their ideal points, M (d, 0), and the horizon; in the world the parallels through C. [4]", "Onde as direções x, y, z da cena somem: a imagem de seus pontos ideais, M (d, 0), e o horizonte; no mundo, as paralelas por C. [4]";
     divide_first: "Divide before clipping", "Dividir antes de recortar";
     divide_first_hint: "Wrong on purpose: what lies behind the eye has w < 0, and the divide by w turns it over to the front. Canonical volume and image show what comes of it, in red. [2] the problem of clipping", "Errado de propósito: o que está atrás do olho tem w < 0, e a divisão por w o vira para a frente. O volume canônico e a imagem mostram o que resulta, em vermelho. [2] problema do clipping";
 

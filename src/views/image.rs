@@ -12,7 +12,7 @@ use super::pixels::{PixelRect, Size, image_frame};
 use super::placing::Rules;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Palette, Request, placing, probe, revealed_scene};
+use super::{Palette, Request, placing, probe, revealed_scene, vanishing};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -65,6 +65,9 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         rows.extend(greys.legend(request, palette));
     }
     rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
+    if request.look.reveal.vanishing {
+        rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
+    }
     placing::settle(
         &mut drawn.drawing,
         &Rules { background: &[], reserved: None, first: &[], dispensable: None, leader: None },

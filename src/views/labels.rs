@@ -56,6 +56,14 @@ pub struct Labels {
     pub not_split: &'static str,
     /// Vertices are drawn beside their places.
     pub rounded: &'static str,
+    /// Parallel projection has no vanishing points.
+    pub no_vanishing: &'static str,
+    /// A direction parallel to the view plane.
+    pub ideal: &'static str,
+    /// A vanishing point that is not in the picture.
+    pub beyond_image: &'static str,
+    /// The line of the vanishing points of horizontal directions.
+    pub horizon: &'static str,
     /// Before the first step of the way to the canonical volume.
     pub world: &'static str,
     /// What each step does, in the order of [`Step`].

@@ -42,6 +42,7 @@ mod section;
 mod solids;
 mod timed_pipeline;
 pub mod transform_gizmo;
+mod vanishing;
 mod view;
 mod volume;
 mod world;

@@ -15,6 +15,7 @@ mod explain;
 mod explain_steps;
 mod files;
 mod gallery;
+mod homogeneous;
 mod keyboard;
 mod language;
 mod numerics;

@@ -168,8 +168,14 @@ fn painted(pictured: &Pictured) -> [Vec<u8>; 3] {
         .map(|drawing| Rasterizer::default().paint(&drawing).unwrap().take())
 }
 
-const ALL: Reveal =
-    Reveal { depth: Depth::Off, outside: Outside::Tinted, clipping: true, divide_first: true, culled: true };
+const ALL: Reveal = Reveal {
+    depth: Depth::Off,
+    outside: Outside::Tinted,
+    clipping: true,
+    divide_first: true,
+    culled: true,
+    vanishing: true,
+};
 
 #[test]
 fn whatever_is_revealed_the_plan_changes_no_pixel() {
@@ -600,6 +606,7 @@ proptest! {
             clipping,
             divide_first,
             culled,
+            vanishing: culled != clipping,
         };
         let mut figure = preset(scene, reveal);
         figure.camera = Parameters {

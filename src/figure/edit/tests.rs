@@ -103,14 +103,15 @@ fn figure() -> impl Strategy<Value = Figure> {
             },
         ))
     };
-    let reveal = (0..3_usize, 0..4_usize, any::<[bool; 4]>()).prop_map(
-        |(depth, outside, [clipping, divide_first, culled, undistorted])| {
+    let reveal = (0..3_usize, 0..4_usize, any::<[bool; 5]>()).prop_map(
+        |(depth, outside, [clipping, divide_first, culled, vanishing, undistorted])| {
             let reveal = Reveal {
                 depth: [Depth::Off, Depth::Stored, Depth::Linear][depth],
                 outside: [Outside::Usual, Outside::Cut, Outside::Tinted, Outside::Shown][outside],
                 clipping,
                 divide_first,
                 culled,
+                vanishing,
             };
             (reveal, undistorted)
         },

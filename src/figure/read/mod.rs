@@ -189,6 +189,7 @@ fn reveal(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Reveal {
         clipping: section.switch("clipping"),
         divide_first: section.switch("divide_first"),
         culled: section.switch("culled"),
+        vanishing: section.switch("vanishing"),
     };
     faults.extend(section.finish());
     reveal

@@ -91,6 +91,7 @@ fn every_key_is_read() {
         clipping = true
         divide_first = true
         culled = true
+        vanishing = true
         [world]
         section = true
         window_opacity = 0.25
@@ -121,8 +122,14 @@ fn every_key_is_read() {
     let points: Vec<_> = figure.points.iter().map(|p| (p.name.as_str(), p.position)).collect();
     assert_eq!(points, [("P", DVec3::new(0.5_f64.sqrt(), 2.0, -1.0)), ("Q", DVec3::ZERO)]);
     assert_eq!(figure.style.antialias, 16);
-    let all =
-        Reveal { depth: Depth::Linear, outside: Outside::Tinted, clipping: true, divide_first: true, culled: true };
+    let all = Reveal {
+        depth: Depth::Linear,
+        outside: Outside::Tinted,
+        clipping: true,
+        divide_first: true,
+        culled: true,
+        vanishing: true,
+    };
     assert_eq!(figure.reveal, all);
     let world = figure.observers.world.unwrap();
     assert_eq!((world.distance, world.azimuth, world.parallel), (7.0, -400.0, true));

@@ -8,6 +8,7 @@ mod code;
 mod dialects;
 mod digits;
 mod entries;
+mod homogeneous;
 mod matrices;
 mod measures;
 mod point;
@@ -34,6 +35,7 @@ const TABS: &[Row] = &[
     Row { tab: ExplainTab::Matrices, name: |t| t.matrices, hint: |t| t.matrices_hint, ui: matrices::ui },
     Row { tab: ExplainTab::Point, name: |t| t.point, hint: |t| t.point_hint, ui: point::ui },
     Row { tab: ExplainTab::Steps, name: |t| t.steps, hint: |t| t.steps_hint, ui: steps::ui },
+    Row { tab: ExplainTab::Homogeneous, name: |t| t.homogeneous, hint: |t| t.homogeneous_hint, ui: homogeneous::ui },
     Row { tab: ExplainTab::Dialects, name: |t| t.dialects, hint: |t| t.dialects_hint, ui: dialects::ui },
     Row { tab: ExplainTab::Code, name: |t| t.code, hint: |t| t.code_hint, ui: code::ui },
 ];

@@ -17,6 +17,8 @@ pub enum ExplainTab {
     Point,
     /// The view volume becomes the canonical one, step by step.
     Steps,
+    /// What w does.
+    Homogeneous,
     /// The camera in other vocabularies, and a pasted matrix.
     Dialects,
     /// The camera as code.
@@ -24,7 +26,7 @@ pub enum ExplainTab {
 }
 
 /// The side of explanations. Whether it is shown is said by [`Panels`](super::Panels).
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Explain {
     /// The tab that is shown.
     pub tab: ExplainTab,
@@ -34,6 +36,8 @@ pub struct Explain {
     pub steps: Steps,
     /// The parameters that are pointed at in another panel; written by the panels in each frame.
     pub pointed: Vec<Symbol>,
+    /// Where along a segment a point is whose image is asked for, 0 … 1.
+    pub share: f64,
     /// For what the code is.
     pub code: CodeTarget,
     /// A number of another vocabulary that would not give a camera, and why.
@@ -56,5 +60,20 @@ pub struct Pasted {
 impl Default for Pasted {
     fn default() -> Self {
         Self { text: String::new(), kind: MatrixKind::ViewProjection, transposed: false }
+    }
+}
+
+impl Default for Explain {
+    fn default() -> Self {
+        Self {
+            tab: ExplainTab::default(),
+            matrices: Matrices::default(),
+            pointed: Vec::new(),
+            steps: Steps::default(),
+            share: 0.5,
+            code: CodeTarget::default(),
+            refused: None,
+            pasted: Pasted::default(),
+        }
     }
 }

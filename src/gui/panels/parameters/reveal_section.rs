@@ -32,6 +32,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
             (&mut reveal.clipping, t.clipping_view, t.clipping_view_hint),
             (&mut reveal.culled, t.culled_view, t.culled_view_hint),
             (&mut reveal.divide_first, t.divide_first, t.divide_first_hint),
+            (&mut reveal.vanishing, t.vanishing, t.vanishing_hint),
         ] {
             ui.checkbox(on, name).explained(hint);
         }
