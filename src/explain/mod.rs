@@ -10,6 +10,7 @@ mod definitions;
 mod formula;
 pub mod homogeneous;
 mod matrices;
+pub mod order;
 mod report;
 mod setting;
 mod symbol;

@@ -14,6 +14,8 @@ texts! {
     homogeneous_hint: "What the fourth coordinate does: division, points behind the eye, ideal points, the middle of a segment, a floor", "O que faz a quarta coordenada: divisão, pontos atrás do olho, pontos ideais, o meio de um segmento, um piso";
     dialects: "Dialects", "Dialetos";
     dialects_hint: "The camera in the words of other sources, whose numbers set it; and a pasted matrix → its camera", "A câmera nas palavras de outras fontes, cujos números a definem; e uma matriz colada → sua câmera";
+    order: "Order", "Ordem";
+    order_hint: "In which order translation, rotation and scale act on an object, and what another order does", "Em que ordem translação, rotação e escala agem num objeto, e o que outra ordem faz";
     code: "Code", "Código";
     code_hint: "The camera as code for a library", "A câmera como código para uma biblioteca";
     code_for: "Code for", "Código para";

@@ -51,6 +51,7 @@ pub mod homogeneous;
 mod meshes;
 pub mod messages;
 pub mod numerics;
+pub mod order;
 pub mod pictures;
 pub mod pipeline;
 pub mod progress;
@@ -89,7 +90,7 @@ impl Lang {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lang, canvas, coach, conventions, pictures, reasons, scenes};
+    use super::{Lang, canvas, coach, conventions, order, pictures, reasons, scenes};
 
     /// The words of the window itself have a test of their own, in the window.
     #[test]
@@ -105,6 +106,7 @@ mod tests {
         };
         check(canvas::texts(Lang::En).entries(), canvas::texts(Lang::PtBr).entries());
         check(coach::texts(Lang::En).entries(), coach::texts(Lang::PtBr).entries());
+        check(order::texts(Lang::En).entries(), order::texts(Lang::PtBr).entries());
         check(conventions::texts(Lang::En).entries(), conventions::texts(Lang::PtBr).entries());
         check(pictures::texts(Lang::En).entries(), pictures::texts(Lang::PtBr).entries());
         check(reasons::texts(Lang::En).entries(), reasons::texts(Lang::PtBr).entries());

@@ -38,6 +38,49 @@ pub enum Transform {
     Scale(DVec3),
 }
 
+/// A translation, a rotation and a scale: the matrix T · R · S.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trs {
+    /// Scene units.
+    pub translate: DVec3,
+    /// Degrees about x, then y, then z.
+    pub rotate: DVec3,
+    /// Factors along its own axes.
+    pub scale: DVec3,
+}
+
+impl Default for Trs {
+    /// The identity.
+    fn default() -> Self {
+        Self { translate: DVec3::ZERO, rotate: DVec3::ZERO, scale: DVec3::ONE }
+    }
+}
+
+/// Puts a figure's object at the end of a chain: it gets the last of `chain`, and between its parent and itself a group for each of the
+/// others, called `group`, numbered where something is called so. Without a chain, or without the object, nothing changes.
+///
+/// # Errors
+/// [`SceneError`] where the scene cannot be built afterwards; nothing has changed then.
+pub fn put_on_chain(spec: &mut SceneSpec, name: &str, chain: &[Trs], group: &str) -> Result<(), SceneError> {
+    let Some((own, above)) = chain.split_last() else { return Ok(()) };
+    let mut changed = spec.clone();
+    let Some(mut at) = changed.objects.iter().position(|o| o.name == name) else { return Ok(()) };
+    let placed =
+        |object: ObjectSpec, Trs { translate, rotate, scale }: Trs| ObjectSpec { translate, rotate, scale, ..object };
+    let mut parent = changed.objects[at].parent.clone();
+    for trs in above {
+        let name = free_name(&changed, group);
+        let link = ObjectSpec { parent: parent.replace(name.clone()), ..ObjectSpec::group(name) };
+        changed.objects.insert(at, placed(link, *trs));
+        at += 1;
+    }
+    let object = ObjectSpec { parent, ..changed.objects[at].clone() };
+    changed.objects[at] = placed(object, *own);
+    super::check(&changed)?;
+    *spec = changed;
+    Ok(())
+}
+
 /// Those of `names` that do not hang on others of them: what is done to these is done to all.
 #[must_use]
 pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
@@ -204,6 +247,37 @@ mod tests {
         let before = after.clone();
         assert!(transform(&mut after, &names(&["box"]), Transform::Scale(DVec3::ZERO)).is_err());
         assert_eq!(after, before);
+    }
+
+    #[test]
+    fn a_chain_is_groups_above_an_object() {
+        let mut spec = scene();
+        let before = spec.clone();
+        let along = |x: f64| Trs { translate: DVec3::new(x, 0.0, 0.0), ..Trs::default() };
+        let chain = [along(1.0), Trs { scale: DVec3::splat(2.0), ..Trs::default() }, along(3.0)];
+        put_on_chain(&mut spec, "box", &chain, "arm").unwrap();
+        let hung: Vec<(&str, Option<&str>)> =
+            spec.objects.iter().map(|o| (o.name.as_str(), o.parent.as_deref())).collect();
+        assert_eq!(
+            hung[..5],
+            [
+                ("arm", None),
+                ("arm 2", Some("arm")),
+                ("arm 3", Some("arm 2")),
+                ("box", Some("arm 3")),
+                ("cone 2", Some("box"))
+            ]
+        );
+        let parent = placements(&before).unwrap()["arm"];
+        let wanted = parent.transform_point3(DVec3::new(1.0 + 2.0 * 3.0, 0.0, 0.0));
+        assert_near(&[placements(&spec).unwrap()["box"].w_axis.truncate()], &[wanted]);
+        // One link alone is the object's own; one that is scaled to nothing is refused.
+        let mut one = before.clone();
+        put_on_chain(&mut one, "ball", &[along(7.0)], "group").unwrap();
+        assert!(one.objects.len() == 4 && one.objects[3].translate.x == 7.0);
+        let flat = Trs { scale: DVec3::new(1.0, 0.0, 1.0), ..Trs::default() };
+        assert!(put_on_chain(&mut spec, "ball", &[flat, along(1.0)], "group").is_err());
+        assert_eq!(spec.objects.len(), 6);
     }
 
     #[test]

@@ -33,6 +33,7 @@ mod overlays;
 pub mod palette;
 pub mod pick;
 mod pixels;
+mod placed;
 mod placing;
 mod probe;
 mod request;
@@ -60,7 +61,7 @@ pub use arrangement::{Arrangement, aspect_shown, used_area};
 pub use labels::Labels;
 use observer::Viewpoint;
 pub use overlays::{
-    Ghost, GizmoPart, Handle, Measure, Measured, Overlays, Probe, TransformGizmo, Transforming, WindowSide,
+    Ghost, GizmoPart, Handle, Measure, Measured, Overlays, Placed, Probe, TransformGizmo, Transforming, WindowSide,
 };
 pub use palette::Palette;
 pub use pixels::{PixelRect, Size, image_frame};

@@ -1,9 +1,12 @@
 //! What comes and goes with the pointer: what is pointed at, tried, and can be dragged.
 
-use glam::{DVec2, DVec3};
+use std::collections::BTreeSet;
+
+use glam::{DMat4, DVec2, DVec3};
 
 use super::View;
 use crate::camera::{Camera, Convention, Operation};
+use crate::geometry::Ray;
 
 /// What comes and goes with the pointer.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,6 +21,8 @@ pub struct Overlays {
     pub gizmo: Option<TransformGizmo>,
     /// What is pointed at in a panel: these lengths, angles and coordinates are shown in the world.
     pub measured: Vec<Measured>,
+    /// Objects where transforms would put them, in the world; their axes are numbered in this order.
+    pub placed: Vec<Placed>,
     /// Without legends: the picture is painted on something.
     pub bare: bool,
     /// Without ground: what is behind the picture shows through.
@@ -33,7 +38,8 @@ impl Overlays {
         match view {
             View::World => self.clone(),
             View::Canonical | View::Image => {
-                Self { ghost: None, hot: None, gizmo: None, measured: Vec::new(), ..self.clone() }
+                let base = self.clone();
+                Self { ghost: None, hot: None, gizmo: None, measured: Vec::new(), placed: Vec::new(), ..base }
             }
         }
     }
@@ -111,6 +117,21 @@ pub struct Ghost {
     pub operation: Operation,
     /// The sign rule of rotations.
     pub convention: Convention,
+}
+
+/// Objects where a list of transforms puts them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placed {
+    /// The names of the objects; without any, a cube is shown.
+    pub objects: BTreeSet<String>,
+    /// What takes them there from where they are in the world.
+    pub change: DMat4,
+    /// The matrix that the list leads to, in the world: its columns are the axes.
+    pub world_from_frame: DMat4,
+    /// About what they have turned last.
+    pub axis: Option<Ray>,
+    /// By another list, on purpose.
+    pub wrong: bool,
 }
 
 /// Something that can be dragged in the world.

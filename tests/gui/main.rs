@@ -19,6 +19,7 @@ mod homogeneous;
 mod keyboard;
 mod language;
 mod numerics;
+mod order;
 mod other_programs;
 mod painter;
 mod panels;

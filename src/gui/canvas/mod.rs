@@ -191,6 +191,7 @@ impl Canvas {
         }
         self.overlays.ghost = state.ghost.clone();
         self.overlays.measured.clone_from(&state.measured);
+        self.overlays.placed.clone_from(&state.explain.placed);
         self.overlays.gizmo = Movable::selected(state).map(|movable| movable.gizmo);
         let panes = self.panes(ui, pictures, state, texts);
         for pane in &panes {

@@ -11,6 +11,8 @@ mod entries;
 mod homogeneous;
 mod matrices;
 mod measures;
+mod order;
+mod order_list;
 mod point;
 mod steps;
 mod subject;
@@ -37,6 +39,7 @@ const TABS: &[Row] = &[
     Row { tab: ExplainTab::Steps, name: |t| t.steps, hint: |t| t.steps_hint, ui: steps::ui },
     Row { tab: ExplainTab::Homogeneous, name: |t| t.homogeneous, hint: |t| t.homogeneous_hint, ui: homogeneous::ui },
     Row { tab: ExplainTab::Dialects, name: |t| t.dialects, hint: |t| t.dialects_hint, ui: dialects::ui },
+    Row { tab: ExplainTab::Order, name: |t| t.order, hint: |t| t.order_hint, ui: order::ui },
     Row { tab: ExplainTab::Code, name: |t| t.code, hint: |t| t.code_hint, ui: code::ui },
 ];
 

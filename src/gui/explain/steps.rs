@@ -154,7 +154,7 @@ fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], steps: &mu
 }
 
 /// A matrix as numbers.
-fn numbers(ui: &mut Ui, matrix: &DMat4, number: impl Fn(f64) -> String) {
+pub(super) fn numbers(ui: &mut Ui, matrix: &DMat4, number: impl Fn(f64) -> String) {
     let rows = matrix.transpose().to_cols_array_2d();
     let frame = egui::Frame::NONE.inner_margin(egui::Margin::symmetric(8, 2));
     let place = frame.show(ui, |ui| {

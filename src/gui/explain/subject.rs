@@ -33,7 +33,7 @@ impl Subject {
 }
 
 /// How the selected object stands in the world; `None` where none is selected, or the scene is impossible.
-fn selected(state: &State) -> Option<(String, Placement)> {
+pub(super) fn selected(state: &State) -> Option<(String, Placement)> {
     let scene = &state.document.figure().scene;
     let (name, spec) = match state.tree.selected(scene)? {
         Selected::Object(name) => (name, scene.objects.iter().find(|o| o.name == *name)?.clone()),

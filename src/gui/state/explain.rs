@@ -1,11 +1,13 @@
 //! What the side of explanations shows.
 
 use super::matrices::Matrices;
+use super::order::Order;
 use super::steps::Steps;
 use crate::camera::{CameraError, MatrixKind};
 use crate::explain::Symbol;
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{Quantity, Vocabulary};
+use crate::views::Placed;
 
 /// A tab of the side of explanations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -21,6 +23,8 @@ pub enum ExplainTab {
     Homogeneous,
     /// The camera in other vocabularies, and a pasted matrix.
     Dialects,
+    /// In which order transforms act.
+    Order,
     /// The camera as code.
     Code,
 }
@@ -34,6 +38,10 @@ pub struct Explain {
     pub matrices: Matrices,
     /// The tab of steps.
     pub steps: Steps,
+    /// The tab of order.
+    pub order: Order,
+    /// The object by the list of transforms, and by another one; written by the tab of order in each frame, shown in the world.
+    pub placed: Vec<Placed>,
     /// The parameters that are pointed at in another panel; written by the panels in each frame.
     pub pointed: Vec<Symbol>,
     /// Where along a segment a point is whose image is asked for, 0 … 1.
@@ -70,6 +78,8 @@ impl Default for Explain {
             matrices: Matrices::default(),
             pointed: Vec::new(),
             steps: Steps::default(),
+            order: Order::default(),
+            placed: Vec::new(),
             share: 0.5,
             code: CodeTarget::default(),
             refused: None,

@@ -1,0 +1,383 @@
+//! Lists of transforms, as a program gives them to a stack of matrices `[4]`: each call multiplies the current matrix from the right, push
+//! keeps it, pop brings the one back that was kept last.
+//!
+//! A list has two readings with one result: from left to right each call moves the *frame*, along and about the axes that it has by then;
+//! from right to left each moves the *object*, along and about axes that stay `[3]`.
+
+use glam::{DMat4, DVec3};
+
+use crate::geometry::{Angle, Ray, try_unit};
+use crate::scene::transform::Trs;
+
+/// A call.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Call {
+    /// T: scene units.
+    Translate(DVec3),
+    /// Rx: degrees.
+    RotateX(f64),
+    /// Ry: degrees.
+    RotateY(f64),
+    /// Rz: degrees.
+    RotateZ(f64),
+    /// S: factors.
+    Scale(DVec3),
+    /// Keeps the current matrix.
+    Push,
+    /// Brings back the matrix that was kept last.
+    Pop,
+}
+
+/// A pop without a push before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("step {} is a pop, and nothing was pushed before it", .call + 1)]
+pub struct Unbalanced {
+    /// Its place in the list, from 0.
+    pub call: usize,
+}
+
+/// How a list is read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reading {
+    /// From left to right: each call moves the frame, about its own axes.
+    #[default]
+    Frame,
+    /// From right to left: each call moves the object, about fixed axes.
+    Object,
+}
+
+/// What there is after a part of the list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stage {
+    /// The last call of the part; `None` before the first one.
+    pub call: Option<usize>,
+    /// Parent ← object, by the calls of the part alone.
+    pub matrix: DMat4,
+    /// About what the last call turns (in the parent's space).
+    pub axis: Option<Ray>,
+}
+
+impl Call {
+    /// What it multiplies the current matrix by; `None`: it is about the stack.
+    #[must_use]
+    pub fn matrix(self) -> Option<DMat4> {
+        let turned = |axis: usize, degrees: f64| {
+            let (sin, cos) = Angle::from_degrees(degrees).sin_cos();
+            let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+            let mut rows = DMat4::IDENTITY.to_cols_array_2d();
+            (rows[a][a], rows[a][b], rows[b][a], rows[b][b]) = (cos, sin, -sin, cos);
+            DMat4::from_cols_array_2d(&rows)
+        };
+        match self {
+            Self::Translate(t) => Some(DMat4::from_translation(t)),
+            Self::RotateX(degrees) => Some(turned(0, degrees)),
+            Self::RotateY(degrees) => Some(turned(1, degrees)),
+            Self::RotateZ(degrees) => Some(turned(2, degrees)),
+            Self::Scale(s) => Some(DMat4::from_scale(s)),
+            Self::Push | Self::Pop => None,
+        }
+    }
+
+    /// The axis of a rotation, in the space that it acts in.
+    #[must_use]
+    pub fn axis(self) -> Option<DVec3> {
+        match self {
+            Self::RotateX(_) => Some(DVec3::X),
+            Self::RotateY(_) => Some(DVec3::Y),
+            Self::RotateZ(_) => Some(DVec3::Z),
+            Self::Translate(_) | Self::Scale(_) | Self::Push | Self::Pop => None,
+        }
+    }
+
+    /// Its symbol, with an underscore before what is lowered.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Translate(_) => "T",
+            Self::RotateX(_) => "R_x",
+            Self::RotateY(_) => "R_y",
+            Self::RotateZ(_) => "R_z",
+            Self::Scale(_) => "S",
+            Self::Push => "push",
+            Self::Pop => "pop",
+        }
+    }
+
+    /// Its place in T Rz Ry Rx S, the form of an object's own transform.
+    const fn place(self) -> Option<usize> {
+        match self {
+            Self::Translate(_) => Some(0),
+            Self::RotateZ(_) => Some(1),
+            Self::RotateY(_) => Some(2),
+            Self::RotateX(_) => Some(3),
+            Self::Scale(_) => Some(4),
+            Self::Push | Self::Pop => None,
+        }
+    }
+}
+
+/// The calls of an object's own transform, T Rz Ry Rx S.
+#[must_use]
+pub fn calls_of(trs: &Trs) -> Vec<Call> {
+    let Trs { translate, rotate, scale } = *trs;
+    let [x, y, z] = rotate.to_array();
+    vec![Call::Translate(translate), Call::RotateZ(z), Call::RotateY(y), Call::RotateX(x), Call::Scale(scale)]
+}
+
+/// The calls that make the current matrix after the whole list: without those that a pop has taken back.
+///
+/// # Errors
+/// [`Unbalanced`]
+pub fn in_force(calls: &[Call]) -> Result<Vec<usize>, Unbalanced> {
+    let (mut current, mut kept) = (Vec::new(), Vec::new());
+    for (call, what) in calls.iter().enumerate() {
+        match what {
+            Call::Push => kept.push(current.len()),
+            Call::Pop => current.truncate(kept.pop().ok_or(Unbalanced { call })?),
+            _ => current.push(call),
+        }
+    }
+    Ok(current)
+}
+
+/// What there is after each part of a list. From left to right a part is its first calls, and the stack is as it is then; from right to
+/// left it is the last ones of those that are in force. Both begin with no call and end with the same matrix.
+///
+/// # Errors
+/// [`Unbalanced`]
+pub fn read(calls: &[Call], reading: Reading) -> Result<Vec<Stage>, Unbalanced> {
+    match reading {
+        Reading::Frame => frame_moves(calls),
+        Reading::Object => Ok(object_moves(calls, &in_force(calls)?)),
+    }
+}
+
+const START: Stage = Stage { call: None, matrix: DMat4::IDENTITY, axis: None };
+
+fn frame_moves(calls: &[Call]) -> Result<Vec<Stage>, Unbalanced> {
+    let (mut stages, mut current, mut kept) = (vec![START], DMat4::IDENTITY, Vec::new());
+    for (i, call) in calls.iter().enumerate() {
+        // About an axis of the frame as it is before the call.
+        let axis = call.axis().and_then(|axis| {
+            let direction = try_unit(current.transform_vector3(axis))?;
+            Some(Ray { origin: current.w_axis.truncate(), direction })
+        });
+        match call {
+            Call::Push => kept.push(current),
+            Call::Pop => current = kept.pop().ok_or(Unbalanced { call: i })?,
+            _ => current *= call.matrix().unwrap_or(DMat4::IDENTITY),
+        }
+        stages.push(Stage { call: Some(i), matrix: current, axis });
+    }
+    Ok(stages)
+}
+
+fn object_moves(calls: &[Call], in_force: &[usize]) -> Vec<Stage> {
+    let (mut stages, mut current) = (vec![START], DMat4::IDENTITY);
+    for &i in in_force.iter().rev() {
+        let axis = calls[i].axis().map(|direction| Ray { origin: DVec3::ZERO, direction });
+        current = calls[i].matrix().unwrap_or(DMat4::IDENTITY) * current;
+        stages.push(Stage { call: Some(i), matrix: current, axis });
+    }
+    stages
+}
+
+/// The matrix of a whole list.
+///
+/// # Errors
+/// [`Unbalanced`]
+pub fn product(calls: &[Call]) -> Result<DMat4, Unbalanced> {
+    Ok(frame_moves(calls)?.last().map_or(DMat4::IDENTITY, |stage| stage.matrix))
+}
+
+/// The list with two of its calls exchanged; as it is where there are no such calls.
+#[must_use]
+pub fn exchanged(calls: &[Call], [a, b]: [usize; 2]) -> Vec<Call> {
+    let mut calls = calls.to_vec();
+    if a < calls.len() && b < calls.len() {
+        calls.swap(a, b);
+    }
+    calls
+}
+
+/// True where two matrices are the same but for rounding.
+#[must_use]
+pub fn same(a: &DMat4, b: &DMat4) -> bool {
+    let (a, b) = (a.to_cols_array(), b.to_cols_array());
+    let greatest = |values: &[f64]| values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let apart = a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    apart <= 1e-12 * greatest(&a).max(greatest(&b))
+}
+
+/// A part of a list that one T R S holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Link {
+    /// Its first call; `None`: it has none.
+    pub first: Option<usize>,
+    /// What it amounts to.
+    pub trs: Trs,
+}
+
+/// A list as a chain of T R S, the first of them nearest to the parent; one alone where the list is of the form T Rz Ry Rx S, in which
+/// calls may be missing. The product of the chain is exactly that of the list.
+///
+/// # Errors
+/// [`Unbalanced`]
+pub fn chain(calls: &[Call]) -> Result<Vec<Link>, Unbalanced> {
+    let empty = Link { first: None, trs: Trs::default() };
+    let (mut links, mut next_place) = (vec![empty], 0);
+    for i in in_force(calls)? {
+        let Some(place) = calls[i].place() else { continue };
+        if place < next_place {
+            links.push(empty);
+        }
+        next_place = place + 1;
+        let Some(link) = links.last_mut() else { continue };
+        link.first = link.first.or(Some(i));
+        match calls[i] {
+            Call::Translate(t) => link.trs.translate = t,
+            Call::RotateX(degrees) => link.trs.rotate.x = degrees,
+            Call::RotateY(degrees) => link.trs.rotate.y = degrees,
+            Call::RotateZ(degrees) => link.trs.rotate.z = degrees,
+            Call::Scale(s) => link.trs.scale = s,
+            Call::Push | Call::Pop => {}
+        }
+    }
+    Ok(links)
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use super::*;
+    use glam::DQuat;
+
+    fn near(a: &DMat4, b: &DMat4) -> bool {
+        a.abs_diff_eq(*b, 1e-12)
+    }
+
+    /// By quaternions, in degrees.
+    fn turn(axis: DVec3, degrees: f64) -> DMat4 {
+        DMat4::from_quat(DQuat::from_axis_angle(axis, degrees.to_radians()))
+    }
+
+    const T: DVec3 = DVec3::new(10.0, 5.0, 3.0);
+    const S: DVec3 = DVec3::new(2.0, 0.5, -1.0);
+
+    fn list() -> Vec<Call> {
+        vec![Call::Translate(T), Call::RotateZ(10.0), Call::RotateX(-70.0), Call::Scale(S), Call::RotateY(25.0)]
+    }
+
+    #[test]
+    fn each_prefix_is_the_product_by_hand() {
+        let by_hand = [
+            DMat4::IDENTITY,
+            DMat4::from_translation(T),
+            DMat4::from_translation(T) * turn(DVec3::Z, 10.0),
+            DMat4::from_translation(T) * turn(DVec3::Z, 10.0) * turn(DVec3::X, -70.0),
+            DMat4::from_translation(T) * turn(DVec3::Z, 10.0) * turn(DVec3::X, -70.0) * DMat4::from_scale(S),
+            DMat4::from_translation(T)
+                * turn(DVec3::Z, 10.0)
+                * turn(DVec3::X, -70.0)
+                * DMat4::from_scale(S)
+                * turn(DVec3::Y, 25.0),
+        ];
+        let stages = read(&list(), Reading::Frame).unwrap();
+        assert_eq!(stages.len(), by_hand.len());
+        assert!(stages.iter().zip(&by_hand).all(|(stage, wanted)| near(&stage.matrix, wanted)));
+        // [4]: glTranslatef (10, 5, 3); glRotatef (10, 0, 0, 1): the object is turned and then moved.
+        let p = stages[2].matrix.transform_point3(DVec3::X);
+        let (sin, cos) = 10_f64.to_radians().sin_cos();
+        assert!((p - (T + DVec3::new(cos, sin, 0.0))).length() < 1e-12);
+    }
+
+    #[test]
+    fn both_readings_lead_to_one_matrix_about_other_axes() {
+        let frame = read(&list(), Reading::Frame).unwrap();
+        let object = read(&list(), Reading::Object).unwrap();
+        assert!(near(&frame[5].matrix, &object[5].matrix));
+        assert!(near(&object[1].matrix, &turn(DVec3::Y, 25.0)), "it begins at the right");
+        assert!(near(&object[2].matrix, &(DMat4::from_scale(S) * turn(DVec3::Y, 25.0))));
+        assert_eq!(
+            object.iter().map(|s| s.call).collect::<Vec<_>>(),
+            [None, Some(4), Some(3), Some(2), Some(1), Some(0)]
+        );
+        // The frame turns about its own x, which R_z has turned, through T; the object about x through the origin.
+        let moved = frame[3].axis.unwrap();
+        assert!((moved.origin - T).length() < 1e-12);
+        assert!((moved.direction - turn(DVec3::Z, 10.0).transform_vector3(DVec3::X)).length() < 1e-12);
+        assert_eq!(object[3].axis, Some(Ray { origin: DVec3::ZERO, direction: DVec3::X }));
+        // To turn about that axis is what the call does to the frame before it.
+        let (before, after) = (frame[2].matrix, frame[3].matrix);
+        let about = DMat4::from_translation(moved.origin)
+            * turn(moved.direction, -70.0)
+            * DMat4::from_translation(-moved.origin);
+        assert!(near(&(about * before), &after));
+    }
+
+    #[test]
+    fn pop_brings_back_what_push_has_kept() {
+        let calls = [
+            Call::Translate(T),
+            Call::Push,
+            Call::RotateZ(90.0),
+            Call::Push,
+            Call::Scale(S),
+            Call::Pop,
+            Call::Pop,
+            Call::RotateX(30.0),
+        ];
+        let stages = read(&calls, Reading::Frame).unwrap();
+        assert_eq!(stages[6].matrix, stages[4].matrix);
+        assert_eq!(stages[7].matrix, DMat4::from_translation(T));
+        assert_eq!(in_force(&calls).unwrap(), [0, 7]);
+        let object = read(&calls, Reading::Object).unwrap();
+        assert!(object.len() == 3 && near(&object[2].matrix, &stages[8].matrix));
+        // What was never popped is in force.
+        assert_eq!(in_force(&calls[..5]).unwrap(), [0, 2, 4]);
+    }
+
+    #[test]
+    fn a_pop_without_a_push_is_named() {
+        let calls = [Call::Push, Call::Pop, Call::Translate(T), Call::Pop];
+        for reading in [Reading::Frame, Reading::Object] {
+            assert_eq!(read(&calls, reading), Err(Unbalanced { call: 3 }));
+        }
+        assert_eq!(chain(&calls), Err(Unbalanced { call: 3 }));
+        assert!(Unbalanced { call: 3 }.to_string().contains("step 4"));
+    }
+
+    #[test]
+    fn what_commutes_is_said_to() {
+        let commutes = |a: Call, b: Call| {
+            let calls = [a, b];
+            same(&product(&calls).unwrap(), &product(&exchanged(&calls, [0, 1])).unwrap())
+        };
+        let even = Call::Scale(DVec3::splat(3.0));
+        assert!(commutes(Call::Translate(T), Call::Translate(S)));
+        assert!(commutes(Call::RotateZ(20.0), Call::RotateZ(70.0)));
+        assert!(commutes(Call::RotateX(33.0), even) && commutes(Call::Scale(S), even));
+        assert!(commutes(Call::Translate(DVec3::Z), Call::RotateZ(40.0)), "along its own axis");
+        assert!(commutes(Call::RotateX(180.0), Call::RotateY(180.0)));
+        assert!(!commutes(Call::Translate(T), Call::RotateZ(40.0)));
+        assert!(!commutes(Call::RotateX(90.0), Call::RotateY(90.0)));
+        assert!(!commutes(Call::Translate(T), even));
+        assert!(!commutes(Call::RotateZ(45.0), Call::Scale(S)));
+    }
+
+    #[test]
+    fn a_chain_of_t_r_s_is_the_list() {
+        let own = Trs { translate: T, rotate: DVec3::new(10.0, 20.0, 30.0), scale: S };
+        let links = chain(&calls_of(&own)).unwrap();
+        assert_eq!(links, [Link { first: Some(0), trs: own }]);
+        assert_eq!(chain(&[]).unwrap(), [Link { first: None, trs: Trs::default() }]);
+        let links = chain(&list()).unwrap();
+        assert_eq!(links.iter().map(|link| link.first).collect::<Vec<_>>(), [Some(0), Some(4)]);
+        let matrix = |link: &Link| product(&calls_of(&link.trs)).unwrap();
+        let of_links = links.iter().fold(DMat4::IDENTITY, |m, link| m * matrix(link));
+        assert!(near(&of_links, &product(&list()).unwrap()));
+        // What a pop has taken back is not in it.
+        let popped = [Call::Scale(S), Call::Push, Call::Translate(T), Call::Pop, Call::Push];
+        assert_eq!(chain(&popped).unwrap(), [Link { first: Some(0), trs: Trs { scale: S, ..Trs::default() } }]);
+    }
+}

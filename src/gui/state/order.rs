@@ -1,0 +1,107 @@
+//! The tab of order of the side of explanations: the list of transforms, and how it is read.
+
+use crate::explain::order::{Call, Reading, calls_of, exchanged, product, same};
+use crate::scene::transform::Trs;
+use glam::DVec3;
+
+/// A call of the list, known by a number that it keeps wherever it goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ListedCall {
+    pub(in crate::gui) key: usize,
+    /// What it does.
+    pub call: Call,
+}
+
+/// Of what a list is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Own {
+    /// The name of the object; `None`: it is an example.
+    pub object: Option<String>,
+    /// Its own transform, as the figure has it.
+    pub trs: Trs,
+}
+
+/// The tab of order.
+#[derive(Clone, Debug, Default)]
+pub struct Order {
+    /// The list, from left to right.
+    pub list: Vec<ListedCall>,
+    /// How it is read.
+    pub reading: Reading,
+    /// How many calls are done; `None`: all.
+    pub done: Option<usize>,
+    /// The places of the two that are exchanged in the other order.
+    pub exchange: [usize; 2],
+    /// The call that has the keyboard, by its number.
+    pub(in crate::gui) focused: Option<usize>,
+    /// What the list has begun with.
+    own: Option<Own>,
+    next_key: usize,
+}
+
+impl Order {
+    /// Begins with an object's own calls, or with an example, where it is another one, or stands elsewhere, than when the list was begun.
+    pub(in crate::gui) fn follow(&mut self, own: Own) {
+        if self.own.as_ref() != Some(&own) {
+            self.own = Some(own);
+            self.begin_again();
+        }
+    }
+
+    /// The calls that it began with.
+    pub(in crate::gui) fn begin_again(&mut self) {
+        let Some(own) = &self.own else { return };
+        let calls = match own.object {
+            Some(_) => calls_of(&own.trs),
+            None => vec![
+                Call::Translate(DVec3::new(3.0, 0.0, 0.0)),
+                Call::RotateY(40.0),
+                Call::Scale(DVec3::new(1.5, 1.0, 1.0)),
+            ],
+        };
+        self.list.clear();
+        calls.iter().for_each(|call| self.add(*call));
+        self.done = None;
+        self.exchange = telling(&calls);
+    }
+
+    /// The calls, from left to right.
+    #[must_use]
+    pub fn calls(&self) -> Vec<Call> {
+        self.list.iter().map(|listed| listed.call).collect()
+    }
+
+    /// Adds a call at the end.
+    pub(in crate::gui) fn add(&mut self, call: Call) {
+        self.list.push(ListedCall { key: self.next_key, call });
+        self.next_key += 1;
+    }
+
+    /// Moves a call before the one that is at `to` now; at the end where none is.
+    pub(in crate::gui) fn put(&mut self, from: usize, to: usize) {
+        if from < self.list.len() {
+            let listed = self.list.remove(from);
+            let to = if from < to { to - 1 } else { to };
+            self.list.insert(to.min(self.list.len()), listed);
+        }
+    }
+
+    /// Moves a call one place to the left or to the right, if there is one.
+    pub(in crate::gui) fn step(&mut self, key: usize, forward: bool) {
+        let Some(from) = self.list.iter().position(|listed| listed.key == key) else { return };
+        let to = if forward { from + 1 } else { from.wrapping_sub(1) };
+        if to < self.list.len() {
+            self.list.swap(from, to);
+        }
+    }
+}
+
+/// The first two calls of a list that cannot be exchanged without another result; else its first two.
+fn telling(calls: &[Call]) -> [usize; 2] {
+    let other = |pair: [usize; 2]| match (product(calls), product(&exchanged(calls, pair))) {
+        (Ok(a), Ok(b)) => !same(&a, &b),
+        _ => false,
+    };
+    let pairs = (0..calls.len()).flat_map(|a| (a + 1..calls.len()).map(move |b| [a, b]));
+    pairs.into_iter().find(|pair| other(*pair)).unwrap_or([0, 1])
+}

@@ -1,0 +1,173 @@
+//! The tab of the order of transforms.
+
+use super::Lang;
+use crate::explain::order::{Call, Reading, Unbalanced};
+
+texts! {
+    object: "Object:", "Objeto:";
+    example: "No object is selected: a cube, as an example.", "Nenhum objeto está selecionado: um cubo, como exemplo.";
+    frame: "The frame moves", "O referencial se move";
+    frame_hint: "From left to right, as the program runs: each step moves the frame along and about the axes that it has by then", "Da esquerda para a direita, como o programa roda: cada passo move o referencial ao longo e em torno dos eixos que ele tem então";
+    fixed: "The object moves", "O objeto se move";
+    fixed_hint: "From right to left: each step moves the object along and about fixed axes, those of its parent", "Da direita para a esquerda: cada passo move o objeto ao longo e em torno de eixos fixos, os do pai";
+    list: "Transforms, from left to right", "Transformações, da esquerda para a direita";
+    list_hint: "As in OpenGL: each multiplies the current matrix from the right. Drag a step by its dots, or Alt+↑ and Alt+↓. In the world grey, with axes x₁ y₁ z₁.", "Como em OpenGL: cada uma multiplica a matriz corrente pela direita. Arraste um passo pelos pontos, ou Alt+↑ e Alt+↓. No mundo em cinza, com eixos x₁ y₁ z₁.";
+    earlier: "Earlier", "Mais cedo";
+    later: "Later", "Mais tarde";
+    remove: "Remove", "Remover";
+    add: "Add", "Acrescentar";
+    add_hint: "A transform at the end, or push and pop", "Uma transformação no fim, ou push e pop";
+    again: "Begin again", "Recomeçar";
+    again_hint: "The object's own transform, T R S", "A transformação do próprio objeto, T R S";
+    done: "How many steps are done", "Quantos passos foram dados";
+    back: "A step back", "Um passo atrás";
+    forward: "A step forward", "Um passo à frente";
+    nothing: "No step is done: the frame is that of the parent.", "Nenhum passo foi dado: o referencial é o do pai.";
+    this_step: "The matrix of this step", "A matriz deste passo";
+    so_far: "All steps so far", "Todos os passos até aqui";
+    other: "In another order", "Em outra ordem";
+    other_hint: "The same list with two steps exchanged; in the world in red, with axes x₂ y₂ z₂", "A mesma lista com dois passos trocados; no mundo em vermelho, com eixos x₂ y₂ z₂";
+    first: "One step", "Um passo";
+    second: "The other step", "O outro passo";
+    same: "= The same matrix: these two steps may change places.", "= A mesma matriz: estes dois passos podem trocar de lugar.";
+    differs: "≠ Another matrix: the order matters.", "≠ Outra matriz: a ordem importa.";
+    so_far_same: "So far the same, in the end not: the order matters.", "Até aqui a mesma, no fim não: a ordem importa.";
+    take: "Take over", "Adotar";
+    take_hint: "The object in the figure gets the whole list; Ctrl+Z takes it back", "O objeto na figura recebe a lista inteira; Ctrl+Z desfaz";
+    take_nothing: "Select an object of the figure", "Selecione um objeto da figura";
+    take_preset: "It belongs to the named scene: “Edit a copy” makes it an object of the figure", "Pertence à cena nomeada: “Editar uma cópia” faz dele um objeto da figura";
+    is_form: "The list is T R S: the object itself can hold it.", "A lista é T R S: o próprio objeto pode guardá-la.";
+    group: "group", "grupo";
+}
+
+/// The kind of a call, as a name.
+#[must_use]
+pub fn kind(lang: Lang, call: Call) -> &'static str {
+    match (lang, call) {
+        (Lang::En, Call::Translate(_)) => "translate",
+        (Lang::PtBr, Call::Translate(_)) => "transladar",
+        (Lang::En, Call::RotateX(_)) => "rotate about x",
+        (Lang::PtBr, Call::RotateX(_)) => "girar em torno de x",
+        (Lang::En, Call::RotateY(_)) => "rotate about y",
+        (Lang::PtBr, Call::RotateY(_)) => "girar em torno de y",
+        (Lang::En, Call::RotateZ(_)) => "rotate about z",
+        (Lang::PtBr, Call::RotateZ(_)) => "girar em torno de z",
+        (Lang::En, Call::Scale(_)) => "scale",
+        (Lang::PtBr, Call::Scale(_)) => "escalar",
+        (Lang::En, Call::Push) => "push: keep the matrix",
+        (Lang::PtBr, Call::Push) => "push: guardar a matriz",
+        (Lang::En, Call::Pop) => "pop: bring it back",
+        (Lang::PtBr, Call::Pop) => "pop: trazê-la de volta",
+    }
+}
+
+/// The function of OpenGL.
+#[must_use]
+pub const fn function(call: Call) -> &'static str {
+    match call {
+        Call::Translate(_) => "glTranslate",
+        Call::RotateX(_) | Call::RotateY(_) | Call::RotateZ(_) => "glRotate",
+        Call::Scale(_) => "glScale",
+        Call::Push => "glPushMatrix",
+        Call::Pop => "glPopMatrix",
+    }
+}
+
+/// The step at a place, from 0, for screen readers.
+#[must_use]
+pub fn step(lang: Lang, place: usize, call: Call) -> String {
+    let (number, symbol) = (place + 1, call.symbol());
+    match lang {
+        Lang::En => format!("Step {number}: {symbol}"),
+        Lang::PtBr => format!("Passo {number}: {symbol}"),
+    }
+}
+
+/// What a call does; `number` writes a number.
+#[must_use]
+pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -> String) -> String {
+    let vector = |v: glam::DVec3| {
+        let separator = if lang == Lang::PtBr { "; " } else { ", " };
+        format!("({})", v.to_array().map(&number).join(separator))
+    };
+    let turned = match call {
+        Call::RotateX(degrees) => Some((degrees, "x")),
+        Call::RotateY(degrees) => Some((degrees, "y")),
+        Call::RotateZ(degrees) => Some((degrees, "z")),
+        _ => None,
+    };
+    if let Some((degrees, axis)) = turned {
+        let degrees = number(degrees);
+        return match (lang, reading) {
+            (Lang::En, Reading::Frame) => format!("The frame turns by {degrees}° about its own {axis}."),
+            (Lang::PtBr, Reading::Frame) => format!("O referencial gira {degrees}° em torno de seu próprio {axis}."),
+            (Lang::En, Reading::Object) => {
+                format!("The object turns by {degrees}° about the fixed {axis}, through the origin of its parent.")
+            }
+            (Lang::PtBr, Reading::Object) => {
+                format!("O objeto gira {degrees}° em torno do {axis} fixo, pela origem do pai.")
+            }
+        };
+    }
+    match (lang, reading, call) {
+        (Lang::En, Reading::Frame, Call::Translate(t)) => {
+            format!("The frame goes by {} along its own axes.", vector(t))
+        }
+        (Lang::PtBr, Reading::Frame, Call::Translate(t)) => {
+            format!("O referencial anda {} ao longo de seus próprios eixos.", vector(t))
+        }
+        (Lang::En, Reading::Object, Call::Translate(t)) => {
+            format!("The object goes by {} along the fixed axes.", vector(t))
+        }
+        (Lang::PtBr, Reading::Object, Call::Translate(t)) => {
+            format!("O objeto anda {} ao longo dos eixos fixos.", vector(t))
+        }
+        (Lang::En, Reading::Frame, Call::Scale(s)) => {
+            format!("The units of the frame's axes are multiplied by {}.", vector(s))
+        }
+        (Lang::PtBr, Reading::Frame, Call::Scale(s)) => {
+            format!("As unidades dos eixos do referencial são multiplicadas por {}.", vector(s))
+        }
+        (Lang::En, Reading::Object, Call::Scale(s)) => {
+            format!("The object is scaled by {} along the fixed axes, from the origin of its parent.", vector(s))
+        }
+        (Lang::PtBr, Reading::Object, Call::Scale(s)) => {
+            format!("O objeto é escalado por {} ao longo dos eixos fixos, a partir da origem do pai.", vector(s))
+        }
+        (Lang::En, _, Call::Push) => "The current matrix is kept on the stack.".to_owned(),
+        (Lang::PtBr, _, Call::Push) => "A matriz corrente é guardada na pilha.".to_owned(),
+        (Lang::En, _, _) => "The matrix that was kept last is the current one again.".to_owned(),
+        (Lang::PtBr, _, _) => "A última matriz guardada é de novo a corrente.".to_owned(),
+    }
+}
+
+/// A pop without a push.
+#[must_use]
+pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
+    let number = call + 1;
+    match lang {
+        Lang::En => format!("Step {number} is a pop, and nothing was pushed before it."),
+        Lang::PtBr => format!("O passo {number} é um pop, e nada foi guardado antes dele."),
+    }
+}
+
+/// Why an object alone cannot hold a list, and what holds it: the call at `place`, from 0, comes too late for T Rz Ry Rx S, and so many groups are
+/// made.
+#[must_use]
+pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> String {
+    let (number, symbol) = (place + 1, call.symbol().replace('_', ""));
+    match (lang, groups) {
+        (Lang::En, 1) => format!(
+            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. A group above the object holds the steps before it, exactly."
+        ),
+        (Lang::PtBr, 1) => format!(
+            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. Um grupo acima do objeto guarda os passos anteriores, exatamente."
+        ),
+        (Lang::En, _) => format!(
+            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. {groups} groups above the object, one below the other, hold the rest, exactly."
+        ),
+        (Lang::PtBr, _) => format!(
+            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. {groups} grupos acima do objeto, um sob o outro, guardam o resto, exatamente."
+        ),
+    }
+}

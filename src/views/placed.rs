@@ -1,0 +1,133 @@
+//! An object where a list of transforms puts it: glass in another colour, with its own axes.
+
+use std::sync::Arc;
+
+use glam::DMat4;
+
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
+use crate::geometry::Ray;
+use crate::scene::{Line, Object, ObjectPaint, primitives};
+
+use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
+use super::{Palette, Placed, Request};
+
+/// Adds the objects that are shown where they are not.
+pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+    for (k, placed) in request.overlays.placed.iter().enumerate() {
+        let color = if placed.wrong { palette.wrong } else { palette.ghost };
+        bodies(builder, request, placed, color);
+        axes(builder, placed, k + 1, color);
+        if let Some(axis) = placed.axis {
+            about(builder, axis, color);
+        }
+    }
+}
+
+/// The objects as glass; what is scaled to nothing has no faces to be seen. Where they stand already, there is nothing to add.
+fn bodies(builder: &mut SceneBuilder, request: &Request, placed: &Placed, color: Rgba) {
+    let mut add = |name: &str, mesh, world_from_object: DMat4| {
+        if world_from_object.determinant().abs() <= f64::MIN_POSITIVE {
+            return;
+        }
+        builder.scene.objects.push(Object {
+            name: format!("{name} moved"),
+            mesh,
+            world_from_object,
+            paint: ObjectPaint::Solid(color.with_alpha(60)),
+            lit: false,
+            two_sided: true,
+            faces: true,
+            edges: Some(gizmos::stroke(color, 1.2, Dash::Solid, HiddenLines::Hidden)),
+            outline: None,
+        });
+    };
+    if placed.objects.is_empty() {
+        return add("cube", Arc::new(primitives::cube()), placed.world_from_frame);
+    }
+    if placed.change.abs_diff_eq(DMat4::IDENTITY, 1e-9) {
+        return;
+    }
+    let shown = |object: &&Object| {
+        let whole = object.name.split_once('/').map_or(object.name.as_str(), |(whole, _)| whole);
+        object.faces && (placed.objects.contains(&object.name) || placed.objects.contains(whole))
+    };
+    for object in request.scene.objects.iter().filter(shown) {
+        add(&object.name, Arc::clone(&object.mesh), placed.change * object.world_from_object);
+    }
+}
+
+/// The columns of its matrix: where they begin, and as long as they are. Nothing hides them.
+fn axes(builder: &mut SceneBuilder, placed: &Placed, number: usize, color: Rgba) {
+    let origin = placed.world_from_frame.w_axis.truncate();
+    let columns = [placed.world_from_frame.x_axis, placed.world_from_frame.y_axis, placed.world_from_frame.z_axis];
+    for (column, name) in columns.into_iter().zip(["x", "y", "z"]) {
+        let tip = origin + column.truncate();
+        let style = LineStyle { color, width: 2.0, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: true };
+        builder.scene.lines.push(Line { points: vec![origin, tip], style });
+        let toward = builder.screen.heading(origin, column.truncate());
+        builder.text(tip, &format!("{name}_{number}"), toward, SMALL_TYPE, color);
+    }
+    builder.mark_above(origin, MarkShape::Disc, 3.0, color);
+}
+
+/// About what it has turned last.
+fn about(builder: &mut SceneBuilder, axis: Ray, color: Rgba) {
+    let reach = builder.screen.units_per_pixel(axis.origin) * 0.25 * builder.screen.extent().min_element();
+    let ends = [-reach, reach].map(|t| axis.origin + axis.direction * t);
+    builder.line(ends.to_vec(), color, 1.2, Dash::DashDot);
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+    use std::collections::BTreeSet;
+
+    use glam::DVec3;
+
+    use super::*;
+    use crate::camera::{Camera, Parameters};
+    use crate::drawing::Drawing;
+    use crate::figure::{Figure, Observer};
+    use crate::i18n::{Lang, pictures};
+    use crate::views::timed_pipeline::TimedPipeline;
+    use crate::views::{Overlays, SharedScene, Size, View, frame};
+
+    fn drawn(placed: Vec<Placed>) -> Drawing {
+        let (figure, camera) = (Figure::default(), Camera::new(&Parameters::default()).unwrap());
+        let size = Size { width: 600, height: 400, scale: 1.0 };
+        let observer = Observer {
+            target: DVec3::ZERO,
+            distance: 30.0,
+            azimuth: 40.0,
+            elevation: 25.0,
+            roll: 0.0,
+            parallel: false,
+        };
+        let request = Request {
+            observer: Some(observer),
+            overlays: Overlays { placed, ..Overlays::default() },
+            ..Request::of(&figure, View::World, &camera, &SharedScene::default(), pictures::labels(Lang::En), size)
+        };
+        frame(&request, None, &mut TimedPipeline::default()).drawing
+    }
+
+    #[test]
+    fn each_has_its_axes_and_what_is_scaled_to_nothing_no_body() {
+        let placed = |scale: DVec3, wrong| Placed {
+            objects: BTreeSet::new(),
+            change: DMat4::IDENTITY,
+            world_from_frame: DMat4::from_translation(DVec3::X) * DMat4::from_scale(scale),
+            axis: None,
+            wrong,
+        };
+        let plain = drawn(Vec::new());
+        let two = drawn(vec![placed(DVec3::ONE, false), placed(DVec3::ONE, true)]);
+        let texts: Vec<&str> = two.labels.iter().map(|label| label.text.as_str()).collect();
+        for name in ["x_1", "y_1", "z_1", "x_2", "y_2", "z_2"] {
+            assert!(texts.contains(&name), "{texts:?}");
+        }
+        assert!(two.surfaces.len() > plain.surfaces.len());
+        let flat = drawn(vec![placed(DVec3::new(1.0, 0.0, 1.0), false)]);
+        assert_eq!(flat.surfaces.len(), plain.surfaces.len());
+    }
+}
