@@ -18,7 +18,7 @@ use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{News, Sessions};
 use super::state::{AfterSave, Dialog, Message, Purpose, Side, State};
-use super::{dialogs, explain, menu, panels, presentation, sequence, theme, tooltip};
+use super::{dialogs, explain, menu, noted, panels, presentation, sequence, theme, tooltip};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::Lang;
@@ -133,8 +133,12 @@ impl App {
         while self.state.file_flow.dialog.is_none()
             && let Some(command) = self.keyboard(&ctx)
         {
-            self.perform(&ctx, command);
+            match noted::asked(&ctx).filter(|_| command == Command::Help) {
+                Some(note) => self.state.explain_by_note(note),
+                None => self.perform(&ctx, command),
+            }
         }
+        noted::begin(&ctx);
         // What is pointed at is said by the panels that are shown in this frame.
         self.state.ghost = None;
         self.state.measured.clear();

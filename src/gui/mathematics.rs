@@ -57,6 +57,12 @@ fn short(x: f64) -> f32 {
 impl Ink {
     /// `None` for what is not LaTeX, or needs more than the fonts have.
     fn new(latex: &str) -> Option<Self> {
+        // Brackets as high as a matrix are glyphs of no font: they are lines here.
+        if let Some((before, rest)) = latex.split_once(r"\begin{bmatrix}") {
+            let (entries, after) = rest.split_once(r"\end{bmatrix}")?;
+            let matrix = Self::new(&format!(r"\begin{{matrix}}{entries}\end{{matrix}}"))?.in_brackets();
+            return Some(Self::new(before)?.beside(matrix).beside(Self::new(after)?));
+        }
         let list = to_display_list(&layout(&ratex_parser::parse(latex).ok()?, &LayoutOptions::default()));
         let DisplayList { items, width, height, depth } = list;
         let mut ink = Self { size: [short(width), short(height + depth)], baseline: short(height), ..Self::default() };
@@ -74,6 +80,46 @@ impl Ink {
             }
         }
         Some(ink)
+    }
+
+    fn moved(mut self, [x, y]: [f32; 2]) -> Self {
+        for place in self.glyphs.iter_mut().map(|glyph| &mut glyph.place) {
+            *place = [place[0] + x, place[1] + y];
+        }
+        for line in &mut self.lines {
+            (line[0], line[1]) = (line[0] + x, line[1] + y);
+        }
+        self
+    }
+
+    /// Both on one baseline.
+    fn beside(self, other: Self) -> Self {
+        const GAP: f32 = 0.28;
+        let gap = if self.size[0] > 0.0 && other.size[0] > 0.0 { GAP } else { 0.0 };
+        let baseline = self.baseline.max(other.baseline);
+        let below = (self.size[1] - self.baseline).max(other.size[1] - other.baseline);
+        let left = self.size[0] + gap;
+        let size = [left + other.size[0], baseline + below];
+        let (down, other_down) = (baseline - self.baseline, baseline - other.baseline);
+        let (mut both, other) = (self.moved([0.0, down]), other.moved([left, other_down]));
+        both.glyphs.extend(other.glyphs);
+        both.lines.extend(other.lines);
+        Self { size, baseline, ..both }
+    }
+
+    fn in_brackets(self) -> Self {
+        // Thickness of the lines, length of those at the ends, room between brackets and entries.
+        const LINE: f32 = 0.07;
+        const END: f32 = 0.25;
+        const ROOM: f32 = 0.4;
+        let [width, height] = [self.size[0] + 2.0 * ROOM, self.size[1]];
+        let (size, baseline) = ([width, height], self.baseline);
+        let mut ink = self.moved([ROOM, 0.0]);
+        for (side, end) in [(0.0, 0.0), (width - LINE, width - END)] {
+            ink.lines.push([side, height / 2.0, LINE, height]);
+            ink.lines.extend([LINE / 2.0, height - LINE / 2.0].map(|y| [end, y, END, LINE]));
+        }
+        Self { size, baseline, ..ink }
     }
 }
 
@@ -169,4 +215,34 @@ pub(super) fn show(ui: &mut Ui, latex: &str, text: &str, size: f32) -> Response 
     formula.paint(ui.painter(), place.min, ui.visuals().text_color());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
     response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ink;
+    use crate::i18n::Lang;
+    use crate::i18n::notes::{Piece, notes};
+
+    #[test]
+    fn the_mathematics_of_all_notes_is_set_with_the_fonts_that_are_there() {
+        let mut equations = 0;
+        for note in [Lang::En, Lang::PtBr].into_iter().flat_map(notes) {
+            let inline = note.paragraphs.iter().chain(&note.errata).flatten().filter_map(|piece| match piece {
+                Piece::Mathematics(latex) => Some(*latex),
+                Piece::Words(_) => None,
+            });
+            for latex in inline {
+                let ink = Ink::new(latex);
+                assert!(ink.as_ref().is_some_and(|ink| !ink.glyphs.is_empty()), "{}: {latex}", note.id);
+                // Such a formula stands in a line of words.
+                assert!(ink.is_some_and(|ink| ink.size[1] < 1.1), "{}: {latex} is too high", note.id);
+            }
+            for latex in &note.equations {
+                assert!(Ink::new(latex).is_some_and(|ink| !ink.glyphs.is_empty()), "{}: {latex}", note.id);
+                equations += 1;
+            }
+        }
+        assert!(equations > 80, "{equations}");
+        assert!(Ink::new(r"\frac{1").is_none(), "what is not LaTeX is told apart");
+    }
 }

@@ -34,6 +34,7 @@ mod mathematics;
 pub mod menu;
 mod motion;
 pub mod native;
+mod noted;
 pub mod number_field;
 pub mod panels;
 mod plotting;

@@ -18,6 +18,14 @@ texts! {
     order_hint: "In which order translation, rotation and scale act on an object, and what another order does", "Em que ordem translação, rotação e escala agem num objeto, e o que outra ordem faz";
     code: "Code", "Código";
     code_hint: "The camera as code for a library", "A câmera como código para uma biblioteca";
+    notes: "Notes", "Notas";
+    notes_hint: "A short text for each symbol, operation, equation, step and stage; F1 on one of them leads here", "Um texto curto para cada símbolo, operação, equação, passo e etapa; F1 sobre um deles traz até aqui";
+    search_notes: "Search the notes", "Procurar nas notas";
+    search_notes_hint: "Words, symbols or numbers of equations; accents and capitals do not matter. Enter reads the first", "Palavras, símbolos ou números de equações; acentos e maiúsculas não importam. Enter lê a primeira";
+    no_note: "No note says that.", "Nenhuma nota diz isso.";
+    note_before: "The note before", "A nota anterior";
+    see_also: "See also", "Veja também";
+    in_this_figure: "in this figure", "nesta figura";
     code_for: "Code for", "Código para";
     copy: "Copy", "Copiar";
     copy_code_hint: "Copies the code", "Copia o código";

@@ -50,6 +50,7 @@ pub mod gallery;
 pub mod homogeneous;
 mod meshes;
 pub mod messages;
+pub mod notes;
 pub mod numerics;
 pub mod order;
 pub mod pictures;

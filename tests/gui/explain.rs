@@ -93,6 +93,8 @@ fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_t
     // With the keyboard on to the next entry, and to a symbol that is made of others.
     window.key(Key::Tab);
     assert_eq!(window.state().explain.matrices.entry, [2, 3]);
+    window.key(Key::ArrowDown);
+    assert_eq!(window.state().explain.matrices.entry, [3, 3]);
     window.harness.get_by_label_contains("M_p, linha 1, coluna 1").focus();
     window.run();
     window.harness.get_by_label("W = 8/3 ≈ 2,6667").focus();

@@ -18,6 +18,7 @@ mod gallery;
 mod homogeneous;
 mod keyboard;
 mod language;
+mod notes;
 mod numerics;
 mod order;
 mod other_programs;

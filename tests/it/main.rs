@@ -33,6 +33,7 @@ mod meshes_obj;
 mod misplaced;
 mod ndc;
 mod normalizing;
+mod notes;
 mod outline;
 mod pipeline;
 mod pipeline_bounds;

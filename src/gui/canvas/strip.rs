@@ -12,10 +12,11 @@ use eframe::egui::{
 use super::icons::{Icon, icon_button};
 use crate::figure::{Depth, Reveal};
 use crate::gui::fitted;
+use crate::gui::noted::noted;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::sources::with_titles;
-use crate::i18n::{Lang, pipeline as words};
+use crate::i18n::{Lang, notes, pipeline as words};
 use crate::numbers;
 use crate::picture::Account;
 use crate::pipeline::{Stage, StageReport};
@@ -246,6 +247,7 @@ impl Strip<'_> {
             if response.has_focus() || (response.hovered() && pointed.is_none()) {
                 pointed = Some(report.stage);
             }
+            noted(&response, notes::of_stage(report.stage));
             let strong = response.hovered() || response.has_focus() || shown == Some(true);
             self.cell(ui, place, report, account.total, strong);
             response.explained_by(|ui| {

@@ -5,9 +5,10 @@ use eframe::egui::{self, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use super::measures;
 use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Writer, definition};
 use crate::gui::mathematics::{self, Formula as Typeset};
+use crate::gui::noted::noted;
 use crate::gui::state::Matrices;
-use crate::i18n::Lang;
 use crate::i18n::explain::{self as words, Texts};
+use crate::i18n::{Lang, notes};
 use crate::numbers::exact_form;
 use crate::views::Measured;
 
@@ -121,6 +122,18 @@ fn chain(ui: &mut Ui, name: &Both, said: &[Both]) {
     }
 }
 
+/// A symbol = what it is made of = numbers = value.
+pub(super) fn of_symbol(ui: &mut Ui, writing: Writing<'_>, symbol: Symbol) {
+    let name = Both { latex: symbol.latex(), text: symbol.text() };
+    let value = writing.symbol_value(symbol);
+    ui.push_id(symbol, |ui| match definition(symbol, writing.setting) {
+        Some(Definition { formula, .. }) => {
+            chain(ui, &name, &[writing.formula(&formula), writing.numbers(&formula), value]);
+        }
+        None => chain(ui, &name, &[value]),
+    });
+}
+
 /// What symbols are made of, each opened where it is clicked.
 struct Tree<'a> {
     writing: Writing<'a>,
@@ -155,12 +168,12 @@ impl Tree<'_> {
     }
 
     fn definition(&self, ui: &mut Ui, symbol: Symbol, definition: &Definition) {
-        let writing = self.writing;
-        let name = Both { latex: symbol.latex(), text: symbol.text() };
-        let value = writing.symbol_value(symbol);
-        chain(ui, &name, &[writing.formula(&definition.formula), writing.numbers(&definition.formula), value]);
+        of_symbol(ui, self.writing, symbol);
         if !definition.equation.is_empty() {
-            ui.label(RichText::new(format!("[0] {}", definition.equation)).small().weak());
+            let place = ui.label(RichText::new(format!("[0] {}", definition.equation)).small().weak());
+            if let Some(note) = notes::of_equation(definition.equation) {
+                noted(&place, note);
+            }
         }
     }
 
@@ -174,6 +187,7 @@ impl Tree<'_> {
             let formula = Typeset::new(ui, &latex, &text, SIZE - 1.0);
             let size = formula.size() + vec2(20.0, 4.0);
             let (place, response) = ui.allocate_exact_size(size, Sense::click());
+            noted(&response, notes::of_symbol(symbol));
             if response.hovered() || response.has_focus() {
                 ui.painter().rect_filled(place, 3.0, ui.visuals().widgets.hovered.bg_fill);
                 self.pointed = Some(symbol);

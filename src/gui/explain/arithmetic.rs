@@ -9,9 +9,10 @@ use super::digits;
 use crate::camera::WayBack;
 use crate::explain::{Line, Notation, Setting, Step, Style, back, forward, written};
 use crate::gui::mathematics;
+use crate::gui::noted::noted;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain_point::Texts;
-use crate::i18n::messages;
+use crate::i18n::{messages, notes};
 
 /// The type size of formulas, in points.
 const SIZE: f32 = 14.0;
@@ -91,12 +92,15 @@ fn way_back(setting: &Setting<'_>) -> Option<Result<WayBack, crate::camera::NoWa
 fn step(ui: &mut egui::Ui, step: &Step, setting: &Setting<'_>, key: (&str, &str), t: &Texts, style: Style) {
     let heading = format!("{} → {}   {}", t.space(step.from), t.space(step.to), step.equation);
     let id = ("step", key.1, step.from, step.to);
-    CollapsingHeader::new(heading).id_salt(id).default_open(true).show(ui, |ui| {
+    let shown = CollapsingHeader::new(heading).id_salt(id).default_open(true).show(ui, |ui| {
         let typeset = step.lines(setting, Style { notation: Notation::Latex, ..style });
         for (row, (line, latex)) in step.lines(setting, style).iter().zip(&typeset).enumerate() {
             self::line(ui, (line, latex), (key, step.from, step.to, row, style.digits, t.lang.mark()));
         }
     });
+    if let Some(note) = notes::of_equation(&step.equation) {
+        noted(&shown.header_response, note);
+    }
 }
 
 /// A row: the formula, set as mathematics, and below it the same with the numbers and what comes out.

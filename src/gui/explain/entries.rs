@@ -3,6 +3,7 @@
 use eframe::egui::{self, Color32, Id, Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
 
 use crate::gui::mathematics::Formula;
+use crate::gui::noted::noted;
 use crate::gui::panels::values::brackets;
 
 /// An entry as it is written.
@@ -85,8 +86,13 @@ fn gaps(before: usize) -> f32 {
     before as f32
 }
 
-/// Shows the entries between brackets. `chosen` is marked, and takes the keyboard where `wants_focus` says so.
-pub(super) fn show(ui: &mut Ui, cells: &[[Cell; 4]; 4], chosen: [usize; 2], wants_focus: bool) -> Pointed {
+/// Shows the entries between brackets. `chosen` is marked, and takes the keyboard where `wants_focus` says so. `note` is the one on the matrix.
+pub(super) fn show(
+    ui: &mut Ui,
+    cells: &[[Cell; 4]; 4],
+    (chosen, wants_focus): ([usize; 2], bool),
+    note: &'static str,
+) -> Pointed {
     let mut layout = Layout::new(ui, cells, SIZE);
     let factor = (ui.available_width() / layout.size().x).clamp(SMALLEST, 1.0);
     if factor < 1.0 {
@@ -104,10 +110,12 @@ pub(super) fn show(ui: &mut Ui, cells: &[[Cell; 4]; 4], chosen: [usize; 2], want
                     response.request_focus();
                     ui.scroll_to_rect(place, None);
                 }
+                noted(&response, note);
                 if response.hovered() {
                     pointed.hovered = Some([i, j]);
                 }
-                if response.clicked() || response.gained_focus() {
+                // The arrows move the keyboard after the frame: that it has come is not told in any.
+                if response.clicked() || (response.has_focus() && !wants_focus) {
                     pointed.chosen = Some([i, j]);
                 }
                 ground(ui, place, cell, chosen == [i, j], &response);

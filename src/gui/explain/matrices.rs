@@ -9,11 +9,12 @@ use super::entries::{self, Cell};
 use super::subject::Subject;
 use crate::camera::{Ndc, Projection};
 use crate::explain::{Formula, Matrix, MatrixFormula, Setting, leaves};
+use crate::gui::noted::noted;
 use crate::gui::panels::erratum;
 use crate::gui::state::{Matrices, Reading, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain::{self as words, Texts};
-use crate::i18n::{conventions, window};
+use crate::i18n::{conventions, notes, window};
 use crate::numbers::without_rests;
 
 /// Shows the tab.
@@ -41,7 +42,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     state.explain.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
     let cells = cells(state, writing, &formulas, &values, now);
     let Matrices { entry, wants_focus, .. } = state.explain.matrices;
-    let pointed = entries::show(ui, &cells, entry, wants_focus);
+    let pointed = entries::show(ui, &cells, (entry, wants_focus), note_on(&formulas));
     state.explain.matrices.wants_focus = false;
     if let Some(chosen) = pointed.chosen {
         state.explain.matrices.entry = chosen;
@@ -60,12 +61,18 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     state.measured.extend(lights);
 }
 
+/// The note on the equation in force; where there is none, on the matrix.
+fn note_on(formulas: &MatrixFormula) -> &'static str {
+    notes::of_equation(formulas.equation).unwrap_or(notes::of_matrix(formulas.matrix))
+}
+
 /// Which matrix, whether its inverse, how it is read.
 fn choices(ui: &mut Ui, t: &'static Texts, state: &mut Matrices) {
     ui.horizontal_wrapped(|ui| {
         for matrix in Matrices::CHOICES {
             let button = egui::Button::selectable(state.matrix == matrix, matrix_symbol(ui, matrix));
             let button = ui.add(button.frame_when_inactive(true)).explained(words::matrix(t.lang, matrix));
+            noted(&button, notes::of_matrix(matrix));
             button.widget_info(|| {
                 let on = state.matrix == matrix;
                 egui::WidgetInfo::selected(egui::Role::Button, true, on, matrix.text())
@@ -109,7 +116,8 @@ fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixF
     ui.horizontal_wrapped(|ui| {
         ui.label(words::matrix(lang, formulas.matrix));
         let place = format!("[0] {} {}", formulas.section, formulas.equation);
-        ui.label(RichText::new(place.trim_end()).weak()).explained(words::in_force(lang, formulas));
+        let place = ui.label(RichText::new(place.trim_end()).weak()).explained(words::in_force(lang, formulas));
+        noted(&place, note_on(formulas));
         if ndc != Ndc::default() {
             ui.label(RichText::new(format!("· {}", conventions::name(lang, ndc))).weak());
         }

@@ -11,6 +11,7 @@ mod entries;
 mod homogeneous;
 mod matrices;
 mod measures;
+mod notes;
 mod order;
 mod order_list;
 mod point;
@@ -41,6 +42,7 @@ const TABS: &[Row] = &[
     Row { tab: ExplainTab::Dialects, name: |t| t.dialects, hint: |t| t.dialects_hint, ui: dialects::ui },
     Row { tab: ExplainTab::Order, name: |t| t.order, hint: |t| t.order_hint, ui: order::ui },
     Row { tab: ExplainTab::Code, name: |t| t.code, hint: |t| t.code_hint, ui: code::ui },
+    Row { tab: ExplainTab::Notes, name: |t| t.notes, hint: |t| t.notes_hint, ui: notes::ui },
 ];
 
 /// Shows the heads of the tabs, and the tab that is chosen.

@@ -6,12 +6,13 @@ use eframe::egui::{self, Button, RichText, Slider, Ui};
 use glam::DMat4;
 
 use crate::camera::{Camera, Decomposition, Factor};
+use crate::gui::noted::noted;
 use crate::gui::panels::values::brackets;
 use crate::gui::state::{State, Steps};
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain::{self as words, Texts};
-use crate::i18n::{Lang, command_line, pictures};
+use crate::i18n::{Lang, command_line, notes, pictures};
 use crate::numbers::without_rests;
 use crate::views::View;
 
@@ -138,7 +139,9 @@ fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], steps: &mu
     for (i, factor) in factors.iter().enumerate() {
         let text = format!("{}. {}", i + 1, labels.step(factor.step).replace(['{', '}'], ""));
         let button = Button::selectable(done == i + 1, text).wrap();
-        if ui.add(button).clicked() {
+        let button = ui.add(button);
+        noted(&button, notes::of_step(factor.step));
+        if button.clicked() {
             steps.hold();
             #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
             steps.go_to((i + 1) as f64, camera);

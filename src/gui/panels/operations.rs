@@ -5,10 +5,12 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 use super::{TEXT_LINE, complaint, erratum, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
 use crate::gui::motion;
+use crate::gui::noted::noted_row;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::{Scrub, State};
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
+use crate::i18n::notes;
 use crate::i18n::window::{self, Texts};
 use crate::numbers::DecimalMark;
 use crate::views::Ghost;
@@ -106,6 +108,7 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
         controls(ui, t, state, freedom);
     });
     ui.add_space(1.0);
+    noted_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     if state.ghost.is_none() && hovered && !ui.input(|input| input.pointer.any_down()) {
         let before = state.document.camera().clone();

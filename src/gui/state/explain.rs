@@ -1,6 +1,7 @@
 //! What the side of explanations shows.
 
 use super::matrices::Matrices;
+use super::notes::Notes;
 use super::order::Order;
 use super::steps::Steps;
 use crate::camera::{CameraError, MatrixKind};
@@ -27,6 +28,8 @@ pub enum ExplainTab {
     Order,
     /// The camera as code.
     Code,
+    /// A short text for each symbol, operation, equation, step and stage.
+    Notes,
 }
 
 /// The side of explanations. Whether it is shown is said by [`Panels`](super::Panels).
@@ -42,6 +45,8 @@ pub struct Explain {
     pub order: Order,
     /// The object by the list of transforms, and by another one; written by the tab of order in each frame, shown in the world.
     pub placed: Vec<Placed>,
+    /// The tab of notes.
+    pub notes: Notes,
     /// The parameters that are pointed at in another panel; written by the panels in each frame.
     pub pointed: Vec<Symbol>,
     /// Where along a segment a point is whose image is asked for, 0 … 1.
@@ -80,6 +85,7 @@ impl Default for Explain {
             steps: Steps::default(),
             order: Order::default(),
             placed: Vec::new(),
+            notes: Notes::default(),
             share: 0.5,
             code: CodeTarget::default(),
             refused: None,

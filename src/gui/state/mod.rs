@@ -10,6 +10,7 @@ mod insert;
 mod layout;
 mod matrices;
 mod message;
+mod notes;
 mod numerics;
 mod operations;
 mod order;
@@ -42,6 +43,7 @@ pub(in crate::gui) use matrices::symbols_of;
 pub use matrices::{Matrices, Reading};
 pub(in crate::gui) use message::about_session;
 pub use message::{Message, NotExported};
+pub use notes::Notes;
 pub use numerics::Numerics;
 pub use operations::Operations;
 pub(super) use operations::{Motion, Scrub};
@@ -359,8 +361,18 @@ impl State {
 
     /// Shows why an entry of a matrix is what it is; the entry takes the keyboard.
     pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
-        self.explain.tab = ExplainTab::Matrices;
         self.explain.matrices.go_to(matrix, entry);
+        self.show_explanations(ExplainTab::Matrices);
+    }
+
+    /// Shows a note, which takes the keyboard in the list of notes.
+    pub(in crate::gui) fn explain_by_note(&mut self, id: &'static str) {
+        self.explain.notes.go_to(id);
+        self.show_explanations(ExplainTab::Notes);
+    }
+
+    fn show_explanations(&mut self, tab: ExplainTab) {
+        self.explain.tab = tab;
         if !self.settings.panels().is_shown(Side::Explain) {
             self.settings.panels_mut().toggle(Side::Explain);
         }

@@ -4,6 +4,7 @@ use eframe::egui;
 
 use super::{Form, Number, Vector, row};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
+use crate::gui::noted::noted;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{erratum, section};
 use crate::gui::state::State;
@@ -111,13 +112,15 @@ fn kind(ui: &mut egui::Ui, form: &mut Form) {
     let t = form.t;
     let mut chosen = form.parameters.projection;
     ui.columns(2, |columns| {
-        for (column, projection, text, hint) in [
-            (0, Projection::Perspective, t.perspective, t.perspective_hint),
-            (1, Projection::Parallel, t.parallel, t.parallel_hint),
+        for (column, projection, text, hint, note) in [
+            (0, Projection::Perspective, t.perspective, t.perspective_hint, "perspective"),
+            (1, Projection::Parallel, t.parallel, t.parallel_hint, "parallel"),
         ] {
             columns[column].vertical_centered_justified(|ui| {
                 let button = egui::Button::selectable(chosen == projection, text).frame_when_inactive(true);
-                if ui.add(button).explained(hint).clicked() {
+                let button = ui.add(button).explained(hint);
+                noted(&button, note);
+                if button.clicked() {
                     chosen = projection;
                 }
             });

@@ -6,10 +6,13 @@ use eframe::egui;
 
 use super::{complaint, row};
 use crate::camera::{ImageSize, Viewport};
+use crate::explain::Symbol;
+use crate::gui::noted::noted_row;
 use crate::gui::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::panels::section;
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
+use crate::i18n::notes;
 use crate::i18n::window::{self, Texts};
 use crate::limits;
 
@@ -22,17 +25,20 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     section(ui, t.image, "image", true, |ui| {
         let ImageSize { width, height } = state.document.figure().image;
         let [mut m, mut n] = [f64::from(width), f64::from(height)];
-        let outputs = row(ui, "m × n", t.image_size, t.image_size_hint, |ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            let field = |name: &str| {
-                let field = NumberField::new(name, Step::Add(16.0)).whole().within(1.0..=MAX_SIDE);
-                field.hint(t.image_size_hint).width(62.0)
-            };
-            let first = field("m").show(ui, t, &mut m);
-            ui.label("×");
-            [first, field("n").show(ui, t, &mut n)]
+        let size = ui.scope(|ui| {
+            row(ui, "m × n", t.image_size, t.image_size_hint, |ui| {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                let field = |name: &str| {
+                    let field = NumberField::new(name, Step::Add(16.0)).whole().within(1.0..=MAX_SIDE);
+                    field.hint(t.image_size_hint).width(62.0)
+                };
+                let first = field("m").show(ui, t, &mut m);
+                ui.label("×");
+                [first, field("n").show(ui, t, &mut n)]
+            })
         });
-        complain(ui, t, &outputs);
+        noted_row(ui, size.response.rect, notes::of_symbol(Symbol::ImageWidth));
+        complain(ui, t, &size.inner);
         let size = ImageSize { width: to_side(m), height: to_side(n) };
         if size != state.document.figure().image {
             state.document.edit(|figure| figure.image = size);
@@ -86,17 +92,22 @@ fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
         let mut pair =
             |symbols: [&str; 2], name: &str, hint: &'static str, range: RangeInclusive<f64>, values: [&mut f64; 2]| {
                 let [first, second] = values;
-                let outputs = row(ui, "", name, hint, |ui| {
-                    ui.spacing_mut().item_spacing.x = 4.0;
-                    let field = |symbol: &str| {
-                        let pixels = *range.end() > 1.0;
-                        let field = NumberField::new(symbol, Step::Add(if pixels { 16.0 } else { 0.1 }));
-                        let field = field.within(range.clone()).hint(hint).width(72.0);
-                        if pixels { field.whole() } else { field }
-                    };
-                    [field(symbols[0]).show(ui, t, first), field(symbols[1]).show(ui, t, second)]
+                let pair = ui.scope(|ui| {
+                    row(ui, "", name, hint, |ui| {
+                        ui.spacing_mut().item_spacing.x = 4.0;
+                        let field = |symbol: &str| {
+                            let pixels = *range.end() > 1.0;
+                            let field = NumberField::new(symbol, Step::Add(if pixels { 16.0 } else { 0.1 }));
+                            let field = field.within(range.clone()).hint(hint).width(72.0);
+                            if pixels { field.whole() } else { field }
+                        };
+                        [field(symbols[0]).show(ui, t, first), field(symbols[1]).show(ui, t, second)]
+                    })
                 });
-                complain(ui, t, &outputs);
+                let of_depths = *range.end() == 1.0;
+                let symbol = if of_depths { Symbol::DepthNear } else { Symbol::ViewportX };
+                noted_row(ui, pair.response.rect, notes::of_symbol(symbol));
+                complain(ui, t, &pair.inner);
             };
         let [mut x, mut y] = [f64::from(new.x), f64::from(new.y)];
         let [mut width, mut height] = [f64::from(new.width), f64::from(new.height)];

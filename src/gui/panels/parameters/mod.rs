@@ -14,12 +14,13 @@ use crate::camera::{Camera, CameraError, Parameters};
 use crate::explain::Symbol;
 use crate::gui::command::Command;
 use crate::gui::focus::keep_in_sight;
+use crate::gui::noted::{has_focus, noted_row};
 use crate::gui::number_field::{FieldOutput, NumberField};
 use crate::gui::repair::{Repair, repairs};
 use crate::gui::state::{State, Tab, symbols_of};
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{Lang, faults, scenes};
+use crate::i18n::{Lang, faults, notes, scenes};
 use crate::numbers;
 use crate::scene::Preset;
 use crate::views::{Measure, Measured, WindowSide};
@@ -186,10 +187,12 @@ impl Form {
         if pointed && !ui.input(|input| input.pointer.any_down()) {
             self.measured = measure_of(key).map_or_else(|| std::mem::take(&mut self.measured), |measure| vec![measure]);
         }
-        let focused = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id));
-        let focused = focused.is_some_and(|r| r.layer_id == ui.layer_id() && row.contains(r.rect.center()));
-        if pointed || (focused && self.pointed.is_empty()) {
-            self.pointed = symbols_of(key);
+        let symbols = symbols_of(key);
+        if let Some(symbol) = symbols.first() {
+            noted_row(ui, row, notes::of_symbol(*symbol));
+        }
+        if pointed || (has_focus(ui, row) && self.pointed.is_empty()) {
+            self.pointed = symbols;
         }
     }
 

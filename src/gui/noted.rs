@@ -1,0 +1,55 @@
+//! On what there is a note: what is pointed at or has the keyboard says so in each frame, and F1 opens it.
+
+use eframe::egui::{self, Id, Rect, Response, Ui};
+
+/// The notes on what is pointed at, and on what has the keyboard.
+#[derive(Clone, Copy, Default)]
+struct Noted {
+    pointed: Option<&'static str>,
+    focused: Option<&'static str>,
+}
+
+fn key() -> Id {
+    Id::unique("noted")
+}
+
+/// Forgets what the last frame has said.
+pub(super) fn begin(ctx: &egui::Context) {
+    ctx.data_mut(|data| data.remove::<Noted>(key()));
+}
+
+/// The note on what is pointed at; else on what has the keyboard.
+pub(super) fn asked(ctx: &egui::Context) -> Option<&'static str> {
+    let noted = ctx.data(|data| data.get_temp::<Noted>(key()))?;
+    noted.pointed.or(noted.focused)
+}
+
+/// Says that F1 on this control opens the note `id`.
+pub(super) fn noted(response: &Response, id: &'static str) {
+    say(&response.ctx, response.contains_pointer(), response.has_focus(), id);
+}
+
+/// Says that F1 on a row, or on a field in it, opens the note `id`.
+pub(super) fn noted_row(ui: &Ui, row: Rect, id: &'static str) {
+    say(ui.ctx(), ui.rect_contains_pointer(row), has_focus(ui, row), id);
+}
+
+/// Whether a control in a rectangle has the keyboard.
+pub(super) fn has_focus(ui: &Ui, rect: Rect) -> bool {
+    let focused = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id));
+    focused.is_some_and(|r| r.layer_id == ui.layer_id() && rect.contains(r.rect.center()))
+}
+
+fn say(ctx: &egui::Context, pointed: bool, focused: bool, id: &'static str) {
+    if pointed || focused {
+        ctx.data_mut(|data| {
+            let noted = data.get_temp_mut_or_default::<Noted>(key());
+            if pointed {
+                noted.pointed = Some(id);
+            }
+            if focused {
+                noted.focused = Some(id);
+            }
+        });
+    }
+}

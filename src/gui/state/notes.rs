@@ -1,0 +1,49 @@
+//! The tab of notes of the side of explanations.
+
+/// What is searched for, and the note that is read.
+#[derive(Clone, Debug, Default)]
+pub struct Notes {
+    /// What is searched for.
+    pub wanted: String,
+    /// The identifier of the note that is read; empty: the first one.
+    pub chosen: &'static str,
+    /// Those that were read before it, the last one at the end.
+    pub(in crate::gui) before: Vec<&'static str>,
+    /// The note that is read takes the keyboard in its list, and is brought into sight there.
+    pub(in crate::gui) wants_focus: bool,
+}
+
+/// How far back one can go.
+const LONGEST_WAY: usize = 32;
+
+impl Notes {
+    /// Reads a note.
+    pub(in crate::gui) fn read(&mut self, id: &'static str) {
+        if id == self.chosen {
+            return;
+        }
+        if !self.chosen.is_empty() {
+            if self.before.len() == LONGEST_WAY {
+                self.before.remove(0);
+            }
+            self.before.push(self.chosen);
+        }
+        self.chosen = id;
+    }
+
+    /// Reads a note that was asked for elsewhere: it takes the keyboard in a list of all notes.
+    pub(in crate::gui) fn go_to(&mut self, id: &'static str) {
+        self.read(id);
+        self.wanted.clear();
+        self.wants_focus = true;
+    }
+
+    /// Reads the note before this one again.
+    pub(in crate::gui) fn go_back(&mut self) {
+        if let Some(id) = self.before.pop() {
+            self.chosen = id;
+            self.wanted.clear();
+            self.wants_focus = true;
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! The tab of notes: searched, read, left by links; F1 on a thing opens the note on it.
+
+use camera_lab::gui::state::{Dialog, ExplainTab, Side};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::explain::texts;
+use camera_lab::i18n::notes::note;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, Pos2};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+use super::window::Window;
+
+fn reading(lang: Lang) -> Window {
+    let mut window = Window::new(lang);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+    window.run();
+    window.app_mut().state.explain.tab = ExplainTab::Notes;
+    window.run();
+    window
+}
+
+fn chosen(window: &Window) -> &'static str {
+    window.state().explain.notes.chosen
+}
+
+/// The note that is shown, with the side of explanations and its tab.
+fn shown(window: &Window) -> Option<&'static str> {
+    let state = window.state();
+    let is_shown = state.settings.panels().is_shown(Side::Explain) && state.explain.tab == ExplainTab::Notes;
+    is_shown.then_some(state.explain.notes.chosen)
+}
+
+fn is_guide_open(window: &Window) -> bool {
+    matches!(window.state().file_flow.dialog, Some(Dialog::Help))
+}
+
+fn focused(window: &Window) -> Option<String> {
+    let node = window.harness.query_by(|node| node.is_focused())?;
+    node.accesskit_node().label()
+}
+
+fn title(lang: Lang, id: &str) -> &'static str {
+    note(lang, id).expect("a note").title
+}
+
+fn point_at(window: &mut Window, at: Pos2) {
+    window.harness.hover_at(at);
+    window.run();
+}
+
+#[test]
+fn words_are_searched_and_enter_reads_the_first_note_that_has_them() {
+    for (lang, words, id) in [(Lang::PtBr, "REJEICAO", "stage-cull-objects"), (Lang::En, "(5.22)", "5.22")] {
+        let mut window = reading(lang);
+        let heads = |window: &Window| window.harness.query_all_by_label(title(lang, "5.25")).count();
+        assert_eq!(heads(&window), 1, "without words, all notes are in the list");
+        let t = texts(lang);
+        window.harness.get_by(|node| node.label().as_deref() == Some(t.search_notes)).focus();
+        window.run();
+        window.harness.event(Event::Text(words.to_owned()));
+        window.run();
+        assert_eq!(heads(&window), 0);
+        window.key(Key::Enter);
+        assert_eq!(chosen(&window), id);
+        assert_eq!(focused(&window).as_deref(), Some(title(lang, id)), "it has the keyboard");
+        // The list and the heading.
+        assert_eq!(window.harness.query_all_by_label(title(lang, id)).count(), 2);
+    }
+}
+
+#[test]
+fn a_note_says_its_equation_its_number_here_and_its_errata() {
+    let mut window = reading(Lang::En);
+    window.app_mut().state.explain.notes.chosen = "H";
+    window.run();
+    for said in ["H = 2F tan(θ/2)", "[0] (5.5)"] {
+        assert!(window.harness.query_by_label(said).is_some(), "{said}");
+    }
+    let height = window.state().document.camera().window_height();
+    let said = camera_lab::numbers::DecimalMark::Point.number(height, window.state().settings.digits);
+    assert!(window.harness.query_all_by_label_contains(&said).next().is_some(), "{said}");
+    window.app_mut().state.explain.notes.chosen = "5.11";
+    window.run();
+    assert!(window.harness.query_by_label("2n/(r − l)").is_some(), "what is printed in [0]");
+    assert!(window.harness.query_by_label("≠").or(window.harness.query_by_label("≠ ")).is_some());
+}
+
+#[test]
+fn links_lead_from_note_to_note_and_back() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let mut window = reading(lang);
+        window.app_mut().state.explain.notes.chosen = "5.17";
+        window.run();
+        let link = window
+            .harness
+            .get_by(|node| node.role() == Role::Link && node.label().as_deref() == Some(title(lang, "ray")));
+        link.focus();
+        window.run();
+        window.key(Key::Enter);
+        assert_eq!(chosen(&window), "ray");
+        assert_eq!(focused(&window).as_deref(), Some(title(lang, "ray")));
+        window.click(texts(lang).note_before);
+        assert_eq!(chosen(&window), "5.17");
+    }
+}
+
+#[test]
+fn arrows_go_through_the_list_and_read_note_by_note() {
+    let mut window = reading(Lang::En);
+    window.app_mut().state.explain.notes.chosen = "C";
+    window
+        .harness
+        .get_by(|node| node.label().as_deref() == Some(title(Lang::En, "C")) && node.role() == Role::Button)
+        .focus();
+    window.run();
+    assert_eq!(focused(&window).as_deref(), Some(title(Lang::En, "C")));
+    window.key(Key::ArrowDown);
+    assert_eq!(focused(&window).as_deref(), Some(title(Lang::En, "PF")));
+    assert_eq!(chosen(&window), "PF");
+    window.key(Key::ArrowDown);
+    assert_eq!(chosen(&window), "VUP");
+}
+
+#[test]
+fn f1_opens_the_note_on_a_parameter_with_the_keyboard_or_under_the_pointer() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let mut window = Window::new(lang);
+        let field =
+            window.harness.get_by(|node| node.role() == Role::SpinButton && node.label().as_deref() == Some("F"));
+        let place = field.rect().center();
+        field.focus();
+        window.run();
+        window.key(Key::F1);
+        assert_eq!(shown(&window), Some("F"));
+        assert!(!is_guide_open(&window));
+        assert_eq!(focused(&window).as_deref(), Some(title(lang, "F")), "read on by keyboard");
+        // Nothing is pointed at, and the list is none of the things: the guide.
+        window.key(Key::F1);
+        assert!(is_guide_open(&window));
+        window.key(Key::Escape);
+        window.app_mut().state.explain.notes.chosen = "C";
+        point_at(&mut window, place);
+        window.key(Key::F1);
+        assert_eq!(shown(&window), Some("F"), "under the pointer");
+    }
+}
+
+#[test]
+fn f1_opens_the_note_on_an_operation_a_stage_and_the_entry_of_a_matrix() {
+    let mut window = Window::new(Lang::PtBr);
+    window.harness.get_by_label("Guinada +").focus();
+    window.run();
+    window.key(Key::F1);
+    assert_eq!(shown(&window), Some("yaw"));
+    assert!(window.harness.query_by_label("≠ ").is_some() || window.harness.query_by_label("≠").is_some());
+
+    window.app_mut().state.layout.strip = true;
+    window.run();
+    let stage = window
+        .harness
+        .get_by(|node| node.role() == Role::ListItem && node.label().is_some_and(|label| label.starts_with("recorte")));
+    let place = stage.rect().center();
+    point_at(&mut window, place);
+    window.key(Key::F1);
+    assert_eq!(shown(&window), Some("stage-clip"));
+    point_at(&mut window, Pos2::ZERO);
+
+    window.app_mut().state.explain.tab = ExplainTab::Matrices;
+    window.run();
+    window.harness.get_by_label_contains("M_p, linha 3, coluna 3").focus();
+    window.run();
+    window.key(Key::F1);
+    assert_eq!(shown(&window), Some("5.14"), "the equation in force");
+}
+
+#[test]
+fn the_guide_is_still_there_where_nothing_is_pointed_at() {
+    let mut window = Window::new(Lang::En);
+    window.key(Key::F1);
+    assert!(is_guide_open(&window));
+    assert_eq!(shown(&window), None);
+}
