@@ -117,7 +117,9 @@ fn heading(ui: &mut Ui, t: &Texts, note: &Note, state: &mut Notes) {
 fn words_of(ui: &mut Ui, begins: &str, pieces: &[Piece], color: egui::Color32) {
     let font = TextStyle::Body.resolve(ui.style());
     ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 0.0;
+        ui.spacing_mut().item_spacing = vec2(0.0, 2.0);
+        // All lines are as high as words, not as controls.
+        ui.spacing_mut().interact_size.y = 0.0;
         if !begins.is_empty() {
             ui.label(RichText::new(begins).color(color));
         }
@@ -197,6 +199,8 @@ fn links(ui: &mut Ui, t: &Texts, note: &Note, state: &mut Notes) {
     let mut wanted = None;
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(12.0, 2.0);
+        ui.spacing_mut().interact_size.y = 0.0;
         ui.label(RichText::new(t.see_also).weak());
         for link in note.links.iter().filter_map(|id| notes::note(t.lang, id)) {
             let response = ui.link(link.title);
