@@ -4,31 +4,19 @@ use super::args::AnimateArgs;
 use super::render::no_picture;
 use super::{Failure, Subject, progress, say};
 use crate::camera::ImageSize;
-use crate::export::animation::AnimationFormat;
-use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
 use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages};
-use crate::picture::{self, Film, Form, PictureFile};
+use crate::picture::{Film, FilmFormat, PictureFile};
 use crate::views::View;
 
 /// The size of each picture where none is given.
 const SIZE: ImageSize = ImageSize { width: 480, height: 360 };
 
-/// What is written.
-enum Output {
-    Animation(AnimationFormat),
-    Strip(PictureFormat),
-}
-
 pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
     let name = foreign::path(&args.output);
-    let ending = args.output.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    let output = AnimationFormat::of_ending(ending)
-        .map(Output::Animation)
-        .or_else(|| PictureFormat::of(&args.output).map(Output::Strip))
-        .ok_or_else(|| Failure::BadInput(texts::animation_ending(lang, &name)))?;
+    let format = FilmFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::animation_ending(lang, &name)))?;
     let seconds = args.seconds(lang)?;
     let size = args.size(lang)?.unwrap_or(SIZE);
     let subject = Subject::open(&args.figure, &args.common, Some(size), lang)?;
@@ -37,22 +25,12 @@ pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
         let name = foreign::path(&args.figure);
         return Err(Failure::BadInput(format!("{name}: {}", texts::no_steps(lang, film.decomposition))));
     }
-    let bytes = match output {
-        Output::Animation(format) => progress::watched(lang, |progress| film.animation(format, seconds, progress)),
-        Output::Strip(format) => {
-            let text = update(&subject.opened.text, &subject.opened.figure);
-            let form = Form { format, crop: false, dpi: None };
-            progress::watched(lang, |progress| picture::file(&film.stills(), form, &text, progress)).map(
-                |PictureFile { bytes, too_much }| {
-                    if let Some(too_much) = too_much {
-                        say(&format!("{name}: {}", messages::too_much(lang, &too_much)));
-                    }
-                    bytes
-                },
-            )
-        }
-    };
-    let bytes = bytes.map_err(|error| no_picture(lang, &name, error, subject.too_large()))?;
+    let text = update(&subject.opened.text, &subject.opened.figure);
+    let made = progress::watched(lang, |progress| film.file(format, seconds, &text, progress));
+    let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, subject.too_large()))?;
+    if let Some(too_much) = too_much {
+        say(&format!("{name}: {}", messages::too_much(lang, &too_much)));
+    }
     files::save(&args.output, &bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }

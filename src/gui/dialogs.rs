@@ -218,7 +218,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     let (title, action) = match &purpose {
         Purpose::Open => (t.open_title, t.open_action),
         Purpose::Save(_) => (t.save_title, t.save_action),
-        Purpose::Export(_) => (t.export_title, t.save_action),
+        Purpose::Export(_) | Purpose::Film(_) => (t.export_title, t.save_action),
         Purpose::Folder => (crate::i18n::gallery::texts(state.settings.lang).choose, t.open_action),
         Purpose::Mesh(_) => {
             let t = scenes::texts(state.settings.lang);

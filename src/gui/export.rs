@@ -9,15 +9,16 @@ use eframe::egui;
 use super::document::Document;
 use super::worker::{Running, Work, Worker};
 use crate::appearance::Theme;
-use crate::camera::{Camera, CameraError, Ndc};
+use crate::camera::{Camera, CameraError, Decomposition, Ndc};
 use crate::clock;
+use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, FigureFiles, FileError, Overwrite, Reach};
 use crate::i18n::{Lang, messages, pictures, window};
 use crate::numbers::round_to;
-use crate::picture::{self, Form, OnPaper, PictureError, PictureFile, Sheet};
+use crate::picture::{self, Film, FilmFormat, Form, OnPaper, PictureError, PictureFile, Sheet};
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
 use crate::scene::SceneError;
@@ -165,6 +166,11 @@ fn together(sizes: [[u32; 2]; 3]) -> [u32; 2] {
     [3 * side((area * 4.0 / 3.0).sqrt()), side((area * 0.75).sqrt())]
 }
 
+/// Width and height of each picture of a film.
+const FILM: [u32; 2] = [640, 480];
+/// How long a step of it takes.
+const STEP_SECONDS: f64 = 2.0;
+
 /// Why a picture was not written.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum ExportError {
@@ -233,6 +239,16 @@ impl Subject {
         Self { figure, folder, reach: document.reach(), lang }
     }
 
+    /// Each picture of the way to the canonical volume.
+    fn film(&self, progress: &Progress) -> Result<Request, ExportError> {
+        let Self { figure, folder, reach, lang } = self;
+        let camera = Camera::new(&figure.camera)?;
+        let mut files = FigureFiles::new(folder, *reach);
+        let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
+        let size = Size { width: FILM[0], height: FILM[1], scale: 1.0 };
+        Ok(Request::of(figure, View::Canonical, &camera, &scene, pictures::labels(*lang), size))
+    }
+
     /// What is drawn.
     pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Sheet, ExportError> {
         let Self { figure, folder, reach, lang } = self;
@@ -254,9 +270,16 @@ impl Subject {
 pub(super) struct Task {
     subject: Subject,
     source: String,
-    export: Export,
+    what: What,
     path: PathBuf,
     overwrite: Overwrite,
+}
+
+/// What is written.
+enum What {
+    Pictures(Export),
+    /// The way to the canonical volume by these steps.
+    Film(Decomposition),
 }
 
 impl Exporting {
@@ -284,7 +307,24 @@ impl Exporting {
         let subject = Subject::of(document, lang, export.theme);
         let source = document.source().to_owned();
         let mut worker = Worker::new("export", clock::now, make);
-        worker.ask(ctx, 0, Task { subject, source, export, path: path.clone(), overwrite });
+        let what = What::Pictures(export);
+        worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
+        Self { path, worker }
+    }
+
+    /// Draws the way to the canonical volume and writes it, beside the window's thread.
+    pub(super) fn film(
+        ctx: &egui::Context,
+        document: &Document,
+        (lang, theme): (Lang, Theme),
+        decomposition: Decomposition,
+        (path, overwrite): (PathBuf, Overwrite),
+    ) -> Self {
+        let subject = Subject::of(document, lang, theme);
+        let source = document.source().to_owned();
+        let mut worker: Worker<Task, Exported> = Worker::new("export", clock::now, || Box::new(Task::run));
+        let what = What::Film(decomposition);
+        worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
         Self { path, worker }
     }
 
@@ -322,7 +362,15 @@ impl Task {
 
     /// The file, with the figure file in it.
     fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
-        let Self { subject, source, export, .. } = self;
+        let Self { subject, source, what, path, .. } = self;
+        let export = match what {
+            What::Pictures(export) => export,
+            What::Film(decomposition) => {
+                let film = Film { request: subject.film(progress)?, decomposition: *decomposition };
+                let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
+                return Ok(film.file(format, STEP_SECONDS, &update(source, &subject.figure), progress)?);
+            }
+        };
         let sheet = subject.sheet(export, progress)?;
         let form = Form { format: export.format, crop: export.crop, dpi: export.on_paper.then_some(export.paper.dpi) };
         Ok(picture::file(&sheet, form, &update(source, &subject.figure), progress)?)

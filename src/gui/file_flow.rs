@@ -21,7 +21,8 @@ use crate::export::format::PictureFormat;
 use crate::figure::{Figure, update};
 use crate::files::{self, Found};
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{gallery, scenes};
+use crate::i18n::{explain, gallery, scenes};
+use crate::picture::FilmFormat;
 use crate::scene::Shape;
 
 /// Does what comes `next`, after asking about changes that would be lost.
@@ -109,6 +110,18 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion
             let filters = formats.map(|format| (format!("{} {}", t.picture_filter, format.name()), format.endings()));
             FileQuestion { wanted: Wanted::NewFile, title: t.export_title, filters: filters.to_vec(), name, folder }
         }
+        Purpose::Film(_) => {
+            let texts = explain::texts(state.settings.lang);
+            let endings = |format: PictureFormat| (format!("{} {}", texts.strip, format.name()), format.endings());
+            let filters = vec![
+                (format!("{} GIF", texts.animation), &["gif"][..]),
+                (format!("{} APNG", texts.animation), &["apng"][..]),
+                endings(PictureFormat::Png),
+                endings(PictureFormat::WebP),
+                endings(PictureFormat::Jpeg),
+            ];
+            FileQuestion { wanted: Wanted::NewFile, title: t.export_title, filters, name, folder }
+        }
         Purpose::Folder => {
             let title = gallery::texts(state.settings.lang).choose;
             FileQuestion { wanted: Wanted::Folder, title, filters: Vec::new(), name: String::new(), folder }
@@ -134,6 +147,10 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
     match purpose {
         Purpose::Open | Purpose::Mesh(_) | Purpose::Folder => folder.display().to_string(),
         Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
+        Purpose::Film(decomposition) => {
+            let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            folder.join(format!("{stem}-{}.gif", decomposition.name())).display().to_string()
+        }
         Purpose::Export(export) => {
             let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let ending = export.format.ending();
@@ -150,6 +167,8 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
         Purpose::Save(_) => with_ending(path, "toml"),
         Purpose::Export(_) if PictureFormat::of(&path).is_some() => path,
         Purpose::Export(export) => with_ending(path, export.format.ending()),
+        Purpose::Film(_) if FilmFormat::of(&path).is_some() => path,
+        Purpose::Film(_) => with_ending(path, "gif"),
     };
     if let Purpose::Export(export) = &mut purpose {
         export.transparent = export.is_without_ground();
@@ -184,10 +203,21 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     match purpose {
         Purpose::Open => open(state, path),
         Purpose::Save(then) => write(ctx, state, path, then, agreed),
-        Purpose::Export(_) if !agreed.read_only && files::is_read_only(path) => {
+        Purpose::Export(_) | Purpose::Film(_) if !agreed.read_only && files::is_read_only(path) => {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
+        Purpose::Film(decomposition) => {
+            let exporting = Exporting::film(
+                ctx,
+                &state.document,
+                (state.settings.lang, state.settings.theme),
+                decomposition,
+                (path.to_owned(), agreed.overwrite()),
+            );
+            state.file_flow.exporting.push(exporting);
+            state.say(Message::Exporting);
+        }
         Purpose::Folder => {
             state.gallery.look_into(path.to_owned());
             state.file_flow.dialog = Some(Dialog::Gallery);

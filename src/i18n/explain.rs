@@ -12,6 +12,12 @@ texts! {
     point_hint: "One point through every space, with the whole arithmetic, and back", "Um ponto por todos os espaços, com a conta inteira, e de volta";
     homogeneous: "w", "w";
     homogeneous_hint: "What the fourth coordinate does: division, points behind the eye, ideal points, the middle of a segment, a floor", "O que faz a quarta coordenada: divisão, pontos atrás do olho, pontos ideais, o meio de um segmento, um piso";
+    stages: "Stages", "Estágios";
+    stages_hint: "The image painted triangle by triangle: painter's order, BSP, depth buffer", "A imagem pintada triângulo por triângulo: ordem do pintor, BSP, buffer de profundidade";
+    film: "Export…", "Exportar…";
+    film_hint: "Writes the way from the world to the canonical volume: an animation (GIF, APNG) or a strip of stills (PNG, WebP, JPEG), as the name's ending says", "Grava o caminho do mundo ao volume canônico: uma animação (GIF, APNG) ou uma tira de quadros (PNG, WebP, JPEG), conforme a terminação do nome";
+    animation: "Animation", "Animação";
+    strip: "Strip of stills", "Tira de quadros";
     dialects: "Dialects", "Dialetos";
     dialects_hint: "The camera in the words of other sources, whose numbers set it; and a pasted matrix → its camera", "A câmera nas palavras de outras fontes, cujos números a definem; e uma matriz colada → sua câmera";
     order: "Order", "Ordem";
@@ -65,6 +71,15 @@ pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
     match lang {
         Lang::En => format!("{matrix}, row {row}, column {column}"),
         Lang::PtBr => format!("{matrix}, linha {row}, coluna {column}"),
+    }
+}
+
+/// On the way of a point an entry stands in a sum.
+#[must_use]
+pub fn used_in(lang: Lang, point: &str, symbol: &str) -> String {
+    match lang {
+        Lang::En => format!("on the way of {point} it is in the sum for {symbol}, as the term"),
+        Lang::PtBr => format!("no caminho de {point} está na soma de {symbol}, no termo"),
     }
 }
 

@@ -61,6 +61,7 @@ mod scene_errors;
 pub mod scenes;
 pub mod sessions;
 pub mod sources;
+pub mod stages;
 pub mod toml_complaints;
 mod unreadable;
 pub mod window;

@@ -214,10 +214,22 @@ pub fn with_words<T>(lang: Lang, study: Study, with: impl FnOnce(&Words) -> T) -
     })
 }
 
+/// What a study's errors are measured against, in Portuguese; in English the study says it itself.
+fn reference(study: Study) -> &'static str {
+    match study {
+        Study::VertexTransform | Study::Basis | Study::RepeatedOperations | Study::Clipping => "512 bits",
+        Study::DepthBuffer => "ordem exata das profundidades",
+        Study::Visibility => "traçado de raios com 512 bits",
+        Study::Shading => "traçado de raios da superfície verdadeira com 512 bits",
+        Study::Antialiasing => "área exata com 512 bits",
+    }
+}
+
 /// A study as a table: `*` marks the methods on the Pareto front.
 #[must_use]
 pub fn table(lang: Lang, findings: &Findings) -> String {
     let t = texts(lang);
+    let number = |text: &str| lang.mark().typed(text);
     let mut table = format!("{} ({})\n", title(lang, findings.study), findings.study.name());
     table += &match lang {
         Lang::En => format!(
@@ -226,25 +238,26 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
         ),
         Lang::PtBr => format!(
             "Referência: {}. Tempos: mediana de passagens aquecidas sobre entradas de {} bytes. * nenhum outro método é tão exato e tão rápido.\n",
-            findings.reference, findings.working_set
+            reference(findings.study),
+            findings.working_set
         ),
     };
     let mut last: Option<(&str, f64)> = None;
     for row in &findings.rows {
         if last != Some((&row.case, row.parameter)) {
-            let at = significant(row.parameter, 3);
+            let at = number(&significant(row.parameter, 3));
             table += &format!("\n{}, {} = {}\n", name(lang, &row.case), parameter(lang, findings.study), at);
             table += &format!("    {:<34}{:>10}{:>10}{:>14}{:>12}\n", t.method, t.error, t.worst, t.bits, t.nanos);
             last = Some((&row.case, row.parameter));
         }
         table += &format!(
-            "  {} {:<34}{:>10}{:>10}{:>14.1}{:>12}\n",
+            "  {} {:<34}{:>10}{:>10}{:>14}{:>12}\n",
             if row.pareto { '*' } else { ' ' },
             name(lang, row.method),
-            short(row.error),
-            short(row.error_max),
-            row.bits,
-            significant(row.nanos, 3),
+            number(&short(row.error)),
+            number(&short(row.error_max)),
+            number(&format!("{:.1}", row.bits)),
+            number(&significant(row.nanos, 3)),
         );
     }
     table

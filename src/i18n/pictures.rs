@@ -35,6 +35,7 @@ texts! {
     plane_top: "top", "topo";
     plane_near: "near", "frente";
     plane_far: "far", "fundo";
+    triangles: "triangles", "triângulos";
     no_vanishing: "parallel: ideal points stay ideal, w = 0", "paralela: pontos ideais continuam ideais, w = 0";
     ideal: "ideal, parallel to the view plane", "ideal, paralela ao plano de vista";
     beyond_image: "outside the image", "fora da imagem";
@@ -114,6 +115,7 @@ const fn of(t: &Texts) -> Labels {
         reversed: t.reversed,
         right_handed: t.right_handed,
         left_handed: t.left_handed,
+        triangles: t.triangles,
         no_vanishing: t.no_vanishing,
         ideal: t.ideal,
         beyond_image: t.beyond_image,

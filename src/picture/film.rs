@@ -1,9 +1,12 @@
 //! The way from the world to the canonical volume: as a strip of stills, and as an animation.
 
-use super::{Picture, PictureError, Renderer, Sheet, gap};
+use std::path::Path;
+
+use super::{Form, Picture, PictureError, PictureFile, Renderer, Sheet, file, gap};
 use crate::appearance::Rgba;
 use crate::camera::Decomposition;
 use crate::export::animation::{AnimationFormat, TICK, animation};
+use crate::export::format::PictureFormat;
 use crate::progress::{Doing, Progress};
 use crate::views::{Arrangement, Normalizing, Palette, Request, View};
 
@@ -14,6 +17,24 @@ pub struct Film {
     pub request: Request,
     /// Whose steps.
     pub decomposition: Decomposition,
+}
+
+/// What a film is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmFormat {
+    /// Pictures one after the other.
+    Animation(AnimationFormat),
+    /// The whole steps side by side.
+    Strip(PictureFormat),
+}
+
+impl FilmFormat {
+    /// What the ending of a file's name asks for.
+    #[must_use]
+    pub fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        AnimationFormat::of_ending(ending).map(Self::Animation).or_else(|| PictureFormat::of(path).map(Self::Strip))
+    }
 }
 
 /// Pictures in a second of an animation.
@@ -42,6 +63,27 @@ impl Film {
         let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();
         let ground: Rgba = Palette::of(self.request.look.style.theme).surround;
         Sheet { requests, arrangement: Arrangement::Row, gap: gap(self.request.size.scale), ground, crowded: None }
+    }
+
+    /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format can carry one.
+    ///
+    /// # Errors
+    /// [`PictureError`].
+    pub fn file(
+        &self,
+        format: FilmFormat,
+        seconds: f64,
+        figure: &str,
+        progress: &Progress,
+    ) -> Result<PictureFile, PictureError> {
+        match format {
+            FilmFormat::Animation(format) => {
+                Ok(PictureFile { bytes: self.animation(format, seconds, progress)?, too_much: None })
+            }
+            FilmFormat::Strip(format) => {
+                file(&self.stills(), Form { format, crop: false, dpi: None }, figure, progress)
+            }
+        }
     }
 
     /// The animation, a step in so many seconds; each whole step stands still for a moment.

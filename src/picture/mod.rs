@@ -17,7 +17,7 @@ use crate::progress::Progress;
 use crate::views::Arrangement;
 pub use account::Account;
 pub use file::{Form, PictureError, PictureFile, assembled, file};
-pub use film::Film;
+pub use film::{Film, FilmFormat};
 pub use renderer::Renderer;
 pub use sheet::{Crowded, OnPaper, Sheet, gap};
 

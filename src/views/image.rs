@@ -8,11 +8,12 @@ use crate::scene::Scene;
 
 use super::depth::{self, Greys};
 use super::gizmos::{SceneBuilder, stroke};
+use super::legend::Row;
 use super::pixels::{PixelRect, Size, image_frame};
 use super::placing::Rules;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Palette, Request, placing, probe, revealed_scene, vanishing};
+use super::{Palette, Request, begun, placing, probe, revealed_scene, vanishing};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -60,6 +61,10 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         add(&mut drawn.drawing, TimedPipeline::default().frame(request, &wrong, &front, target, &style).drawing);
     }
     let mut rows = revealed.rows;
+    if let Some(share) = request.begun {
+        let [count, all] = begun::first(&mut drawn.drawing, share);
+        rows.push(Row::Title(format!("{count} / {all} {}", request.labels.triangles), palette.ink));
+    }
     if let Some(greys) = greys {
         greys.paint(&mut drawn);
         rows.extend(greys.legend(request, palette));

@@ -56,6 +56,8 @@ pub struct Labels {
     pub not_split: &'static str,
     /// Vertices are drawn beside their places.
     pub rounded: &'static str,
+    /// Of a picture that is begun.
+    pub triangles: &'static str,
     /// Parallel projection has no vanishing points.
     pub no_vanishing: &'static str,
     /// A direction parallel to the view plane.

@@ -12,6 +12,7 @@
 //! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed; in other conventions as deep as they are | [`Observer`] |
 
 mod arrangement;
+mod begun;
 mod canonical;
 mod canonical_box;
 mod components;

@@ -32,6 +32,8 @@ pub struct Request {
     pub ndc: Ndc,
     /// The canonical picture on its way from the world, step by step; `None`: arrived.
     pub normalizing: Option<Normalizing>,
+    /// Only the first share (0 … 1) of the image's triangles are painted, in the order of painting; `None`: all, with everything else.
+    pub begun: Option<f64>,
     /// What comes and goes with the pointer.
     pub overlays: Overlays,
     /// The words in the picture.
@@ -65,6 +67,7 @@ impl Request {
             observer: observer_in(&figure.observers, view),
             ndc: Ndc::default(),
             normalizing: None,
+            begun: None,
             overlays: Overlays::default(),
             labels,
             size,

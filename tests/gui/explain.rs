@@ -2,6 +2,7 @@
 
 use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
 use camera_lab::explain::Matrix;
+use camera_lab::figure::NamedPoint;
 use camera_lab::gui::state::{Matrices, Reading, Side};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
@@ -254,4 +255,14 @@ fn m_m_is_that_of_the_object_that_is_selected() {
     let mut window = explaining(Lang::PtBr);
     window.click("M_m");
     assert!(window.says("é a matriz de um objeto"));
+}
+
+#[test]
+fn an_entry_says_where_it_is_used_on_the_way_of_a_point() {
+    let mut window = explaining(Lang::En);
+    assert!(!window.says("it is in the sum for"), "no point is followed");
+    let point = NamedPoint { name: "A".to_owned(), position: DVec3::new(0.5, 1.0, 0.25) };
+    window.app_mut().state.document.edit(|figure| figure.points.push(point));
+    window.run();
+    assert!(window.says("on the way of A it is in the sum for x_r, as the term"));
 }

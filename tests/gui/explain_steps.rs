@@ -1,5 +1,10 @@
 //! The way from the world to the canonical volume, by the scrubber and by keyboard.
 
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::fs;
+use std::time::{Duration, Instant};
+
 use camera_lab::camera::{Decomposition, Parameters, ViewWindow};
 use camera_lab::gui::state::ExplainTab;
 use camera_lab::i18n::Lang;
@@ -8,6 +13,7 @@ use camera_lab::views::View;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
+use super::files::Folder;
 use super::window::Window;
 
 fn stepping(lang: Lang) -> Window {
@@ -100,4 +106,23 @@ fn the_product_is_compared_and_handedness_announced() {
     assert!(window.harness.get_by_label("[3] M_P N").accesskit_node().is_disabled());
     window.click("[0] M_p M_v, ÷ w");
     assert!(window.says("O produto de todos os passos é M_p M_v"));
+}
+
+/// (`animate` is the same code with other arguments, and its animations are decoded in its own tests.)
+#[test]
+fn the_way_is_exported_beside_the_window() {
+    let folder = Folder::new("film");
+    let mut window = stepping(Lang::En);
+    window.app_mut().state.file_flow.native = false;
+    window.click(texts(Lang::En).film);
+    let strip = folder.file("strip.png");
+    window.choose(&strip);
+    let end = Instant::now() + Duration::from_secs(300);
+    while !strip.exists() && Instant::now() < end {
+        std::thread::sleep(Duration::from_millis(20));
+        window.harness.step();
+    }
+    let reader = png::Decoder::new(std::io::Cursor::new(fs::read(&strip).unwrap())).read_info().unwrap();
+    // The world and four steps, with gaps.
+    assert_eq!((reader.info().width, reader.info().height), (5 * 640 + 4 * 4, 480));
 }

@@ -31,6 +31,7 @@ mod reveal;
 mod same_pixels;
 mod scene;
 mod sessions;
+mod stages;
 mod strip;
 mod tooltips;
 mod window;

@@ -4,6 +4,7 @@
 mod common;
 
 mod accuracy;
+mod begun;
 mod camera_equations;
 mod camera_extreme;
 mod camera_operations;

@@ -157,6 +157,7 @@ impl Canvas {
             observer: self.seen[view.index()],
             ndc: normalizing.map_or(state.settings.conventions.ndc, |way| way.decomposition.ndc()),
             normalizing,
+            begun: state.begun().filter(|_| view == View::Image),
             overlays: self.overlays.seen_in(view),
             labels: labels(state.settings.lang),
             size,

@@ -103,6 +103,12 @@ pub(super) fn show(
     tree.pointed
 }
 
+/// A term of a sum: formula = numbers = value.
+pub(super) fn term(ui: &mut Ui, writing: Writing<'_>, term: &Formula, value: f64) {
+    let (formula, numbers) = (writing.formula(term), writing.both(true, false, |writer| writer.write(term)));
+    chain(ui, &formula, &[numbers, writing.whole_value(value)]);
+}
+
 /// name = formula = numbers = value, each once.
 fn chain(ui: &mut Ui, name: &Both, said: &[Both]) {
     let mut last = name;
@@ -115,7 +121,7 @@ fn chain(ui: &mut Ui, name: &Both, said: &[Both]) {
         } else {
             (format!(r"\quad = {}", next.latex), format!("= {}", next.text))
         };
-        egui::ScrollArea::horizontal().id_salt(("chain", i)).show(ui, |ui| {
+        egui::ScrollArea::horizontal().id_salt(("chain", &name.text, i)).show(ui, |ui| {
             mathematics::show(ui, &latex, &text, SIZE);
         });
         last = next;

@@ -8,7 +8,7 @@ use super::answer::{self, Both, Writing};
 use super::entries::{self, Cell};
 use super::subject::Subject;
 use crate::camera::{Ndc, Projection};
-use crate::explain::{Formula, Matrix, MatrixFormula, Setting, leaves};
+use crate::explain::{Formula, Matrix, MatrixFormula, Setting, forward, leaves};
 use crate::gui::noted::noted;
 use crate::gui::panels::erratum;
 use crate::gui::state::{Matrices, Reading, State};
@@ -58,12 +58,39 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let formula = formulas.entry(row, column);
     let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.explain.matrices);
     let lights = answer::lights(formula, lit);
+    used_in(ui, state, &setting, writing, (matrix, row, column));
     state.measured.extend(lights);
 }
 
 /// The note on the equation in force; where there is none, on the matrix.
 fn note_on(formulas: &MatrixFormula) -> &'static str {
     notes::of_equation(formulas.equation).unwrap_or(notes::of_matrix(formulas.matrix))
+}
+
+/// The term in which an entry stands on the way of the point that is followed, with its numbers, in the row that it is part of.
+fn used_in(
+    ui: &mut Ui,
+    state: &State,
+    setting: &Setting<'_>,
+    writing: Writing<'_>,
+    (matrix, row, column): (Matrix, usize, usize),
+) {
+    let points = &state.document.figure().points;
+    let Some(point) = state.follow.index(points).and_then(|index| points.get(index)) else { return };
+    let followed = setting.clone().with_point_seen_from_object(point.position);
+    for step in forward(&followed).into_iter().filter(|step| step.by == Some(matrix)) {
+        let (Some(symbol), Some(formula), Some(value)) =
+            (step.symbols.get(row), step.formulas.get(row), step.terms.get(row).and_then(|terms| terms.get(column)))
+        else {
+            continue;
+        };
+        let Some(term) = formula.terms().get(column).cloned() else { continue };
+        let writing = Writing { setting: &followed, ..writing };
+        ui.add_space(4.0);
+        let name = crate::foreign::shown(&point.name);
+        ui.label(RichText::new(words::used_in(writing.lang, &name, &symbol.text())).small().weak());
+        answer::term(ui, writing, &term, *value);
+    }
 }
 
 /// Which matrix, whether its inverse, how it is read.

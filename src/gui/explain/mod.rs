@@ -15,6 +15,7 @@ mod notes;
 mod order;
 mod order_list;
 mod point;
+mod stages;
 mod steps;
 mod subject;
 
@@ -39,6 +40,7 @@ const TABS: &[Row] = &[
     Row { tab: ExplainTab::Point, name: |t| t.point, hint: |t| t.point_hint, ui: point::ui },
     Row { tab: ExplainTab::Steps, name: |t| t.steps, hint: |t| t.steps_hint, ui: steps::ui },
     Row { tab: ExplainTab::Homogeneous, name: |t| t.homogeneous, hint: |t| t.homogeneous_hint, ui: homogeneous::ui },
+    Row { tab: ExplainTab::Stages, name: |t| t.stages, hint: |t| t.stages_hint, ui: stages::ui },
     Row { tab: ExplainTab::Dialects, name: |t| t.dialects, hint: |t| t.dialects_hint, ui: dialects::ui },
     Row { tab: ExplainTab::Order, name: |t| t.order, hint: |t| t.order_hint, ui: order::ui },
     Row { tab: ExplainTab::Code, name: |t| t.code, hint: |t| t.code_hint, ui: code::ui },

@@ -6,9 +6,10 @@ use eframe::egui::{self, Button, RichText, Slider, Ui};
 use glam::DMat4;
 
 use crate::camera::{Camera, Decomposition, Factor};
+use crate::gui::file_flow;
 use crate::gui::noted::noted;
 use crate::gui::panels::values::brackets;
-use crate::gui::state::{State, Steps};
+use crate::gui::state::{Purpose, State, Steps};
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain::{self as words, Texts};
@@ -27,6 +28,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         ui.label(command_line::no_steps(lang, state.explain.steps.decomposition));
         return;
     };
+    if ui.button(t.film).explained(t.film_hint).clicked() {
+        file_flow::ask(ui.ctx(), state, Purpose::Film(state.explain.steps.decomposition));
+    }
     let steps = &mut state.explain.steps;
     steps.advance(now);
     controls(ui, t, &camera, steps, now);

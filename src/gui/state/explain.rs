@@ -22,6 +22,8 @@ pub enum ExplainTab {
     Steps,
     /// What w does.
     Homogeneous,
+    /// The image as far as it is painted.
+    Stages,
     /// The camera in other vocabularies, and a pasted matrix.
     Dialects,
     /// In which order transforms act.
@@ -51,6 +53,8 @@ pub struct Explain {
     pub pointed: Vec<Symbol>,
     /// Where along a segment a point is whose image is asked for, 0 … 1.
     pub share: f64,
+    /// How much of the image is painted while the tab of stages is shown, 0 … 1.
+    pub painted: f64,
     /// For what the code is.
     pub code: CodeTarget,
     /// A number of another vocabulary that would not give a camera, and why.
@@ -87,6 +91,7 @@ impl Default for Explain {
             placed: Vec::new(),
             notes: Notes::default(),
             share: 0.5,
+            painted: 1.0,
             code: CodeTarget::default(),
             refused: None,
             pasted: Pasted::default(),

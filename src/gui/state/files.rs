@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::Message;
+use crate::camera::Decomposition;
 use crate::files::Overwrite;
 use crate::gui::comparison::Comparison;
 use crate::gui::export::{Export, Exported, Exporting};
@@ -39,6 +40,8 @@ pub enum Purpose {
     Save(Option<AfterSave>),
     /// To write a picture.
     Export(Export),
+    /// To write the way to the canonical volume, by these steps: an animation or a strip, as the name's ending says.
+    Film(Decomposition),
     /// To put a mesh into the scene.
     Mesh(MeshFor),
     /// A folder, whose figures the gallery is to show.

@@ -353,6 +353,13 @@ impl State {
         Some(normalizing)
     }
 
+    /// How much of the image is painted, while the tab of stages is shown and it is not all.
+    #[must_use]
+    pub fn begun(&self) -> Option<f64> {
+        let shown = self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Stages;
+        Some(self.explain.painted).filter(|painted| shown && *painted < 1.0)
+    }
+
     /// True while the canonical picture is on its way: what is in it is not where the canonical volume has it, and nothing can be picked.
     #[must_use]
     pub fn is_on_the_way(&self) -> bool {

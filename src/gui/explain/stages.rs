@@ -1,0 +1,84 @@
+//! The tab of stages: the image as far as it is painted, triangle by triangle, by each way of hiding what is hidden.
+
+use eframe::egui::{self, RichText, Slider, Ui};
+
+use crate::appearance::Visibility;
+use crate::figure::{Depth, Reveal};
+use crate::gui::state::State;
+use crate::gui::theme;
+use crate::gui::tooltip::Explained;
+use crate::i18n::{pipeline, stages};
+use crate::pipeline::Stage;
+use crate::views::View;
+
+/// Shows the tab.
+pub(super) fn ui(ui: &mut Ui, state: &mut State) {
+    let t = stages::texts(state.settings.lang);
+    ui.label(RichText::new(t.hint).weak());
+    if !state.layout.is_shown(View::Image) {
+        ui.label(t.hidden);
+    }
+    let figure = state.document.figure();
+    let (mut style, mut reveal) = (figure.style, figure.reveal);
+    ui.horizontal_wrapped(|ui| {
+        for (visibility, name, hint) in [
+            (Visibility::Painter, t.painter, t.painter_hint),
+            (Visibility::Bsp, t.bsp, t.bsp_hint),
+            (Visibility::DepthBuffer, t.depth_buffer, t.depth_buffer_hint),
+        ] {
+            let button = egui::Button::selectable(style.visibility == visibility, name).frame_when_inactive(true);
+            if ui.add(button).explained(hint).clicked() {
+                style.visibility = visibility;
+            }
+        }
+    });
+    let mut depth = reveal.depth == Depth::Stored;
+    if ui.checkbox(&mut depth, t.depth).explained(t.depth_hint).changed() {
+        reveal = Reveal { depth: if depth { Depth::Stored } else { Depth::Off }, ..reveal };
+    }
+    if (style, reveal) != (figure.style, figure.reveal) {
+        state.document.edit(|figure| (figure.style, figure.reveal) = (style, reveal));
+    }
+    scrubber(ui, t, state);
+    let said = match state.document.figure().style.visibility {
+        Visibility::Painter => t.painter_said,
+        Visibility::Bsp => t.bsp_said,
+        Visibility::DepthBuffer => t.depth_buffer_said,
+    };
+    ui.label(said);
+    ui.separator();
+    ui.label(RichText::new(t.order).strong());
+    let lang = state.settings.lang;
+    for (i, stage) in Stage::ALL.into_iter().enumerate() {
+        let name = pipeline::stage(lang, stage);
+        ui.label(format!("{}. {name}", i + 1)).explained(pipeline::purpose(lang, stage));
+    }
+}
+
+/// From nothing to the whole image; the arrow keys move the slider.
+fn scrubber(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
+    let share = &mut state.explain.painted;
+    let old = *share;
+    ui.horizontal(|ui| {
+        for (sign, name, to) in
+            [("|◀", t.nothing, 0.0), ("◀", t.fewer, *share - STEP), ("▶", t.more, *share + STEP), ("▶|", t.all, 1.0)]
+        {
+            if ui.button(sign).explained(name).accessible_name(name).clicked() {
+                *share = to;
+            }
+        }
+    });
+    ui.scope(|ui| {
+        theme::strengthen_rail(ui);
+        ui.spacing_mut().slider_width = (ui.available_width() - 16.0).max(80.0);
+        let slider = Slider::new(share, 0.0..=1.0).show_value(false).smart_aim(false);
+        ui.add(slider).explained(t.scrubber).accessible_name(t.scrubber);
+    });
+    *share = share.clamp(0.0, 1.0);
+    if old.to_bits() != share.to_bits() {
+        ui.ctx().request_repaint();
+    }
+}
+
+/// A press of a button: one part in so many of the triangles.
+const STEP: f64 = 1.0 / 24.0;

@@ -1,0 +1,37 @@
+//! A picture that is begun: only the first of its triangles are painted, in the order in which they are painted.
+
+use crate::drawing::{Drawing, Paint, Surface};
+
+/// Leaves of the triangles the first share (0 … 1), and says how many those are, and how many there are. Strokes and marks are left out: what hides them
+/// may not be there yet.
+pub(super) fn first(drawing: &mut Drawing, share: f64) -> [usize; 2] {
+    let all: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
+    #[expect(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a share of a count"
+    )]
+    let count = (all as f64 * share.clamp(0.0, 1.0)).round() as usize;
+    // What is translucent is painted last, whatever its place in the list.
+    let mut order: Vec<usize> = (0..drawing.surfaces.len()).collect();
+    order.sort_by_key(|i| drawing.surfaces[*i].translucent);
+    let mut left = count;
+    for i in order {
+        let surface = &mut drawing.surfaces[i];
+        let kept = left.min(surface.triangles.len());
+        left -= kept;
+        keep(surface, kept);
+    }
+    drawing.surfaces.retain(|surface| !surface.triangles.is_empty());
+    drawing.strokes.clear();
+    drawing.marks.clear();
+    [count, all]
+}
+
+fn keep(surface: &mut Surface, count: usize) {
+    surface.triangles.truncate(count);
+    if let Paint::Faces(colors) = &mut surface.paint {
+        colors.truncate(count);
+    }
+}

@@ -1,0 +1,73 @@
+//! The tab of stages: the image as far as it is painted.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use camera_lab::appearance::Visibility;
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::stages::texts;
+use camera_lab::scene::Preset;
+use camera_lab::views::View;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use super::window::Window;
+
+fn staged(lang: Lang) -> Window {
+    let mut figure = camera_lab::gui::fresh();
+    figure.scene.preset = Preset::Cube;
+    figure.style.antialias = 1;
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
+    state.layout.maximized = Some(View::Image);
+    let mut window = Window::with_state(state, [1000.0, 900.0]);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+    window.run();
+    window.click(camera_lab::i18n::explain::texts(lang).stages);
+    window
+}
+
+#[test]
+fn the_image_is_painted_triangle_by_triangle_while_the_tab_is_shown() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = texts(lang);
+        let mut window = staged(lang);
+        assert_eq!(window.state().begun(), None, "at first all is painted");
+        window.click(t.nothing);
+        assert_eq!(window.state().begun(), Some(0.0));
+        let drawn = window.app_mut().canvas.drawn()[View::Image.index()];
+        window.click(t.more);
+        assert!(window.state().begun().unwrap() > 0.0);
+        assert!(window.app_mut().canvas.drawn()[View::Image.index()] > drawn, "the picture follows");
+        // The slider has keys of its own.
+        let before = window.state().begun().unwrap();
+        window.harness.get_by_label(t.scrubber).focus();
+        window.run();
+        window.key(Key::ArrowRight);
+        assert!(window.state().begun().unwrap() > before);
+        window.click(t.all);
+        assert_eq!(window.state().begun(), None);
+        window.click(t.fewer);
+        assert!(window.state().begun().is_some());
+        // Hidden, it changes no picture.
+        window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+        window.run();
+        assert_eq!(window.state().begun(), None);
+    }
+}
+
+#[test]
+fn the_ways_to_hide_are_the_figures_and_say_their_order() {
+    let mut window = staged(Lang::En);
+    let t = texts(Lang::En);
+    for (name, visibility, said) in [
+        (t.painter, Visibility::Painter, t.painter_said),
+        (t.bsp, Visibility::Bsp, t.bsp_said),
+        (t.depth_buffer, Visibility::DepthBuffer, t.depth_buffer_said),
+    ] {
+        window.click(name);
+        assert_eq!(window.state().document.figure().style.visibility, visibility);
+        assert!(window.says(said));
+    }
+    window.click(t.depth);
+    assert_eq!(window.state().document.figure().reveal.depth, camera_lab::figure::Depth::Stored);
+}
