@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Value};
 
 use super::export::{DPI, LETTERS, LINES, SIDE_CM};
-use super::state::State;
+use super::state::{ExplainTab, State};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
 use crate::figure::words::{self, THEMES, Words};
@@ -34,6 +34,19 @@ const LAYOUTS: Words<Option<Arrangement>> = &[
 
 /// Whose signs the rotations have, by the names that `--convention` has for them.
 const CONVENTIONS: Words<Convention> = &[("right-hand", Convention::RightHand), ("vtk", Convention::Vtk)];
+
+/// The tabs of the side of explanations.
+const EXPLANATIONS: Words<ExplainTab> = &[
+    ("matrices", ExplainTab::Matrices),
+    ("point", ExplainTab::Point),
+    ("steps", ExplainTab::Steps),
+    ("w", ExplainTab::Homogeneous),
+    ("order", ExplainTab::Order),
+    ("stages", ExplainTab::Stages),
+    ("dialects", ExplainTab::Dialects),
+    ("code", ExplainTab::Code),
+    ("notes", ExplainTab::Notes),
+];
 
 /// The key of the list of files that were opened or saved last.
 const RECENT: &str = "recent";
@@ -71,7 +84,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 29] = [
+const KEYS: [Key; 30] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -86,6 +99,7 @@ const KEYS: [Key; 29] = [
     key!("parameters_panel", switch, settings.panels.wanted[0]),
     key!("numbers_panel", switch, settings.panels.wanted[1]),
     key!("explanations", switch, settings.panels.wanted[2]),
+    key!("explanation", one of EXPLANATIONS, explain.tab),
     key!("layout", one of LAYOUTS, layout.arrangement),
     Key {
         name: "pictures",
@@ -288,6 +302,7 @@ mod tests {
             ..changed.export
         };
         changed.operations.steps = std::array::from_fn(|i| 2.5 + i as f64);
+        changed.explain.tab = ExplainTab::Code;
         let plain = values(&state());
         let told = values(&changed);
         for (key, value) in &told {
