@@ -5,11 +5,9 @@ mod pdf;
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::prelude::*;
-use plotters::style::{FontStyle, register_font};
 
 use crate::appearance::Rgba;
 use crate::chart::{Chart, Look, Series, power_of_ten};
-use crate::text;
 
 /// A file of charts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,7 +76,7 @@ const FONT: &str = "DejaVu Sans";
 /// # Errors
 /// [`PlotError`] where the library or the encoder gives up.
 pub fn encode(blocks: &[Block], format: PlotFormat) -> Result<Vec<u8>, PlotError> {
-    if register_font(FONT, FontStyle::Normal, text::FONT_BYTES).is_err() {
+    if !has_font() {
         return Err(PlotError::Drawing("font".to_owned()));
     }
     let height: u32 = blocks.iter().map(|block| TITLE + rows(block) * HEIGHT).sum();
@@ -101,6 +99,19 @@ pub fn encode(blocks: &[Block], format: PlotFormat) -> Result<Vec<u8>, PlotError
             pixels(&rgb, (width, height)).map_err(|e| PlotError::Drawing(e.to_string()))
         }
     }
+}
+
+/// Gives the bundled font to the library.
+#[cfg(not(target_arch = "wasm32"))]
+fn has_font() -> bool {
+    use plotters::style::{FontStyle, register_font};
+    register_font(FONT, FontStyle::Normal, crate::text::FONT_BYTES).is_ok()
+}
+
+/// In a browser the library has the fonts of the page.
+#[cfg(target_arch = "wasm32")]
+fn has_font() -> bool {
+    true
 }
 
 /// Without a figure inside: a plot is not one.
