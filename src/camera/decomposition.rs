@@ -115,8 +115,7 @@ impl Camera {
     /// perspective up to a positive factor, which the division takes out).
     #[must_use]
     pub fn decomposed(&self, decomposition: Decomposition) -> Option<Vec<Factor>> {
-        let window = self.window();
-        let symmetric = window.left == -window.right && window.bottom == -window.top;
+        let symmetric = self.has_symmetric_window();
         let perspective = self.projection() == Projection::Perspective;
         let mut left_handed = false;
         let factors: Vec<(Step, DMat4)> = match (decomposition, perspective) {

@@ -246,6 +246,13 @@ impl Camera {
         (self.wide_window.width() / self.wide_window.height()).value()
     }
 
+    /// True where r = −l and t = −b: the cases (5.14) and (5.16) of the notes.
+    #[must_use]
+    pub fn has_symmetric_window(&self) -> bool {
+        let ViewWindow { left, right, bottom, top } = self.window();
+        left == -right && bottom == -top
+    }
+
     /// The vertical angle that the window spans seen from C: θ, `[0]` Eq. (5.4), when the window is symmetric.
     #[must_use]
     pub fn view_angle(&self) -> Angle {

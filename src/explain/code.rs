@@ -95,13 +95,13 @@ impl CodeTarget {
             Self::Glm | Self::Glam => said.extend([CodeConvention::ColumnMajor, CodeConvention::Radians]),
             Self::ThreeJs => {
                 said.push(CodeConvention::Degrees);
-                if !is_symmetric(camera) && camera.projection() == Projection::Perspective {
+                if !camera.has_symmetric_window() && camera.projection() == Projection::Perspective {
                     said.push(CodeConvention::ByMatrix);
                 }
             }
             Self::Vtk => {
                 said.push(CodeConvention::Degrees);
-                if !is_symmetric(camera) {
+                if !camera.has_symmetric_window() {
                     said.push(CodeConvention::WindowCentre);
                 }
             }
@@ -131,11 +131,6 @@ impl CodeTarget {
     }
 }
 
-fn is_symmetric(camera: &Camera) -> bool {
-    let window = camera.window();
-    window.left == -window.right && window.bottom == -window.top
-}
-
 /// Numbers one after the other, each in all its digits.
 fn list(values: impl IntoIterator<Item = f64>) -> String {
     values.into_iter().map(|x| exact(x + 0.0)).collect::<Vec<_>>().join(", ")
@@ -163,7 +158,7 @@ fn perspective(camera: &Camera, angle: f64) -> String {
 
 fn open_gl(camera: &Camera) -> String {
     let [eye, centre, up] = pose(camera);
-    let lens = match (camera.projection(), is_symmetric(camera)) {
+    let lens = match (camera.projection(), camera.has_symmetric_window()) {
         (Projection::Perspective, true) => {
             format!("gluPerspective({});", perspective(camera, camera.view_angle().degrees()))
         }
@@ -177,7 +172,7 @@ fn open_gl(camera: &Camera) -> String {
 
 fn glm(camera: &Camera) -> String {
     let [eye, centre, up] = pose(camera);
-    let lens = match (camera.projection(), is_symmetric(camera)) {
+    let lens = match (camera.projection(), camera.has_symmetric_window()) {
         (Projection::Perspective, true) => {
             format!("glm::perspectiveRH_NO({})", perspective(camera, camera.view_angle().radians()))
         }
@@ -191,7 +186,7 @@ fn glm(camera: &Camera) -> String {
 
 fn glam(camera: &Camera) -> String {
     let [eye, centre, up] = pose(camera);
-    let lens = match (camera.projection(), is_symmetric(camera)) {
+    let lens = match (camera.projection(), camera.has_symmetric_window()) {
         (Projection::Perspective, true) => {
             format!(
                 "glam::dcamera::rh::proj::opengl::perspective({})",
@@ -210,7 +205,7 @@ fn three_js(camera: &Camera) -> String {
     let [eye, centre, up] = pose(camera);
     let [left, right, bottom, top] = sides(camera);
     let (near, far) = (camera.near(), camera.far());
-    let lens = match (camera.projection(), is_symmetric(camera)) {
+    let lens = match (camera.projection(), camera.has_symmetric_window()) {
         (Projection::Perspective, true) => {
             format!(
                 "const camera = new THREE.PerspectiveCamera({});\n",
@@ -241,7 +236,7 @@ fn vtk(camera: &Camera) -> String {
         Projection::Perspective => {
             // VTK's angle is that of a symmetric window as high as this one.
             let angle = 2.0 * (camera.window_height() / 2.0).atan2(camera.near()).to_degrees();
-            let angle = if is_symmetric(camera) { camera.view_angle().degrees() } else { angle };
+            let angle = if camera.has_symmetric_window() { camera.view_angle().degrees() } else { angle };
             let _ = writeln!(text, "camera.SetViewAngle({})", exact(angle));
         }
         Projection::Parallel => {
@@ -252,7 +247,7 @@ fn vtk(camera: &Camera) -> String {
             );
         }
     }
-    if !is_symmetric(camera) {
+    if !camera.has_symmetric_window() {
         // In half windows.
         let centre = [(left + right) / camera.window_width(), (bottom + top) / camera.window_height()];
         let _ = writeln!(text, "camera.SetWindowCenter({})", list(centre));

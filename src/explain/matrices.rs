@@ -53,7 +53,7 @@ impl MatrixFormula {
 /// The equation of M_p that is in force, `[0]` (5.13) to (5.16).
 #[must_use]
 pub fn projection_equation(camera: &Camera) -> &'static str {
-    match (camera.projection() == Projection::Perspective, is_symmetric(camera)) {
+    match (camera.projection() == Projection::Perspective, camera.has_symmetric_window()) {
         (true, false) => "(5.13)",
         (true, true) => "(5.14)",
         (false, false) => "(5.15)",
@@ -73,11 +73,6 @@ fn place(matrix: Matrix, setting: &Setting<'_>) -> (&'static str, &'static str) 
         Matrix::Viewport if of_the_notes => ("(5.24), (5.25)", "§5.5"),
         Matrix::Viewport | Matrix::InverseViewport => ("", "§5.5"),
     }
-}
-
-fn is_symmetric(camera: &Camera) -> bool {
-    let window = camera.window();
-    window.left == -window.right && window.bottom == -window.top
 }
 
 fn zero() -> Formula {
@@ -130,7 +125,7 @@ struct WindowParts {
 
 fn window_parts(setting: &Setting<'_>) -> WindowParts {
     let pairs = [(Symbol::Right, Symbol::Left), (Symbol::Top, Symbol::Bottom)];
-    let symmetric = is_symmetric(setting.space().camera());
+    let symmetric = setting.space().camera().has_symmetric_window();
     let difference = pairs.map(|(high, low)| minus(high, low));
     let size = if symmetric { [Symbol::Width, Symbol::Height].map(symbol) } else { difference.clone() };
     let sum = pairs.map(|(high, low)| if symmetric { zero() } else { plus(high, low) });

@@ -211,8 +211,7 @@ fn to_pixel(setting: &Setting<'_>) -> Step {
     let scaled = |pixels: Symbol, size: Symbol, x: Symbol| times([over(pixels, size), x.into()]);
     let (columns, rows) = (Symbol::ImageWidth, Symbol::ImageHeight);
     let (x, y) = (Symbol::Window(Component::X), Symbol::Window(Component::Y));
-    let window = setting.space().camera().window();
-    let (from_left, from_top) = if window.left == -window.right && window.bottom == -window.top {
+    let (from_left, from_top) = if setting.space().camera().has_symmetric_window() {
         (over(columns, 2.0), over(rows, 2.0))
     } else {
         (-scaled(columns, Symbol::Width, Symbol::Left), scaled(rows, Symbol::Height, Symbol::Top))

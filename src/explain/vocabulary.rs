@@ -122,8 +122,7 @@ impl Vocabulary {
     /// # Errors
     /// [`Limitation::SymmetricOnly`] or [`Limitation::PerspectiveOnly`] where it has no words for it at all.
     fn check(self, camera: &Camera) -> Result<(), Limitation> {
-        let window = camera.window();
-        let symmetric = window.left == -window.right && window.bottom == -window.top;
+        let symmetric = camera.has_symmetric_window();
         match self {
             Self::OpenGl => Ok(()),
             Self::Vrc if symmetric => Ok(()),

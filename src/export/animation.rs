@@ -1,6 +1,8 @@
 //! Pictures one after the other, as GIF and as APNG.
 
-use tiny_skia::Pixmap;
+use std::collections::BTreeMap;
+
+use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 /// A format of animations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,8 +65,8 @@ pub fn animation(
             encoder.set_repeat(gif::Repeat::Infinite).map_err(|e| e.to_string())?;
             for picture in 0..pictures {
                 let (pixmap, ticks) = next(picture)?;
-                // 1 looks for colours in every pixel and is slow, 30 in few; lines and faces of few colours need no more than this.
-                let mut frame = gif::Frame::from_rgb_speed(width, height, &rgb(&pixmap), 10);
+                let (palette, indices) = indexed(&pixmap);
+                let mut frame = gif::Frame::from_palette_pixels(width, height, indices, palette, None);
                 frame.delay = ticks;
                 encoder.write_frame(&frame).map_err(|e| e.to_string())?;
             }
@@ -86,6 +88,59 @@ pub fn animation(
     Ok(bytes)
 }
 
+/// Colours of a GIF's picture at most.
+const COLORS: usize = 256;
+
+/// The colours that most pixels have, as they are, and for each pixel the nearest of them: a quantiser that looks for averages makes thin lines of
+/// green and of blue one colour, since there is so little of each.
+fn indexed(picture: &Pixmap) -> (Vec<u8>, Vec<u8>) {
+    let color = |p: &PremultipliedColorU8| [p.red(), p.green(), p.blue()];
+    let mut counts: BTreeMap<[u8; 3], usize> = BTreeMap::new();
+    picture.pixels().iter().for_each(|p| *counts.entry(color(p)).or_default() += 1);
+    let mut palette: Vec<([u8; 3], usize)> = counts.iter().map(|(color, count)| (*color, *count)).collect();
+    // Of colours that are as frequent, the order is that of their numbers: the same picture gives the same bytes.
+    palette.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
+    palette.truncate(COLORS);
+    let distance =
+        |a: [u8; 3], b: [u8; 3]| a.into_iter().zip(b).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum::<u32>();
+    let nearest = |color: [u8; 3]| {
+        let best = palette.iter().enumerate().min_by_key(|(_, (other, _))| distance(color, *other));
+        best.and_then(|(index, _)| u8::try_from(index).ok()).unwrap_or(0)
+    };
+    let places: BTreeMap<[u8; 3], u8> = counts.keys().map(|color| (*color, nearest(*color))).collect();
+    let indices = picture.pixels().iter().map(|p| places.get(&color(p)).copied().unwrap_or(0)).collect();
+    (palette.into_iter().flat_map(|(color, _)| color).collect(), indices)
+}
+
 fn rgb(picture: &Pixmap) -> Vec<u8> {
     picture.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+    use super::*;
+
+    /// A gradient of thousands of colours, with one line of pure green and one of pure blue.
+    #[test]
+    fn thin_lines_keep_their_colours_in_a_gif() {
+        let mut picture = Pixmap::new(64, 64).unwrap();
+        for (i, pixel) in picture.pixels_mut().iter_mut().enumerate() {
+            let [x, y] = [i % 64, i / 64].map(|v| u8::try_from(v).unwrap());
+            let [r, g, b] = match (x, y) {
+                (10, _) => [0, 128, 90],
+                (20, _) => [0, 100, 170],
+                _ => [200 + x / 2, 200 + y / 2, 220],
+            };
+            *pixel = PremultipliedColorU8::from_rgba(r, g, b, 255).unwrap();
+        }
+        let bytes = animation(AnimationFormat::Gif, [64, 64], 1, |_| Ok((picture.clone(), 4))).unwrap();
+        let mut options = gif::DecodeOptions::new();
+        options.set_color_output(gif::ColorOutput::RGBA);
+        let mut decoder = options.read_info(&bytes[..]).unwrap();
+        let frame = decoder.read_next_frame().unwrap().unwrap();
+        let at = |x: usize, y: usize| frame.buffer[4 * (64 * y + x)..][..3].to_vec();
+        assert_eq!((at(10, 5), at(20, 50)), (vec![0, 128, 90], vec![0, 100, 170]));
+        assert!(at(40, 40)[0].abs_diff(220) < 16, "{:?}", at(40, 40));
+    }
 }

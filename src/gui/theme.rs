@@ -28,9 +28,14 @@ pub fn install_fonts(ctx: &egui::Context) {
 /// A symbol in the colour of symbols, with subscripts as in the pictures.
 #[must_use]
 pub fn symbol(ui: &egui::Ui, text: &str) -> LayoutJob {
-    let font = TextStyle::Body.resolve(ui.style());
+    lowered(ui, text, &TextStyle::Body, ui.visuals().hyperlink_color)
+}
+
+/// A text with subscripts as in the pictures.
+#[must_use]
+pub fn lowered(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> LayoutJob {
+    let font = style.resolve(ui.style());
     let low = FontId::new(font.size * 0.75, font.family.clone());
-    let color = ui.visuals().hyperlink_color;
     let mut job = LayoutJob::default();
     for run in runs(text) {
         let (font_id, valign) =

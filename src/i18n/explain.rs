@@ -14,6 +14,7 @@ texts! {
     homogeneous_hint: "What the fourth coordinate does: division, points behind the eye, ideal points, the middle of a segment, a floor", "O que faz a quarta coordenada: divisão, pontos atrás do olho, pontos ideais, o meio de um segmento, um piso";
     stages: "Stages", "Estágios";
     stages_hint: "The image painted triangle by triangle: painter's order, BSP, depth buffer", "A imagem pintada triângulo por triângulo: ordem do pintor, BSP, buffer de profundidade";
+    no_inverse: "It has no inverse: something is multiplied by 0 (a scale, or a depth range from n to n), and cannot be found again.", "Não tem inversa: algo é multiplicado por 0 (uma escala, ou profundidades de n a n) e não pode ser recuperado.";
     film: "Export…", "Exportar…";
     film_hint: "Writes the way from the world to the canonical volume: an animation (GIF, APNG) or a strip of stills (PNG, WebP, JPEG), as the name's ending says", "Grava o caminho do mundo ao volume canônico: uma animação (GIF, APNG) ou uma tira de quadros (PNG, WebP, JPEG), conforme a terminação do nome";
     animation: "Animation", "Animação";

@@ -99,13 +99,16 @@ impl Film {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few seconds")]
         let per_step = (seconds * f64::from(PER_SECOND)).round().clamp(1.0, 10_000.0) as u32;
         let pictures = self.steps() * per_step + 1;
+        // Each picture is drawn in a moment: what is told is how many there are, and between two of them it may be given up.
         let mut renderer = Renderer::default();
-        renderer.watch(progress);
         let size = [self.request.size.width, self.request.size.height];
         progress.begin(Doing::Encoding, pictures as usize);
         let made = animation(format, size, pictures, |picture| {
             let time = f64::from(picture / per_step) + eased(f64::from(picture % per_step) / f64::from(per_step));
             let still = picture % per_step == 0;
+            if progress.is_cancelled() {
+                return Err(String::new());
+            }
             let drawn: Option<Picture> = renderer.pixels(&self.at(time));
             let pixmap = drawn.and_then(|mut picture| picture.take_pixmap()).ok_or_else(String::new)?;
             progress.advance(1);

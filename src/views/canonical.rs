@@ -14,6 +14,7 @@ use crate::scene::Scene;
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
+use super::legend::Row;
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
 use super::placing::Rules;
@@ -94,19 +95,9 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     revealed.mark(&mut builder, palette);
     probe::in_canonical(&mut builder, request, palette);
     cube(&mut builder, &canonical, request.labels, palette);
-    let mut drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
+    let drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
-    let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
-    let rules = Rules {
-        background: &[],
-        reserved: revealed_scene::room(legend.as_ref()),
-        first: &["x_n", "y_n", "z_n"],
-        dispensable: Some(palette.soft),
-        leader: Some((palette.soft, 0.8 * request.size.scale)),
-    };
-    placing::settle(&mut drawn.drawing, &rules);
-    revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
-    drawn
+    settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)
 }
 
 fn axes(builder: &mut SceneBuilder, canonical: &CanonicalBox, palette: Palette) {
@@ -118,16 +109,8 @@ fn axes(builder: &mut SceneBuilder, canonical: &CanonicalBox, palette: Palette) 
 /// The box: its near face (z_n = −1 in the notes) stands out as the window does in the world, its far face has dashed edges as there.
 fn cube(builder: &mut SceneBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
     let bounds = canonical.bounds();
-    let square = |z: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, z));
-    let (near, far) = (square(bounds.max.z), square(bounds.min.z));
-    let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
-    builder.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
-    builder.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
-    for i in 0..4 {
-        builder.line(vec![near[i], far[i]], palette.volume_edge, 1.3, Dash::Solid);
-    }
-    builder.closed(&far, palette.volume_edge, 1.5, Dash::Dashed);
-    builder.closed(&near, palette.ink, 2.0, Dash::Solid);
+    let [near, far] = canonical.faces();
+    box_between(builder, near, far, palette);
     hatch(builder, bounds.max.z, palette);
 
     let [at_near, at_far] = canonical.ndc.depths().map(|depth| labels.mark.number(depth, 2));
@@ -139,6 +122,34 @@ fn cube(builder: &mut SceneBuilder, canonical: &CanonicalBox, labels: &Labels, p
     for (p, text) in corner_names(builder.screen, canonical) {
         builder.text(p, &text, outwards(builder.screen, p), SMALL_TYPE - 1.0, palette.soft);
     }
+}
+
+/// A volume between its near and its far face, each counter-clockwise as the camera sees it.
+pub(super) fn box_between(builder: &mut SceneBuilder, near: [DVec3; 4], far: [DVec3; 4], palette: Palette) {
+    let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
+    builder.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
+    builder.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
+    for i in 0..4 {
+        builder.line(vec![near[i], far[i]], palette.volume_edge, 1.3, Dash::Solid);
+    }
+    builder.closed(&far, palette.volume_edge, 1.5, Dash::Dashed);
+    builder.closed(&near, palette.ink, 2.0, Dash::Solid);
+}
+
+/// Places the texts of a picture of the volume around its legend; `first`: the names of its axes.
+pub(super) fn settled(mut drawn: Frame, request: &Request, rows: Vec<Row>, first: &[&str], palette: Palette) -> Frame {
+    let target = request.size.target(palette.paper);
+    let legend = revealed_scene::legend(request, rows, &target, palette);
+    let rules = Rules {
+        background: &[],
+        reserved: revealed_scene::room(legend.as_ref()),
+        first,
+        dispensable: Some(palette.soft),
+        leader: Some((palette.soft, 0.8 * request.size.scale)),
+    };
+    placing::settle(&mut drawn.drawing, &rules);
+    revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
+    drawn
 }
 
 /// The direction on the screen from the middle of the cube.

@@ -55,6 +55,14 @@ impl CanonicalBox {
         Aabb { min: DVec3::new(-1.0, -1.0, at_far), max: DVec3::new(1.0, 1.0, at_near) }
     }
 
+    /// Its near and its far face, each counter-clockwise from the lower left as the camera sees them.
+    pub(super) fn faces(&self) -> [[DVec3; 4]; 2] {
+        let Aabb { min, max } = self.bounds();
+        let square =
+            |z| [(min.x, min.y), (max.x, min.y), (max.x, max.y), (min.x, max.y)].map(|(x, y)| DVec3::new(x, y, z));
+        [square(max.z), square(min.z)]
+    }
+
     /// The axes x_n, y_n, z_n.
     pub(super) fn axes(&self) -> [DVec3; 3] {
         [DVec3::X, DVec3::Y * self.up(), DVec3::Z * Self::side(self.ndc)]

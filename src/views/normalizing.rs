@@ -5,7 +5,7 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-use crate::appearance::{Dash, MarkShape};
+use crate::appearance::MarkShape;
 use crate::camera::{Camera, Factor};
 use crate::figure::Observer;
 use crate::geometry::Aabb;
@@ -16,10 +16,9 @@ use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
 use super::legend::Row;
 use super::observer::{Direction, enclosing};
 use super::pixels::PixelRect;
-use super::placing::Rules;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Normalizing, Palette, Request, canonical, placing, probe, revealed_scene};
+use super::{Normalizing, Palette, Request, canonical, probe};
 
 /// The steps of a camera, and where on them a picture is.
 struct Way {
@@ -159,10 +158,12 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let palette = Palette::of(request.look.style.theme);
     let target = request.size.target(palette.paper);
     let matrix = way.back_from_canonical();
-    let canonical = CanonicalBox::of(request);
-    let corners = volume(&canonical).map(|p| mapped(&matrix, p));
-    let [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f), Some(g), Some(h)] = corners else { return None };
-    let (near, far) = ([a, b, c, d], [e, f, g, h]);
+    let the_box = CanonicalBox::of(request);
+    let [near, far] = the_box.faces().map(|face| {
+        let [a, b, c, d] = face.map(|p| mapped(&matrix, p));
+        Some([a?, b?, c?, d?])
+    });
+    let (near, far) = (near?, far?);
     let bounds = Aabb::around(near.into_iter().chain(far))?;
     let camera = observer(request, way)?.camera(Some(bounds), request.size.aspect()).ok()?;
     let screen = Screen::new(camera, PixelRect::whole(request.size), request.size.scale);
@@ -172,36 +173,18 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let mut builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;
-    let after = if last { canonical.bounds().radius() } else { radius(way, &request.camera, way.step + 1)? };
+    let after = if last { the_box.bounds().radius() } else { radius(way, &request.camera, way.step + 1)? };
     // Sizes grow by equal factors, as the distance of the observer does.
     let reach = AXIS * before * (after / before).powf(way.share);
     axes(&mut builder, way, reach, palette);
-    faces(&mut builder, near, far, palette);
+    canonical::box_between(&mut builder, near, far, palette);
     eye(&mut builder, request, way, bounds, palette);
     let (now, reach) = (way.now(), bounds.radius());
     probe::on_the_way(&mut builder, request, palette, |p| {
         mapped(&now, p).filter(|p| p.distance(bounds.center()) <= FARTHEST * reach)
     });
-    let mut drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
-    let legend = revealed_scene::legend(request, way.said(request, palette), &target, palette);
-    let rules = Rules {
-        background: &[],
-        reserved: revealed_scene::room(legend.as_ref()),
-        first: &["x", "y", "z"],
-        dispensable: Some(palette.soft),
-        leader: Some((palette.soft, 0.8 * request.size.scale)),
-    };
-    placing::settle(&mut drawn.drawing, &rules);
-    revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
-    Some(drawn)
-}
-
-/// Corners of the canonical volume in display space: the near face counter-clockwise from the lower left, then the far one.
-fn volume(canonical: &CanonicalBox) -> [DVec3; 8] {
-    let bounds = canonical.bounds();
-    let square = |z: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| DVec3::new(x, y, z));
-    let ([a, b, c, d], [e, f, g, h]) = (square(bounds.max.z), square(bounds.min.z));
-    [a, b, c, d, e, f, g, h]
+    let drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
+    Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))
 }
 
 fn axes(builder: &mut SceneBuilder, way: &Way, reach: f64, palette: Palette) {
@@ -211,17 +194,6 @@ fn axes(builder: &mut SceneBuilder, way: &Way, reach: f64, palette: Palette) {
             builder.vector(DVec3::ZERO, axis * reach, color, 1.8, name);
         }
     }
-}
-
-fn faces(builder: &mut SceneBuilder, near: [DVec3; 4], far: [DVec3; 4], palette: Palette) {
-    let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
-    builder.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
-    builder.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
-    for i in 0..4 {
-        builder.line(vec![near[i], far[i]], palette.volume_edge, 1.3, Dash::Solid);
-    }
-    builder.closed(&far, palette.volume_edge, 1.5, Dash::Dashed);
-    builder.closed(&near, palette.ink, 2.0, Dash::Solid);
 }
 
 /// C, until it has gone too far: a division sends it to infinity.

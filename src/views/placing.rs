@@ -27,14 +27,19 @@ impl Box2 {
         (self.center - other.center).abs().cmple(self.half + other.half).all()
     }
 
-    /// The length of a segment's part inside (Liang and Barsky 1984).
+    /// The length of a segment's part inside.
     fn length_inside(&self, a: DVec2, b: DVec2) -> f64 {
+        self.part_inside(a, b).map_or(0.0, |[from, to]| (to - from) * (b - a).length())
+    }
+
+    /// From where to where along a segment it is inside, 0 … 1 (Liang and Barsky 1984).
+    pub(super) fn part_inside(&self, a: DVec2, b: DVec2) -> Option<[f64; 2]> {
         let (from, d) = (a - self.center, b - a);
         let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
         for (p, d, h) in [(from.x, d.x, self.half.x), (from.y, d.y, self.half.y)] {
             if d.abs() < 1e-12 {
                 if p.abs() > h {
-                    return 0.0;
+                    return None;
                 }
                 continue;
             }
@@ -42,7 +47,7 @@ impl Box2 {
             t0 = t0.max(s.min(e));
             t1 = t1.min(s.max(e));
         }
-        (t1 - t0).max(0.0) * d.length()
+        (t0 < t1).then_some([t0, t1])
     }
 }
 

@@ -12,6 +12,7 @@ use crate::geometry::Aabb;
 
 use super::gizmos::{SMALL_TYPE, SceneBuilder, stroke};
 use super::legend::Row;
+use super::placing::Box2;
 use super::{Palette, Request};
 
 /// The directions, and how their vanishing points are called.
@@ -151,20 +152,9 @@ impl Picture<'_> {
         [a, b]: [DVec2; 2],
         style: crate::appearance::LineStyle,
     ) -> Option<[DVec2; 2]> {
-        let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
-        let d = b - a;
-        for (p, d, high) in [(a.x, d.x, self.size.x), (a.y, d.y, self.size.y)] {
-            if d == 0.0 {
-                if !(0.0..=high).contains(&p) {
-                    return None;
-                }
-                continue;
-            }
-            let (s, e) = (-p / d, (high - p) / d);
-            (t0, t1) = (t0.max(s.min(e)), t1.min(s.max(e)));
-        }
-        let ends = [a + d * t0, a + d * t1];
-        if t0 >= t1 || !ends[0].is_finite() || !ends[1].is_finite() {
+        let whole = Box2 { center: self.size / 2.0, half: self.size / 2.0 };
+        let ends = whole.part_inside(a, b)?.map(|share| a.lerp(b, share));
+        if !ends.iter().all(|p| p.is_finite()) {
             return None;
         }
         drawing.strokes.push(StrokeSet {

@@ -1,6 +1,6 @@
 //! The side of explanations: reached and read by keyboard, every entry answered, what changes and what depends marked.
 
-use camera_lab::camera::{Camera, Parameters, Projection, ViewWindow};
+use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::Matrix;
 use camera_lab::figure::NamedPoint;
 use camera_lab::gui::state::{Matrices, Reading, Side};
@@ -265,4 +265,17 @@ fn an_entry_says_where_it_is_used_on_the_way_of_a_point() {
     window.app_mut().state.document.edit(|figure| figure.points.push(point));
     window.run();
     assert!(window.says("on the way of A it is in the sum for x_r, as the term"));
+}
+
+#[test]
+fn a_matrix_without_an_inverse_says_so_in_the_place_of_numbers_that_are_none() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let mut window = explaining(lang);
+        let viewport = Viewport { depth_near: 0.5, depth_far: 0.5, ..Viewport::whole(ImageSize::default()) };
+        window.app_mut().state.document.edit(|figure| figure.viewport = Some(viewport));
+        window.app_mut().state.explain.matrices.matrix = Matrix::Viewport;
+        window.app_mut().state.explain.matrices.inverse = true;
+        window.run();
+        assert!(window.says(texts(lang).no_inverse) && !window.says("NaN") && !window.says("inf"));
+    }
 }

@@ -12,6 +12,7 @@ use crate::explain::{Formula, Matrix, MatrixFormula, Setting, forward, leaves};
 use crate::gui::noted::noted;
 use crate::gui::panels::erratum;
 use crate::gui::state::{Matrices, Reading, State};
+use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain::{self as words, Texts};
 use crate::i18n::{conventions, notes, window};
@@ -37,6 +38,10 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     heading(ui, state, &setting, &formulas);
     let writing = Writing { setting: &setting, lang: state.settings.lang, digits: state.settings.digits };
     let values = values(&setting, matrix, state.settings.digits);
+    if values.iter().flatten().any(|value| !value.is_finite()) {
+        ui.label(t.no_inverse);
+        return;
+    }
     let now = ui.input(|input| input.time);
     let object = subject.object.as_ref().filter(|_| state.explain.matrices.matrix == Matrix::Model);
     state.explain.matrices.glow.follow((matrix, object.map(|(name, _)| name.as_str())), values, now);
@@ -54,7 +59,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     ui.separator();
     let [row, column] = pointed.hovered.unwrap_or(state.explain.matrices.entry);
     let name = entry_name(matrix, row, column);
-    ui.label(RichText::new(words::entry(t.lang, matrix.text(), row, column)).strong());
+    let place = words::entry(t.lang, matrix.text(), row, column);
+    let heading = theme::lowered(ui, &place, &egui::TextStyle::Body, ui.visuals().strong_text_color());
+    ui.label(heading).accessible_name(place);
     let formula = formulas.entry(row, column);
     let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.explain.matrices);
     let lights = answer::lights(formula, lit);
@@ -123,17 +130,7 @@ fn choices(ui: &mut Ui, t: &'static Texts, state: &mut Matrices) {
 
 /// The symbol of a matrix, with what stands below its letters lowered.
 fn matrix_symbol(ui: &Ui, matrix: Matrix) -> egui::text::LayoutJob {
-    let mut job = egui::text::LayoutJob::default();
-    let font = egui::TextStyle::Button.resolve(ui.style());
-    let low = egui::FontId::new(font.size * 0.75, font.family.clone());
-    let format =
-        |font_id, valign| egui::TextFormat { font_id, valign, color: ui.visuals().text_color(), ..Default::default() };
-    for word in matrix.text().split(' ') {
-        let (letters, below) = word.split_once('_').unwrap_or((word, ""));
-        job.append(letters, if job.is_empty() { 0.0 } else { 3.0 }, format(font.clone(), egui::Align::Center));
-        job.append(below, 0.0, format(low.clone(), egui::Align::BOTTOM));
-    }
-    job
+    theme::lowered(ui, &matrix.text().replace("_vp", "_{vp}"), &egui::TextStyle::Button, ui.visuals().text_color())
 }
 
 /// What the matrix is, which equation is in force and where it stands, and where the notes print something else.

@@ -141,9 +141,10 @@ fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], steps: &mu
     let done = whole(steps.time(camera));
     let mut left_handed = false;
     for (i, factor) in factors.iter().enumerate() {
-        let text = format!("{}. {}", i + 1, labels.step(factor.step).replace(['{', '}'], ""));
-        let button = Button::selectable(done == i + 1, text).wrap();
-        let button = ui.add(button);
+        let text = format!("{}. {}", i + 1, labels.step(factor.step));
+        let lowered = theme::lowered(ui, &text, &egui::TextStyle::Button, ui.visuals().text_color());
+        let button = Button::selectable(done == i + 1, lowered).wrap();
+        let button = ui.add(button).accessible_name(text.replace(['{', '}'], ""));
         noted(&button, notes::of_step(factor.step));
         if button.clicked() {
             steps.hold();
