@@ -124,7 +124,7 @@ impl App {
         self.focus.begin(&ctx, self.state.file_flow.dialog.is_some());
         file_flow::poll(&ctx, &mut self.state);
         self.canvas.listen_for_cancel(&ctx, &mut self.state);
-        if !self.canvas.holds_something()
+        if !self.canvas.holds_something(&self.state)
             && let Some(command) = presentation::escape(&ctx, &mut self.state)
         {
             self.perform(&ctx, command);

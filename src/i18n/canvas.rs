@@ -76,10 +76,10 @@ texts! {
     // Before the number of those that did not.
     strip_out: "left out:", "omitidas:";
     // What can be done with the strip.
-    strip_hint: "point at a stage", "aponte para uma etapa";
-    // Of a stage that the pictures can show.
-    strip_reveal: "Click: show it in the pictures", "Clique: mostrar nas imagens";
-    strip_unreveal: "Click: show it no more", "Clique: não mostrar mais";
+    strip_hint: "click a stage: what goes in, what comes out", "clique numa etapa: o que entra, o que sai";
+    // Of a stage.
+    strip_reveal: "Click, Enter: show in the picture what goes in and what comes out · F1: the note on it", "Clique, Enter: mostrar na imagem o que entra e o que sai · F1: a nota sobre ela";
+    strip_unreveal: "Click, Enter, Esc: show it no more · F1: the note on it", "Clique, Enter, Esc: não mostrar mais · F1: a nota sobre ela";
     // While the eye turns.
     turning: "Turning the view", "Girando a vista";
     // While the picture is moved.

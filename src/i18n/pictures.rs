@@ -36,6 +36,9 @@ texts! {
     plane_near: "near", "frente";
     plane_far: "far", "fundo";
     triangles: "triangles", "triângulos";
+    goes_in: "goes in", "entra";
+    comes_out: "comes out", "sai";
+    not_all: "not all of it is shown", "nem tudo é mostrado";
     no_vanishing: "parallel: ideal points stay ideal, w = 0", "paralela: pontos ideais continuam ideais, w = 0";
     ideal: "ideal, parallel to the view plane", "ideal, paralela ao plano de vista";
     beyond_image: "outside the image", "fora da imagem";
@@ -116,6 +119,9 @@ const fn of(t: &Texts) -> Labels {
         right_handed: t.right_handed,
         left_handed: t.left_handed,
         triangles: t.triangles,
+        goes_in: t.goes_in,
+        comes_out: t.comes_out,
+        not_all: t.not_all,
         no_vanishing: t.no_vanishing,
         ideal: t.ideal,
         beyond_image: t.beyond_image,

@@ -2,6 +2,7 @@
 
 use super::Lang;
 pub use super::reasons::{planes, reason};
+use crate::numbers;
 use crate::pipeline::{Containment, FacesDone, ObjectReport, Reason, Stage, StageReport};
 
 /// The name of a stage, short enough for a column.
@@ -45,6 +46,25 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
         (Lang::En, Stage::Write) => "write",
         (Lang::PtBr, Stage::Write) => "escrita",
     }
+}
+
+/// What a stage did: what went in and came out, how long it took, and why; or why it was left out.
+#[must_use]
+pub fn line(lang: Lang, report: &StageReport) -> String {
+    let (name, reason) = (stage(lang, report.stage), reason(lang, report.reason));
+    if !report.ran {
+        return format!("{name}: {} – {reason}", left_out(lang));
+    }
+    let mut parts = Vec::new();
+    if let Some((from, to)) = report.counts {
+        let [from, to] = [from, to].map(numbers::in_threes);
+        parts.push(format!("{from} → {to} {}", unit(lang, report)));
+    }
+    if let Some(time) = report.time {
+        parts.push(lang.mark().printed(&numbers::duration(time)));
+    }
+    parts.push(reason);
+    format!("{name}: {}", parts.join(" · "))
 }
 
 /// What a stage does, in a sentence, with the place in the notes.

@@ -1,5 +1,7 @@
 //! The tab of stages.
 
+use crate::pipeline::Stage;
+
 texts! {
     hint: "The image as far as it is painted: triangle by triangle, in the order in which they are painted.", "A imagem até onde foi pintada: triângulo por triângulo, na ordem em que são pintados.";
     hidden: "The image is hidden: Ctrl+3 shows it.", "A imagem está oculta: Ctrl+3 a mostra.";
@@ -22,5 +24,36 @@ texts! {
     fewer: "Fewer triangles", "Menos triângulos";
     more: "More triangles", "Mais triângulos";
     all: "The whole image", "A imagem inteira";
-    order: "All stages, in their order", "Todos os estágios, na ordem";
+    shown: "Shown in the picture", "Na imagem";
+    none_shown: "A click on a stage, here or in the strip (F10), shows in the picture what goes in and what comes out.", "Um clique numa etapa, aqui ou na faixa (F10), mostra na imagem o que entra e o que sai.";
+    show: "Click, Enter: show it in the picture, or no more · F1: the note on it", "Clique, Enter: mostrar na imagem, ou não mais · F1: a nota sobre ela";
+    boxes: "The boxes around the objects: dashed those that are dropped.", "As caixas em volta dos objetos: tracejadas as que são descartadas.";
+    normals: "At each vertex its normal, as it is in the world.", "Em cada vértice a sua normal, como está no mundo.";
+    vertices: "At vertices their numbers: before → after.", "Nos vértices os seus números: antes → depois.";
+    faces: "Tinted: the faces that are dropped. Lines: the triangles that are left.", "Tingidas: as faces descartadas. Linhas: os triângulos que ficam.";
+    pieces: "Dashed: triangles that cross a plane. Lines: the pieces that are left of them; the new vertices are marked. What lies outside is tinted in the world.",
+        "Tracejado: triângulos que cruzam um plano. Linhas: os pedaços que ficam; os vértices novos estão marcados. O que fica fora está tingido no mundo.";
+    halves: "Left half: as it goes in. Right half: as it comes out.", "Metade esquerda: como entra. Metade direita: como sai.";
+    order: "All stages, in their order", "Todas as etapas, na ordem";
+}
+
+/// How a stage shows in a picture.
+#[must_use]
+pub const fn in_and_out(t: &Texts, stage: Stage) -> &'static str {
+    match stage {
+        Stage::Traverse | Stage::CullObjects => t.boxes,
+        Stage::Normals => t.normals,
+        Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport => t.vertices,
+        Stage::CullFaces => t.faces,
+        Stage::Clip => t.pieces,
+        Stage::Light
+        | Stage::Fill
+        | Stage::Interpolate
+        | Stage::HiddenSurfaces
+        | Stage::Texture
+        | Stage::Blend
+        | Stage::Antialias
+        | Stage::Lines
+        | Stage::Write => t.halves,
+    }
 }

@@ -7,6 +7,7 @@ use tiny_skia::Pixmap;
 
 use super::{Account, Picture, Sheet};
 use crate::appearance::Texture;
+use crate::drawing::Surface;
 use crate::pipeline::{Frame, TooMuch};
 use crate::progress::Progress;
 use crate::raster::Rasterizer;
@@ -64,17 +65,33 @@ impl Renderer {
         }
         let mut pixmap = picture.take_pixmap().or_else(|| Pixmap::new(1, 1))?;
         self.rasterizer.measure(self.clock);
+        let mut frame = frame;
+        // What only shows a stage is not counted.
+        let tinted = frame.drawing.surfaces.split_off(frame.drawing.surfaces.len() - frame.tinted());
         if !self.rasterizer.paint_into(&frame.drawing, &mut pixmap) || self.progress.is_cancelled() {
             return None;
         }
-        *picture = pixmap.into();
-        let total = now().saturating_sub(start);
+        let (work, total) = (self.rasterizer.work(), now().saturating_sub(start));
         let account = match self.clock {
-            Some(_) => Account::of(&frame, self.rasterizer.work(), on_window, total),
-            None => Account { too_much: frame.too_much, ..Account::default() },
+            Some(_) => Account::of(&frame, work, on_window, total),
+            None => Account { too_much: frame.too_much.take(), ..Account::default() },
         };
+        self.show_stage(&mut frame, tinted, &mut pixmap)?;
+        *picture = pixmap.into();
         self.pipelines[request.view.index()].stages.recycle(frame.drawing);
         Some(account)
+    }
+
+    /// Paints what shows a stage: faces over the picture, or the half before it. `None` where there is no memory for it.
+    fn show_stage(&mut self, frame: &mut Frame, tinted: Vec<Surface>, pixmap: &mut Pixmap) -> Option<()> {
+        if !tinted.is_empty() {
+            frame.drawing.surfaces.extend(tinted);
+            *pixmap = self.rasterizer.paint(&frame.drawing)?;
+        }
+        if let Some(before) = &frame.before {
+            left_half(&self.rasterizer.paint(before)?, pixmap);
+        }
+        Some(())
     }
 
     /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty ground around what it shows. And what could
@@ -134,6 +151,13 @@ impl Renderer {
         self.on_window = Some((image, Arc::clone(&texture)));
         Some((texture, Some(now().saturating_sub(start))))
     }
+}
+
+/// Puts the left half of a picture over that of another one of the same size.
+fn left_half(from: &Pixmap, onto: &mut Pixmap) {
+    let (width, half) = (4 * onto.width() as usize, 4 * (onto.width() / 2) as usize);
+    let rows = onto.data_mut().chunks_exact_mut(width.max(1)).zip(from.data().chunks_exact(width.max(1)));
+    rows.for_each(|(row, before)| row[..half].copy_from_slice(&before[..half]));
 }
 
 #[cfg(test)]

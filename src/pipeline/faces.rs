@@ -1,5 +1,6 @@
 //! The faces of one object that are left to draw: projected, culled, clipped.
 
+use std::collections::HashSet;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
@@ -75,6 +76,33 @@ impl Faces {
     pub(super) fn used_vertices(&self, count: usize) -> usize {
         let used = self.used.iter().enumerate().filter(|(_, used)| used.load(Ordering::Relaxed));
         used.map(|(group, _)| LANES.min(count - group * LANES)).sum()
+    }
+
+    /// What culling did with each triangle: `true` where it is left, `false` where it turned its back; `None` where it was outside a plane.
+    /// Is true after [`cull`](Self::cull).
+    pub(super) fn fates(&self, triangles: &[[u32; 3]]) -> Vec<Option<bool>> {
+        let crossing: HashSet<u32> =
+            self.stretches.iter().flat_map(|stretch| &stretch.crossing).map(|crossing| crossing.source).collect();
+        let codes = &self.image.outcodes;
+        let fate = |(k, triangle): (u32, &[u32; 3])| {
+            let is_kept = self.kept.get(k as usize / 8).is_some_and(|byte| byte >> (k % 8) & 1 == 1);
+            let code = |i: u32| codes.get(i as usize).copied().unwrap_or(0);
+            let is_outside = triangle.iter().fold(PlaneSet::MAX, |all, &i| all & code(i)) != 0;
+            let is_number = triangle.iter().all(|&i| code(i) & NOT_A_NUMBER == 0);
+            (is_kept || is_number && !is_outside).then(|| is_kept || crossing.contains(&k))
+        };
+        (0..).zip(triangles).map(fate).collect()
+    }
+
+    /// The triangles that cross a plane.
+    pub(super) fn crossing(&self) -> impl Iterator<Item = [u32; 3]> + '_ {
+        self.stretches.iter().flat_map(|stretch| &stretch.crossing).map(|crossing| crossing.triangle)
+    }
+
+    /// The pieces that [`clip`](Self::clip) has left of them.
+    pub(super) fn pieces(&self) -> &[[u32; 3]] {
+        let whole: usize = self.stretches.iter().map(|stretch| stretch.kept).sum();
+        self.triangles.get(whole..).unwrap_or_default()
     }
 
     /// Drops triangles that lie outside one plane, and those that turn their back. Those that cross a plane are left to

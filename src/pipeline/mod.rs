@@ -14,7 +14,7 @@
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
 //! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
-//! [`clip_parts`], [`cull_result`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
+//! What goes into a stage and comes out of it is noted by `stage_work`, where a picture shows it. [`clip_parts`], [`cull_result`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
 //! and what would come of dividing first.
 //!
 //! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which parts of its strokes faces hide,
@@ -44,6 +44,7 @@ mod projector;
 pub mod report;
 mod resample;
 mod shade;
+mod stage_work;
 mod stages;
 pub mod stroke_order;
 pub mod stroke_runs;
@@ -73,6 +74,8 @@ use report::Meter;
 pub use report::{Frame, StageReport};
 pub use resample::with_triangles;
 use shade::Shaded;
+use stage_work::Notes;
+pub use stage_work::{ObjectWork, StageWork, VertexWork};
 use stages::LitAt;
 pub use stages::{FacesDone, ObjectReport};
 use survey::Survey;
@@ -154,6 +157,10 @@ impl Pipeline {
         let (faces, pool) = (&mut self.faces, &mut self.pool);
         let mut done: Vec<ObjectReport> = plan.objects.iter().map(ObjectReport::new).collect();
         let (mut surfaces, mut layers, mut of_object) = (Vec::new(), Vec::new(), Vec::new());
+        let mut notes = options.shown.map(|stage| Notes::new(stage, &projector, &screen));
+        if let Some(notes) = &mut notes {
+            notes.objects(scene, &plan);
+        }
         meter.lap(Stage::Traverse);
 
         let objects = scene.objects.iter().zip(&plan.objects).zip(&mut done);
@@ -169,6 +176,9 @@ impl Pipeline {
                 let interpolates = projector.perspective && Shaded::interpolates(object, todo.lit);
                 pool.refill(faces);
                 faces.image.fill(&vertices, &screen, todo.clip_planes != 0, interpolates);
+                if let Some(notes) = &mut notes {
+                    notes.vertices(object, &vertices, &lights);
+                }
                 meter.lap(Stage::Transform);
 
                 let cut_open = mesh.closed && faces.cut_open();
@@ -180,9 +190,15 @@ impl Pipeline {
                     want_used: todo.lit == LitAt::Vertices,
                 };
                 faces.cull(&vertices, &mesh.triangles, task);
+                if let Some(notes) = &mut notes {
+                    notes.culled(&vertices, &mesh.triangles, faces);
+                }
                 meter.lap(Stage::CullFaces);
 
                 faces.clip(&vertices, &screen, task.want_source, options.force_all_stages);
+                if let Some(notes) = &mut notes {
+                    notes.clipped(&vertices, faces);
+                }
                 meter.lap(Stage::Clip);
                 done.triangles = faces.triangles.len();
                 done.lit = todo.lit;
@@ -270,7 +286,9 @@ impl Pipeline {
         };
         let report = meter.report(&plan, &Survey::of_done(scene, &plan.objects, &done, style), style);
         let too_much = TooMuch::rounding(misplaced.found());
-        let mut frame = Frame { drawing, report, plan, objects: done, too_much, depths: projector.depths };
+        let work = notes.map(|notes| notes.work).filter(|work| report.iter().any(|r| r.stage == work.stage && r.ran));
+        let depths = projector.depths;
+        let mut frame = Frame { drawing, report, plan, objects: done, too_much, depths, work, before: None };
         if let Some(TooManyPieces { pieces, of_layer }) = too_many {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
             frame.too_much = Some(TooMuch::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));

@@ -38,6 +38,8 @@ pub struct Options {
     pub output: Output,
     /// The depths of the drawing are 1 at F and 0 at B, whatever is in view: for a drawing that another one is put into.
     pub depth_of_volume: bool,
+    /// What goes into this stage and what comes out is noted in [`Frame::work`](super::Frame::work).
+    pub shown: Option<Stage>,
     /// Gives the time since any moment, for the report; without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
 }

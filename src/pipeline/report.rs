@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::depths::DepthScale;
 use super::faces::Faces;
 use super::plan::{Options, Plan};
+use super::stage_work::StageWork;
 use super::stages::{LitAt, ObjectReport, Reason, Stage};
 use super::survey::Survey;
 use super::too_much::TooMuch;
@@ -29,9 +30,19 @@ pub struct Frame {
     pub too_much: Option<TooMuch>,
     /// What the depths of the drawing mean.
     pub depths: DepthScale,
+    /// What went into the stage that was to be shown, and what came out; `None` where it did not run.
+    pub work: Option<StageWork>,
+    /// The picture as it is before that stage, for its left half; `None` where what comes out is drawn over what goes in.
+    pub before: Option<Drawing>,
 }
 
 impl Frame {
+    /// How many surfaces at the end of the drawing only show what a stage drops.
+    #[must_use]
+    pub fn tinted(&self) -> usize {
+        self.work.as_ref().map_or(0, |work| work.dropped.len()).min(self.drawing.surfaces.len())
+    }
+
     /// Gives a stage another reason: what the plan cannot know, because the scene was prepared for it.
     pub fn say(&mut self, stage: Stage, reason: Reason) {
         if let Some(report) = self.report.iter_mut().find(|report| report.stage == stage) {

@@ -96,7 +96,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     probe::in_canonical(&mut builder, request, palette);
     cube(&mut builder, &canonical, request.labels, palette);
     let drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
-    revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
+    revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)
 }
 
@@ -148,7 +148,7 @@ pub(super) fn settled(mut drawn: Frame, request: &Request, rows: Vec<Row>, first
         leader: Some((palette.soft, 0.8 * request.size.scale)),
     };
     placing::settle(&mut drawn.drawing, &rules);
-    revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
+    revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
 }
 

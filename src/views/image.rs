@@ -58,7 +58,12 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {
         drawn.say(Stage::Clip, Reason::DividedFirst);
-        add(&mut drawn.drawing, TimedPipeline::default().frame(request, &wrong, &front, target, &style).drawing);
+        add(
+            &mut drawn.drawing,
+            TimedPipeline::default()
+                .frame(&Request { stage: None, ..request.clone() }, &wrong, &front, target, &style)
+                .drawing,
+        );
     }
     let mut rows = revealed.rows;
     if let Some(share) = request.begun {
@@ -69,7 +74,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         greys.paint(&mut drawn);
         rows.extend(greys.legend(request, palette));
     }
-    rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
+    rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     if request.look.reveal.vanishing {
         rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
     }
@@ -78,13 +83,17 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         &Rules { background: &[], reserved: None, first: &[], dispensable: None, leader: None },
     );
     if rect != PixelRect::whole(request.size) {
-        drawn.drawing = mounted(drawn.drawing, rect, request.size, palette);
-        if request.overlays.transparent {
-            // The sheet of paper.
-            drawn.drawing.surfaces.remove(0);
-        }
+        let mount = |drawing: Drawing| {
+            let mut drawing = mounted(drawing, rect, request.size, palette);
+            if request.overlays.transparent {
+                // The sheet of paper.
+                drawing.surfaces.remove(0);
+            }
+            drawing
+        };
+        (drawn.drawing, drawn.before) = (mount(drawn.drawing), drawn.before.map(mount));
     }
-    revealed_scene::explain(&mut drawn.drawing, revealed_scene::legend(request, rows, &whole, palette).as_ref());
+    revealed_scene::explain(&mut drawn, request, revealed_scene::legend(request, rows, &whole, palette).as_ref());
     drawn
 }
 

@@ -2,6 +2,7 @@
 
 use crate::camera::{Ndc, Step};
 use crate::numbers::DecimalMark;
+use crate::pipeline::{NEAR, PlaneSet};
 
 /// The few words in the pictures; symbols (C, PF, u, v, n …) are the same in every language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +59,12 @@ pub struct Labels {
     pub rounded: &'static str,
     /// Of a picture that is begun.
     pub triangles: &'static str,
+    /// Of a stage of the pipeline.
+    pub goes_in: &'static str,
+    /// Of a stage of the pipeline.
+    pub comes_out: &'static str,
+    /// Of a stage that had more to do than is shown.
+    pub not_all: &'static str,
     /// Parallel projection has no vanishing points.
     pub no_vanishing: &'static str,
     /// A direction parallel to the view plane.
@@ -73,6 +80,15 @@ pub struct Labels {
 }
 
 impl Labels {
+    /// Why an object is dropped. Behind the eye all signs are turned round, and only the near plane means what it says.
+    #[must_use]
+    pub fn outside_planes(&self, planes: PlaneSet) -> String {
+        let planes = if planes & NEAR != 0 { NEAR } else { planes };
+        let names: Vec<&str> =
+            (0..).zip(self.planes).filter(|(i, _)| planes >> i & 1 == 1).map(|(_, name)| name).collect();
+        format!("{}: {}", self.outside_of, names.join(", "))
+    }
+
     /// What a step of the way to the canonical volume does.
     #[must_use]
     pub fn step(&self, step: Step) -> &'static str {

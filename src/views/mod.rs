@@ -42,6 +42,7 @@ mod revealed_scene;
 mod screen;
 mod section;
 mod solids;
+mod staged;
 mod timed_pipeline;
 pub mod transform_gizmo;
 mod vanishing;

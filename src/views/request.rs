@@ -9,7 +9,7 @@ use crate::appearance::Style;
 use crate::camera::{Camera, Decomposition, ImageSize, Ndc, Viewport};
 use crate::figure::{Figure, NamedPoint, Observer, Observers, Reveal, WorldLook};
 use crate::geometry::Aabb;
-use crate::pipeline::Output;
+use crate::pipeline::{Output, Stage};
 use crate::scene::Scene;
 
 /// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
@@ -34,6 +34,8 @@ pub struct Request {
     pub normalizing: Option<Normalizing>,
     /// Only the first share (0 … 1) of the image's triangles are painted, in the order of painting; `None`: all, with everything else.
     pub begun: Option<f64>,
+    /// What goes into this stage and what comes out is shown in the picture, where it runs.
+    pub stage: Option<Stage>,
     /// What comes and goes with the pointer.
     pub overlays: Overlays,
     /// The words in the picture.
@@ -68,6 +70,7 @@ impl Request {
             ndc: Ndc::default(),
             normalizing: None,
             begun: None,
+            stage: None,
             overlays: Overlays::default(),
             labels,
             size,
@@ -88,6 +91,7 @@ impl Request {
             // They are drawn in the world.
             points: Arc::default(),
             observer: None,
+            stage: None,
             overlays: Overlays { bare: true, stroke_factor: self.overlays.stroke_factor, ..Overlays::default() },
             size: Size { width: frame.width, height: frame.height, scale: 1.0 },
             // Also in a vector picture it is a texture.

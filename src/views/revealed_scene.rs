@@ -6,20 +6,19 @@ use glam::{DMat4, DVec3};
 
 use crate::appearance::{Dash, MarkShape, Rgba, Shading};
 use crate::camera::{Camera, Ndc, Parameters, Projection, ViewWindow};
-use crate::drawing::Drawing;
 use crate::figure::Outside;
 use crate::pipeline::clip_parts::{Parts, clip_parts};
 use crate::pipeline::cull_result::{CullResult, cull_result};
 use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
 use crate::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
-use crate::pipeline::{Frame, NEAR, PlaneSet, Target, TooMuch, with_triangles};
+use crate::pipeline::{Frame, Target, TooMuch, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::legend::{Legend, Row};
 use super::placing::Box2;
-use super::{Labels, Palette, Request};
+use super::{Labels, Palette, Request, staged};
 
 /// How far beyond the canonical volume is shown what lies outside, in its own half sides.
 pub(super) const REACH: f64 = 2.0;
@@ -79,19 +78,25 @@ pub(super) fn legend(request: &Request, rows: Vec<Row>, target: &Target, palette
     Legend::new(rows, size, target.scale, palette).filter(|_| !request.overlays.bare)
 }
 
-/// What a drawing shows otherwise than it was asked to.
-pub(super) fn exception(drawn: &Frame, labels: &Labels, palette: Palette) -> Option<Row> {
-    let what = match drawn.too_much.as_ref()? {
-        TooMuch::Pieces { .. } | TooMuch::Strokes => labels.not_split,
-        TooMuch::Rounding { .. } => labels.rounded,
+/// What a drawing shows of a stage, and otherwise than it was asked to.
+pub(super) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> Vec<Row> {
+    let mut rows = staged::rows(drawn, request, palette);
+    let what = match &drawn.too_much {
+        None => return rows,
+        Some(TooMuch::Pieces { .. } | TooMuch::Strokes) => request.labels.not_split,
+        Some(TooMuch::Rounding { .. }) => request.labels.rounded,
     };
-    Some(Row::Title(what.to_owned(), palette.wrong))
+    rows.push(Row::Title(what.to_owned(), palette.wrong));
+    rows
 }
 
-/// Where it lies, and the drawing of it.
-pub(super) fn explain(drawing: &mut Drawing, legend: Option<&Legend>) {
-    if let Some(legend) = legend {
-        legend.draw(drawing);
+/// Draws the legend, and completes what shows a stage.
+pub(super) fn explain(drawn: &mut Frame, request: &Request, legend: Option<&Legend>) {
+    staged::part(drawn, request);
+    for drawing in drawn.before.iter_mut().chain([&mut drawn.drawing]) {
+        if let Some(legend) = legend {
+            legend.draw(drawing);
+        }
     }
 }
 
@@ -271,7 +276,7 @@ fn culled(
         match cull_result(object, &request.camera) {
             CullResult::Dropped(planes) => {
                 if let Some(bounds) = object.bounds().filter(|_| dropped.len() < MOST_NAMES) {
-                    revealed.names.push((bounds.center(), reason(planes, request.labels)));
+                    revealed.names.push((bounds.center(), request.labels.outside_planes(planes)));
                 }
                 dropped.push(object.clone());
             }
@@ -290,14 +295,6 @@ fn culled(
         revealed.rows.push(Row::Swatch(palette.dropped, request.labels.dropped.to_owned()));
     }
     (kept, dropped)
-}
-
-/// Why an object is dropped. Behind the eye all signs are turned round, and only the near plane means what it says.
-fn reason(planes: PlaneSet, labels: &Labels) -> String {
-    let planes = if planes & NEAR != 0 { NEAR } else { planes };
-    let names: Vec<&str> =
-        (0..).zip(labels.planes).filter(|(i, _)| planes >> i & 1 == 1).map(|(_, name)| name).collect();
-    format!("{}: {}", labels.outside_of, names.join(", "))
 }
 
 /// An object in two: its front faces with its edges and its outline, and its back faces in one colour.

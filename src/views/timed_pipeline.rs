@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Request, View};
+use super::{Request, View, staged};
 use crate::appearance::Style;
 use crate::camera::Camera;
 use crate::pipeline::{Frame, Options, Pipeline, Target};
@@ -33,8 +33,16 @@ impl TimedPipeline {
             output: request.output,
             // What is divided first is put into the image, with depths from F to B.
             depth_of_volume: request.view == View::Image && request.look.reveal.divide_first,
+            shown: request.stage,
             clock: self.clock,
         };
-        self.stages.frame(scene, camera, target, style, options)
+        let mut frame = self.stages.frame(scene, camera, target, style, options);
+        if frame.work.is_some() {
+            let options = Options { shown: None, clock: None, ..options };
+            let again =
+                |scene: &Scene, style: &Style| Pipeline::default().frame(scene, camera, target, style, options).drawing;
+            staged::show(&mut frame, request, scene, style, again);
+        }
+        frame
     }
 }

@@ -63,7 +63,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         transform_gizmo::in_world(&mut world.builder, request, palette);
     }
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
-    revealed.rows.extend(revealed_scene::exception(&drawn, request.labels, palette));
+    revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
     let rules = Rules {
         background: &[palette.grid],
@@ -73,7 +73,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         leader: Some((palette.soft, 0.8 * request.size.scale)),
     };
     placing::settle(&mut drawn.drawing, &rules);
-    revealed_scene::explain(&mut drawn.drawing, legend.as_ref());
+    revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
 }
 

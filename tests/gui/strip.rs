@@ -1,7 +1,10 @@
 //! The strip under the pictures: every stage of the pipeline, and why it was left out.
 
+use camera_lab::gui::state::ExplainTab;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
+use camera_lab::pipeline::Stage;
+use camera_lab::scene::Preset;
 use camera_lab::views::View;
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
@@ -106,34 +109,123 @@ fn a_window_with_the_strip_that_is_left_alone_does_not_repaint() {
     assert_eq!(window.app_mut().canvas.drawn(), drawn);
 }
 
+fn cell<'a>(window: &'a Window, name: &str) -> egui_kittest::Node<'a> {
+    let name = name.to_owned();
+    window
+        .harness
+        .get_by(move |node| node.role() == Role::ListItem && node.label().is_some_and(|label| label.starts_with(&name)))
+}
+
+fn click(window: &mut Window, name: &str) {
+    let at = cell(window, name).rect().center();
+    window.harness.hover_at(at);
+    window.run();
+    window.harness.drag_at(at);
+    window.harness.drop_at(at);
+    window.run();
+}
+
+/// A window with the house, and the strip under its image.
+fn with_house(lang: Lang) -> Window {
+    let mut figure = camera_lab::gui::fresh();
+    figure.scene.preset = Preset::House;
+    (figure.style.antialias, figure.camera.near) = (1, 2.0);
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).expect("a camera");
+    state.layout.strip = true;
+    state.layout.maximized = Some(View::Image);
+    Window::with_state(state, [1280.0, 800.0])
+}
+
 #[test]
-fn a_click_on_a_stage_shows_what_it_does_where_the_pictures_can() {
-    let mut window = Window::new(Lang::En);
-    window.key(Key::F10);
-    let click = |window: &mut Window, name: &str| {
-        let starts = |label: &str| label.starts_with(name);
-        let at = window
-            .harness
-            .get_by(|node| node.label().is_some_and(|l| starts(&l)) && node.role() == Role::ListItem)
-            .rect()
-            .center();
-        window.harness.hover_at(at);
-        window.run();
-        window.harness.drag_at(at);
-        window.harness.drop_at(at);
-        window.run();
-    };
-    let reveal = |window: &Window| window.state().document.figure().reveal;
-    for _ in 0..2 {
-        let before = reveal(&window);
-        click(&mut window, "clip");
-        assert_ne!(reveal(&window).clipping, before.clipping);
-        click(&mut window, "back faces");
-        assert_ne!(reveal(&window).culled, before.culled);
-        click(&mut window, "hidden");
-        assert_ne!(reveal(&window).depth, before.depth);
+fn a_click_on_a_stage_shows_it_in_its_picture_and_a_second_click_or_escape_takes_it_away() {
+    let mut window = with_house(Lang::En);
+    let figure = window.state().document.figure().clone();
+    let drawn = |window: &mut Window| window.app_mut().canvas.drawn()[View::Image.index()];
+    for (name, stage) in [("back faces", Stage::CullFaces), ("divide by w", Stage::Divide), ("fill", Stage::Fill)] {
+        let before = drawn(&mut window);
+        click(&mut window, name);
+        assert_eq!(window.state().shown_stage(), Some(stage));
+        assert!(drawn(&mut window) > before, "{name}: the picture shows it");
+        let toggled = cell(&window, name).accesskit_node().toggled();
+        assert_eq!(toggled, Some(eframe::egui::accesskit::Toggled::True), "{name} is marked");
     }
-    let before = reveal(&window);
-    click(&mut window, "write");
-    assert_eq!(reveal(&window), before, "there is nothing to show");
+    click(&mut window, "fill");
+    assert_eq!(window.state().shown_stage(), None, "a second click");
+    click(&mut window, "fill");
+    window.key(Key::Escape);
+    assert_eq!(window.state().shown_stage(), None, "Esc");
+    // One that was left out says why, and is shown as left out.
+    click(&mut window, "texture");
+    assert_eq!(window.state().shown_stage(), Some(Stage::Texture));
+    window.harness.remove_cursor();
+    window.run();
+    assert!(window.says("texture: left out – no object has a picture on it"));
+    window.key(Key::F10);
+    assert_eq!(window.state().shown_stage(), None, "hidden, it is not shown");
+    assert_eq!(*window.state().document.figure(), figure, "the figure stays as it is");
+}
+
+#[test]
+fn the_strip_says_the_same_numbers_while_it_shows_a_stage() {
+    let mut window = with_house(Lang::En);
+    let counts = |window: &Window| -> Vec<String> {
+        let cells = window.harness.query_all_by_role(Role::ListItem);
+        let labels = cells.filter_map(|cell| cell.accesskit_node().label());
+        // Without the times.
+        labels
+            .map(|label| label.split(" · ").filter(|part| !part.ends_with('s') || part.contains('→')).collect())
+            .collect()
+    };
+    let before = counts(&window);
+    for name in ["back faces", "clipping", "hidden surfaces", "fill"] {
+        click(&mut window, name);
+        let now: Vec<_> = counts(&window);
+        for (now, before) in now.iter().zip(&before) {
+            // Marks that show it are lines; nothing else is counted.
+            assert!(now == before || before.starts_with("lines"), "{name}: {now} for {before}");
+        }
+        click(&mut window, name);
+    }
+}
+
+#[test]
+fn stages_are_reached_shown_and_explained_by_keyboard() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let mut window = with_house(lang);
+        let name = camera_lab::i18n::pipeline::stage(lang, Stage::Clip);
+        cell(&window, name).focus();
+        window.run();
+        assert!(cell(&window, name).is_focused());
+        window.key(Key::Enter);
+        assert_eq!(window.state().shown_stage(), Some(Stage::Clip), "Enter");
+        window.key(Key::Space);
+        assert_eq!(window.state().shown_stage(), None, "Space");
+        // Tab goes on to the next stage.
+        window.key(Key::Tab);
+        assert!(cell(&window, camera_lab::i18n::pipeline::stage(lang, Stage::Oblique)).is_focused());
+        window.key(Key::F1);
+        assert_eq!(window.state().explain.tab, ExplainTab::Notes);
+        assert_eq!(window.state().explain.notes.chosen, camera_lab::i18n::notes::of_stage(Stage::Oblique));
+    }
+}
+
+#[test]
+fn in_the_world_a_stage_of_the_image_shows_what_belongs_to_it() {
+    let mut window = with_house(Lang::En);
+    window.app_mut().state.layout.maximized = Some(View::World);
+    window.app_mut().state.layout.strip = true;
+    window.run();
+    let before = window.app_mut().canvas.drawn()[View::World.index()];
+    window.harness.key_press_modifiers(eframe::egui::Modifiers::ALT, Key::E);
+    window.run();
+    window.click(camera_lab::i18n::explain::texts(Lang::En).stages);
+    let drawn = window.app_mut().canvas.drawn()[View::World.index()];
+    assert!(drawn >= before);
+    let clipping = format!("7. {}", camera_lab::i18n::pipeline::stage(Lang::En, Stage::Clip));
+    window.click(&clipping);
+    assert_eq!(window.state().shown_stage(), Some(Stage::Clip));
+    assert!(window.app_mut().canvas.drawn()[View::World.index()] > drawn, "cuts are marked there");
+    assert!(window.says("Shown in the picture: clipping"), "and named in the tab");
+    window.click(&clipping);
+    assert_eq!(window.state().shown_stage(), None);
 }

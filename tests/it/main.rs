@@ -52,6 +52,7 @@ mod raster_slivers;
 mod recovery;
 mod reveal;
 mod scene;
+mod stage_work;
 mod stages;
 mod stress;
 mod stress_case;

@@ -89,6 +89,11 @@ impl Canvas {
             self.drag = None;
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
+            // One thing after the other.
+            if self.pinned.is_none() && self.probing.is_none() && state.shown_stage().is_some() {
+                state.layout.stage = None;
+                ui.request_repaint();
+            }
             self.pinned = None;
             self.probing = None;
         }

@@ -148,9 +148,10 @@ impl Canvas {
     fn request(&self, state: &State, view: View, size: Size) -> Request {
         let document = &state.document;
         let normalizing = state.normalizing().filter(|_| view == View::Canonical);
+        let look = Look::of(document.figure());
         Request {
             view,
-            look: Look { style: state.style(), ..Look::of(document.figure()) },
+            look: Look { style: state.style(), reveal: state.revealed(view), ..look },
             camera: document.camera().clone(),
             scene: state.scene_cache.scene().clone(),
             points: document.figure().points.as_slice().into(),
@@ -158,6 +159,7 @@ impl Canvas {
             ndc: normalizing.map_or(state.settings.conventions.ndc, |way| way.decomposition.ndc()),
             normalizing,
             begun: state.begun().filter(|_| view == View::Image),
+            stage: state.shown_stage().filter(|_| view == state.layout.strip_of),
             overlays: self.overlays.seen_in(view),
             labels: labels(state.settings.lang),
             size,
@@ -168,8 +170,8 @@ impl Canvas {
 
     /// True where Esc would let go of something in a picture.
     #[must_use]
-    pub fn holds_something(&self) -> bool {
-        self.drag.is_some() || self.pinned.is_some()
+    pub fn holds_something(&self, state: &State) -> bool {
+        self.drag.is_some() || self.pinned.is_some() || state.shown_stage().is_some()
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
@@ -254,15 +256,12 @@ impl Canvas {
         let hidden = !state.layout.is_shown(view);
         let account = self.accounts[view.index()].as_ref().filter(|_| !hidden);
         focus::region(ui, room, Region::Strip, texts.strip);
-        let strip =
-            Strip { lang: state.settings.lang, texts, view, account, hidden, reveal: state.document.figure().reveal };
+        let strip = Strip { lang: state.settings.lang, texts, view, account, hidden, shown: state.layout.stage };
         match strip.show(ui, room) {
             None => return,
             Some(StripAction::Of(view)) => state.layout.strip_of = view,
             Some(StripAction::Close) => state.layout.strip = false,
-            Some(StripAction::Reveal(stage)) => {
-                state.document.edit(|figure| strip::toggle(&mut figure.reveal, stage));
-            }
+            Some(StripAction::Show(stage)) => state.toggle_stage(stage),
         }
         ui.request_repaint();
     }
@@ -339,7 +338,7 @@ impl Canvas {
         for pane in panes.iter().filter(|pane| pane.rect.size.width > 0 && pane.rect.size.height > 0) {
             let request = Request { scene: scene.clone(), ..self.request(state, pane.view, pane.rect.size) };
             let heavy = style.antialias > 1 && self.rendering.is_heavy(pane.view, self.patience);
-            let accounted = state.layout.strip && state.layout.strip_of == pane.view;
+            let accounted = state.accounts_for_stages() && state.layout.strip_of == pane.view;
             if !state.annotations.frozen {
                 self.rendering.ask(ctx, Job { request, draft: moving && heavy, max_side, accounted });
             }
@@ -358,12 +357,24 @@ impl Canvas {
             }
             self.too_much[i] = too_much;
         }
+        self.report(ctx, state);
         let palette = Palette::of(style.theme);
         for pane in panes {
             let ground = if pane.view == View::Image { palette.surround } else { palette.paper };
             let Rgba { r, g, b, .. } = ground;
             ui.painter().rect_filled(pane.rect.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
             self.textures[pane.view.index()].paint(ui, &pane.rect);
+        }
+    }
+
+    /// Tells the side of explanations how the picture came about.
+    fn report(&self, ctx: &eframe::egui::Context, state: &mut State) {
+        let of = state.layout.strip_of;
+        let account = self.accounts[of.index()].as_ref().filter(|_| state.shows_stages() && state.layout.is_shown(of));
+        let reports = account.map(|account| account.stages.as_slice()).unwrap_or_default();
+        if state.explain.reports != reports {
+            state.explain.reports = reports.to_vec();
+            ctx.request_repaint();
         }
     }
 

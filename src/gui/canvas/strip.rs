@@ -10,7 +10,6 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
-use crate::figure::{Depth, Reveal};
 use crate::gui::fitted;
 use crate::gui::noted::noted;
 use crate::gui::tooltip::Explained;
@@ -32,8 +31,8 @@ pub(super) enum StripAction {
     Of(View),
     /// Hide the strip.
     Close,
-    /// Show in the pictures what a stage does, or no more.
-    Reveal(Stage),
+    /// Show what goes into a stage and what comes out, or no more.
+    Show(Stage),
 }
 
 /// What the strip shows.
@@ -45,61 +44,8 @@ pub(super) struct Strip<'a> {
     pub(super) account: Option<&'a Account>,
     /// The picture is hidden.
     pub(super) hidden: bool,
-    /// What is shown of the stages in the pictures.
-    pub(super) reveal: Reveal,
-}
-
-/// Whether the pictures show what a stage does; `None` where they cannot.
-fn revealed(reveal: &mut Reveal, stage: Stage) -> Option<Switch<'_>> {
-    match stage {
-        Stage::CullObjects | Stage::CullFaces => Some(Switch::Flag(&mut reveal.culled)),
-        Stage::Clip => Some(Switch::Flag(&mut reveal.clipping)),
-        Stage::HiddenSurfaces => Some(Switch::Depth(&mut reveal.depth)),
-        Stage::Traverse
-        | Stage::Normals
-        | Stage::Light
-        | Stage::Transform
-        | Stage::Oblique
-        | Stage::Divide
-        | Stage::Viewport
-        | Stage::Fill
-        | Stage::Interpolate
-        | Stage::Texture
-        | Stage::Blend
-        | Stage::Antialias
-        | Stage::Lines
-        | Stage::Write => None,
-    }
-}
-
-/// What shows a stage in the pictures.
-enum Switch<'a> {
-    Flag(&'a mut bool),
-    Depth(&'a mut Depth),
-}
-
-impl Switch<'_> {
-    fn is_on(&self) -> bool {
-        match self {
-            Self::Flag(on) => **on,
-            Self::Depth(depth) => **depth != Depth::Off,
-        }
-    }
-
-    fn toggle(self) {
-        let on = !self.is_on();
-        match self {
-            Self::Flag(flag) => *flag = on,
-            Self::Depth(depth) => *depth = if on { Depth::Stored } else { Depth::Off },
-        }
-    }
-}
-
-/// Shows in the pictures what a stage does, or no more.
-pub(super) fn toggle(reveal: &mut Reveal, stage: Stage) {
-    if let Some(switch) = revealed(reveal, stage) {
-        switch.toggle();
-    }
+    /// The stage that is shown in the picture.
+    pub(super) shown: Option<Stage>,
 }
 
 fn font(ui: &Ui) -> FontId {
@@ -139,7 +85,7 @@ impl Strip<'_> {
         let inner = rect.shrink2(vec2(6.0, 3.0));
         let (head, cells) = inner.split_top_bottom_at_y(inner.top() + ui.spacing().interact_size.y);
         let (pointed, clicked) = self.cells(ui, cells.with_min_y(cells.min.y + 1.0));
-        self.head(ui, head, pointed).or(clicked.map(StripAction::Reveal))
+        self.head(ui, head, pointed.or(self.shown)).or(clicked.map(StripAction::Show))
     }
 
     /// Whose stages they are, and in a sentence what is pointed at.
@@ -183,7 +129,7 @@ impl Strip<'_> {
             return (if self.hidden { self.texts.strip_hidden } else { "" }).to_owned();
         };
         if let Some(report) = pointed.and_then(|stage| account.stages.iter().find(|report| report.stage == stage)) {
-            return self.line(report);
+            return words::line(self.lang, report);
         }
         let ran = account.stages.iter().filter(|report| report.ran).count();
         let out = account.stages.len() - ran;
@@ -195,29 +141,6 @@ impl Strip<'_> {
             self.texts.strip_out,
             self.texts.strip_hint
         )
-    }
-
-    /// A stage in one line.
-    fn line(&self, report: &StageReport) -> String {
-        let name = words::stage(self.lang, report.stage);
-        let reason = words::reason(self.lang, report.reason);
-        if !report.ran {
-            return format!("{name}: {} – {reason}", words::left_out(self.lang));
-        }
-        let mut parts = Vec::new();
-        if let Some((from, to)) = report.counts {
-            parts.push(format!(
-                "{} → {} {}",
-                numbers::in_threes(from),
-                numbers::in_threes(to),
-                words::unit(self.lang, report)
-            ));
-        }
-        if let Some(time) = report.time {
-            parts.push(self.duration(time));
-        }
-        parts.push(reason);
-        format!("{name}: {}", parts.join(" · "))
     }
 
     /// Draws the cells; the one that is pointed at, or has the keyboard.
@@ -232,33 +155,28 @@ impl Strip<'_> {
             #[expect(clippy::cast_precision_loss, reason = "a few columns")]
             let corner = rect.min + size * vec2((i % columns) as f32, (i / columns) as f32);
             let place = Rect::from_min_size(corner, size).shrink2(vec2(1.5, 1.0));
-            let response = ui.interact(place, Id::unique(("stage", report.stage)), Sense::CLICK);
-            let said = self.line(report);
-            let mut reveal = self.reveal;
-            let shown = revealed(&mut reveal, report.stage).map(|switch| switch.is_on());
-            let response = match shown {
-                None => response,
-                Some(_) => response.on_hover_cursor(egui::CursorIcon::PointingHand),
-            };
-            if shown.is_some() && response.clicked() {
+            let response = ui.interact(place, Id::unique(("stage", report.stage)), Sense::click());
+            let response = response.on_hover_cursor(egui::CursorIcon::PointingHand);
+            let said = words::line(self.lang, report);
+            let shown = self.shown == Some(report.stage);
+            if response.clicked() {
                 clicked = Some(report.stage);
             }
-            response.widget_info(|| WidgetInfo::labeled(Role::ListItem, true, &said));
+            response.widget_info(|| WidgetInfo {
+                selected: Some(shown),
+                ..WidgetInfo::labeled(Role::ListItem, true, &said)
+            });
             if response.has_focus() || (response.hovered() && pointed.is_none()) {
                 pointed = Some(report.stage);
             }
             noted(&response, notes::of_stage(report.stage));
-            let strong = response.hovered() || response.has_focus() || shown == Some(true);
+            let strong = response.hovered() || response.has_focus();
             self.cell(ui, place, report, account.total, strong);
             response.explained_by(|ui| {
                 ui.strong(words::stage(self.lang, report.stage));
                 ui.label(with_titles(words::purpose(self.lang, report.stage)));
                 ui.label(said);
-                match shown {
-                    None => {}
-                    Some(false) => drop(ui.weak(self.texts.strip_reveal)),
-                    Some(true) => drop(ui.weak(self.texts.strip_unreveal)),
-                }
+                ui.weak(if shown { self.texts.strip_unreveal } else { self.texts.strip_reveal });
             });
         }
         (pointed, clicked)
@@ -294,11 +212,24 @@ impl Strip<'_> {
     fn cell(&self, ui: &Ui, place: Rect, report: &StageReport, total: Duration, strong: bool) {
         let visuals = ui.visuals();
         let painter = ui.painter().with_clip_rect(place.intersect(ui.clip_rect()));
-        let fill = if report.ran { visuals.extreme_bg_color } else { Color32::TRANSPARENT };
-        let border =
-            if strong { Stroke::new(1.5, visuals.hyperlink_color) } else { visuals.widgets.noninteractive.bg_stroke };
+        let shown = self.shown == Some(report.stage);
+        let fill = match (shown, report.ran) {
+            (true, _) => visuals.selection.bg_fill,
+            (false, true) => visuals.extreme_bg_color,
+            (false, false) => Color32::TRANSPARENT,
+        };
+        let border = if strong || shown {
+            Stroke::new(1.5, visuals.hyperlink_color)
+        } else {
+            visuals.widgets.noninteractive.bg_stroke
+        };
         painter.rect(place, 3.0, fill, border, StrokeKind::Inside);
-        let ink = if report.ran { visuals.text_color() } else { visuals.weak_text_color() };
+        let weak = if shown { visuals.selection.stroke.color } else { visuals.weak_text_color() };
+        let ink = match (shown, report.ran) {
+            (true, _) => visuals.selection.stroke.color,
+            (false, true) => visuals.text_color(),
+            (false, false) => weak,
+        };
         let (font, height) = (font(ui), line(ui));
         let at = |row: f32| pos2(place.left() + 5.0, place.top() + 2.0 + height * row);
         let name = words::stage(self.lang, report.stage);
@@ -306,7 +237,7 @@ impl Strip<'_> {
         if report.ran {
             let width = |text: &str| painter.layout_no_wrap(text.to_owned(), font.clone(), ink).size().x;
             let counts = self.counts(report, |text| width(text) <= place.width() - 10.0);
-            let counted = painter.text(at(1.0), Align2::LEFT_TOP, counts, font.clone(), visuals.weak_text_color());
+            let counted = painter.text(at(1.0), Align2::LEFT_TOP, counts, font.clone(), weak);
             if let Some(time) = report.time {
                 let text = painter.layout_no_wrap(self.duration(time), font, ink);
                 let left = place.right() - 5.0 - text.size().x;

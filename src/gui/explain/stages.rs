@@ -4,10 +4,12 @@ use eframe::egui::{self, RichText, Slider, Ui};
 
 use crate::appearance::Visibility;
 use crate::figure::{Depth, Reveal};
+use crate::gui::noted::noted;
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
-use crate::i18n::{pipeline, stages};
+use crate::i18n::sources::with_titles;
+use crate::i18n::{notes, pipeline, stages};
 use crate::pipeline::Stage;
 use crate::views::View;
 
@@ -47,11 +49,43 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     };
     ui.label(said);
     ui.separator();
+    shown(ui, t, state);
     ui.label(RichText::new(t.order).strong());
+    list(ui, t, state);
+}
+
+/// The stage that is shown: its name, what it does, and what it did, or why it was left out.
+fn shown(ui: &mut Ui, t: &stages::Texts, state: &State) {
+    let Some(stage) = state.shown_stage() else {
+        ui.label(RichText::new(t.none_shown).weak());
+        return;
+    };
+    let lang = state.settings.lang;
+    ui.label(RichText::new(format!("{}: {}", t.shown, pipeline::stage(lang, stage))).strong());
+    ui.label(with_titles(pipeline::purpose(lang, stage)));
+    if let Some(report) = state.explain.reports.iter().find(|report| report.stage == stage) {
+        ui.label(pipeline::line(lang, report));
+        if report.ran {
+            ui.label(RichText::new(stages::in_and_out(t, stage)).weak());
+        }
+    }
+}
+
+/// All stages; a click shows one in the picture of the strip.
+fn list(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
     let lang = state.settings.lang;
     for (i, stage) in Stage::ALL.into_iter().enumerate() {
         let name = pipeline::stage(lang, stage);
-        ui.label(format!("{}. {name}", i + 1)).explained(pipeline::purpose(lang, stage));
+        let report = state.explain.reports.iter().find(|report| report.stage == stage);
+        let text = RichText::new(format!("{}. {name}", i + 1));
+        let text = if report.is_some_and(|report| !report.ran) { text.strikethrough().weak() } else { text };
+        let button = egui::Button::selectable(state.layout.stage == Some(stage), text);
+        let response = ui.add(button);
+        noted(&response, notes::of_stage(stage));
+        let said = report.map(|report| pipeline::line(lang, report)).unwrap_or_default();
+        if response.explained(format!("{}\n{said}\n{}", pipeline::purpose(lang, stage), t.show)).clicked() {
+            state.toggle_stage(stage);
+        }
     }
 }
 
@@ -76,6 +110,8 @@ fn scrubber(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
     });
     *share = share.clamp(0.0, 1.0);
     if old.to_bits() != share.to_bits() {
+        // A picture that is begun has not been through any stage.
+        state.layout.stage = None;
         ui.ctx().request_repaint();
     }
 }

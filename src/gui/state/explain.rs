@@ -8,6 +8,7 @@ use crate::camera::{CameraError, MatrixKind};
 use crate::explain::Symbol;
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{Quantity, Vocabulary};
+use crate::pipeline::StageReport;
 use crate::views::Placed;
 
 /// A tab of the side of explanations.
@@ -55,6 +56,8 @@ pub struct Explain {
     pub share: f64,
     /// How much of the image is painted while the tab of stages is shown, 0 … 1.
     pub painted: f64,
+    /// How the picture of the strip came about, stage by stage; written by the pictures while the tab of stages is shown.
+    pub reports: Vec<StageReport>,
     /// For what the code is.
     pub code: CodeTarget,
     /// A number of another vocabulary that would not give a camera, and why.
@@ -92,6 +95,7 @@ impl Default for Explain {
             notes: Notes::default(),
             share: 0.5,
             painted: 1.0,
+            reports: Vec::new(),
             code: CodeTarget::default(),
             refused: None,
             pasted: Pasted::default(),

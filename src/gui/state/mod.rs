@@ -25,11 +25,12 @@ use crate::appearance::{Style, Theme};
 use crate::camera::{CameraError, Operation};
 use crate::explain::Matrix;
 use crate::figure::points::free_name;
-use crate::figure::{Figure, NamedPoint};
+use crate::figure::{Figure, NamedPoint, Outside, Reveal};
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::limits::MAX_NAMED_POINTS;
-use crate::views::{Ghost, Measured, Normalizing, Probe};
+use crate::pipeline::Stage;
+use crate::views::{Ghost, Measured, Normalizing, Probe, View};
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
@@ -356,8 +357,44 @@ impl State {
     /// How much of the image is painted, while the tab of stages is shown and it is not all.
     #[must_use]
     pub fn begun(&self) -> Option<f64> {
-        let shown = self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Stages;
-        Some(self.explain.painted).filter(|painted| shown && *painted < 1.0)
+        Some(self.explain.painted).filter(|painted| self.shows_stages() && *painted < 1.0)
+    }
+
+    /// True while the tab of stages is shown.
+    pub(in crate::gui) fn shows_stages(&self) -> bool {
+        self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Stages
+    }
+
+    /// True while anything tells what each stage did.
+    pub(in crate::gui) fn accounts_for_stages(&self) -> bool {
+        self.layout.strip || self.shows_stages()
+    }
+
+    /// The stage of which the picture of the strip shows what goes in and what comes out.
+    #[must_use]
+    pub fn shown_stage(&self) -> Option<Stage> {
+        self.layout.stage.filter(|_| self.accounts_for_stages())
+    }
+
+    /// Shows what goes into a stage and what comes out, of the whole image; or no more.
+    pub(in crate::gui) fn toggle_stage(&mut self, stage: Stage) {
+        self.layout.stage = Some(stage).filter(|_| self.layout.stage != Some(stage));
+        self.explain.painted = 1.0;
+    }
+
+    /// What a picture shows of the pipeline's inner work: what the figure wants, and while a stage of the image is shown, what belongs
+    /// to it in the pictures beside.
+    pub(in crate::gui) fn revealed(&self, view: View) -> Reveal {
+        let reveal = self.document.figure().reveal;
+        let beside = self.layout.strip_of == View::Image && view != View::Image;
+        match self.shown_stage().filter(|_| beside) {
+            Some(Stage::CullObjects | Stage::CullFaces) => Reveal { culled: true, ..reveal },
+            Some(Stage::Clip) => {
+                let outside = if reveal.outside == Outside::Usual { Outside::Tinted } else { reveal.outside };
+                Reveal { clipping: true, outside, ..reveal }
+            }
+            Some(_) | None => reveal,
+        }
     }
 
     /// True while the canonical picture is on its way: what is in it is not where the canonical volume has it, and nothing can be picked.

@@ -1,0 +1,231 @@
+//! What goes into a stage and what comes out of it, noted while a picture is made, so that the picture can show it.
+
+use glam::DVec3;
+
+use super::clip::Clipper;
+use super::cull::Containment;
+use super::faces::Faces;
+use super::light::{Lights, ObjectLight};
+use super::plan::Plan;
+use super::projector::{ClipPoint, Projector};
+use super::resample::VertexOrigin;
+use super::stages::Stage;
+use super::transform::{Screen, Vertices, off_grid};
+use crate::scene::{Object, Scene};
+
+/// So many sides, vertices and faces are noted; of more, nobody could tell one from another.
+const MOST: usize = 20_000;
+
+/// What went into a stage of a picture and what came out, as far as it lies in the picture. Points are those of the display list: pixels
+/// and depth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StageWork {
+    /// Which stage.
+    pub stage: Stage,
+    /// Sides of what went in: of boxes around objects, of triangles.
+    pub before: Vec<[[f32; 3]; 2]>,
+    /// Sides of what came out.
+    pub after: Vec<[[f32; 3]; 2]>,
+    /// Faces that went in and did not come out, convex.
+    pub dropped: Vec<Vec<[f32; 3]>>,
+    /// The vertices that clipping made.
+    pub cuts: Vec<[f32; 3]>,
+    /// Vertices that were worked on.
+    pub vertices: Vec<VertexWork>,
+    /// Objects that went in.
+    pub objects: Vec<ObjectWork>,
+    /// There was more of it than is noted.
+    pub more: bool,
+}
+
+/// A vertex that the camera was applied to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VertexWork {
+    /// World.
+    pub world: DVec3,
+    /// View.
+    pub view: DVec3,
+    /// x and y of the clip space.
+    pub clip: [f64; 2],
+    /// w of the clip space.
+    pub w: f64,
+    /// On the image: pixels and depth.
+    pub image: [f32; 3],
+}
+
+/// An object that was held against the volume.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObjectWork {
+    /// Its name.
+    pub name: String,
+    /// The middle of its box, where that is in the picture.
+    pub middle: Option<[f32; 3]>,
+    /// Where its box lies.
+    pub containment: Containment,
+}
+
+/// Notes what one stage does.
+pub(super) struct Notes<'a> {
+    projector: &'a Projector,
+    screen: &'a Screen,
+    clipper: Clipper,
+    pub(super) work: StageWork,
+}
+
+impl<'a> Notes<'a> {
+    pub(super) fn new(stage: Stage, projector: &'a Projector, screen: &'a Screen) -> Self {
+        let work = StageWork {
+            stage,
+            before: Vec::new(),
+            after: Vec::new(),
+            dropped: Vec::new(),
+            cuts: Vec::new(),
+            vertices: Vec::new(),
+            objects: Vec::new(),
+            more: false,
+        };
+        Self { projector, screen, clipper: Clipper::default(), work }
+    }
+
+    fn image(&self, p: ClipPoint) -> [f32; 3] {
+        off_grid(self.screen.project(self.projector, p))
+    }
+
+    /// What is in the picture of a segment of view space.
+    fn side(&mut self, ends: [DVec3; 2]) -> Option<[[f32; 3]; 2]> {
+        let ends = ends.map(|p| self.projector.clip(p));
+        let [(a, _), (b, _)] = self.clipper.segment(self.projector, ends)?;
+        Some([self.image(a), self.image(b)])
+    }
+
+    fn has_room(&mut self, taken: usize) -> bool {
+        self.work.more |= taken >= MOST;
+        taken < MOST
+    }
+
+    /// The boxes of objects: those of all go in, those that may be in view come out.
+    pub(super) fn objects(&mut self, scene: &Scene, plan: &Plan) {
+        if !matches!(self.work.stage, Stage::Traverse | Stage::CullObjects) {
+            return;
+        }
+        for (object, planned) in scene.objects.iter().zip(&plan.objects) {
+            let Some(bounds) = object.bounds() else { continue };
+            if !self.has_room(12 * self.work.objects.len()) {
+                return;
+            }
+            let corners = bounds.corners().map(|p| self.projector.view(p));
+            for (i, j) in (0..8).flat_map(|i| (0..8).map(move |j| (i, j))).filter(|(i, j)| i < j) {
+                // Along an edge of the box one coordinate changes.
+                let differs = (bounds.corners()[i] - bounds.corners()[j]).to_array().map(|d| d != 0.0);
+                if differs.iter().filter(|d| **d).count() == 1
+                    && let Some(side) = self.side([corners[i], corners[j]])
+                {
+                    let sides = if planned.drawn { &mut self.work.after } else { &mut self.work.before };
+                    sides.push(side);
+                }
+            }
+            let middle = self.projector.view(bounds.center());
+            let middle = self.side([middle, middle]).map(|[p, _]| p);
+            let name = object.name.clone();
+            self.work.objects.push(ObjectWork { name, middle, containment: planned.containment });
+        }
+    }
+
+    /// The vertices of an object in view, and their normals.
+    pub(super) fn vertices(&mut self, object: &Object, vertices: &Vertices, lights: &Lights) {
+        match self.work.stage {
+            Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport => {}
+            Stage::Normals => return self.normals(object, vertices, lights),
+            _ => return,
+        }
+        for (i, &p) in (0..).zip(vertices.positions) {
+            if !self.has_room(self.work.vertices.len()) {
+                return;
+            }
+            let (view, clip) = (vertices.view(i), vertices.clip(i));
+            let Some([image, _]) = self.side([view, view]) else { continue };
+            let world = object.world_from_object.transform_point3(p);
+            self.work.vertices.push(VertexWork { world, view, clip: [clip.x, clip.y], w: clip.w, image });
+        }
+    }
+
+    /// A normal goes in as the object has it and comes out in view space: it is drawn where it is.
+    fn normals(&mut self, object: &Object, vertices: &Vertices, lights: &Lights) {
+        /// The length of a normal, in radii of its object.
+        const LENGTH: f64 = 0.15;
+        let length = object.bounds().map_or(0.0, |bounds| LENGTH * bounds.radius());
+        let light = ObjectLight::new(lights, &object.mesh, *vertices, object.two_sided);
+        for i in (0..).take(object.mesh.normals.len().min(vertices.len())) {
+            if !self.has_room(self.work.after.len()) {
+                return;
+            }
+            let foot = vertices.view(i);
+            let side = self.side([foot, foot + light.unit_normal(i) * length]);
+            self.work.after.extend(side);
+        }
+    }
+
+    /// The triangles that culling drops because they turn their back, and those that it leaves.
+    pub(super) fn culled(&mut self, vertices: &Vertices, triangles: &[[u32; 3]], faces: &Faces) {
+        if self.work.stage != Stage::CullFaces {
+            return;
+        }
+        let fates = faces.fates(triangles);
+        for (&triangle, is_left) in triangles.iter().zip(fates) {
+            if !self.has_room(self.work.after.len() + self.work.dropped.len()) {
+                return;
+            }
+            match is_left {
+                Some(true) => self.triangle_sides(vertices, triangle, |work| &mut work.after),
+                Some(false) => {
+                    let corners = triangle.map(|i| vertices.clip(i));
+                    let polygon = self.clipper.triangle(self.projector, corners, super::planes::ALL_PLANES);
+                    let points: Vec<ClipPoint> = polygon.iter().map(|corner| corner.point).collect();
+                    let polygon: Vec<[f32; 3]> = points.into_iter().map(|p| self.image(p)).collect();
+                    if polygon.len() > 2 {
+                        self.work.dropped.push(polygon);
+                    }
+                }
+                // Outside of a plane: that is clipping's.
+                None => {}
+            }
+        }
+    }
+
+    fn triangle_sides(
+        &mut self,
+        vertices: &Vertices,
+        triangle: [u32; 3],
+        into: fn(&mut StageWork) -> &mut Vec<[[f32; 3]; 2]>,
+    ) {
+        let [a, b, c] = triangle.map(|i| vertices.view(i));
+        for ends in [[a, b], [b, c], [c, a]] {
+            let side = self.side(ends);
+            into(&mut self.work).extend(side);
+        }
+    }
+
+    /// The triangles that cross a plane, the pieces that are left of them, and the vertices that clipping made.
+    pub(super) fn clipped(&mut self, vertices: &Vertices, faces: &Faces) {
+        if self.work.stage != Stage::Clip {
+            return;
+        }
+        for triangle in faces.crossing() {
+            if !self.has_room(self.work.before.len()) {
+                return;
+            }
+            self.triangle_sides(vertices, triangle, |work| &mut work.before);
+        }
+        let positions = &faces.image.positions;
+        let at = |i: u32| positions.get(i as usize).copied().unwrap_or_default();
+        for &[a, b, c] in faces.pieces() {
+            if !self.has_room(self.work.after.len()) {
+                return;
+            }
+            self.work.after.extend([[a, b], [b, c], [c, a]].map(|ends| ends.map(at)));
+        }
+        let new = faces.cuts.iter().zip(&positions[vertices.len()..]);
+        let new = new.filter(|(cut, _)| matches!(cut, VertexOrigin::Between { .. }));
+        self.work.cuts.extend(new.map(|(_, &p)| p));
+    }
+}

@@ -1,0 +1,288 @@
+//! A stage of the pipeline in the picture that it made: what goes in and what comes out.
+//!
+//! What is done to vertices, triangles and objects is drawn over the picture, as it was noted while the picture was made
+//! ([`StageWork`]). What is done to pixels shows in two halves: the left one as it is before the stage, the right one after it.
+
+use std::ops::Range;
+
+use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Visibility};
+use crate::drawing::{Anchor, Area, Drawing, Label, Mark, Paint, StrokeSet, Surface};
+use crate::foreign;
+use crate::pipeline::{Containment, Frame, Stage, StageWork, VertexWork};
+use crate::scene::Scene;
+
+use super::gizmos::{SMALL_TYPE, stroke};
+use super::legend::Row;
+use super::{Labels, Palette, Request};
+
+/// So many vertices get their numbers written on them.
+const MOST_NUMBERS: usize = 10;
+/// So many objects that are dropped are named in the legend.
+const MOST_NAMES: usize = 4;
+/// More marks than this hide what they are on.
+const MOST_MARKS: usize = 3000;
+/// How much of what is under a dropped face shows through it.
+const GLASS: u8 = 150;
+
+/// Shows the stage in its picture; `again` draws a scene in a style as this picture was drawn.
+pub(super) fn show(
+    frame: &mut Frame,
+    request: &Request,
+    scene: &Scene,
+    style: &Style,
+    again: impl FnOnce(&Scene, &Style) -> Drawing,
+) {
+    let Some(work) = frame.work.take() else { return };
+    let palette = Palette::of(request.look.style.theme);
+    frame.before = before(work.stage, &frame.drawing, (scene, style), again, request);
+    draw(&mut frame.drawing, &work, request, palette);
+    frame.work = Some(work);
+}
+
+/// The picture as it is before a stage that works on pixels; without texts.
+fn before(
+    stage: Stage,
+    drawing: &Drawing,
+    (scene, style): (&Scene, &Style),
+    again: impl FnOnce(&Scene, &Style) -> Drawing,
+    request: &Request,
+) -> Option<Drawing> {
+    let mut before = match stage {
+        Stage::Light => again(&Scene { lights: Vec::new(), ..scene.clone() }, style),
+        // One object over the other, as they come.
+        Stage::HiddenSurfaces => again(scene, &Style { visibility: Visibility::DepthBuffer, ..*style }),
+        Stage::Fill
+        | Stage::Interpolate
+        | Stage::Texture
+        | Stage::Blend
+        | Stage::Antialias
+        | Stage::Lines
+        | Stage::Write => drawing.clone(),
+        Stage::Traverse
+        | Stage::CullObjects
+        | Stage::Normals
+        | Stage::Transform
+        | Stage::CullFaces
+        | Stage::Clip
+        | Stage::Oblique
+        | Stage::Divide
+        | Stage::Viewport => return None,
+    };
+    before.labels.clear();
+    let palette = Palette::of(request.look.style.theme);
+    match stage {
+        Stage::HiddenSurfaces => before.surfaces.iter_mut().for_each(|surface| surface.depth_test = false),
+        Stage::Fill => {
+            before.strokes = outlines(&before.surfaces, stroke_of(palette.axes[0], request));
+            before.surfaces.clear();
+            before.marks.clear();
+        }
+        Stage::Interpolate => {
+            let values = before.surfaces.iter().flat_map(values_at_vertices);
+            let marks = values.take(MOST_MARKS).map(|(position, color)| mark(position, color, 2.5, request));
+            before.marks = marks.collect();
+            before.strokes.clear();
+            before.surfaces.retain(|surface| matches!(surface.paint, Paint::Solid(_) | Paint::Faces(_)));
+        }
+        Stage::Texture => {
+            for surface in &mut before.surfaces {
+                if matches!(surface.paint, Paint::Texture { .. }) {
+                    surface.paint = Paint::Solid(palette.body);
+                }
+            }
+        }
+        Stage::Blend => before.surfaces.iter_mut().filter(|s| s.translucent).for_each(opaque),
+        Stage::Antialias => before.antialias = 1,
+        Stage::Lines => {
+            before.strokes.clear();
+            before.marks.clear();
+        }
+        Stage::Write => {
+            before.surfaces.clear();
+            before.strokes.clear();
+            before.marks.clear();
+        }
+        _ => {}
+    }
+    Some(before)
+}
+
+fn stroke_of(color: Rgba, request: &Request) -> LineStyle {
+    stroke(color, 1.2 * request.size.scale, Dash::Solid, HiddenLines::Shown)
+}
+
+/// A translucent surface without what shows through it.
+fn opaque(surface: &mut Surface) {
+    surface.translucent = false;
+    let full = |color: &mut Rgba| color.a = 255;
+    match &mut surface.paint {
+        Paint::Solid(color) => full(color),
+        Paint::Faces(colors) | Paint::Vertices(colors) => colors.iter_mut().for_each(full),
+        Paint::Phong(phong) => full(&mut phong.color),
+        Paint::Texture { opacity, .. } => *opacity = 255,
+    }
+}
+
+/// What is known of a surface before anything is interpolated: its vertices with their values, as colours.
+fn values_at_vertices(surface: &Surface) -> Vec<([f32; 3], Rgba)> {
+    let used = surface.triangles.iter().flatten().map(|&i| i as usize);
+    let color = |i: usize| match &surface.paint {
+        Paint::Solid(_) | Paint::Faces(_) => None,
+        Paint::Vertices(colors) => colors.get(i).copied(),
+        Paint::Phong(phong) => Some(phong.color),
+        Paint::Texture { .. } => Some(Rgba::rgb(128, 128, 128)),
+    };
+    used.filter_map(|i| Some((*surface.positions.get(i)?, color(i)?))).collect()
+}
+
+/// The sides of triangles.
+fn outlines(surfaces: &[Surface], style: LineStyle) -> Vec<StrokeSet> {
+    let sides = surfaces.iter().flat_map(|surface| {
+        surface.triangles.iter().flat_map(|&[a, b, c]| {
+            let at = |i: u32| surface.positions.get(i as usize).copied().unwrap_or_default();
+            [[a, b], [b, c], [c, a]].map(|ends| ends.map(at))
+        })
+    });
+    vec![strokes(&sides.collect::<Vec<_>>(), style)]
+}
+
+fn strokes(sides: &[[[f32; 3]; 2]], style: LineStyle) -> StrokeSet {
+    let ends = |i: usize| -> Range<u32> {
+        let first = u32::try_from(2 * i).unwrap_or(u32::MAX - 2);
+        first..first + 2
+    };
+    StrokeSet { points: sides.as_flattened().to_vec(), polylines: (0..sides.len()).map(ends).collect(), style }
+}
+
+fn mark(position: [f32; 3], color: Rgba, radius: f32, request: &Request) -> Mark {
+    let palette = Palette::of(request.look.style.theme);
+    Mark {
+        position,
+        shape: MarkShape::Disc,
+        radius: radius * request.size.scale,
+        color,
+        outline: palette.paper,
+        fade_if_hidden: false,
+    }
+}
+
+/// What goes in dashed, what comes out over it.
+fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Palette) {
+    let [color_in, color_out] = colors(palette);
+    for polygon in &work.dropped {
+        let corners = u32::try_from(polygon.len()).unwrap_or(0);
+        drawing.surfaces.push(Surface {
+            positions: polygon.clone(),
+            inverse_w: Vec::new(),
+            triangles: (2..corners).map(|i| [0, i - 1, i]).collect(),
+            paint: Paint::Solid(palette.back.with_alpha(GLASS)),
+            translucent: true,
+            depth_test: false,
+        });
+    }
+    let thin = stroke_of(color_in, request);
+    // Wide enough to be seen on both sides of what comes out.
+    let dashed = LineStyle { dash: Dash::Dashed, width: 3.0 * thin.width, ..thin };
+    for (sides, style) in [(&work.before, dashed), (&work.after, stroke_of(color_out, request))] {
+        if !sides.is_empty() {
+            drawing.strokes.push(strokes(sides, style));
+        }
+    }
+    let cut = |p: &[f32; 3]| Mark { shape: MarkShape::Diamond, ..mark(*p, palette.cut, 3.4, request) };
+    drawing.marks.extend(work.cuts.iter().take(MOST_MARKS).map(cut));
+    drawing.marks.extend(work.vertices.iter().take(MOST_MARKS).map(|v| mark(v.image, color_out, 2.6, request)));
+    let mut label = |position: [f32; 3], text: String| {
+        drawing.labels.push(Label {
+            position,
+            offset: [7.0 * request.size.scale, -7.0 * request.size.scale],
+            text,
+            size: SMALL_TYPE * request.size.scale,
+            color: palette.ink,
+            halo: palette.paper,
+            anchor: Anchor::Left,
+            fade_if_hidden: false,
+        });
+    };
+    for object in &work.objects {
+        if let Some(middle) = object.middle {
+            label(middle, foreign::shown(&object.name));
+        }
+    }
+    let mut known: Vec<VertexWork> = Vec::new();
+    for vertex in &work.vertices {
+        if known.len() < MOST_NUMBERS && known.iter().all(|k| k.image != vertex.image) {
+            known.push(*vertex);
+            label(vertex.image, in_and_out(work.stage, vertex, request.labels));
+        }
+    }
+}
+
+fn colors(palette: Palette) -> [Rgba; 2] {
+    [palette.axes[0], palette.axes[2]]
+}
+
+/// The numbers of a vertex before and after a stage.
+fn in_and_out(stage: Stage, vertex: &VertexWork, labels: &Labels) -> String {
+    let numbers = |values: &[f64]| labels.mark.tuple(values, 3);
+    let VertexWork { world, view, clip, w, image } = vertex;
+    let ndc = clip.map(|c| c / w);
+    match stage {
+        Stage::Divide => format!("{} ÷ {} → {}", numbers(clip), labels.mark.number(*w, 3), numbers(&ndc)),
+        Stage::Viewport => format!("{} → {}", numbers(&ndc), numbers(&[image[0], image[1]].map(f64::from))),
+        Stage::Oblique => format!("{} → {}", numbers(&[view.x, view.y]), numbers(clip)),
+        _ => format!("{} → {}", numbers(&world.to_array()), numbers(&view.to_array())),
+    }
+}
+
+/// What the colours mean.
+pub(super) fn rows(frame: &Frame, request: &Request, palette: Palette) -> Vec<Row> {
+    let Some(work) = &frame.work else { return Vec::new() };
+    let ([color_in, color_out], labels) = (colors(palette), request.labels);
+    let mut rows = Vec::new();
+    let mut row = |there: bool, row: Row| rows.extend(there.then_some(row));
+    let lost = work.objects.iter().filter_map(|object| match object.containment {
+        Containment::Outside(planes) => Some((object, planes)),
+        Containment::Empty | Containment::Crosses(_) => None,
+    });
+    for (object, planes) in lost.take(MOST_NAMES) {
+        let name = foreign::shown(&object.name);
+        row(true, Row::Title(format!("{name}: {}", labels.outside_planes(planes)), palette.soft));
+    }
+    row(!work.before.is_empty(), Row::Swatch(color_in, labels.goes_in.to_owned()));
+    row(!work.dropped.is_empty(), Row::Swatch(palette.back, labels.back_faces.to_owned()));
+    row(!work.after.is_empty(), Row::Swatch(color_out, labels.comes_out.to_owned()));
+    row(!work.cuts.is_empty(), Row::Mark(MarkShape::Diamond, palette.cut, labels.cuts.to_owned()));
+    let vertices = format!("{} → {}", labels.goes_in, labels.comes_out);
+    row(!work.vertices.is_empty(), Row::Mark(MarkShape::Disc, color_out, vertices));
+    row(work.more, Row::Title(labels.not_all.to_owned(), palette.soft));
+    rows
+}
+
+/// Completes the half before the stage: the texts of the other one, and the line between the two.
+pub(super) fn part(frame: &mut Frame, request: &Request) {
+    let (Some(before), Some(work)) = (&mut frame.before, &frame.work) else { return };
+    let drawing = &mut frame.drawing;
+    if !matches!(work.stage, Stage::Lines | Stage::Write) {
+        before.labels.clone_from(&drawing.labels);
+    }
+    let palette = Palette::of(request.look.style.theme);
+    #[expect(clippy::cast_precision_loss, reason = "pixels")]
+    let (middle, height, scale) = ((drawing.width / 2) as f32, drawing.height as f32, request.size.scale);
+    for drawing in [before, drawing] {
+        let line = Area { corner: [middle - scale, 0.0], size: [2.0 * scale, height], radius: 0.0, fill: palette.ink };
+        drawing.areas.push(line);
+        let sides = [(-6.0, Anchor::Right, request.labels.goes_in), (6.0, Anchor::Left, request.labels.comes_out)];
+        for (aside, anchor, text) in sides {
+            drawing.labels.push(Label {
+                position: [middle + aside * scale, 14.0 * scale, 1.0],
+                offset: [0.0; 2],
+                text: text.to_owned(),
+                size: 13.0 * scale,
+                color: palette.ink,
+                halo: palette.paper,
+                anchor,
+                fade_if_hidden: false,
+            });
+        }
+    }
+}
