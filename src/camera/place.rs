@@ -24,7 +24,10 @@ impl ClipSpace<'_> {
     /// The world point at a place. M_p and M_v are undone in double-double and rounded once.
     ///
     /// # Errors
-    /// [`NoWayBack`]: no point has these coordinates; in perspective those of NDC have none behind the eye.
+    /// [`NoWayBack`]: no point has these coordinates.
+    ///
+    /// In perspective NDC tell the sides of the eye apart: behind it, and only there, `z_n` is beyond what it tends to at infinity. So the
+    /// NDC that the division makes of a point behind the eye lead back to it; only those of its plane, and of infinity, have no point.
     pub fn world_of(&self, image: ImageSize, viewport: &Viewport, place: Place) -> Result<DVec3, NoWayBack> {
         let camera = self.camera();
         let (world, depth) = match place {
@@ -56,14 +59,14 @@ impl ClipSpace<'_> {
         [along(w.left, w.right, w.width(), ndc.x), along(w.bottom, w.top, w.height(), y)]
     }
 
-    /// The distance from the plane of the eye: in perspective z_n = d/distance − z, in parallel projection z_n = d − z distance.
+    /// The distance from the plane of the eye, below 0 behind it: in perspective z_n = d/distance − z, in parallel projection z_n = d − z distance.
     fn distance_of_ndc(&self, z_n: f64) -> Result<Dd, NoWayBack> {
         let (z, depth) = (self.lens.z, self.lens.depth);
         match self.camera().projection() {
             Projection::Parallel => Ok((depth - Dd::new(z_n)) / z),
             Projection::Perspective => {
                 let distance = depth / (Dd::new(z_n) + z);
-                if distance.value() > 0.0 && distance.value().is_finite() {
+                if distance.value() != 0.0 && distance.value().is_finite() {
                     return Ok(distance);
                 }
                 let [near, _] = self.ndc().depths();

@@ -306,7 +306,7 @@ impl Values<'_> {
             line("V", vector(["x", "y", "z"], camera.view_up(), Quantity::ViewUp)),
         ];
         if projection == Projection::Perspective {
-            let origin = vector(["x_prp", "y_prp", "z_prp"], DVec3::ZERO, |_| Quantity::Fixed);
+            let origin = vector(["x_{prp}", "y_{prp}", "z_{prp}"], DVec3::ZERO, |_| Quantity::Fixed);
             lines.push(line("prp", origin));
             lines.push(number("z_{vp}", -camera.near(), Quantity::Fixed));
             let angle = if camera.parameters().window.is_none() { Quantity::ViewAngle } else { Quantity::Fixed };
@@ -314,7 +314,7 @@ impl Values<'_> {
             lines.push(number("θ", camera.view_angle().degrees(), angle));
             lines.push(number("aspect", camera.window_aspect(), aspect));
         } else {
-            lines.push(line("xw, yw", self.sides(["xw_min", "xw_max", "yw_min", "yw_max"])));
+            lines.push(line("xw, yw", self.sides(["xw_{min}", "xw_{max}", "yw_{min}", "yw_{max}"])));
         }
         lines.push(number("z_{near}", -camera.near(), Quantity::NearCoordinate));
         lines.push(number("z_{far}", -camera.far(), Quantity::FarCoordinate));
@@ -346,9 +346,9 @@ impl Values<'_> {
             Line {
                 name: "R",
                 arguments: [
-                    row(0, ["r_11", "r_12", "r_13"]),
-                    row(1, ["r_21", "r_22", "r_23"]),
-                    row(2, ["r_31", "r_32", "r_33"]),
+                    row(0, ["r_{11}", "r_{12}", "r_{13}"]),
+                    row(1, ["r_{21}", "r_{22}", "r_{23}"]),
+                    row(2, ["r_{31}", "r_{32}", "r_{33}"]),
                 ]
                 .concat(),
             },

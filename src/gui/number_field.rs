@@ -9,6 +9,7 @@ use std::ops::RangeInclusive;
 use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextEdit, TextWrapMode, WidgetInfo};
 
 use crate::expression::{self, Dimension, ExpressionProblem};
+use crate::gui::theme;
 use crate::gui::tooltip::{self, Explained};
 use crate::i18n::sources::with_titles;
 use crate::i18n::window::Texts;
@@ -373,12 +374,17 @@ impl<'a> NumberField<'a> {
         let color = if problem { ui.visuals().error_fg_color } else { ui.visuals().text_color() };
         let font = egui::TextStyle::Button.resolve(ui.style());
         let mut job = egui::text::LayoutJob::default();
+        if !self.prefix.is_empty() {
+            job = theme::lowered(
+                ui,
+                &format!("{} ", self.prefix),
+                &egui::TextStyle::Button,
+                ui.visuals().weak_text_color(),
+            );
+        }
         let mut push = |text: &str, color| {
             job.append(text, 0.0, egui::TextFormat { font_id: font.clone(), color, ..Default::default() });
         };
-        if !self.prefix.is_empty() {
-            push(&format!("{} ", self.prefix), ui.visuals().weak_text_color());
-        }
         match state {
             Some(state) => push(&state.text, color),
             None => push(&self.shown(ui, &font, texts, *value), color),

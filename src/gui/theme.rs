@@ -45,6 +45,15 @@ pub fn lowered(ui: &egui::Ui, text: &str, style: &TextStyle, color: Color32) -> 
     job
 }
 
+/// A label that wraps, with subscripts as in the pictures; screen readers say it as it is written.
+pub fn wrapped(ui: &mut egui::Ui, text: &str, style: &TextStyle, color: Color32) -> egui::Response {
+    let job = lowered(ui, text, style, color);
+    let response = ui.add(egui::Label::new(job).wrap());
+    let said = text.replace(['{', '}'], "");
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &said));
+    response
+}
+
 /// Makes the header of a section a quiet bar, so that it is not taken for a field.
 pub fn tint_header(ui: &mut egui::Ui) {
     let visuals = ui.visuals_mut();

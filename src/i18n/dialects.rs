@@ -48,18 +48,18 @@ pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
         (Lang::En, Limitation::NoFocalPoint) => "PF is not part of it: it stays at its distance D.",
         (Lang::PtBr, Limitation::NoFocalPoint) => "PF não faz parte: fica à sua distância D.",
         (Lang::En, Limitation::ViewPlaneIsNear) => {
-            "Its view plane may lie anywhere; here it is the front plane, so D = F and z_vp = −F."
+            "Its view plane may lie anywhere; here it is the front plane, so D = F and z_{vp} = −F."
         }
         (Lang::PtBr, Limitation::ViewPlaneIsNear) => {
-            "Seu plano de vista pode ficar em qualquer lugar; aqui é o plano da frente: D = F e z_vp = −F."
+            "Seu plano de vista pode ficar em qualquer lugar; aqui é o plano da frente: D = F e z_{vp} = −F."
         }
         (Lang::En, Limitation::LeftHanded) => "Left-handed: n points into the scene, along DOP, and u = n × v.",
         (Lang::PtBr, Limitation::LeftHanded) => "Mão esquerda: n aponta para a cena, ao longo de DOP, e u = n × v.",
         (Lang::En, Limitation::Coordinates) => {
-            "z_near and z_far are coordinates, negative, where [0] has distances F and B."
+            "z_{near} and z_{far} are coordinates, negative, where [0] has distances F and B."
         }
         (Lang::PtBr, Limitation::Coordinates) => {
-            "z_near e z_far são coordenadas, negativas, onde [0] tem as distâncias F e B."
+            "z_{near} e z_{far} são coordenadas, negativas, onde [0] tem as distâncias F e B."
         }
         (Lang::En, Limitation::YDown) => {
             "x to the right, y down, z into the scene; pixels from the corner of the image, as in (5.22)."

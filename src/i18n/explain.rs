@@ -47,6 +47,8 @@ texts! {
     step_forward: "A step forward", "Um passo à frente";
     to_cube: "To the canonical volume", "Ao volume canônico";
     scrubber: "How many steps are done", "Quantos passos foram dados";
+    scrubber_hint: "How many steps are done. Left and right arrow: a tenth of a step; with Ctrl: to the whole step before or after",
+        "Quantos passos foram dados. Setas esquerda e direita: um décimo de passo; com Ctrl: ao passo inteiro anterior ou seguinte";
     inverse: "inverse", "inversa";
     formulas: "formulas", "fórmulas";
     formulas_hint: "The entries with the symbols of the lecture notes [0]", "Os elementos com os símbolos das notas de aula [0]";
@@ -200,7 +202,7 @@ pub const fn decomposition(lang: Lang, decomposition: Decomposition) -> &'static
         (Lang::En, Decomposition::Notes) => "M_p M_v, ÷ w",
         (Lang::PtBr, Decomposition::Notes) => "M_p M_v, ÷ w",
         (Lang::En | Lang::PtBr, Decomposition::Box) => "S T P",
-        (Lang::En | Lang::PtBr, Decomposition::Scale) => "M_xyscale M_pers",
+        (Lang::En | Lang::PtBr, Decomposition::Scale) => "M_{xyscale} M_{pers}",
         (Lang::En | Lang::PtBr, Decomposition::Normalised) => "M_P N",
     }
 }

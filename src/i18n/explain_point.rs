@@ -29,13 +29,15 @@ texts! {
     window_and_depth: "and the distance from the eye", "e a distância do olho";
     pixel_and_depth: "and Z of the depth buffer", "e Z do buffer de profundidade";
     no_image: "no image", "sem imagem";
+    behind_pixel: "Beyond it lie the depths that the division makes of points behind the eye; clipping stops those, so that no pixel holds them. Such a point is typed in any other space, NDC among them.",
+        "Além dele estão as profundidades que a divisão faz de pontos atrás do olho; o recorte os detém, de modo que nenhum pixel as guarda. Tal ponto se digita em qualquer outro espaço, NDC entre eles.";
     // The arithmetic.
     forward: "Forward", "Ida";
     back: "Back", "Volta";
     from_pixel: "From the centre of the pixel with its Z. (5.22) has rounded the place within the pixel away, so that it leads beside the point:", "Do centro do pixel com seu Z. (5.22) arredondou o lugar dentro do pixel, de modo que leva para o lado do ponto:";
     no_way_back: "There is no way back:", "Não há caminho de volta:";
     outside: "It is outside the volume: clipping takes it away, and no pixel shows it.", "Está fora do volume: o recorte o retira, e nenhum pixel o mostra.";
-    behind: "w < 0: the point is behind the eye (w = −z_c). It has no image: clipping stops it before the division. What follows is what the division would make of it: where the line through it and C meets the window, upside down and on the other side.", "w < 0: o ponto está atrás do olho (w = −z_c). Não tem imagem: o recorte o detém antes da divisão. O que segue é o que a divisão faria dele: onde a reta por ele e por C encontra a janela, de cabeça para baixo e do outro lado.";
+    behind: "w < 0: the point is behind the eye (w = −z_c). It has no image: clipping stops it before the division. What follows is what the division would make of it: where the line through it and C meets the window, upside down and on the other side. On the way back from NDC z_n tells it apart: it lies beyond the value to which depths tend before the eye.", "w < 0: o ponto está atrás do olho (w = −z_c). Não tem imagem: o recorte o detém antes da divisão. O que segue é o que a divisão faria dele: onde a reta por ele e por C encontra a janela, de cabeça para baixo e do outro lado. De volta de NDC, z_n o distingue: está além do valor a que tendem as profundidades à frente do olho.";
     in_plane: "w = 0: the point is in the plane of the eye (z_c = 0). Its projector is parallel to the window and never meets it, so that (5.6) would divide by 0: the way ends here. Such clip coordinates are a direction, a point at infinity.", "w = 0: o ponto está no plano do olho (z_c = 0). Seu projetor é paralelo à janela e nunca a encontra, de modo que (5.6) dividiria por 0: o caminho acaba aqui. Essas coordenadas de recorte são uma direção, um ponto no infinito.";
     copy_text: "Copy text", "Copiar texto";
     copy_latex: "Copy LaTeX", "Copiar LaTeX";

@@ -42,6 +42,7 @@ texts! {
     no_vanishing: "parallel: ideal points stay ideal, w = 0", "paralela: pontos ideais continuam ideais, w = 0";
     ideal: "ideal, parallel to the view plane", "ideal, paralela ao plano de vista";
     beyond_image: "outside the image", "fora da imagem";
+    behind_eye: "behind the eye", "atrás do olho";
     horizon: "horizon", "horizonte";
     world: "world", "mundo";
     // The steps from the world to the canonical volume.
@@ -125,6 +126,7 @@ const fn of(t: &Texts) -> Labels {
         no_vanishing: t.no_vanishing,
         ideal: t.ideal,
         beyond_image: t.beyond_image,
+        behind_eye: t.behind_eye,
         horizon: t.horizon,
         world: t.world,
         steps: [

@@ -13,7 +13,7 @@ use super::{Measured, Palette, Request, WindowSide};
 const LETTERS: [&str; 3] = ["x", "y", "z"];
 const AXES: [&str; 3] = ["u", "v", "n"];
 
-/// Draws what is pointed at in a panel, but for what has a dimension line.
+/// Draws what is pointed at in a panel, but for what has a dimension line, and what is of an object.
 pub(super) fn in_world(
     builder: &mut SceneBuilder,
     request: &Request,
@@ -27,11 +27,11 @@ pub(super) fn in_world(
     for measured in &request.overlays.measured {
         let Some(text) = text(request, *measured) else { continue };
         match *measured {
-            Measured::Dimension(_) => {}
-            Measured::Axis(k, i) => component(builder, c, axes[k] * gear.axis, i, &text, pen),
-            Measured::ViewUp(i) => component(builder, c, gear.view_up_tip(camera) - c, i, &text, pen),
-            Measured::Position(i) => component(builder, DVec3::ZERO, c, i, &text, pen),
-            Measured::FocalPoint(i) => component(builder, DVec3::ZERO, camera.focal_point(), i, &text, pen),
+            Measured::Dimension(_) | Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_) => {}
+            Measured::Axis(k, i) => component(builder, c, along(axes[k] * gear.axis, i), &text, pen),
+            Measured::ViewUp(i) => component(builder, c, along(gear.view_up_tip(camera) - c, i), &text, pen),
+            Measured::Position(i) => component(builder, DVec3::ZERO, along(c, i), &text, pen),
+            Measured::FocalPoint(i) => component(builder, DVec3::ZERO, along(camera.focal_point(), i), &text, pen),
             Measured::OriginAlong(k) => {
                 let foot = c - axes[k] * axes[k].dot(c);
                 builder.line(vec![foot, DVec3::ZERO], pen.color, 0.8 * pen.width, Dash::Dotted);
@@ -68,26 +68,30 @@ fn to_side(request: &Request, volume: &DrawnVolume, side: WindowSide) -> [DVec3;
 }
 
 /// A vector, and its component along an axis of the world.
-fn component(builder: &mut SceneBuilder, from: DVec3, vector: DVec3, i: usize, text: &str, pen: Pen) {
-    let along = DVec3::AXES[i] * vector[i];
+fn along(vector: DVec3, i: usize) -> [DVec3; 2] {
+    [vector, DVec3::AXES[i] * vector[i]]
+}
+
+/// A vector, and its component along an axis.
+pub(super) fn component(builder: &mut SceneBuilder, from: DVec3, [vector, along]: [DVec3; 2], text: &str, pen: Pen) {
     builder.arrow(vec![from, from + vector], pen.color, pen.width, Dash::Solid);
     builder.line(vec![from + along, from + vector], pen.color, 0.8 * pen.width, Dash::Dotted);
     lettered(builder, [from, from + along], text, pen);
 }
 
 /// A strong stroke with its text beside its middle.
-fn lettered(builder: &mut SceneBuilder, [from, to]: [DVec3; 2], text: &str, pen: Pen) {
+pub(super) fn lettered(builder: &mut SceneBuilder, [from, to]: [DVec3; 2], text: &str, pen: Pen) {
     builder.line(vec![from, to], pen.color, 2.0 * pen.width, Dash::Solid);
     let (middle, across) = (from.lerp(to, 0.5), builder.screen.heading(from, to - from).perp());
     builder.text(middle, text, across, SMALL_TYPE, pen.color);
 }
 
-/// The symbol and the number; `None` for what has a dimension line.
+/// The symbol and the number; `None` for what is drawn elsewhere.
 fn text(request: &Request, measured: Measured) -> Option<String> {
     let (camera, axes) = (&request.camera, axes(request));
     let (window, c) = (camera.window(), camera.position());
     let (symbol, value) = match measured {
-        Measured::Dimension(_) => return None,
+        Measured::Dimension(_) | Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_) => return None,
         Measured::Axis(k, i) => (format!("{}_{}", AXES[k], LETTERS[i]), axes[k][i]),
         Measured::OriginAlong(k) => (format!("−{} · c", AXES[k]), -axes[k].dot(c)),
         Measured::Position(i) => (format!("c_{}", LETTERS[i]), c[i]),

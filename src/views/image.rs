@@ -13,7 +13,7 @@ use super::pixels::{PixelRect, Size, image_frame};
 use super::placing::Rules;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Palette, Request, begun, placing, probe, revealed_scene, vanishing};
+use super::{Palette, Request, begun, outside, placing, probe, revealed_scene, vanishing};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -75,6 +75,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         rows.extend(greys.legend(request, palette));
     }
     rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
+    outside::in_image(&mut drawn.drawing, request, palette);
     if request.look.reveal.vanishing {
         rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
     }

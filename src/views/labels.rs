@@ -71,6 +71,8 @@ pub struct Labels {
     pub ideal: &'static str,
     /// A vanishing point that is not in the picture.
     pub beyond_image: &'static str,
+    /// Of a point that has no image, because it is behind the eye.
+    pub behind_eye: &'static str,
     /// The line of the vanishing points of horizontal directions.
     pub horizon: &'static str,
     /// Before the first step of the way to the canonical volume.

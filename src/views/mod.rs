@@ -29,7 +29,9 @@ mod image;
 mod labels;
 mod legend;
 mod normalizing;
+mod object_parts;
 pub mod observer;
+mod outside;
 mod overlays;
 pub mod palette;
 pub mod pick;
@@ -63,7 +65,8 @@ pub use arrangement::{Arrangement, aspect_shown, used_area};
 pub use labels::Labels;
 use observer::Viewpoint;
 pub use overlays::{
-    Ghost, GizmoPart, Handle, Measure, Measured, Overlays, Placed, Probe, TransformGizmo, Transforming, WindowSide,
+    Ghost, GizmoPart, Handle, Measure, Measured, ObjectTransform, Overlays, Placed, Probe, TransformGizmo,
+    Transforming, WindowSide,
 };
 pub use palette::Palette;
 pub use pixels::{PixelRect, Size, image_frame};

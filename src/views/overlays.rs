@@ -7,6 +7,7 @@ use glam::{DMat4, DVec2, DVec3};
 use super::View;
 use crate::camera::{Camera, Convention, Operation};
 use crate::geometry::Ray;
+use crate::scene::transform::Trs;
 
 /// What comes and goes with the pointer.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,6 +22,8 @@ pub struct Overlays {
     pub gizmo: Option<TransformGizmo>,
     /// What is pointed at in a panel: these lengths, angles and coordinates are shown in the world.
     pub measured: Vec<Measured>,
+    /// The object of which parts may be pointed at.
+    pub object: Option<ObjectTransform>,
     /// Objects where transforms would put them, in the world; their axes are numbered in this order.
     pub placed: Vec<Placed>,
     /// Without legends: the picture is painted on something.
@@ -39,7 +42,8 @@ impl Overlays {
             View::World => self.clone(),
             View::Canonical | View::Image => {
                 let base = self.clone();
-                Self { ghost: None, hot: None, gizmo: None, measured: Vec::new(), placed: Vec::new(), ..base }
+                let base = Self { measured: Vec::new(), object: None, placed: Vec::new(), ..base };
+                Self { ghost: None, hot: None, gizmo: None, ..base }
             }
         }
     }
@@ -84,6 +88,21 @@ pub enum Measured {
     ViewUp(usize),
     /// l, r, b, t: a side of the window, from the foot of DOP.
     Side(WindowSide),
+    /// A coordinate of an object's translation, along an axis of its parent.
+    Translate(usize),
+    /// An object's rotation about an axis.
+    Rotate(usize),
+    /// An object's scale along one of its own axes.
+    Scale(usize),
+}
+
+/// The transform of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectTransform {
+    /// What its parent does to it.
+    pub world_from_parent: DMat4,
+    /// Its own.
+    pub trs: Trs,
 }
 
 /// A side of the view window.

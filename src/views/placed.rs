@@ -23,7 +23,7 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
     }
 }
 
-/// The objects as glass; what is scaled to nothing has no faces to be seen. Where they stand already, there is nothing to add.
+/// The objects as glass, and of those without faces their strokes; what is scaled to nothing has no faces to be seen. Where they stand already, there is nothing to add.
 fn bodies(builder: &mut SceneBuilder, request: &Request, placed: &Placed, color: Rgba) {
     let mut add = |name: &str, mesh, world_from_object: DMat4| {
         if world_from_object.determinant().abs() <= f64::MIN_POSITIVE {
@@ -49,10 +49,31 @@ fn bodies(builder: &mut SceneBuilder, request: &Request, placed: &Placed, color:
     }
     let shown = |object: &&Object| {
         let whole = object.name.split_once('/').map_or(object.name.as_str(), |(whole, _)| whole);
-        object.faces && (placed.objects.contains(&object.name) || placed.objects.contains(whole))
+        placed.objects.contains(&object.name) || placed.objects.contains(whole)
     };
-    for object in request.scene.objects.iter().filter(shown) {
+    for object in request.scene.objects.iter().filter(shown).filter(|object| object.faces) {
         add(&object.name, Arc::clone(&object.mesh), placed.change * object.world_from_object);
+    }
+    for object in request.scene.objects.iter().filter(shown).filter(|object| !object.faces) {
+        bare(builder, object, placed.change * object.world_from_object, color);
+    }
+    let lines = request.scene.grids.iter().filter(|(name, _)| placed.objects.contains(name));
+    for line in lines.flat_map(|(_, range)| request.scene.lines.get(range.clone()).unwrap_or_default()) {
+        let points = line.points.iter().map(|p| placed.change.transform_point3(*p)).collect();
+        builder.line(points, color, 1.0, Dash::Solid);
+    }
+}
+
+/// What has no faces: segments as strokes, points as marks.
+fn bare(builder: &mut SceneBuilder, object: &Object, world_from_object: DMat4, color: Rgba) {
+    let place = |i: &u32| object.mesh.positions.get(*i as usize).map(|p| world_from_object.transform_point3(*p));
+    for ends in &object.mesh.edges {
+        builder.line(ends.iter().filter_map(place).collect(), color, 1.6, Dash::Solid);
+    }
+    if object.mesh.edges.is_empty() {
+        for p in &object.mesh.positions {
+            builder.mark(world_from_object.transform_point3(*p), MarkShape::Ring, 4.0, color);
+        }
     }
 }
 
@@ -93,6 +114,10 @@ mod tests {
     use crate::views::{Overlays, SharedScene, Size, View, frame};
 
     fn drawn(placed: Vec<Placed>) -> Drawing {
+        drawn_in(&SharedScene::default(), placed)
+    }
+
+    fn drawn_in(scene: &SharedScene, placed: Vec<Placed>) -> Drawing {
         let (figure, camera) = (Figure::default(), Camera::new(&Parameters::default()).unwrap());
         let size = Size { width: 600, height: 400, scale: 1.0 };
         let observer = Observer {
@@ -106,7 +131,7 @@ mod tests {
         let request = Request {
             observer: Some(observer),
             overlays: Overlays { placed, ..Overlays::default() },
-            ..Request::of(&figure, View::World, &camera, &SharedScene::default(), pictures::labels(Lang::En), size)
+            ..Request::of(&figure, View::World, &camera, scene, pictures::labels(Lang::En), size)
         };
         frame(&request, None, &mut TimedPipeline::default()).drawing
     }
@@ -127,7 +152,41 @@ mod tests {
             assert!(texts.contains(&name), "{texts:?}");
         }
         assert!(two.surfaces.len() > plain.surfaces.len());
+        // No faces are added for what is flat.
         let flat = drawn(vec![placed(DVec3::new(1.0, 0.0, 1.0), false)]);
         assert_eq!(flat.surfaces.len(), plain.surfaces.len());
+    }
+
+    #[test]
+    fn what_has_no_faces_is_drawn_by_its_strokes() {
+        use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape, build};
+
+        let [a, b, c] = [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, 0.0)];
+        let objects = vec![
+            ObjectSpec::new("grid", Shape::Grid).with_segments(4),
+            ObjectSpec::new("segments", Shape::Segments(vec![[a, b], [c, 2.0 * c]])),
+            ObjectSpec::new("points", Shape::Points(vec![a, b, c])),
+        ];
+        let spec = SceneSpec { preset: Preset::Empty, objects, lights: Vec::new() };
+        let style = crate::appearance::Style::default();
+        let scene = SharedScene::new(build(&spec, &style, &mut |_| unreachable!("no file is named")).unwrap());
+        let placed = |name: &str| Placed {
+            objects: BTreeSet::from([name.to_owned()]),
+            change: DMat4::from_translation(DVec3::new(0.0, 2.0, 0.0)),
+            world_from_frame: DMat4::IDENTITY,
+            axis: None,
+            wrong: false,
+        };
+        // Those of the colour of what is placed: the world is drawn around what there is.
+        let color = Palette::of(style.theme).ghost;
+        let polylines = |drawing: &Drawing| {
+            let own = drawing.strokes.iter().filter(|set| set.style.color == color);
+            own.map(|set| set.polylines.len()).sum::<usize>()
+        };
+        let [none, points, grid, segments] =
+            ["none", "points", "grid", "segments"].map(|name| drawn_in(&scene, vec![placed(name)]));
+        assert_eq!(points.marks.len() - none.marks.len(), 3);
+        // Points have no strokes: those that are there are of the axes.
+        assert_eq!([&grid, &segments].map(|drawing| polylines(drawing) - polylines(&points)), [10, 2]);
     }
 }

@@ -33,11 +33,11 @@ impl Pixel {
 
 /// How a point is drawn: what is pointed at, or one of the figure's.
 #[derive(Clone, Copy)]
-struct Look<'a> {
-    name: &'a str,
+pub(super) struct Look<'a> {
+    pub(super) name: &'a str,
     mark: (MarkShape, f32),
     ray: f32,
-    color: Rgba,
+    pub(super) color: Rgba,
 }
 
 impl<'a> Look<'a> {
@@ -60,7 +60,7 @@ impl<'a> Look<'a> {
 }
 
 /// The point that the probe is at, and those of the figure; where the probe is at one of them, only this has a name.
-fn points<'a>(request: &'a Request, palette: Palette) -> impl Iterator<Item = (DVec3, Look<'a>)> {
+pub(super) fn points<'a>(request: &'a Request, palette: Palette) -> impl Iterator<Item = (DVec3, Look<'a>)> {
     let named = request.points.iter().map(move |point| (point.position, Look::named(point, palette)));
     let probed = match request.overlays.probe {
         Some(Probe::Point(p)) => {

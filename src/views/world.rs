@@ -17,8 +17,8 @@ use super::revealed_scene::Revealed;
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{screen_of, seen_from};
 use super::{
-    Handle, Palette, Request, components, dimensions, ghost, handles, hits, placed, placing, probe, revealed_scene,
-    section, transform_gizmo, vanishing,
+    Handle, Palette, Request, components, dimensions, ghost, handles, hits, object_parts, placed, placing, probe,
+    revealed_scene, section, transform_gizmo, vanishing,
 };
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
@@ -49,6 +49,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         world.drop_lines();
         dimensions::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
         components::in_world(&mut world.builder, request, palette, &world.content.volume, world.gear);
+        object_parts::in_world(&mut world.builder, request, palette);
         names
     };
     world.hot_handle();

@@ -35,7 +35,7 @@ fn a_number_of_another_vocabulary_sets_the_camera() {
     assert_eq!(window.state().document.camera().position().x, 7.0);
     window.enter("F F", "0.5");
     assert_eq!(window.state().document.camera().near(), 0.5);
-    window.enter("z_{far} z_{far}", "-40");
+    window.enter("z_far z_far", "-40");
     assert_eq!(window.state().document.camera().far(), 40.0);
     let before = window.state().document.camera().clone();
     // What is not a camera stays in its field, with the reason.

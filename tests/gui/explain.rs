@@ -3,11 +3,12 @@
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::Matrix;
 use camera_lab::figure::NamedPoint;
-use camera_lab::gui::state::{Matrices, Reading, Side};
+use camera_lab::gui::state::{Matrices, Reading, Selected, Side, Tab};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::explain::texts;
 use camera_lab::numbers::{DecimalMark, without_rests};
+use camera_lab::scene;
 use camera_lab::views::{Measure, Measured};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect, Shape};
@@ -255,6 +256,103 @@ fn m_m_is_that_of_the_object_that_is_selected() {
     let mut window = explaining(Lang::PtBr);
     window.click("M_m");
     assert!(window.says("é a matriz de um objeto"));
+}
+
+/// A window with the matrix of a box that hangs on nothing.
+fn with_object(lang: Lang) -> Window {
+    let mut window = explaining(lang);
+    let object = scene::ObjectSpec::new("box", scene::Shape::Box)
+        .at(2.0, 0.0, -1.0)
+        .turned(0.0, 30.0, 0.0)
+        .scaled(1.0, 2.0, 3.0);
+    let state = &mut window.app_mut().state;
+    state.document.edit(|figure| figure.scene.objects = vec![object]);
+    state.tree.select(Some(Selected::Object("box".to_owned())));
+    state.settings.tab = Tab::Scene;
+    window.run();
+    window.click("M_m");
+    window
+}
+
+#[test]
+fn the_entries_of_m_m_light_up_translation_rotation_and_scale() {
+    let mut window = with_object(Lang::En);
+    for (place, lit) in [
+        ("row 1, column 4", vec![Measured::Translate(0)]),
+        ("row 3, column 4", vec![Measured::Translate(2)]),
+        ("row 3, column 1", vec![Measured::Rotate(1), Measured::Scale(0)]),
+    ] {
+        window.harness.get_by_label_contains(&format!("M_m, {place}:")).focus();
+        window.run();
+        let mut found = window.state().measured.clone();
+        found.sort_by_key(|measured| format!("{measured:?}"));
+        assert_eq!(found, lit, "{place}");
+    }
+    // A symbol of an entry lights up alone.
+    window.harness.get_by_label("s_x = 1").focus();
+    window.run();
+    assert_eq!(window.state().measured, [Measured::Scale(0)]);
+}
+
+#[test]
+fn the_fields_of_an_object_mark_what_depends_on_them_and_light_up_the_world() {
+    let mut window = with_object(Lang::PtBr);
+    let t = camera_lab::i18n::scenes::texts(Lang::PtBr);
+    let places = ["linha 1, coluna 1", "linha 2, coluna 2", "linha 2, coluna 4", "linha 4, coluna 4"]
+        .map(|place| entry(&window, &format!("M_m, {place}:")));
+    let count = |window: &Window| places.map(|place| painted(window, place));
+    let before = count(&window);
+    for (name, marks, lit) in [
+        (t.translate, [false, false, true, false], Measured::Translate(0)),
+        (t.rotate, [true, true, false, false], Measured::Rotate(0)),
+        (t.scale, [true, true, false, false], Measured::Scale(0)),
+    ] {
+        let name = format!("{name} y");
+        window.field(&name).focus();
+        window.run();
+        let marked = [0, 1, 2, 3].map(|i| count(&window)[i] > before[i]);
+        assert_eq!(marked, marks, "{name}");
+        assert_eq!(window.state().measured.first(), Some(&lit));
+        let at = window.field(&name).rect().center();
+        window.harness.get_by_label("M_m").focus();
+        window.run();
+        assert_eq!(count(&window), before, "{name}");
+        window.harness.hover_at(at);
+        window.run();
+        assert_eq!([0, 1, 2, 3].map(|i| count(&window)[i] > before[i]), marks, "{name}, under the pointer");
+        window.harness.hover_at(eframe::egui::Pos2::ZERO);
+        window.run();
+    }
+}
+
+#[test]
+fn the_fields_of_image_and_viewport_mark_what_depends_on_them() {
+    let mut window = explaining(Lang::En);
+    window.click("M_vp");
+    let places = ["row 1, column 1", "row 2, column 2", "row 3, column 3"]
+        .map(|place| entry(&window, &format!("M_vp, {place}:")));
+    let count = |window: &Window| places.map(|place| painted(window, place));
+    let before = count(&window);
+    let marked = |window: &Window| [0, 1, 2].map(|i| count(window)[i] > before[i]);
+    window.field("m").focus();
+    window.run();
+    assert_eq!(marked(&window), [true, true, false], "the viewport is the whole image");
+    let viewport = Viewport { width: 300, ..Viewport::whole(ImageSize::default()) };
+    window.app_mut().state.document.edit(|figure| figure.viewport = Some(viewport));
+    window.run();
+    window.harness.get_by_label("M_vp").focus();
+    window.run();
+    window.harness.get_by_label("Viewport").click();
+    window.run();
+    window.field("W_v").focus();
+    window.run();
+    assert_eq!(marked(&window), [true, true, false]);
+    window.field("n (Z)").focus();
+    window.run();
+    assert_eq!(marked(&window), [false, false, true]);
+    window.field("m").focus();
+    window.run();
+    assert_eq!(marked(&window), [false, false, false], "the viewport is its own");
 }
 
 #[test]

@@ -55,11 +55,30 @@ fn the_scrubber_steps_by_keyboard_and_its_end_is_the_canonical_picture() {
         assert!(!window.state().is_on_the_way(), "things can be picked again");
         window.click(t.step_back);
         assert_eq!(time(&window), 3.0);
-        // Its own keys move the slider.
+        // Its own keys move the slider by tenths, and with Ctrl to whole steps.
         window.harness.get_by_label(t.scrubber).focus();
         window.run();
         window.key(Key::ArrowLeft);
-        assert!((2.0..3.0).contains(&time(&window)), "{}", time(&window));
+        assert!((time(&window) - 2.9).abs() < 1e-12, "{}", time(&window));
+        window.key(Key::ArrowLeft);
+        assert!((time(&window) - 2.8).abs() < 1e-12);
+        window.command_key(Key::ArrowLeft);
+        assert_eq!(time(&window), 2.0, "the whole step before");
+        window.command_key(Key::ArrowLeft);
+        assert_eq!(time(&window), 1.0);
+        window.key(Key::ArrowRight);
+        assert!((time(&window) - 1.1).abs() < 1e-12);
+        window.command_key(Key::ArrowRight);
+        assert_eq!(time(&window), 2.0);
+        for _ in 0..3 {
+            window.command_key(Key::ArrowRight);
+        }
+        assert_eq!(time(&window), 4.0, "not beyond its end");
+        // Elsewhere the keys are not its own.
+        window.harness.get_by_label(t.step_back).focus();
+        window.run();
+        window.command_key(Key::ArrowLeft);
+        assert_eq!(time(&window), 4.0);
         // Hidden, it changes no picture.
         window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
         window.run();

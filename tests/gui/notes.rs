@@ -1,12 +1,15 @@
 //! The tab of notes: searched, read, left by links; F1 on a thing opens the note on it.
 
-use camera_lab::gui::state::{Dialog, ExplainTab, Side};
+use camera_lab::figure::NamedPoint;
+use camera_lab::gui::state::{Dialog, ExplainTab, Selected, Side, Tab};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::explain::texts;
 use camera_lab::i18n::notes::note;
+use camera_lab::scene::{ObjectSpec, Shape};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2};
 use egui_kittest::kittest::{NodeT, Queryable};
+use glam::DVec3;
 
 use super::window::Window;
 
@@ -171,6 +174,56 @@ fn f1_opens_the_note_on_an_operation_a_stage_and_the_entry_of_a_matrix() {
     window.run();
     window.key(Key::F1);
     assert_eq!(shown(&window), Some("5.14"), "the equation in force");
+}
+
+#[test]
+fn f1_opens_the_note_on_what_is_in_the_other_tabs_of_explanations() {
+    let mut window = Window::new(Lang::En);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+    window.run();
+    let mut ask = |tab, role, label: &str, note: &str| {
+        window.app_mut().state.explain.tab = tab;
+        window.run();
+        window.harness.get_by_role_and_label(role, label).focus();
+        window.run();
+        window.key(Key::F1);
+        assert_eq!(shown(&window), Some(note), "{label}");
+    };
+    let t = camera_lab::i18n::homogeneous::texts(Lang::En);
+    ask(ExplainTab::Homogeneous, Role::Slider, t.share, "5.6");
+    ask(ExplainTab::Homogeneous, Role::CheckBox, t.vanishing, "ideal-point");
+    ask(ExplainTab::Homogeneous, Role::DisclosureTriangle, t.plane_title, "w");
+    ask(ExplainTab::Order, Role::Button, "Step 2: R_y", "rotation");
+    ask(ExplainTab::Order, Role::SpinButton, "S y", "scale");
+    ask(ExplainTab::Dialects, Role::SpinButton, "gluPerspective fovy", "theta");
+    ask(ExplainTab::Dialects, Role::SpinButton, "gluLookAt eyeX", "C");
+    ask(ExplainTab::Dialects, Role::DisclosureTriangle, "K [R | t]: computer vision", "K");
+    ask(ExplainTab::Dialects, Role::MultilineTextInput, "A matrix → its camera", "M_pM_v");
+}
+
+#[test]
+fn f1_opens_the_note_on_the_fields_of_an_object_and_of_a_point() {
+    let mut window = Window::new(Lang::PtBr);
+    let object = ObjectSpec::new("caixa", Shape::Box);
+    let point = NamedPoint { name: "A".to_owned(), position: DVec3::ONE };
+    let state = &mut window.app_mut().state;
+    state.document.edit(|figure| (figure.scene.objects, figure.points) = (vec![object], vec![point]));
+    state.tree.select(Some(Selected::Object("caixa".to_owned())));
+    state.settings.tab = Tab::Scene;
+    window.run();
+    let t = camera_lab::i18n::scenes::texts(Lang::PtBr);
+    for (name, note) in [(t.translate, "translation"), (t.rotate, "rotation"), (t.scale, "scale")] {
+        window.field(&format!("{name} z")).focus();
+        window.run();
+        window.key(Key::F1);
+        assert_eq!(shown(&window), Some(note));
+    }
+    window.app_mut().state.explain.tab = ExplainTab::Point;
+    window.run();
+    window.field("NDC z_n").focus();
+    window.run();
+    window.key(Key::F1);
+    assert_eq!(shown(&window), Some("ndc"));
 }
 
 #[test]

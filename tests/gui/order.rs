@@ -106,6 +106,38 @@ fn a_call_is_dragged_by_its_dots() {
 }
 
 #[test]
+fn taking_over_is_in_sight_in_a_small_window_also_when_the_list_is_scrolled() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = texts(lang);
+        let mut figure = camera_lab::gui::fresh();
+        figure.scene.objects = vec![ObjectSpec::new("box", Shape::Box)];
+        let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
+        state.tree.select(Some(camera_lab::gui::state::Selected::Object("box".to_owned())));
+        state.settings.panels.wanted = [false, false, true];
+        state.explain.tab = ExplainTab::Order;
+        let mut window = Window::with_state(state, [1280.0, 720.0]);
+        let place = |window: &Window| window.harness.get_by_label(t.take).rect();
+        let before = place(&window);
+        assert!(before.bottom() < 300.0, "{before}");
+        let list = window.harness.get_by_label_contains(t.list).rect();
+        window.harness.hover_at(list.center());
+        window.run();
+        let delta = Vec2::new(0.0, -300.0);
+        window.harness.event(eframe::egui::Event::MouseWheel {
+            unit: eframe::egui::MouseWheelUnit::Point,
+            delta,
+            phase: eframe::egui::TouchPhase::Move,
+            source: eframe::egui::MouseWheelSource::Wheel,
+            modifiers: Modifiers::NONE,
+        });
+        window.harness.run_steps(30);
+        let gone = window.harness.query_by_label_contains(t.list);
+        assert!(gone.is_none_or(|node| node.rect().top() < list.top() - 50.0), "it has been scrolled");
+        assert_eq!(place(&window), before);
+    }
+}
+
+#[test]
 fn both_readings_end_at_one_matrix_and_the_wrong_order_elsewhere() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = texts(lang);

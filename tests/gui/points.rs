@@ -5,15 +5,16 @@
 use camera_lab::camera::{Parameters, Place};
 use camera_lab::explain::{Notation, Setting, Style, forward};
 use camera_lab::figure::{Figure, NamedPoint};
-use camera_lab::gui::state::ExplainTab;
+use camera_lab::gui::state::{ExplainTab, Selected};
 use camera_lab::i18n::Lang;
-use camera_lab::views::{Probe, image_frame};
+use camera_lab::scene::{ObjectSpec, Shape};
+use camera_lab::views::{Probe, image_frame, pick};
 use eframe::egui::{Key, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::{DVec2, DVec3};
 
-use super::canvas::{IMAGE, Stage, place, stage, world};
+use super::canvas::{IMAGE, Stage, WORLD, place, stage, world};
 use super::window::Window;
 
 const P: DVec3 = DVec3::new(0.5, 1.0, 1.5);
@@ -77,7 +78,11 @@ fn what_no_point_has_is_refused_with_what_is_allowed() {
         [(Lang::En, "NDC z_n", "no point of the world is so far"), (Lang::PtBr, "NDC z_n", "nenhum ponto do mundo")]
     {
         let mut window = window(lang, P);
-        window.enter(field, "5");
+        // z_n reaches (B + F)/(B − F) = 2 at infinity.
+        let parameters = Parameters { near: 2.0, far: 6.0, ..Parameters::default() };
+        window.app_mut().state.document.set_parameters(parameters);
+        window.run();
+        window.enter(field, "2");
         assert!(window.says(message));
         assert_eq!(position(&window), P);
         window.enter(field, if lang == Lang::En { "0.5" } else { "0,5" });
@@ -87,6 +92,49 @@ fn what_no_point_has_is_refused_with_what_is_allowed() {
     let mut window = window(Lang::En, P);
     window.enter("window −z_c", "0");
     assert!(window.says("in the plane of the eye no point has an image; allowed: any other distance"));
+}
+
+#[test]
+fn ndc_beyond_infinity_are_those_of_a_point_behind_the_eye() {
+    for (lang, behind, no_pixel) in [
+        (Lang::En, "w < 0: the point is behind the eye", "points behind the eye; clipping stops those"),
+        (Lang::PtBr, "w < 0: o ponto está atrás do olho", "pontos atrás do olho; o recorte os detém"),
+    ] {
+        let mut window = window(lang, P);
+        assert!(!window.says(behind));
+        window.enter("NDC z_n", "5");
+        let p = position(&window);
+        let camera = window.state().document.camera().clone();
+        // z_n = (B + F)/(B − F) − 2BF/((B − F) distance), with F = 2 and B = 12.
+        assert!((1.4 - 4.8 / -camera.view_point(p).z - 5.0).abs() < 1e-12 && camera.view_point(p).z > 0.0);
+        assert!(window.says(behind));
+        // It has no pixel, and that is said.
+        window.enter("pixel i", "100");
+        assert!(window.says(no_pixel));
+        assert_eq!(position(&window), p);
+        window.enter("NDC x_n", if lang == Lang::En { "0.25" } else { "0,25" });
+        assert!(!window.says(no_pixel) && position(&window) != p, "its other coordinates are typed too");
+        assert!((camera.view_point(position(&window)).z - camera.view_point(p).z).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_local_coordinate_is_typed_in_the_space_of_the_selected_object() {
+    let mut window = window(Lang::En, P);
+    assert!(window.harness.query_by_label("local x_o").is_none(), "no object is selected");
+    let object = ObjectSpec::new("box", Shape::Box).at(2.0, 0.0, 0.0).turned(0.0, 0.0, 90.0).scaled(2.0, 1.0, 1.0);
+    let state = &mut window.app_mut().state;
+    state.document.edit(|figure| figure.scene.objects = vec![object]);
+    state.tree.select(Some(Selected::Object("box".to_owned())));
+    window.run();
+    // Scaled by 2 along x, turned from x to y, moved by 2: (x, y, z) is at (2 − y, 2 x, z).
+    for (field, text) in [("local x_o", "1"), ("local y_o", "-1/2"), ("local z_o", "3")] {
+        window.enter(field, text);
+    }
+    let p = position(&window);
+    assert!(p.abs_diff_eq(DVec3::new(2.5, 2.0, 3.0), 1e-12), "{p}");
+    window.command_key(Key::Z);
+    assert!(position(&window).abs_diff_eq(DVec3::new(2.5, 2.0, 1.5), 1e-12), "one step for each");
 }
 
 #[test]
@@ -192,6 +240,32 @@ fn a_point_is_dragged_in_the_image_at_its_distance_and_esc_puts_it_back() {
         h.drop_at(to);
         h.run();
     }
+}
+
+#[test]
+fn a_point_is_dragged_in_the_world_at_its_distance_from_the_eye() {
+    let mut h = stage(|state| state.document.edit(|figure| followed(figure, P)));
+    let in_world = |h: &Harness<'_, Stage>, p: DVec3| {
+        let rect = place(h, WORLD);
+        let at = pick::place(&world(h, rect), Probe::Point(p)).unwrap();
+        rect.min + vec2(at.x as f32, at.y as f32)
+    };
+    let camera = h.state().state.document.camera().clone();
+    let goal = P + camera.basis().u * 0.8 + camera.basis().v * 0.5;
+    let (from, to) = (in_world(&h, P), in_world(&h, goal));
+    for at in [from, to] {
+        h.hover_at(at);
+        h.run();
+        if at == from {
+            h.drag_at(at);
+            h.run();
+        }
+    }
+    h.drop_at(to);
+    h.run();
+    let moved = h.state().state.document.figure().points[0].position;
+    assert!((camera.view_point(moved).z - camera.view_point(P).z).abs() < 1e-9, "its distance stays");
+    assert!(moved.distance(goal) < 0.05, "{moved} is not {goal}");
 }
 
 #[test]

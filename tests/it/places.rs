@@ -42,7 +42,7 @@ proptest! {
 }
 
 #[test]
-fn behind_the_eye_a_point_is_found_from_the_window_and_not_from_ndc() {
+fn behind_the_eye_a_point_is_found_from_the_window_and_from_ndc() {
     let camera = camera(|p| (p.position, p.near, p.far) = (DVec3::new(0.0, 0.0, 5.0), 1.0, 3.0));
     let (space, viewport) = (camera.notes_clip_space(), Viewport::whole(IMAGE));
     let at = |place| space.world_of(IMAGE, &viewport, place);
@@ -52,5 +52,14 @@ fn behind_the_eye_a_point_is_found_from_the_window_and_not_from_ndc() {
     let infinity = NoWayBack::BeyondInfinity { depth: 2.0, near: -1.0, infinity: 2.0 };
     assert_eq!(at(Place::Ndc(DVec3::new(0.0, 0.0, 2.0))), Err(infinity));
     assert_eq!(at(Place::Ndc(DVec3::new(0.0, 0.0, 1.0))).unwrap(), DVec3::new(0.0, 0.0, 2.0));
+    // Beyond it are those behind the eye, in every convention: z_n = 2 − 3/distance here.
+    assert_eq!(at(Place::Ndc(DVec3::new(0.0, 0.0, 3.5))).unwrap(), DVec3::new(0.0, 0.0, 7.0));
+    let behind = DVec3::new(1.0, -2.0, 7.0);
+    for ndc in Ndc::ALL {
+        let space = camera.clip_space(ndc).unwrap();
+        let projected = space.stations(behind, IMAGE, &viewport).projected.unwrap();
+        let found = space.world_of(IMAGE, &viewport, Place::Ndc(projected.ndc)).unwrap();
+        assert!(found.abs_diff_eq(behind, 1e-12), "{ndc:?}: {found}");
+    }
     assert_eq!(at(Place::View(DVec3::splat(1e308) * 2.0)), Err(NoWayBack::Overflow { depth: f64::INFINITY }));
 }

@@ -45,6 +45,7 @@ use self::vertex_name::VertexNames;
 use crate::appearance::Rgba;
 use crate::figure::{Depth, Observer};
 use crate::gui::coach::{self, Brief};
+use crate::gui::explain;
 use crate::gui::focus::{self, Region};
 use crate::gui::handle_drag::point;
 use crate::gui::highlight::Highlight;
@@ -194,6 +195,7 @@ impl Canvas {
         }
         self.overlays.ghost = state.ghost.clone();
         self.overlays.measured.clone_from(&state.measured);
+        self.overlays.object = explain::object_transform(state);
         self.overlays.placed.clone_from(&state.explain.placed);
         self.overlays.gizmo = Movable::selected(state).map(|movable| movable.gizmo);
         let panes = self.panes(ui, pictures, state, texts);

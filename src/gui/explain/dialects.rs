@@ -4,8 +4,10 @@ use eframe::egui::{self, RichText};
 use glam::DMat4;
 
 use crate::camera::{Camera, MatrixKind, Ndc, Parameters, RecoveryError, recover};
+use crate::explain::Axis;
 use crate::explain::vocabulary::{Argument, Line, Quantity, Vocabulary};
 use crate::expression::{self, Dimension};
+use crate::gui::noted::{noted, noted_row};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{choice, complaint, section};
 use crate::gui::state::State;
@@ -19,9 +21,52 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = dialects::texts(state.settings.lang);
     for vocabulary in Vocabulary::ALL {
         let (title, id) = dialects::title(t.lang, vocabulary);
-        section(ui, title, id, true, |ui| words(ui, state, vocabulary));
+        let title = section(ui, title, id, true, |ui| words(ui, state, vocabulary));
+        noted(&title, note_on_vocabulary(vocabulary));
     }
-    section(ui, t.pasted, "pasted matrix", true, |ui| pasted(ui, state));
+    let title = section(ui, t.pasted, "pasted matrix", true, |ui| pasted(ui, state));
+    noted(&title, note_on_matrix(state.explain.pasted.kind));
+}
+
+/// The note on what is particular of a vocabulary.
+const fn note_on_vocabulary(vocabulary: Vocabulary) -> &'static str {
+    match vocabulary {
+        Vocabulary::OpenGl => "M_p",
+        Vocabulary::Vrc => "handedness",
+        Vocabulary::ReferencePoint => "view-volume",
+        Vocabulary::Pinhole => "K",
+    }
+}
+
+const fn note_on_matrix(kind: MatrixKind) -> &'static str {
+    match kind {
+        MatrixKind::View => "M_v",
+        MatrixKind::Projection => "M_p",
+        MatrixKind::ViewProjection => "M_pM_v",
+    }
+}
+
+/// The note on what a number is in the notes' words.
+const fn note_on(quantity: Quantity, vocabulary: Vocabulary) -> &'static str {
+    match quantity {
+        Quantity::Position(_) => "C",
+        Quantity::FocalPoint(_) => "PF",
+        Quantity::ViewUp(_) => "VUP",
+        Quantity::Direction(_) => "DOP",
+        Quantity::ViewAngle => "theta",
+        Quantity::Aspect => "A",
+        Quantity::Left | Quantity::Right | Quantity::Bottom | Quantity::Top => "window",
+        Quantity::HalfWidth => "W",
+        Quantity::HalfHeight => "H",
+        Quantity::Near | Quantity::NearCoordinate => "F",
+        Quantity::Far | Quantity::FarCoordinate => "B",
+        Quantity::FocalLength(_) | Quantity::PrincipalPoint(_) => "K",
+        Quantity::Translation(_) => "step-to-eye",
+        Quantity::Axis(Axis::U, _) => "u",
+        Quantity::Axis(Axis::V, _) => "v",
+        Quantity::Axis(Axis::N, _) => "n",
+        Quantity::Fixed => note_on_vocabulary(vocabulary),
+    }
 }
 
 /// The lines of a vocabulary.
@@ -31,7 +76,8 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
     let lines = match vocabulary.lines(&camera, image) {
         Ok(lines) => lines,
         Err(limitation) => {
-            ui.label(RichText::new(dialects::limitation(lang, limitation)).weak());
+            let said = dialects::limitation(lang, limitation);
+            theme::wrapped(ui, said, &egui::TextStyle::Body, ui.visuals().weak_text_color());
             return;
         }
     };
@@ -51,7 +97,8 @@ fn words(ui: &mut egui::Ui, state: &mut State, vocabulary: Vocabulary) {
         complaint(ui, &messages::camera(lang, error));
     }
     for limitation in vocabulary.limitations() {
-        ui.label(RichText::new(dialects::limitation(lang, *limitation)).small().weak());
+        let said = dialects::limitation(lang, *limitation);
+        theme::wrapped(ui, said, &egui::TextStyle::Small, ui.visuals().weak_text_color());
     }
 }
 
@@ -89,7 +136,9 @@ fn numbers(ui: &mut egui::Ui, state: &State, vocabulary: Vocabulary, line: &Line
                 ui.painter().galley(at, galley, ui.visuals().text_color());
             }
             for argument in row {
-                if let Some(value) = number(ui, state, vocabulary, line, argument, width) {
+                let shown = ui.scope(|ui| number(ui, state, vocabulary, line, argument, width));
+                noted_row(ui, shown.response.rect, note_on(argument.quantity, vocabulary));
+                if let Some(value) = shown.inner {
                     set = Some((argument.quantity, value));
                 }
             }
@@ -115,8 +164,11 @@ fn number(
     if matches!(argument.quantity, Quantity::Fixed | Quantity::Axis(..)) {
         let value = if is_rest(argument.value, greatest) { 0.0 } else { argument.value };
         let text = format!("{prefix} {}", lang.mark().number(value, state.settings.digits));
-        let label = egui::Label::new(RichText::new(text.trim()).weak()).truncate();
-        ui.add_sized([width, ui.spacing().interact_size.y], label).explained(t.fixed_hint);
+        let job = theme::lowered(ui, text.trim(), &egui::TextStyle::Body, ui.visuals().weak_text_color());
+        let label = egui::Label::new(job).truncate();
+        let label = ui.add_sized([width, ui.spacing().interact_size.y], label).explained(t.fixed_hint);
+        let said = text.trim().replace(['{', '}'], "");
+        label.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &said));
         return None;
     }
     let refused =
@@ -124,7 +176,7 @@ fn number(
     let shown = refused.map_or(argument.value, |refused| refused.2);
     let mut value = shown;
     let step = power_of_ten(argument.value.abs().max(1e-6) / 5.0).unwrap_or(0.1).max(1e-9);
-    let name = format!("{} {}", line.name, argument.name);
+    let name = format!("{} {}", line.name, argument.name).replace(['{', '}'], "");
     let field = match argument.quantity {
         Quantity::ViewAngle => NumberField::angle(name, 5.0),
         Quantity::Aspect => NumberField::new(name, Step::Multiply(1.1)).fractions(),
@@ -165,7 +217,8 @@ fn pasted(ui: &mut egui::Ui, state: &mut State) {
         .desired_width(f32::INFINITY)
         .hint_text(hint)
         .font(egui::TextStyle::Monospace);
-    ui.add(field).accessible_name(t.pasted);
+    let field = ui.add(field).accessible_name(t.pasted);
+    noted(&field, note_on_matrix(pasted.kind));
     if pasted.text.trim().is_empty() {
         return;
     }

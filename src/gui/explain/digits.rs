@@ -11,11 +11,11 @@ const SECONDS: f64 = 1.0;
 /// How often the glow is painted anew while it fades, in seconds.
 const FRAME: f32 = 0.1;
 
-/// A text as it was shown last, and which part of it has changed when.
+/// A text as it was shown last, and which of its characters have changed when.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Shown {
     text: String,
-    changed: (usize, usize),
+    changed: Vec<bool>,
     since: f64,
 }
 
@@ -29,14 +29,59 @@ impl Shown {
     }
 }
 
-/// The characters (from, to) of the new text that the old one has not, between what both begin with and what both end with; of texts that
-/// are equally long, from the first to the last that differs.
-fn difference(old: &str, new: &str) -> (usize, usize) {
-    let (a, b): (Vec<char>, Vec<char>) = (old.chars().collect(), new.chars().collect());
-    let start = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
-    let most = a.len().min(b.len()) - start;
-    let end = a.iter().rev().zip(b.iter().rev()).take_while(|(a, b)| a == b).count().min(most);
-    (start, b.len() - end)
+/// For each character of the new text whether the old one has another one in its place. Numbers are compared digit by digit, their decimal
+/// points one below the other; what stands between them, and texts with another count of numbers, between what both begin with and what
+/// both end with.
+fn difference(old: &str, new: &str) -> Vec<bool> {
+    let (before, after) = (parts(old), parts(new));
+    if before.len() != after.len() {
+        return between(&old.chars().collect::<Vec<_>>(), &new.chars().collect::<Vec<_>>());
+    }
+    let pairs = before.iter().zip(&after).enumerate();
+    pairs.flat_map(|(i, (a, b))| if i % 2 == 0 { between(a, b) } else { digits(a, b) }).collect()
+}
+
+/// What stands before the first number, the first number, what stands before the second one …: numbers at the odd places.
+fn parts(text: &str) -> Vec<Vec<char>> {
+    let text: Vec<char> = text.chars().collect();
+    let mut parts = vec![Vec::new()];
+    for (i, c) in text.iter().enumerate() {
+        let digit = |at: Option<&char>| at.is_some_and(char::is_ascii_digit);
+        let in_number = parts.len() % 2 == 0;
+        let has_mark = || parts.last().is_some_and(|part| part.iter().any(|c| is_mark(*c)));
+        let mark = in_number && is_mark(*c) && digit(text.get(i + 1)) && !has_mark();
+        if (digit(Some(c)) || mark) != in_number {
+            parts.push(Vec::new());
+        }
+        if let Some(part) = parts.last_mut() {
+            part.push(*c);
+        }
+    }
+    if parts.len() % 2 == 0 {
+        parts.push(Vec::new());
+    }
+    parts
+}
+
+/// The decimal point, or comma.
+const fn is_mark(c: char) -> bool {
+    matches!(c, '.' | ',')
+}
+
+/// The digits of a number that the old one has not at the same distance from the decimal point.
+fn digits(old: &[char], new: &[char]) -> Vec<bool> {
+    let whole = |number: &[char]| number.iter().position(|c| is_mark(*c)).unwrap_or(number.len());
+    let (before, after) = (whole(old), whole(new));
+    let same = |i: usize| (i + before).checked_sub(after).and_then(|k| old.get(k));
+    new.iter().enumerate().map(|(i, c)| c.is_ascii_digit() && same(i) != Some(c)).collect()
+}
+
+/// What the old text has not, between what both begin with and what both end with.
+fn between(old: &[char], new: &[char]) -> Vec<bool> {
+    let start = old.iter().zip(new).take_while(|(a, b)| a == b).count();
+    let most = old.len().min(new.len()) - start;
+    let end = old.iter().rev().zip(new.iter().rev()).take_while(|(a, b)| a == b).count().min(most);
+    (0..new.len()).map(|i| (start..new.len() - end).contains(&i)).collect()
 }
 
 /// How strongly what has changed glows: from 1 to 0.
@@ -51,57 +96,64 @@ pub(super) fn push(ui: &Ui, job: &mut LayoutJob, key: impl Hash + Debug, text: &
     let now = ui.input(|input| input.time);
     let before = ui.data(|data| data.get_temp::<Shown>(id));
     // What is seen for the first time has not changed.
-    let first = || Shown { text: text.to_owned(), changed: (0, 0), since: f64::NEG_INFINITY };
+    let first = || Shown { text: text.to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
     let shown = before.map_or_else(first, |shown| shown.follow(text, now));
     let strength = strength(now, shown.since);
-    let (from, to) = shown.changed;
-    ui.data_mut(|data| data.insert_temp(id, shown));
-    let glows = strength > 0.0 && from < to;
-    if glows {
-        ui.ctx().request_repaint_after(std::time::Duration::from_secs_f32(FRAME));
-    }
+    let glows = |i: usize| strength > 0.0 && shown.changed.get(i).is_some_and(|changed| *changed);
     let plain = TextFormat { font_id: font.clone(), color, ..TextFormat::default() };
     #[expect(clippy::cast_possible_truncation, reason = "0 … 1")]
     let background = ui.visuals().selection.bg_fill.gamma_multiply(strength as f32);
     let glowing = TextFormat { background, ..plain.clone() };
-    let part = |from: usize, to: usize| text.chars().skip(from).take(to - from).collect::<String>();
-    let parts = if glows {
-        vec![(part(0, from), &plain), (part(from, to), &glowing), (part(to, text.chars().count()), &plain)]
-    } else {
-        vec![(text.to_owned(), &plain)]
-    };
-    for (part, format) in parts {
-        job.append(&part, 0.0, format.clone());
+    let characters: Vec<(usize, char)> = text.chars().enumerate().collect();
+    for part in characters.chunk_by(|a, b| glows(a.0) == glows(b.0)) {
+        let glows = part.first().is_some_and(|(i, _)| glows(*i));
+        if glows {
+            ui.ctx().request_repaint_after(std::time::Duration::from_secs_f32(FRAME));
+        }
+        let part: String = part.iter().map(|(_, c)| c).collect();
+        job.append(&part, 0.0, if glows { glowing.clone() } else { plain.clone() });
     }
+    ui.data_mut(|data| data.insert_temp(id, shown));
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// `marked`: a caret below each character that has changed.
     #[test]
-    fn digits_that_differ_are_found_between_what_stays() {
-        for (old, new, expected) in [
-            ("1.2345", "1.2375", (4, 5)),
-            ("1.2345", "1.2345", (6, 6)),
-            ("−1.5", "1.5", (0, 0)),
-            ("1.5", "−1.5", (0, 1)),
-            ("1.11", "1.111", (4, 5)),
-            ("", "12", (0, 2)),
-            ("2·1 + 3", "2·7 + 3", (2, 3)),
+    fn digits_that_differ_are_marked_below_the_decimal_point() {
+        for (old, new, marked) in [
+            ("1.2345", "1.2375", "    ^ "),
+            ("1.2345", "1.2345", "      "),
+            ("1.2345", "1.9346", "  ^  ^"),
+            ("−1.5", "1.5", "   "),
+            ("1.5", "−1.5", "^   "),
+            ("1.11", "1.111", "    ^"),
+            ("9.5", "10.5", "^^  "),
+            ("19.25", "9.25", "    "),
+            ("3", "3.25", "  ^^"),
+            ("1,5", "12,5", "^^  "),
+            ("", "12", "^^"),
+            ("2·1 + 3", "2·7 + 3", "  ^    "),
+            ("2·1.5 + 3·4", "2·1.7 − 3·5", "    ^ ^   ^"),
+            ("(1,5; 2)", "(1,6; 2)", "   ^    "),
+            ("1·2", "1·2·3", "   ^^"),
         ] {
-            assert_eq!(difference(old, new), expected, "{old} → {new}");
+            let found: String = difference(old, new).iter().map(|changed| if *changed { '^' } else { ' ' }).collect();
+            assert_eq!(found, marked, "{old} → {new}");
         }
     }
 
     #[test]
     fn a_change_glows_for_a_second_and_what_stays_does_not() {
-        let shown = Shown { text: "1.5".to_owned(), changed: (0, 0), since: f64::NEG_INFINITY };
+        let shown = Shown { text: "1.5".to_owned(), changed: Vec::new(), since: f64::NEG_INFINITY };
         assert_eq!(strength(5.0, shown.since), 0.0);
         let same = shown.clone().follow("1.5", 5.0);
         assert_eq!(same, shown);
         let changed = shown.follow("1.7", 5.0);
-        assert_eq!((changed.changed, strength(5.5, changed.since), strength(6.0, changed.since)), ((2, 3), 0.5, 0.0));
+        assert_eq!(changed.changed, [false, false, true]);
+        assert_eq!((strength(5.5, changed.since), strength(6.0, changed.since)), (0.5, 0.0));
         assert_eq!(changed.clone().follow("1.7", 5.5).since, 5.0);
     }
 }

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3, DVec4};
 use crate::camera::{Camera, Projection};
 use crate::explain::homogeneous::{Floor, projected_share};
 use crate::foreign;
+use crate::gui::noted::{noted, noted_row};
 use crate::gui::panels::section;
 use crate::gui::state::State;
 use crate::gui::theme;
@@ -24,14 +25,22 @@ struct Shown {
 /// Shows the tab.
 pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let t = homogeneous::texts(state.settings.lang);
-    section(ui, t.plane_title, "w plane", true, |ui| plane(ui, t, state));
-    section(ui, t.middle_title, "w middle", true, |ui| middle(ui, t, state));
-    section(ui, t.floor_title, "w floor", true, |ui| floor(ui, t, state));
+    part(ui, t.plane_title, ("w plane", "w"), |ui| plane(ui, t, state));
+    part(ui, t.middle_title, ("w middle", "5.6"), |ui| middle(ui, t, state));
+    part(ui, t.floor_title, ("w floor", "stage-interpolate"), |ui| floor(ui, t, state));
     let mut reveal = state.document.figure().reveal;
     let hint = window::texts(state.settings.lang).vanishing_hint;
-    if ui.checkbox(&mut reveal.vanishing, t.vanishing).explained(hint).changed() {
+    let vanishing = ui.checkbox(&mut reveal.vanishing, t.vanishing).explained(hint);
+    noted(&vanishing, "ideal-point");
+    if vanishing.changed() {
         state.document.edit(|figure| figure.reveal = reveal);
     }
+}
+
+/// A section, with the note on what it shows.
+fn part(ui: &mut egui::Ui, title: &str, (id, note): (&str, &'static str), body: impl FnOnce(&mut egui::Ui)) {
+    let shown = ui.scope(|ui| section(ui, title, id, true, body));
+    noted_row(ui, shown.response.rect, note);
 }
 
 fn colored(rgba: crate::appearance::Rgba) -> Color32 {

@@ -95,7 +95,8 @@ fn used_in(
         let writing = Writing { setting: &followed, ..writing };
         ui.add_space(4.0);
         let name = crate::foreign::shown(&point.name);
-        ui.label(RichText::new(words::used_in(writing.lang, &name, &symbol.text())).small().weak());
+        let said = words::used_in(writing.lang, &name, &symbol.text());
+        theme::wrapped(ui, &said, &egui::TextStyle::Small, ui.visuals().weak_text_color());
         answer::term(ui, writing, &term, *value);
     }
 }

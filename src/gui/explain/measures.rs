@@ -3,7 +3,7 @@
 use crate::explain::{Axis, Formula, Symbol, Vector};
 use crate::views::{Measure, Measured, WindowSide};
 
-/// The length, angle or axis that a symbol measures; `None` for what is none of the camera's.
+/// The length, angle or axis that a symbol measures; `None` for what is neither the camera's nor the object's.
 pub(super) fn of_symbol(symbol: Symbol) -> Option<Measured> {
     match symbol {
         Symbol::Axis(axis, c) => Some(Measured::Axis(number(axis), c.index())),
@@ -20,6 +20,9 @@ pub(super) fn of_symbol(symbol: Symbol) -> Option<Measured> {
         Symbol::Width => Some(Measured::Dimension(Measure::Width)),
         Symbol::Height => Some(Measured::Dimension(Measure::Height)),
         Symbol::ViewAngle => Some(Measured::Dimension(Measure::HalfAngle)),
+        Symbol::Translate(c) => Some(Measured::Translate(c.index())),
+        Symbol::Rotate(c) => Some(Measured::Rotate(c.index())),
+        Symbol::Scale(c) => Some(Measured::Scale(c.index())),
         Symbol::Aspect
         | Symbol::ImageWidth
         | Symbol::ImageHeight
@@ -29,9 +32,6 @@ pub(super) fn of_symbol(symbol: Symbol) -> Option<Measured> {
         | Symbol::ViewportHeight
         | Symbol::DepthNear
         | Symbol::DepthFar
-        | Symbol::Translate(_)
-        | Symbol::Rotate(_)
-        | Symbol::Scale(_)
         | Symbol::Entry(..)
         | Symbol::Local(_)
         | Symbol::World(_)

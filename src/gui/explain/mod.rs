@@ -21,6 +21,8 @@ mod subject;
 
 use eframe::egui;
 
+pub(in crate::gui) use subject::object_transform;
+
 use super::focus::keep_in_sight;
 use super::state::{ExplainTab, State};
 use super::tooltip::Explained;
@@ -31,20 +33,34 @@ struct Row {
     tab: ExplainTab,
     name: fn(&Texts) -> &'static str,
     hint: fn(&Texts) -> &'static str,
+    /// What stays in sight above it while it is scrolled.
+    head: Option<fn(&mut egui::Ui, &mut State)>,
     ui: fn(&mut egui::Ui, &mut State),
+}
+
+impl Row {
+    /// A tab of which everything scrolls.
+    const fn new(
+        tab: ExplainTab,
+        name: fn(&Texts) -> &'static str,
+        hint: fn(&Texts) -> &'static str,
+        ui: fn(&mut egui::Ui, &mut State),
+    ) -> Self {
+        Self { tab, name, hint, head: None, ui }
+    }
 }
 
 /// The tabs, in the order in which they are read.
 const TABS: &[Row] = &[
-    Row { tab: ExplainTab::Matrices, name: |t| t.matrices, hint: |t| t.matrices_hint, ui: matrices::ui },
-    Row { tab: ExplainTab::Point, name: |t| t.point, hint: |t| t.point_hint, ui: point::ui },
-    Row { tab: ExplainTab::Steps, name: |t| t.steps, hint: |t| t.steps_hint, ui: steps::ui },
-    Row { tab: ExplainTab::Homogeneous, name: |t| t.homogeneous, hint: |t| t.homogeneous_hint, ui: homogeneous::ui },
-    Row { tab: ExplainTab::Stages, name: |t| t.stages, hint: |t| t.stages_hint, ui: stages::ui },
-    Row { tab: ExplainTab::Dialects, name: |t| t.dialects, hint: |t| t.dialects_hint, ui: dialects::ui },
-    Row { tab: ExplainTab::Order, name: |t| t.order, hint: |t| t.order_hint, ui: order::ui },
-    Row { tab: ExplainTab::Code, name: |t| t.code, hint: |t| t.code_hint, ui: code::ui },
-    Row { tab: ExplainTab::Notes, name: |t| t.notes, hint: |t| t.notes_hint, ui: notes::ui },
+    Row::new(ExplainTab::Matrices, |t| t.matrices, |t| t.matrices_hint, matrices::ui),
+    Row::new(ExplainTab::Point, |t| t.point, |t| t.point_hint, point::ui),
+    Row::new(ExplainTab::Steps, |t| t.steps, |t| t.steps_hint, steps::ui),
+    Row::new(ExplainTab::Homogeneous, |t| t.homogeneous, |t| t.homogeneous_hint, homogeneous::ui),
+    Row::new(ExplainTab::Stages, |t| t.stages, |t| t.stages_hint, stages::ui),
+    Row::new(ExplainTab::Dialects, |t| t.dialects, |t| t.dialects_hint, dialects::ui),
+    Row { head: Some(order::head), ..Row::new(ExplainTab::Order, |t| t.order, |t| t.order_hint, order::ui) },
+    Row::new(ExplainTab::Code, |t| t.code, |t| t.code_hint, code::ui),
+    Row::new(ExplainTab::Notes, |t| t.notes, |t| t.notes_hint, notes::ui),
 ];
 
 /// Shows the heads of the tabs, and the tab that is chosen.
@@ -62,6 +78,10 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     });
     ui.add_space(2.0);
     let Some(row) = TABS.iter().find(|row| row.tab == state.explain.tab) else { return };
+    if let Some(head) = row.head {
+        head(ui, state);
+        ui.separator();
+    }
     egui::ScrollArea::vertical().id_salt(("explain", row.tab)).auto_shrink(false).show(ui, |ui| {
         (row.ui)(ui, state);
         keep_in_sight(ui);

@@ -8,7 +8,7 @@ use glam::{DMat4, DVec3};
 use super::steps::numbers;
 use super::{order_list, subject};
 use crate::explain::Placement;
-use crate::explain::order::{Call, Reading, Stage, chain, exchanged, in_force, read, same};
+use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, exchanged, in_force, read, same};
 use crate::geometry::{Ray, try_unit};
 use crate::gui::mathematics;
 use crate::gui::panels::{choice, complaint, section};
@@ -19,6 +19,35 @@ use crate::i18n::order::{self as words, Texts};
 use crate::scene::edit::descendants;
 use crate::scene::transform::{Trs, put_on_chain};
 use crate::views::Placed;
+
+/// Shows what stays in sight above the list: of which object it is, and the button that gives it the list.
+pub(super) fn head(ui: &mut Ui, state: &mut State) {
+    let t = words::texts(state.settings.lang);
+    let selected = subject::selected(state);
+    state.explain.order.follow(own(selected.as_ref()));
+    let calls = state.explain.order.calls();
+    let links = chain(&calls);
+    let wanted = ui
+        .horizontal_wrapped(|ui| {
+            let wanted = take(ui, state, t, links.as_ref().err().copied());
+            match &selected {
+                None => drop(ui.label(t.example)),
+                Some((name, _)) => drop(ui.label(format!("{} {}", t.object, crate::foreign::shown(name)))),
+            }
+            wanted
+        })
+        .inner;
+    let Ok(links) = links else { return };
+    let late = links.get(1).and_then(|link| link.first).and_then(|place| Some((place, *calls.get(place)?)));
+    let holds = match late {
+        None => t.is_form.to_owned(),
+        Some(late) => words::needs_groups(t.lang, late, links.len() - 1),
+    };
+    ui.add(egui::Label::new(RichText::new(holds).small().weak()).wrap());
+    if let Some(name) = wanted {
+        take_over(state, t, &name, &links);
+    }
+}
 
 /// Shows the tab.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
@@ -42,10 +71,6 @@ fn own(selected: Option<&(String, Placement)>) -> Own {
 type Subject<'a> = Option<&'a (String, Placement)>;
 
 fn tab(ui: &mut Ui, state: &mut State, t: &'static Texts, (order, selected): (&mut Order, Subject<'_>)) {
-    match selected {
-        None => drop(ui.label(t.example)),
-        Some((name, _)) => drop(ui.label(format!("{} {}", t.object, crate::foreign::shown(name)))),
-    }
     ui.label(RichText::new(t.list).strong()).explained(t.list_hint);
     let stages = read(&order.calls(), order.reading);
     let included: Vec<usize> = match &stages {
@@ -69,8 +94,6 @@ fn tab(ui: &mut Ui, state: &mut State, t: &'static Texts, (order, selected): (&m
     section(ui, t.other, "other order", true, |ui| {
         other(ui, state, t, (order, selected), (&calls, &stages));
     });
-    ui.separator();
-    take_over(ui, state, t, &calls);
 }
 
 /// How many calls are done.
@@ -253,27 +276,24 @@ fn other(
     place(state, selected, other[k], true);
 }
 
-/// Gives the object of the figure the whole list, with groups above it where it needs them.
-fn take_over(ui: &mut Ui, state: &mut State, t: &'static Texts, calls: &[Call]) {
-    let Ok(links) = chain(calls) else { return };
-    let late = links.get(1).and_then(|link| link.first).and_then(|place| Some((place, *calls.get(place)?)));
-    let holds = match late {
-        None => t.is_form.to_owned(),
-        Some(late) => words::needs_groups(t.lang, late, links.len() - 1),
+/// The button; the object that is to get the list. Greyed with the reason where there is none, or the list is not one of transforms.
+fn take(ui: &mut Ui, state: &State, t: &'static Texts, unbalanced: Option<Unbalanced>) -> Option<String> {
+    let (name, why) = match state.tree.selected(&state.document.figure().scene) {
+        Some(Selected::Object(name)) => (Some(name.clone()), String::new()),
+        Some(Selected::OfPreset(_)) => (None, t.take_preset.to_owned()),
+        Some(Selected::Light(_)) | None => (None, t.take_nothing.to_owned()),
     };
-    ui.add(egui::Label::new(RichText::new(holds).weak()).wrap());
-    let scene = &state.document.figure().scene;
-    let (name, why) = match state.tree.selected(scene) {
-        Some(Selected::Object(name)) => (Some(name.clone()), ""),
-        Some(Selected::OfPreset(_)) => (None, t.take_preset),
-        Some(Selected::Light(_)) | None => (None, t.take_nothing),
-    };
-    let button = ui.add_enabled(name.is_some(), egui::Button::new(t.take));
+    let why = unbalanced.map_or(why, |error| words::unbalanced(t.lang, error));
+    let button = ui.add_enabled(why.is_empty(), egui::Button::new(t.take));
     let clicked = button.explained(t.take_hint).explained_disabled(why).clicked();
-    let Some(name) = name.filter(|_| clicked) else { return };
+    name.filter(|_| clicked)
+}
+
+/// Gives the object of the figure the whole list, with groups above it where it needs them.
+fn take_over(state: &mut State, t: &'static Texts, name: &str, links: &[Link]) {
     let trs: Vec<Trs> = links.iter().map(|link| link.trs).collect();
-    let mut changed = scene.clone();
-    match put_on_chain(&mut changed, &name, &trs, t.group) {
+    let mut changed = state.document.figure().scene.clone();
+    match put_on_chain(&mut changed, name, &trs, t.group) {
         Ok(()) => state.document.edit(|figure| figure.scene = changed),
         Err(error) => state.say(Message::Scene(error)),
     }

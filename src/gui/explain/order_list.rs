@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use crate::explain::order::Call;
 use crate::gui::focus::at_right;
+use crate::gui::noted::noted_row;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::Order;
 use crate::gui::theme;
@@ -64,6 +65,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
             .response
             .rect
         });
+        noted_row(ui, row.inner, note_on(order.list[place].call));
         rows.push(row.inner);
         let focused = ui.memory(egui::Memory::focused).and_then(|id| ui.ctx().read_response(id));
         if focused.is_some_and(|response| row.inner.expand(1.0).contains(response.rect.center())) {
@@ -129,6 +131,16 @@ fn handle(ui: &mut Ui, t: &'static Texts, order: &Order, place: usize, is_done: 
         painter.rect_stroke(rect, 2.0, Stroke::new(1.5, visuals.hyperlink_color), StrokeKind::Inside);
     }
     response.explained(format!("{} ({})", words::kind(t.lang, call), words::function(call)))
+}
+
+/// The note on what a call does; those of the stack are about the matrix of an object.
+const fn note_on(call: Call) -> &'static str {
+    match call {
+        Call::Translate(_) => "translation",
+        Call::RotateX(_) | Call::RotateY(_) | Call::RotateZ(_) => "rotation",
+        Call::Scale(_) => "scale",
+        Call::Push | Call::Pop => "M_m",
+    }
 }
 
 /// The numbers of a call.

@@ -9,12 +9,13 @@ use crate::camera::{NoWayBack, Place};
 use crate::explain::{Component, Setting, Symbol};
 use crate::figure::points::may_be_named;
 use crate::foreign::shown;
+use crate::gui::noted::noted_row;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::complaint;
 use crate::gui::state::{Space, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain_point::{self, Texts};
-use crate::i18n::{messages, window};
+use crate::i18n::{messages, notes, window};
 use crate::limits::MAX_NAMED_POINTS;
 use crate::views::Probe;
 
@@ -157,7 +158,7 @@ fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             let width = ((ui.available_width() - 8.0) / 3.0).floor();
-            for (k, ((symbol, _), value)) in row.fields.iter().zip(&mut after).enumerate() {
+            for (k, ((symbol, of), value)) in row.fields.iter().zip(&mut after).enumerate() {
                 let small = matches!(row.space, Space::Ndc) || (row.space == Space::Pixel && k == 2);
                 let whole = row.whole && k < 2;
                 let step = if small {
@@ -169,7 +170,9 @@ fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>
                 };
                 let field = NumberField::new(format!("{} {symbol}", row.name), Step::Add(step));
                 let field = if whole { field.whole() } else { field };
-                field.of("point").prefix(symbol).hint(t.typed_hint).width(width).show(ui, words, value);
+                let field = field.of("point").prefix(symbol).hint(t.typed_hint).width(width);
+                let shown = ui.scope(|ui| drop(field.show(ui, words, value)));
+                noted_row(ui, shown.response.rect, notes::of_symbol(*of));
             }
         });
         if after != before {
@@ -183,6 +186,9 @@ fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>
         }
         if let Some((_, why)) = state.follow.refused.filter(|(space, _)| *space == row.space) {
             complaint(ui, &messages::no_way_back(state.settings.lang, why));
+            if row.space == Space::Pixel && matches!(why, NoWayBack::BeyondInfinity { .. }) {
+                ui.add(egui::Label::new(RichText::new(t.behind_pixel).small().weak()).wrap());
+            }
         }
     }
     moved

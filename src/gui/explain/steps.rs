@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use eframe::egui::{self, Button, RichText, Slider, Ui};
+use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, Slider, Ui};
 use glam::DMat4;
 
 use crate::camera::{Camera, Decomposition, Factor};
@@ -61,7 +61,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let ndc = decomposition.ndc();
     let expected = camera.possible_clip_space(ndc).clip_from_world();
     let (ratio, rest) = compared(&product(&factors), &expected);
-    ui.label(words::comparison(lang, decomposition, ratio, rest));
+    let said = words::comparison(lang, decomposition, ratio, rest);
+    theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
 }
 
 /// Steps that are wholly done.
@@ -90,8 +91,12 @@ fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, steps: &mut Steps) {
         for decomposition in Decomposition::ALL {
             let has = camera.decomposed(decomposition).is_some();
             let name = format!("{} {}", decomposition.source(), words::decomposition(lang, decomposition));
-            let button = Button::selectable(steps.decomposition == decomposition, name).frame_when_inactive(true);
+            let visuals = ui.visuals();
+            let color = if has { visuals.text_color() } else { visuals.weak_text_color() };
+            let lowered = theme::lowered(ui, &name, &egui::TextStyle::Button, color);
+            let button = Button::selectable(steps.decomposition == decomposition, lowered).frame_when_inactive(true);
             let response = ui.add_enabled(has, button).explained(decomposition.source());
+            let response = response.accessible_name(name.replace(['{', '}'], ""));
             if response.explained_disabled(command_line::no_steps(lang, decomposition)).clicked() {
                 steps.decomposition = decomposition;
             }
@@ -112,27 +117,68 @@ fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, steps: &mut Steps, now: f64
             }
         };
         button(ui, "|◀", t.to_world, 0.0);
-        button(ui, "◀", t.step_back, (time - 1e-9).ceil() - 1.0);
+        button(ui, "◀", t.step_back, before(time));
         let (sign, name) = if steps.plays() { ("||", t.hold) } else { ("▶", t.play) };
         if ui.button(sign).explained(name).accessible_name(name).clicked() {
             steps.play_or_hold(now, camera);
         }
-        button(ui, "▶|", t.step_forward, (time + 1e-9).floor() + 1.0);
+        button(ui, "▶|", t.step_forward, after(time));
         button(ui, "▶▶|", t.to_cube, count);
     });
-    ui.scope(|ui| {
-        theme::strengthen_rail(ui);
-        ui.spacing_mut().slider_width = (ui.available_width() - 16.0).max(80.0);
-        let mut shown = time;
-        let slider = Slider::new(&mut shown, 0.0..=count).show_value(false).smart_aim(false);
-        if ui.add(slider).explained(t.scrubber).accessible_name(t.scrubber).changed() {
-            wanted = Some(shown);
-        }
-    });
+    wanted = wanted.or(scrubber(ui, t, time, count));
     if let Some(time) = wanted {
         steps.hold();
         steps.go_to(time, camera);
     }
+}
+
+/// The slider over all steps; where it goes. Arrow keys take it a tenth of a step on, with Ctrl to the next whole one.
+fn scrubber(ui: &mut Ui, t: &Texts, time: f64, count: f64) -> Option<f64> {
+    let key = Id::unique("scrubber of the steps");
+    let focused = ui.data(|data| data.get_temp(key)).is_some_and(|id| ui.memory(|memory| memory.has_focus(id)));
+    // Before the slider, for which an arrow key is a pixel.
+    let mut wanted = None;
+    if focused {
+        ui.input_mut(|input| {
+            for (modifiers, arrow, to) in [
+                (Modifiers::COMMAND, Key::ArrowLeft, before(time)),
+                (Modifiers::COMMAND, Key::ArrowRight, after(time)),
+                (Modifiers::NONE, Key::ArrowLeft, tenth(time, -1.0)),
+                (Modifiers::NONE, Key::ArrowRight, tenth(time, 1.0)),
+            ] {
+                if input.consume_key(modifiers, arrow) {
+                    wanted = Some(to);
+                }
+            }
+        });
+    }
+    ui.scope(|ui| {
+        theme::strengthen_rail(ui);
+        ui.spacing_mut().slider_width = (ui.available_width() - 16.0).max(80.0);
+        let mut shown = wanted.unwrap_or(time);
+        let slider = Slider::new(&mut shown, 0.0..=count).show_value(false).smart_aim(false);
+        let response = ui.add(slider).explained(t.scrubber_hint).accessible_name(t.scrubber);
+        ui.data_mut(|data| data.insert_temp(key, response.id));
+        if response.changed() {
+            wanted = Some(shown);
+        }
+    });
+    wanted
+}
+
+/// The whole step before.
+fn before(time: f64) -> f64 {
+    (time - 1e-9).ceil() - 1.0
+}
+
+/// The whole step after.
+fn after(time: f64) -> f64 {
+    (time + 1e-9).floor() + 1.0
+}
+
+/// So many tenths of a step on; a tenth is a tenth wherever the pointer has left the slider.
+fn tenth(time: f64, by: f64) -> f64 {
+    (10.0 * time + by).round() / 10.0
 }
 
 /// The steps in their order, each a way to it; where the axes turn around, it is said.

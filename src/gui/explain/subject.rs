@@ -6,6 +6,8 @@ use crate::camera::Camera;
 use crate::explain::{Placement, Setting};
 use crate::gui::state::{Selected, State, preset_objects};
 use crate::scene::edit::placements;
+use crate::scene::transform::Trs;
+use crate::views::{Measured, ObjectTransform};
 
 /// What the symbols get their numbers from, without the rest of the window.
 pub(super) struct Subject {
@@ -30,6 +32,15 @@ impl Subject {
             None => setting,
         }
     }
+}
+
+/// The transform of the selected object, where a part of it is pointed at.
+pub(in crate::gui) fn object_transform(state: &State) -> Option<ObjectTransform> {
+    let of_object = |m: &Measured| matches!(m, Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_));
+    let (_, Placement { translate, rotate, scale, parent, .. }) =
+        state.measured.iter().any(of_object).then(|| selected(state)).flatten()?;
+    let world_from_parent = parent.unwrap_or(DMat4::IDENTITY);
+    Some(ObjectTransform { world_from_parent, trs: Trs { translate, rotate, scale } })
 }
 
 /// How the selected object stands in the world; `None` where none is selected, or the scene is impossible.

@@ -21,18 +21,25 @@ use super::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::Texts;
 
-/// A group of controls under a title that opens and closes it.
-pub(super) fn section(ui: &mut egui::Ui, title: &str, id: &str, open: bool, body: impl FnOnce(&mut egui::Ui)) {
+/// A group of controls under a title that opens and closes it; gives the title.
+pub(super) fn section(
+    ui: &mut egui::Ui,
+    title: &str,
+    id: &str,
+    open: bool,
+    body: impl FnOnce(&mut egui::Ui),
+) -> egui::Response {
     let style = ui.style().clone();
     theme::tint_header(ui);
     let title = RichText::new(title).strong().size(13.0);
-    CollapsingHeader::new(title).id_salt(id).default_open(open).show_unindented(ui, |ui| {
+    let shown = CollapsingHeader::new(title).id_salt(id).default_open(open).show_unindented(ui, |ui| {
         ui.set_style(style.clone());
         ui.add_space(1.0);
         body(ui);
         ui.add_space(4.0);
     });
     ui.set_style(style);
+    shown.header_response
 }
 
 /// Height of a line that has no control in it.

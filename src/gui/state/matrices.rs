@@ -110,7 +110,7 @@ impl Glow {
     }
 }
 
-/// The symbols of a key of `[camera]` or of the image.
+/// The symbols of a key of `[camera]`, or of the transform of an object.
 pub(in crate::gui) fn symbols_of(key: &str) -> Vec<Symbol> {
     match key {
         "position" => Component::THREE.map(Symbol::Position).to_vec(),
@@ -125,6 +125,9 @@ pub(in crate::gui) fn symbols_of(key: &str) -> Vec<Symbol> {
         "right" => vec![Symbol::Right],
         "bottom" => vec![Symbol::Bottom],
         "top" => vec![Symbol::Top],
+        "translate" => Component::THREE.map(Symbol::Translate).to_vec(),
+        "rotate" => Component::THREE.map(Symbol::Rotate).to_vec(),
+        "scale" => Component::THREE.map(Symbol::Scale).to_vec(),
         _ => Vec::new(),
     }
 }

@@ -7,7 +7,7 @@ use eframe::egui;
 use super::{complaint, row};
 use crate::camera::{ImageSize, Viewport};
 use crate::explain::Symbol;
-use crate::gui::noted::noted_row;
+use crate::gui::noted::{has_focus, noted_row};
 use crate::gui::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::panels::section;
 use crate::gui::state::State;
@@ -37,7 +37,14 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
                 [first, field("n").show(ui, t, &mut n)]
             })
         });
-        noted_row(ui, size.response.rect, notes::of_symbol(Symbol::ImageWidth));
+        let mut symbols = vec![Symbol::ImageWidth, Symbol::ImageHeight];
+        if state.document.figure().viewport.is_none() {
+            symbols.extend([Symbol::ViewportWidth, Symbol::ViewportHeight]);
+        }
+        if state.settings.aspect_follows_image && state.document.draft().window.is_none() {
+            symbols.push(Symbol::Aspect);
+        }
+        point_at(ui, &mut state.explain.pointed, size.response.rect, &symbols);
         complain(ui, t, &size.inner);
         let size = ImageSize { width: to_side(m), height: to_side(n) };
         if size != state.document.figure().image {
@@ -60,6 +67,19 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         }
     });
     section(ui, t.viewport, "viewport", false, |ui| viewport(ui, state, t));
+}
+
+/// The note on a row; while it is under the pointer, or has the keyboard, the explanations mark what depends on it.
+fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: &[Symbol]) {
+    if let Some(symbol) = symbols.first() {
+        noted_row(ui, row, notes::of_symbol(*symbol));
+    }
+    if ui.rect_contains_pointer(row) {
+        pointed.clear();
+    }
+    if ui.rect_contains_pointer(row) || (has_focus(ui, row) && pointed.is_empty()) {
+        pointed.extend_from_slice(symbols);
+    }
 }
 
 fn complain(ui: &mut egui::Ui, t: &Texts, outputs: &[FieldOutput]) {
@@ -89,32 +109,35 @@ fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     ui.checkbox(&mut is_whole, t.whole_image).explained(t.whole_image_hint);
     let mut new = old.unwrap_or(whole);
     if !is_whole {
-        let mut pair =
-            |symbols: [&str; 2], name: &str, hint: &'static str, range: RangeInclusive<f64>, values: [&mut f64; 2]| {
-                let [first, second] = values;
-                let pair = ui.scope(|ui| {
-                    row(ui, "", name, hint, |ui| {
-                        ui.spacing_mut().item_spacing.x = 4.0;
-                        let field = |symbol: &str| {
-                            let pixels = *range.end() > 1.0;
-                            let field = NumberField::new(symbol, Step::Add(if pixels { 16.0 } else { 0.1 }));
-                            let field = field.within(range.clone()).hint(hint).width(72.0);
-                            if pixels { field.whole() } else { field }
-                        };
-                        [field(symbols[0]).show(ui, t, first), field(symbols[1]).show(ui, t, second)]
-                    })
-                });
-                let of_depths = *range.end() == 1.0;
-                let symbol = if of_depths { Symbol::DepthNear } else { Symbol::ViewportX };
-                noted_row(ui, pair.response.rect, notes::of_symbol(symbol));
-                complain(ui, t, &pair.inner);
-            };
+        let mut pair = |of: [(Symbol, &str); 2],
+                        name: &str,
+                        hint: &'static str,
+                        range: RangeInclusive<f64>,
+                        values: [&mut f64; 2]| {
+            let [first, second] = values;
+            let pair = ui.scope(|ui| {
+                row(ui, "", name, hint, |ui| {
+                    ui.spacing_mut().item_spacing.x = 4.0;
+                    let field = |symbol: &str| {
+                        let pixels = *range.end() > 1.0;
+                        let field = NumberField::new(symbol, Step::Add(if pixels { 16.0 } else { 0.1 }));
+                        let field = field.within(range.clone()).hint(hint).width(72.0);
+                        if pixels { field.whole() } else { field }
+                    };
+                    [field(of[0].1).show(ui, t, first), field(of[1].1).show(ui, t, second)]
+                })
+            });
+            point_at(ui, &mut state.explain.pointed, pair.response.rect, &of.map(|(symbol, _)| symbol));
+            complain(ui, t, &pair.inner);
+        };
         let [mut x, mut y] = [f64::from(new.x), f64::from(new.y)];
         let [mut width, mut height] = [f64::from(new.width), f64::from(new.height)];
-        pair(["X_v", "Y_v"], t.viewport_corner, t.viewport_hint, -MAX_OFFSET..=MAX_OFFSET, [&mut x, &mut y]);
-        pair(["W_v", "H_v"], t.viewport_size, t.viewport_hint, 1.0..=MAX_SIDE, [&mut width, &mut height]);
+        let corner = [(Symbol::ViewportX, "X_v"), (Symbol::ViewportY, "Y_v")];
+        let sides = [(Symbol::ViewportWidth, "W_v"), (Symbol::ViewportHeight, "H_v")];
+        pair(corner, t.viewport_corner, t.viewport_hint, -MAX_OFFSET..=MAX_OFFSET, [&mut x, &mut y]);
+        pair(sides, t.viewport_size, t.viewport_hint, 1.0..=MAX_SIDE, [&mut width, &mut height]);
         pair(
-            ["n (Z)", "f (Z)"],
+            [(Symbol::DepthNear, "n (Z)"), (Symbol::DepthFar, "f (Z)")],
             t.depth_range,
             t.depth_range_hint,
             0.0..=1.0,

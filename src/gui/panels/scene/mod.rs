@@ -10,17 +10,21 @@ use std::collections::{BTreeMap, BTreeSet};
 use eframe::egui::{self, RichText};
 
 use super::{choice, row, section};
+use crate::explain::Symbol;
 use crate::gui::focus::keep_in_sight;
+use crate::gui::noted::{has_focus, noted_row};
 use crate::gui::number_field::FieldOutput;
-use crate::gui::state::{Dialog, Draft, Message, Selected, State};
+use crate::gui::state::{Dialog, Draft, Message, Selected, State, symbols_of};
 use crate::gui::tooltip::Explained;
 use crate::i18n::faults;
+use crate::i18n::notes;
 use crate::i18n::scenes::{self, Texts};
 use crate::i18n::window;
 use crate::limits::MAX_SIDE;
 use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
+use crate::views::Measured;
 
 /// A change that the tree or a button asks for.
 enum Edit {
@@ -134,7 +138,7 @@ fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
             section_of(ui, t.object, |ui| object::ui(ui, state, &mut form, index)).flatten()
         }
         Some(Selected::OfPreset(name)) => {
-            section_of(ui, t.object, |ui| object::of_preset(ui, state, &name));
+            section_of(ui, t.object, |ui| object::of_preset(ui, state, &mut form, &name));
             None
         }
         Some(Selected::Light(index)) => section_of(ui, t.light, |ui| light::ui(ui, &mut form, index)).flatten(),
@@ -159,6 +163,10 @@ struct Form {
     error: Option<SceneError>,
     /// A unit of length that suits the scene.
     step: f64,
+    /// What the part of the transform measures that is under the pointer.
+    measured: Vec<Measured>,
+    /// The part of the transform that is under the pointer, or has the keyboard.
+    pointed: Vec<Symbol>,
 }
 
 impl Form {
@@ -174,6 +182,25 @@ impl Form {
             error: draft.map(|draft| draft.error.clone()),
             base,
             step: crate::numbers::power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0),
+            measured: Vec::new(),
+            pointed: Vec::new(),
+        }
+    }
+
+    /// While the pointer is on a part of the transform, or its field has the keyboard, the world shows what it measures, and the explanations
+    /// mark what depends on it.
+    fn point_at(&mut self, ui: &egui::Ui, rect: egui::Rect, key: &str) {
+        let symbols = symbols_of(key);
+        let Some(symbol) = symbols.first() else { return };
+        noted_row(ui, rect, notes::of_symbol(*symbol));
+        let pointed = ui.rect_contains_pointer(rect);
+        if pointed || (has_focus(ui, rect) && self.pointed.is_empty()) {
+            self.measured = if ui.input(|input| input.pointer.any_down()) {
+                Vec::new()
+            } else {
+                (0..3).filter_map(|i| measure_of(key, i)).collect()
+            };
+            self.pointed = symbols;
         }
     }
 
@@ -193,6 +220,8 @@ impl Form {
 
     /// Takes the scene over where it is possible; otherwise the fields keep it, and the figure the last one that was.
     fn finish(self, state: &mut State) {
+        state.measured.extend_from_slice(&self.measured);
+        state.explain.pointed.extend_from_slice(&self.pointed);
         if self.scene == self.base {
             state.tree.draft = None;
             return;
@@ -204,6 +233,16 @@ impl Form {
             }
             Err(error) => state.tree.draft = Some(Draft { base: self.base, now: self.scene, error }),
         }
+    }
+}
+
+/// What a coordinate of a part of the transform measures.
+fn measure_of(key: &str, i: usize) -> Option<Measured> {
+    match key {
+        "translate" => Some(Measured::Translate(i)),
+        "rotate" => Some(Measured::Rotate(i)),
+        "scale" => Some(Measured::Scale(i)),
+        _ => None,
     }
 }
 

@@ -7,14 +7,16 @@ use glam::DVec3;
 
 use super::{Edit, Form};
 use crate::appearance::Rgba;
+use crate::explain::Matrix;
 use crate::foreign::shown;
 use crate::gui::file_flow;
+use crate::gui::noted::{noted, noted_row};
 use crate::gui::number_field::{FieldError, NumberField, Step};
 use crate::gui::panels::{Vector, complaint, row};
 use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
 use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::{self, Texts, preset_object};
-use crate::i18n::{faults, messages};
+use crate::i18n::{faults, messages, notes};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::numbers::without_rests;
 use crate::scene::edit::{self, Children, descendants, placements};
@@ -52,7 +54,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: u
 }
 
 /// What an object of the named scene is like; it cannot be changed.
-pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, name: &str) {
+pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut Form, name: &str) {
     let t = scenes::texts(state.settings.lang);
     let preset = preset_objects(state.document.figure().scene.preset);
     let Some(object) = preset.iter().find(|o| o.name == name) else { return };
@@ -62,14 +64,16 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, name: &str) {
         let parent = object.parent.as_deref().map(|name| preset_object(t.lang, name));
         ui.add(egui::Label::new(parent.unwrap_or_else(|| t.no_parent.to_owned())).truncate())
     });
-    for (symbol, name, hint, v, unit) in [
-        ("T", t.translate, t.translate_hint, object.translate, ""),
-        ("R", t.rotate, t.rotate_hint, object.rotate, "°"),
-        ("S", t.scale, t.scale_hint, object.scale, ""),
+    for (key, symbol, name, hint, v, unit) in [
+        ("translate", "T", t.translate, t.translate_hint, object.translate, ""),
+        ("rotate", "R", t.rotate, t.rotate_hint, object.rotate, "°"),
+        ("scale", "S", t.scale, t.scale_hint, object.scale, ""),
     ] {
         let mark = state.settings.lang.mark();
         let components = v.to_array().map(|x| format!("{}{unit}", mark.number(x, 5)));
-        row(ui, symbol, name, hint, |ui| ui.label(format!("({})", components.join(mark.separator()))));
+        let text = format!("({})", components.join(mark.separator()));
+        let place = ui.scope(|ui| row(ui, symbol, name, hint, |ui| ui.label(text)));
+        form.point_at(ui, place.response.rect, key);
     }
 }
 
@@ -169,21 +173,24 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Op
     let is_own = |name: &str| form.scene.objects.iter().any(|o| o.name == name);
     let called = |name: &str| if is_own(name) { shown(name) } else { preset_object(t.lang, name) };
     let mut chosen = object.parent.clone();
-    row(ui, "", t.parent, t.parent_hint, |ui| {
-        egui::ComboBox::from_id_salt(t.parent)
-            .selected_text(chosen.as_deref().map_or_else(|| t.no_parent.to_owned(), called))
-            .width(116.0)
-            .truncate()
-            .show_ui(ui, |ui| {
-                ui.selectable_value(&mut chosen, None, t.no_parent);
-                for name in names {
-                    ui.selectable_value(&mut chosen, Some(name.clone()), called(name));
-                }
-            })
-            .response
-            .explained(t.parent_hint)
-            .accessible_name(t.parent);
+    let place = ui.scope(|ui| {
+        row(ui, "", t.parent, t.parent_hint, |ui| {
+            egui::ComboBox::from_id_salt(t.parent)
+                .selected_text(chosen.as_deref().map_or_else(|| t.no_parent.to_owned(), called))
+                .width(116.0)
+                .truncate()
+                .show_ui(ui, |ui| {
+                    ui.selectable_value(&mut chosen, None, t.no_parent);
+                    for name in names {
+                        ui.selectable_value(&mut chosen, Some(name.clone()), called(name));
+                    }
+                })
+                .response
+                .explained(t.parent_hint)
+                .accessible_name(t.parent);
+        });
     });
+    noted_row(ui, place.response.rect, notes::of_matrix(Matrix::Model));
     let mut stay = !state.tree.moves_with_parent;
     ui.checkbox(&mut stay, t.stay).explained(t.stay_hint);
     state.tree.moves_with_parent = !stay;
@@ -199,7 +206,9 @@ fn transform_fields(ui: &mut egui::Ui, form: &mut Form, index: usize, transformi
         |ui: &mut egui::Ui, key, symbol, name, hint, step, angles, value: fn(&mut ObjectSpec) -> &mut DVec3| {
             let marked = form.is_marked(Some(&owner), key);
             let field = Vector { symbol, name, hint, field: name, owner: &owner, step, angles, marked };
-            let outputs = field.show(ui, form.window, value(&mut form.scene.objects[index]));
+            let outputs = ui.scope(|ui| field.show(ui, form.window, value(&mut form.scene.objects[index])));
+            form.point_at(ui, outputs.response.rect, key);
+            let outputs = outputs.inner;
             form.complain(ui, Some(&owner), key, &outputs);
         };
     show(ui, "translate", "T", t.translate, t.translate_hint, step, false, |o| &mut o.translate);
@@ -448,7 +457,7 @@ fn delete(ui: &mut egui::Ui, form: &Form, names: &BTreeSet<String>) -> Option<Ed
 fn matrix(ui: &mut egui::Ui, form: &Form, name: &str) {
     let t = form.t;
     let Some(matrix) = placement(&form.scene, name) else { return };
-    egui::CollapsingHeader::new(t.matrix).default_open(false).show_unindented(ui, |ui| {
+    let shown = egui::CollapsingHeader::new(t.matrix).default_open(false).show_unindented(ui, |ui| {
         egui::Grid::new("world matrix").num_columns(4).spacing([10.0, 1.0]).show(ui, |ui| {
             for row in matrix.transpose().to_cols_array_2d() {
                 for value in without_rests(&row, 5) {
@@ -458,6 +467,7 @@ fn matrix(ui: &mut egui::Ui, form: &Form, name: &str) {
             }
         });
     });
+    noted(&shown.header_response, notes::of_matrix(Matrix::Model));
 }
 
 fn placement(scene: &SceneSpec, name: &str) -> Option<glam::DMat4> {
