@@ -83,13 +83,26 @@ const MAX_DEPTH: u32 = MAX_EXPRESSION.1;
 /// # Errors
 /// [`ExpressionError`] says what is wrong, and where. The value is never infinite, never NaN.
 pub fn evaluate(text: &str, dimension: Dimension) -> Result<f64, ExpressionError> {
+    evaluate_with(text, dimension, &[])
+}
+
+/// As [`evaluate`], with numbers that have names: the F of an exercise in `2F/3`. Capitals do not matter.
+///
+/// ```
+/// # use camera_lab::expression::{Dimension, evaluate_with};
+/// assert_eq!(evaluate_with("7 − 2F/3", Dimension::Number, &[("F", 6.0)]), Ok(3.0));
+/// ```
+///
+/// # Errors
+/// As for [`evaluate`].
+pub fn evaluate_with(text: &str, dimension: Dimension, names: &[(&str, f64)]) -> Result<f64, ExpressionError> {
     if text.trim().is_empty() {
         return Err(ExpressionError { problem: ExpressionProblem::Empty, span: text.len()..text.len() });
     }
     if text.chars().count() > MAX_LENGTH {
         return Err(ExpressionError { problem: ExpressionProblem::TooLong, span: 0..text.len() });
     }
-    let mut parser = Parser { text, rest: text, dimension, depth: 0 };
+    let mut parser = Parser { text, rest: text, dimension, depth: 0, names };
     let mut value = parser.sum()?;
     if parser.eat_word("rad") {
         value = match value {
@@ -197,6 +210,7 @@ struct Parser<'a> {
     rest: &'a str,
     dimension: Dimension,
     depth: u32,
+    names: &'a [(&'a str, f64)],
 }
 
 impl<'a> Parser<'a> {
@@ -396,6 +410,9 @@ impl<'a> Parser<'a> {
         let start = self.at();
         let word = self.word();
         self.rest = &self.rest[word.len()..];
+        if let Some((_, value)) = self.names.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)) {
+            return Ok(Quantity::Number(*value));
+        }
         let name = word.to_lowercase();
         match name.as_str() {
             "pi" | "π" => Ok(match self.dimension {

@@ -20,6 +20,7 @@ pub mod chart;
 pub mod cli;
 pub mod clock;
 pub mod drawing;
+pub mod exercises;
 pub mod explain;
 pub mod export;
 pub mod expression;

@@ -61,6 +61,9 @@ pub const MAX_STROKE_STEPS: usize = 1 << 28;
 /// would need more of the stack.
 pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
 
+/// The longest answer to an exercise in bytes: a matrix of roots takes a few hundred.
+pub const MAX_ANSWER: usize = 10_000;
+
 /// The most undo steps that are kept: more than anybody goes back.
 pub const MAX_UNDO_STEPS: usize = 500;
 

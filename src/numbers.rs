@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::time::Duration;
 
 mod exact;
+pub mod random;
 
 pub use exact::{ExactForm, exact_form};
 

@@ -7,6 +7,7 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand, ValueEnum};
 use glam::DVec3;
 
 use super::Failure;
+use super::exercise_args::ExerciseArgs;
 use super::words::{ConventionArg, DataFormat, Format, LangArg, TableFormat, ThemeArg};
 use crate::appearance;
 use crate::camera::{Amount, Convention, Decomposition, ImageSize, Ndc, OPERATIONS, Operation};
@@ -49,6 +50,8 @@ pub(super) enum Command {
     Animate(AnimateArgs),
     /// Print the camera as code for a library
     Code(CodeArgs),
+    /// Exercises: list and show them, judge answers, write sheets
+    Exercise(ExerciseArgs),
 }
 
 /// Without a command the window opens.

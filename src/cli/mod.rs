@@ -9,6 +9,8 @@ mod args;
 mod bench;
 mod code;
 mod diagnose;
+mod exercise;
+mod exercise_args;
 mod explain;
 mod inspect;
 mod opening;
@@ -43,6 +45,8 @@ enum Failure {
     BadInput(String),
     /// The work could not be completed: status 1.
     Failed(String),
+    /// An answer is not right, as has been said: status 1.
+    NotRight,
     /// Nobody reads what is written: the end, quietly.
     ClosedPipe,
 }
@@ -85,6 +89,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Animate(args)) => animate::run(&args, lang),
             Some(Command::Code(args)) => code::run(&args, lang),
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
+            Some(Command::Exercise(args)) => exercise::run(&args, lang),
             None => match opening::opening(&line.window, lang) {
                 Ok(opening) => return Asked::Window(Box::new(opening)),
                 Err(failure) => Err(failure),
@@ -98,6 +103,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
     };
     Asked::Done(match result {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(Failure::NotRight) => ExitCode::from(1),
         Err(Failure::Failed(message)) => fail(1, &message),
         Err(Failure::BadInput(message)) => fail(2, &message),
     })

@@ -14,6 +14,23 @@ pub enum Function {
     Tangent,
     /// ⌊x⌋
     Floor,
+    /// √x
+    Root,
+    /// The angle in degrees whose tangent it is.
+    ArcTangent,
+}
+
+/// A number that the notes have no symbol for, with the name that it has where it is used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Named {
+    /// As text: `t_0`.
+    pub text: &'static str,
+    /// In LaTeX: `t_0`, `\alpha`.
+    pub latex: &'static str,
+    /// Its number.
+    pub value: f64,
+    /// It is an angle in degrees, and is written with their sign.
+    pub is_angle: bool,
 }
 
 /// A formula in the notes' symbols.
@@ -23,6 +40,8 @@ pub enum Formula {
     Number(f64),
     /// A symbol.
     Symbol(Symbol),
+    /// A number with a name of its own.
+    Named(Named),
     /// −a
     Negative(Box<Self>),
     /// a + b + …
@@ -45,6 +64,12 @@ impl From<Symbol> for Formula {
     }
 }
 
+impl From<Named> for Formula {
+    fn from(named: Named) -> Self {
+        Self::Named(named)
+    }
+}
+
 impl From<f64> for Formula {
     fn from(number: f64) -> Self {
         Self::Number(number)
@@ -52,22 +77,26 @@ impl From<f64> for Formula {
 }
 
 /// a / b.
-pub(super) fn over(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
+#[must_use]
+pub fn over(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     Formula::Quotient(Box::new(a.into()), Box::new(b.into()))
 }
 
 /// a − b.
-pub(super) fn minus(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
+#[must_use]
+pub fn minus(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     Formula::Sum(vec![a.into(), -b.into()])
 }
 
 /// a + b.
-pub(super) fn plus(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
+#[must_use]
+pub fn plus(a: impl Into<Formula>, b: impl Into<Formula>) -> Formula {
     Formula::Sum(vec![a.into(), b.into()])
 }
 
 /// A product; it is 0 where a factor is, and factors that are 1 are left out.
-pub(super) fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
+#[must_use]
+pub fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
     let mut negative = false;
     let mut kept = Vec::new();
     for factor in factors {
@@ -94,7 +123,8 @@ pub(super) fn times(factors: impl IntoIterator<Item = Formula>) -> Formula {
 }
 
 /// A sum; what is 0 is left out.
-pub(super) fn sum(terms: impl IntoIterator<Item = Formula>) -> Formula {
+#[must_use]
+pub fn sum(terms: impl IntoIterator<Item = Formula>) -> Formula {
     let mut kept: Vec<Formula> = Vec::new();
     for term in terms {
         match term {
@@ -156,6 +186,7 @@ impl Formula {
         match self {
             Self::Number(number) => *number,
             Self::Symbol(symbol) => setting.value(*symbol),
+            Self::Named(named) => named.value,
             Self::Negative(inner) => 0.0 - inner.value(setting),
             Self::Sum(terms) => terms.iter().map(|term| term.value(setting)).sum::<f64>() + 0.0,
             Self::Product(factors) => factors.iter().map(|factor| factor.value(setting)).product(),
@@ -181,6 +212,8 @@ impl Formula {
                     Function::Cosine => angle().1,
                     Function::Tangent => angle().0 / angle().1,
                     Function::Floor => x.floor(),
+                    Function::Root => x.sqrt(),
+                    Function::ArcTangent => x.atan().to_degrees(),
                 }
             }
         }
@@ -190,7 +223,7 @@ impl Formula {
     #[must_use]
     pub fn magnitude(&self, setting: &Setting<'_>) -> f64 {
         match self {
-            Self::Number(_) | Self::Symbol(_) | Self::Norm(_) => self.value(setting).abs(),
+            Self::Number(_) | Self::Symbol(_) | Self::Named(_) | Self::Norm(_) => self.value(setting).abs(),
             Self::Negative(inner) => inner.magnitude(setting),
             Self::Sum(terms) => terms.iter().map(|term| term.magnitude(setting)).fold(0.0, f64::max),
             Self::Product(factors) => factors.iter().map(|factor| factor.magnitude(setting)).product(),
@@ -230,7 +263,7 @@ impl Formula {
 
     fn collect(&self, found: &mut Vec<Symbol>) {
         match self {
-            Self::Number(_) => {}
+            Self::Number(_) | Self::Named(_) => {}
             Self::Symbol(symbol) => {
                 if !found.contains(symbol) {
                     found.push(*symbol);

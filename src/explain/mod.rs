@@ -20,7 +20,7 @@ mod writing;
 mod written;
 
 pub use definitions::{Definition, definition, leaves};
-pub use formula::{Formula, Function};
+pub use formula::{Formula, Function, Named, minus, over, plus, sum, times};
 pub use matrices::{EntryFormula, MatrixFormula, projection_equation};
 pub use report::{DepthPixelReport, json};
 pub use setting::{Placement, Setting};

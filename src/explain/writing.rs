@@ -1,7 +1,7 @@
 //! Formulas as text and as LaTeX: with the notes' symbols, or with the numbers put in.
 
 use super::formula::components;
-use super::{Formula, Function, Setting, Symbol};
+use super::{Formula, Function, Named, Setting, Symbol};
 use crate::numbers::{DecimalMark, exact_form};
 
 /// How mathematics is written down.
@@ -85,6 +85,7 @@ impl Writer<'_> {
         match formula {
             Formula::Number(number) => self.valued(*number),
             Formula::Symbol(symbol) => self.symbol(*symbol),
+            Formula::Named(named) => self.named(*named),
             Formula::Negative(inner) => {
                 let minus = if self.is_latex() { "-" } else { "−" };
                 (format!("{minus}{}", self.at(inner, Strength::Product)), Strength::Negative)
@@ -139,9 +140,20 @@ impl Writer<'_> {
             let name = if self.is_latex() { symbol.latex() } else { symbol.text() };
             return (name, Strength::Atom);
         };
-        let value = numbers.setting.value(symbol);
+        self.measured(numbers, numbers.setting.value(symbol), numbers.setting.angle(symbol).is_some())
+    }
+
+    fn named(&self, named: Named) -> (String, Strength) {
+        match self.numbers {
+            Some(numbers) => self.measured(numbers, named.value, named.is_angle),
+            None => ((if self.is_latex() { named.latex } else { named.text }).to_owned(), Strength::Atom),
+        }
+    }
+
+    /// A number, with the sign of degrees where it is an angle.
+    fn measured(&self, numbers: Numbers<'_>, value: f64, is_angle: bool) -> (String, Strength) {
         let (text, strength) = self.valued(value);
-        if numbers.setting.angle(symbol).is_none() {
+        if !is_angle {
             return (text, strength);
         }
         let degrees = if self.is_latex() { r"^{\circ}" } else { "°" };
@@ -172,6 +184,7 @@ impl Writer<'_> {
         let single = |formula: &Formula| match formula {
             Formula::Number(_) => true,
             Formula::Symbol(symbol) => symbol.text().chars().count() == 1,
+            Formula::Named(named) => named.text.chars().count() == 1,
             _ => false,
         };
         // A number behind a symbol would read as an index.
@@ -209,6 +222,9 @@ impl Writer<'_> {
             Function::Tangent => ("tan", r"\tan"),
             Function::Floor if self.is_latex() => return format!(r"\left\lfloor {inner} \right\rfloor"),
             Function::Floor => return format!("⌊{inner}⌋"),
+            Function::Root if self.is_latex() => return format!(r"\sqrt{{{inner}}}"),
+            Function::Root => ("√", r"\sqrt"),
+            Function::ArcTangent => ("atan", r"\arctan"),
         };
         if self.is_latex() { format!(r"{latex}\left({inner}\right)") } else { format!("{text}({inner})") }
     }

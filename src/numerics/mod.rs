@@ -11,7 +11,6 @@ pub mod diagnosis;
 pub mod health;
 mod measure;
 pub mod price;
-pub mod random;
 pub mod real;
 pub mod reference;
 mod studies;

@@ -4,8 +4,8 @@
 
 use camera_lab::camera::{Camera, ImageSize, Ndc, Parameters, Projection};
 use camera_lab::figure::read;
+use camera_lab::numbers::random::Random;
 use camera_lab::numerics::health::{Health, Level, Quantity, health};
-use camera_lab::numerics::random::Random;
 use camera_lab::numerics::resolutions;
 use glam::{DVec3, DVec4};
 

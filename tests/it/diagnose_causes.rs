@@ -5,8 +5,8 @@
 use camera_lab::appearance::Style;
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow};
 use camera_lab::i18n::{Lang, coach};
+use camera_lab::numbers::random::Random;
 use camera_lab::numerics::diagnosis::{Cause, Diagnosis, diagnose};
-use camera_lab::numerics::random::Random;
 use camera_lab::pipeline::{Target, draw};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape, build, no_files};

@@ -37,6 +37,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
     ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
     ("explain", &["geometry", "camera", "scene", "figure", "inspect", "numbers"]),
+    ("exercises", &["geometry", "camera", "scene", "figure", "inspect", "explain", "expression", "numbers"]),
     // The enums of errors, warnings, labels and stages.
     (
         "i18n",
@@ -54,6 +55,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "picture",
             "numerics",
             "explain",
+            "exercises",
         ],
     ),
     ("cli", EVERYTHING),
@@ -61,6 +63,7 @@ const TABLE: &[(&str, &[&str])] = &[
 ];
 
 const EVERYTHING: &[&str] = &[
+    "exercises",
     "explain",
     "numerics",
     "numbers",
@@ -97,7 +100,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("pdf_writer", &["export"]),
     ("plotters", &["export"]),
     ("plotters_backend", &["export"]),
-    ("toml_edit", &["figure", "gui"]),
+    ("toml_edit", &["exercises", "figure", "gui"]),
     ("fearless_simd", &["simd"]),
     ("gif", &["export"]),
     ("skrifa", &["text"]),

@@ -6,7 +6,7 @@ use camera_lab::camera::{Camera, Convention, ImageSize, Operation, Parameters, P
 use camera_lab::figure::Figure;
 use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::numerics::random::Random;
+use camera_lab::numbers::random::Random;
 use camera_lab::progress::Progress;
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{ObjectSpec, Preset, SceneSpec, Shape, no_files};

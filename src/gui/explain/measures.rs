@@ -59,7 +59,7 @@ pub(super) fn of_formula(formula: &Formula) -> Vec<Measured> {
 fn collect(formula: &Formula, found: &mut Vec<Measured>) {
     let mut add = |measure: Option<Measured>| found.extend(measure.filter(|m| !found.contains(m)));
     match formula {
-        Formula::Number(_) => {}
+        Formula::Number(_) | Formula::Named(_) => {}
         Formula::Symbol(symbol) => add(of_symbol(*symbol)),
         Formula::Dot(Vector::Axis(axis), Vector::Position) => add(Some(Measured::OriginAlong(number(*axis)))),
         Formula::Dot(..) | Formula::Norm(_) => formula.symbols().into_iter().for_each(|s| add(of_symbol(s))),

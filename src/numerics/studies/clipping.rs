@@ -10,9 +10,9 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Parameters};
 use crate::figure::{Figure, write};
+use crate::numbers::random::Random;
 use crate::numerics::chain::{Matrix, Vector, projection_matrix};
 use crate::numerics::measure::{Off, Trial, mean_bits};
-use crate::numerics::random::Random;
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};

@@ -13,9 +13,9 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Parameters, Projection};
 use crate::figure::{Figure, write};
+use crate::numbers::random::Random;
 use crate::numerics::depth_format::{FORMATS, Format, Range, order};
 use crate::numerics::measure::{Off, Trial, bits_off};
-use crate::numerics::random::Random;
 use crate::numerics::{Findings, Group, Lab, Method, Study, Unit};
 use crate::pipeline::depths::InView;
 use crate::pipeline::project::depth_buffer_of;

@@ -12,9 +12,9 @@ pub(super) mod visibility;
 
 use glam::DVec3;
 
-use super::random::Random;
 use crate::camera::Parameters;
 use crate::figure::{Figure, write};
+use crate::numbers::random::Random;
 use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape};
 
 /// The figure file of a camera that looks at a cube of the size `size` around PF.

@@ -1,4 +1,5 @@
-//! Numbers that look random and are the same everywhere and for ever for the same seed, as the errors of a study have to be.
+//! Numbers that look random and are the same everywhere and for ever for the same seed, as the errors of a study and the numbers of an
+//! exercise have to be.
 
 use glam::DVec3;
 
@@ -31,6 +32,19 @@ impl Random {
     /// In [low, high).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
+    }
+
+    /// A whole number from `low` to `high`, both included.
+    pub fn whole(&mut self, low: i64, high: i64) -> i64 {
+        let count = high.abs_diff(low).saturating_add(1);
+        low.wrapping_add_unsigned(self.bits() % count)
+    }
+
+    /// One of a list that is not empty.
+    pub fn one_of<T: Copy>(&mut self, of: &[T]) -> T {
+        #[expect(clippy::cast_possible_truncation, reason = "less than the length of a list")]
+        let index = (self.bits() % of.len().max(1) as u64) as usize;
+        of[index]
     }
 
     /// A unit vector, every direction as likely as every other.

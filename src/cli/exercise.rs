@@ -1,0 +1,297 @@
+//! `camera-lab exercise`: exercises, their statements, and answers that are judged.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use super::exercise_args::{CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, SheetArgs, ShowArgs};
+use super::words::{LangArg, TableFormat};
+use super::{Failure, print};
+use crate::exercises::{self, Ask, Entry, Exercise, Expected, Judged, Kind};
+use crate::figure::write::to_toml;
+use crate::files::{self, Overwrite};
+use crate::foreign;
+use crate::i18n::{Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages};
+use crate::inspect::json_text;
+
+/// Digits of the numbers in worked steps.
+const DIGITS: usize = 6;
+
+pub(super) fn run(args: &ExerciseArgs, lang: Lang) -> Result<(), Failure> {
+    match &args.command {
+        ExerciseCommand::List(args) => list(args, lang),
+        ExerciseCommand::Show(args) => show(args, lang),
+        ExerciseCommand::Check(args) => check(args, lang),
+        ExerciseCommand::Sheet(args) => sheet(args, lang),
+    }
+}
+
+/// What goes to standard output does not depend on the system.
+fn written(lang: Option<LangArg>) -> Lang {
+    lang.map_or(Lang::En, LangArg::lang)
+}
+
+fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
+    #[derive(Serialize)]
+    struct Line {
+        id: &'static str,
+        source: &'static str,
+        title: &'static str,
+        family: bool,
+    }
+    let written = written(args.lang);
+    let lines: Vec<Line> = exercises::entries()
+        .map(|entry| Line {
+            id: entry.id,
+            source: entry.source,
+            title: texts::title(written, entry.id),
+            family: entry.is_family,
+        })
+        .collect();
+    let text = match args.format {
+        TableFormat::Json => json_text(&serde_json::to_value(&lines).unwrap_or_default()),
+        TableFormat::Text => lines.iter().map(|l| format!("{:<20} {:<30} {}\n", l.id, l.source, l.title)).collect(),
+    };
+    print(text.as_bytes(), lang)
+}
+
+/// The exercise with an identifier, with the numbers of the arguments.
+fn find(id: &str, numbers: &NumbersArgs, lang: Lang) -> Result<(&'static Entry, Exercise), Failure> {
+    let entry = exercises::entry(id).ok_or_else(|| {
+        let near = exercises::entries()
+            .map(|entry| (strsim::jaro_winkler(entry.id, id), entry.id))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(likeness, _)| *likeness > 0.7);
+        Failure::BadInput(said::unknown_exercise(lang, id, near.map(|(_, id)| id)))
+    })?;
+    let free = numbers.free(lang)?;
+    let exercise = entry.exercise(numbers.seed(lang)?, &free);
+    let names: Vec<&str> = exercise.free.iter().map(|(name, _)| *name).collect();
+    match free.keys().find(|name| !names.contains(&name.as_str())) {
+        Some(name) => Err(Failure::BadInput(said::not_free(lang, id, name, &names))),
+        None => Ok((entry, exercise)),
+    }
+}
+
+fn show(args: &ShowArgs, lang: Lang) -> Result<(), Failure> {
+    let (_, exercise) = find(&args.id, &args.numbers, lang)?;
+    let written = written(args.numbers.lang);
+    let text = match args.format {
+        TableFormat::Json => json_text(&described(written, &exercise, args.solution)),
+        TableFormat::Text => to_read(written, &exercise, args.solution),
+    };
+    print(text.as_bytes(), lang)
+}
+
+/// What programs read of an exercise.
+fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
+    let subject = &exercise.subject;
+    let mut object = json!({
+        "id": exercise.id,
+        "seed": exercise.seed,
+        "title": texts::title(lang, &exercise.id),
+        "statement": texts::statement(lang, exercise).join("\n\n"),
+        "assumptions": texts::assumptions(lang, exercise),
+        "figure": to_toml(&subject.figure),
+        "points": subject.points.iter().map(|point| point.to_array()).collect::<Vec<_>>(),
+        "pixels": subject.pixels,
+        "ops": subject.operations.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "free": exercise.free.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect::<Map<_, _>>(),
+        "asks": exercise.asks.iter().map(|ask| asked(lang, exercise, ask)).collect::<Vec<_>>(),
+    });
+    if with_solution {
+        let answers: Map<String, Value> =
+            exercise.asks.iter().map(|ask| (ask.name.clone(), answer_value(lang, ask))).collect();
+        object["answers"] = Value::Object(answers);
+        let steps: Vec<String> =
+            exercise.asks.iter().flat_map(|ask| texts::steps(lang, exercise, ask, DIGITS)).collect();
+        object["steps"] = json!(steps);
+    }
+    object
+}
+
+fn asked(lang: Lang, exercise: &Exercise, ask: &Ask) -> Value {
+    let (kind, choices) = match &ask.kind {
+        Kind::Number => ("number", None),
+        Kind::Vector(_) => ("vector", None),
+        Kind::Matrix(..) => ("matrix", None),
+        Kind::Choice(choices) => ("choice", Some(choices)),
+        Kind::Camera => ("camera", None),
+    };
+    json!({
+        "name": ask.name,
+        "text": texts::ask(lang, exercise, ask),
+        "kind": kind,
+        "shape": ask.shape(),
+        "unit": ask.unit.symbol(),
+        "tolerance": ask.tolerance,
+        "quantity": ask.quantity,
+        "choices": choices,
+    })
+}
+
+/// The right answer as JSON: a number, a list, a matrix, a choice, a camera as text.
+fn answer_value(lang: Lang, ask: &Ask) -> Value {
+    match (ask.expected().table(), &ask.kind) {
+        (Some(table), Kind::Number) => json!(table.entries.first()),
+        (Some(table), Kind::Matrix(..)) => json!(table.rows().collect::<Vec<_>>()),
+        (Some(table), _) => json!(table.entries),
+        (None, Kind::Choice(choices)) => match ask.expected() {
+            Expected::Choice(right, ..) => json!(choices.get(*right)),
+            _ => Value::Null,
+        },
+        (None, _) => json!(sheet_of::answer(lang, ask)),
+    }
+}
+
+/// The same to read.
+fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
+    let t = said::texts(lang);
+    let mut text = format!("{}  ({})\n", texts::title(lang, &exercise.id), exercise.id);
+    // Writing to a String cannot fail.
+    for paragraph in texts::statement(lang, exercise) {
+        let _ = writeln!(text, "\n{}", plain(&paragraph));
+    }
+    let assumptions = texts::assumptions(lang, exercise);
+    if !assumptions.is_empty() {
+        let _ = writeln!(text, "\n{}:", t.assumptions);
+        for assumption in assumptions {
+            let _ = writeln!(text, "  - {}", plain(&assumption));
+        }
+    }
+    let _ = writeln!(text, "\n{}:", t.asked);
+    for ask in &exercise.asks {
+        let (asked, kind) = (texts::ask(lang, exercise, ask), texts::kind(lang, ask));
+        let _ = writeln!(text, "  {:<12} {} ({kind})", ask.name, plain(&asked));
+    }
+    if with_solution {
+        for ask in &exercise.asks {
+            let _ = writeln!(text, "\n{} = {}", ask.name, sheet_of::answer(lang, ask));
+            for step in texts::steps(lang, exercise, ask, DIGITS) {
+                let _ = writeln!(text, "  {}", plain(&step).replace('\n', "\n  "));
+            }
+        }
+    }
+    text
+}
+
+/// Markdown without its marks.
+fn plain(markdown: &str) -> String {
+    markdown.replace("**", "")
+}
+
+fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
+    let (entry, exercise) = find(&args.id, &args.numbers, lang)?;
+    let names: Vec<&str> = exercise.asks.iter().map(|ask| ask.name.as_str()).collect();
+    let mut judged: Vec<(&Ask, Judged)> = Vec::new();
+    for (name, answer) in args.answers(lang)? {
+        let ask = exercise.asks.iter().find(|ask| ask.name == name);
+        let ask = ask.ok_or_else(|| Failure::BadInput(said::unknown_ask(lang, entry.id, name, &names)))?;
+        if judged.iter().any(|(other, _)| other.name == ask.name) {
+            return Err(Failure::BadInput(said::answered_twice(lang, name)));
+        }
+        let verdict = exercises::check(entry, &exercise, ask, answer)
+            .map_err(|error| Failure::BadInput(said::unreadable(lang, name, &texts::answer_error(lang, &error))))?;
+        judged.push((ask, verdict));
+    }
+    let written = written(args.numbers.lang);
+    let right = judged.iter().all(|(_, verdict)| verdict.right);
+    let unanswered: Vec<&str> =
+        names.iter().copied().filter(|name| !judged.iter().any(|(ask, _)| ask.name == *name)).collect();
+    let text = match args.format {
+        TableFormat::Json => json_text(&json!({
+            "right": right,
+            "answers": judged.iter().map(|(ask, verdict)| verdict_value(written, &exercise, ask, verdict)).collect::<Vec<_>>(),
+            "unanswered": unanswered,
+        })),
+        TableFormat::Text => verdicts(written, &exercise, &judged, &unanswered),
+    };
+    print(text.as_bytes(), lang)?;
+    if right { Ok(()) } else { Err(Failure::NotRight) }
+}
+
+/// Hints for a wrong answer, weaker ones first; none for a right one.
+fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Vec<String> {
+    match &verdict.diagnosis {
+        _ if verdict.right => Vec::new(),
+        Some(diagnosis) => texts::hints(lang, diagnosis).into_iter().map(str::to_owned).collect(),
+        None => {
+            let steps = texts::steps(lang, exercise, ask, DIGITS);
+            let first = steps.first().and_then(|step| step.lines().next()).map(str::to_owned);
+            texts::hints_without_diagnosis(lang, &verdict.entries, first.as_deref())
+        }
+    }
+}
+
+fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Value {
+    let hints = hints(lang, exercise, ask, verdict);
+    let diagnosis = verdict.diagnosis.as_ref().map(|diagnosis| {
+        let codes: Vec<&str> = diagnosis.mistakes.iter().map(|mistake| mistake.code()).collect();
+        json!({
+            "code": codes.first(),
+            "codes": codes,
+            "message": texts::diagnosis(lang, diagnosis),
+            "hints": hints,
+        })
+    });
+    json!({
+        "name": ask.name,
+        "right": verdict.right,
+        "score": verdict.score,
+        "entries": verdict.entries,
+        "diagnosis": diagnosis,
+        "understood": texts::understood(lang, ask, &verdict.understood),
+        "reading": Some(verdict.reading).filter(|name| !name.is_empty()),
+        "conditions": verdict.conditions.iter().map(|name| texts::condition(lang, name)).collect::<Vec<_>>(),
+        "hints": hints,
+    })
+}
+
+/// The same to read.
+fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswered: &[&str]) -> String {
+    let t = said::texts(lang);
+    let mut text = String::new();
+    for (ask, verdict) in judged {
+        let understood = texts::understood(lang, ask, &verdict.understood);
+        let entries: Vec<bool> = verdict.entries.iter().flatten().copied().collect();
+        let right = entries.iter().filter(|is| **is).count();
+        let share = match (verdict.right, entries.len()) {
+            (true, _) => t.right.to_owned(),
+            (false, 1) => t.wrong.to_owned(),
+            (false, all) => format!("{} ({})", t.wrong, said::score(lang, right, all)),
+        };
+        let _ = writeln!(text, "{}: {share}  ({} {understood})", ask.name, t.understood);
+        if !verdict.reading.is_empty() {
+            let _ = writeln!(text, "  {}: {}", t.read_as, texts::reading(lang, verdict.reading));
+        }
+        for (condition, is) in verdict.conditions.iter().zip(&entries) {
+            let _ = writeln!(text, "  {} {}", if *is { '✓' } else { '✗' }, texts::condition(lang, condition));
+        }
+        if let Some(diagnosis) = &verdict.diagnosis {
+            let _ = writeln!(text, "  {}", plain(&texts::diagnosis(lang, diagnosis)));
+        }
+        for hint in hints(lang, exercise, ask, verdict) {
+            let _ = writeln!(text, "  {}: {}", t.hint, plain(&hint));
+        }
+    }
+    if !unanswered.is_empty() {
+        let _ = writeln!(text, "{}: {}", t.not_answered, unanswered.join(", "));
+    }
+    text
+}
+
+fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
+    let written = written(args.numbers.lang);
+    let name = foreign::path(&args.output);
+    let ids = args.ids.iter().map(|id| id.trim());
+    let found: Vec<Exercise> =
+        ids.map(|id| find(id, &args.numbers, lang).map(|(_, exercise)| exercise)).collect::<Result<_, _>>()?;
+    let text = match args.output.extension().and_then(|ending| ending.to_str()) {
+        Some(ending) if ending.eq_ignore_ascii_case("md") => sheet_of::markdown(written, &found, args.answers),
+        Some(ending) if ending.eq_ignore_ascii_case("tex") => sheet_of::latex(written, &found, args.answers),
+        _ => return Err(Failure::BadInput(said::sheet_ending(lang, &name))),
+    };
+    files::save(&args.output, text.as_bytes(), Overwrite::Writable)
+        .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
+}

@@ -1,0 +1,129 @@
+//! The arguments of `camera-lab exercise`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+use super::Failure;
+use super::words::{LangArg, TableFormat};
+use crate::exercises::Free;
+use crate::expression::{self, Dimension};
+use crate::i18n::{Lang, command_line as texts, exercise_messages as said, messages};
+
+#[derive(Debug, Args)]
+pub(super) struct ExerciseArgs {
+    #[command(subcommand)]
+    pub(super) command: ExerciseCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum ExerciseCommand {
+    /// List the exercises: those of the notes, and families whose numbers come from a seed
+    List(ListArgs),
+    /// Print an exercise: statement, figure, what is asked
+    Show(ShowArgs),
+    /// Judge answers, and tell which known mistake explains a wrong one
+    Check(CheckArgs),
+    /// Write a sheet to hand out
+    Sheet(SheetArgs),
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ListArgs {
+    /// A table to read, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TableFormat,
+    /// Language of titles and messages
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(super) lang: Option<LangArg>,
+}
+
+/// Where the numbers of an exercise come from.
+#[derive(Debug, Args)]
+pub(super) struct NumbersArgs {
+    /// A whole number from 0; the same seed gives the same numbers
+    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true)]
+    seed: String,
+    /// A number that the exercise leaves open, such as F=3 or D=24
+    #[arg(long = "with", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    with: Vec<String>,
+    /// Language of statements and messages
+    #[arg(long, value_enum, ignore_case = true)]
+    pub(super) lang: Option<LangArg>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ShowArgs {
+    /// Its identifier, from `camera-lab exercise list`
+    pub(super) id: String,
+    #[command(flatten)]
+    pub(super) numbers: NumbersArgs,
+    /// With the answers and the way to them
+    #[arg(long)]
+    pub(super) solution: bool,
+    /// Text to read, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TableFormat,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CheckArgs {
+    /// Its identifier, from `camera-lab exercise list`
+    pub(super) id: String,
+    #[command(flatten)]
+    pub(super) numbers: NumbersArgs,
+    /// An answer: a number or an expression (1/sqrt(3), 45°), [a, b, c], [[…], […]], a choice, or key=value; … of [camera]; ? for an entry
+    /// that is not known
+    #[arg(long = "answer", value_name = "NAME=VALUE", allow_hyphen_values = true, required = true)]
+    answers: Vec<String>,
+    /// Text to read, or JSON for programs
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: TableFormat,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct SheetArgs {
+    /// Which exercises, in this order
+    #[arg(long, value_name = "A,B,…", value_delimiter = ',', required = true)]
+    pub(super) ids: Vec<String>,
+    #[command(flatten)]
+    pub(super) numbers: NumbersArgs,
+    /// With the answers and the way to them
+    #[arg(long)]
+    pub(super) answers: bool,
+    /// The file to write: .md or .tex
+    #[arg(short, long, value_name = "OUT")]
+    pub(super) output: PathBuf,
+}
+
+impl NumbersArgs {
+    pub(super) fn seed(&self, lang: Lang) -> Result<u64, Failure> {
+        self.seed.trim().parse().map_err(|_| Failure::BadInput(texts::seed(lang, &self.seed)))
+    }
+
+    pub(super) fn free(&self, lang: Lang) -> Result<Free, Failure> {
+        let read = |text: &String| {
+            let bad = |why: String| Failure::BadInput(said::with(lang, text, &why));
+            let (name, value) = text.split_once('=').ok_or_else(|| bad(said::name_and_value(lang).to_owned()))?;
+            let value = expression::evaluate(value, Dimension::Angle)
+                .map_err(|error| bad(messages::expression(lang, &error.problem)))?;
+            if value > 0.0 {
+                Ok((name.trim().to_owned(), value))
+            } else {
+                Err(bad(said::greater_than_zero(lang).to_owned()))
+            }
+        };
+        self.with.iter().map(read).collect()
+    }
+}
+
+impl CheckArgs {
+    /// Names and texts, in the order given.
+    pub(super) fn answers(&self, lang: Lang) -> Result<Vec<(&str, &str)>, Failure> {
+        let read = |text: &'_ String| -> Result<(usize, usize), Failure> {
+            let at = text.find('=').ok_or_else(|| Failure::BadInput(said::answer_form(lang, text)))?;
+            Ok((at, at + 1))
+        };
+        self.answers.iter().map(|text| read(text).map(|(name, value)| (text[..name].trim(), &text[value..]))).collect()
+    }
+}

@@ -1,0 +1,304 @@
+//! An exercise: what is given, what is asked, and what is right.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::mistake::{Mistake, Slips};
+use super::subject::Subject;
+use super::textbook;
+use super::value::Table;
+use super::worked::{Worked, worked};
+use crate::camera::{Camera, Parameters};
+
+/// An exercise with its numbers.
+#[derive(Clone, Debug)]
+pub struct Exercise {
+    /// Its identifier: `0-5.1`, `view-matrix`.
+    pub id: String,
+    /// What its numbers come from.
+    pub seed: u64,
+    /// What it is about.
+    pub subject: Subject,
+    /// Numbers that the notes leave open and an answer may choose, with those that are chosen here.
+    pub free: Vec<(&'static str, f64)>,
+    /// What the statement tells, by the names that stand in its text.
+    pub facts: Vec<(&'static str, Fact)>,
+    /// What is settled where the source leaves it open: the names of its texts.
+    pub assumptions: Vec<&'static str>,
+    /// What is asked.
+    pub asks: Vec<Ask>,
+}
+
+/// A number, or more, that a statement tells.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fact {
+    /// A number.
+    Number(f64),
+    /// Degrees.
+    Angle(f64),
+    /// A point or a vector.
+    Tuple(Vec<f64>),
+    /// A matrix.
+    Matrix(Table),
+    /// A word that is the same in both languages: the name of a function, a colour.
+    Word(String),
+    /// A word that each language has its own for: the name of its text.
+    Text(&'static str),
+}
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub struct Ask {
+    /// Its name, without spaces.
+    pub name: String,
+    /// What an answer is.
+    pub kind: Kind,
+    /// What its numbers measure.
+    pub unit: Unit,
+    /// How far each number may be from the right one. A number that is the right one rounded to three or more significant digits is right too,
+    /// except where whole numbers are asked for.
+    pub tolerance: f64,
+    /// Whole numbers are asked for.
+    pub whole: bool,
+    /// The path in the report of the exercise's subject where the right answer stands, if it does.
+    pub quantity: Option<String>,
+    /// The readings of what is asked: an answer that is right in one of them is right. The first is the one that the statement settles; the
+    /// others have the name of their text.
+    pub readings: Vec<Reading>,
+}
+
+/// What an answer is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// One number.
+    Number,
+    /// So many numbers.
+    Vector(usize),
+    /// Rows and columns.
+    Matrix(usize, usize),
+    /// One of these; they have the names of their texts, or are the same in both languages.
+    Choice(Vec<String>),
+    /// A camera.
+    Camera,
+}
+
+/// What a number measures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Unit {
+    /// A ratio, an entry of a matrix, a direction.
+    #[default]
+    None,
+    /// Lengths and coordinates of the scene.
+    Scene,
+    /// Degrees.
+    Degrees,
+    /// Pixels.
+    Pixels,
+}
+
+impl Unit {
+    /// As the contract writes it; empty for plain numbers.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::None => "",
+            Self::Scene => "scene units",
+            Self::Degrees => "°",
+            Self::Pixels => "px",
+        }
+    }
+}
+
+/// One way to understand what is asked.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The name of its text; empty for the one that the statement settles.
+    pub name: &'static str,
+    /// What is right in it.
+    pub expected: Expected,
+}
+
+/// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be made there.
+pub type Compute = Arc<dyn Fn(Slips) -> Option<Table> + Send + Sync>;
+/// What a camera must fulfil: the names of conditions, and whether it does.
+pub type Conditions = Arc<dyn Fn(&Camera) -> Vec<(&'static str, bool)> + Send + Sync>;
+
+/// What is right.
+#[derive(Clone)]
+pub enum Expected {
+    /// What `inspect` says at a path of a subject.
+    Quantity(Box<Subject>, String),
+    /// What a family computes.
+    Computed(Compute, Vec<Worked>),
+    /// One of the choices; others that are known mistakes.
+    Choice(usize, Vec<(usize, Mistake)>, Vec<Worked>),
+    /// A camera that fulfils all conditions; one that does; others that are known mistakes.
+    Camera(Conditions, Box<Parameters>, Vec<(Parameters, Mistake)>),
+}
+
+impl fmt::Debug for Expected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Quantity(_, path) => write!(f, "Quantity({path})"),
+            Self::Computed(compute, _) => write!(f, "Computed({:?})", compute(Slips::NONE)),
+            Self::Choice(right, ..) => write!(f, "Choice({right})"),
+            Self::Camera(_, model, _) => write!(f, "Camera({model:?})"),
+        }
+    }
+}
+
+impl Expected {
+    /// The numbers that are right; `None` for choices and cameras.
+    #[must_use]
+    pub fn table(&self) -> Option<Table> {
+        match self {
+            Self::Quantity(subject, path) => subject.value(path),
+            Self::Computed(compute, _) => compute(Slips::NONE),
+            Self::Choice(..) | Self::Camera(..) => None,
+        }
+    }
+
+    /// The numbers that come out when slips are made.
+    #[must_use]
+    pub fn slipped(&self, slips: Slips) -> Option<Table> {
+        match self {
+            Self::Quantity(subject, path) => textbook::value(subject, path, slips),
+            Self::Computed(compute, _) => compute(slips).filter(Table::is_finite),
+            Self::Choice(..) | Self::Camera(..) => None,
+        }
+    }
+}
+
+/// The tolerance of numbers that a student computes with a calculator.
+pub const TOLERANCE: f64 = 1e-3;
+
+impl Ask {
+    fn new(name: &str, kind: Kind, expected: Expected) -> Self {
+        let readings = vec![Reading { name: "", expected }];
+        let (unit, tolerance) = (Unit::None, TOLERANCE);
+        Self { name: name.to_owned(), kind, unit, tolerance, whole: false, quantity: None, readings }
+    }
+
+    /// What `inspect` says at a path of the exercise's own subject.
+    ///
+    /// # Panics
+    /// Never: a path without numbers gives a number that no answer equals.
+    #[must_use]
+    pub fn quantity(name: &str, subject: &Subject, path: &str) -> Self {
+        let ask = Self::of_subject(name, subject, path);
+        Self { quantity: Some(path.to_owned()), ..ask }
+    }
+
+    /// What `inspect` says at a path of another subject: the same camera after an operation of its own.
+    #[must_use]
+    pub fn of_subject(name: &str, subject: &Subject, path: &str) -> Self {
+        let [rows, columns] = subject.value(path).map_or([1, 1], |table| table.shape());
+        let kind = match (rows, columns) {
+            (1, 1) => Kind::Number,
+            (rows, 1) => Kind::Vector(rows),
+            _ => Kind::Matrix(rows, columns),
+        };
+        let ask = Self::new(name, kind, Expected::Quantity(Box::new(subject.clone()), path.to_owned()));
+        match path.rsplit('.').next() {
+            Some("pixel") => Self { unit: Unit::Pixels, whole: true, ..ask },
+            Some("view_angle") => Self { unit: Unit::Degrees, ..ask },
+            Some("viewport") => Self { unit: Unit::Pixels, ..ask },
+            Some(
+                "position" | "focal_point" | "width" | "height" | "left" | "right" | "bottom" | "top" | "view"
+                | "world" | "origin" | "distance",
+            ) => Self { unit: Unit::Scene, ..ask },
+            _ if path.starts_with("volume_corners") => Self { unit: Unit::Scene, ..ask },
+            _ => ask,
+        }
+    }
+
+    /// What a family computes, with its worked steps.
+    #[must_use]
+    pub fn computed(
+        name: &str,
+        kind: Kind,
+        steps: Vec<Worked>,
+        compute: impl Fn(Slips) -> Option<Table> + Send + Sync + 'static,
+    ) -> Self {
+        Self::new(name, kind, Expected::Computed(Arc::new(compute), steps))
+    }
+
+    /// A choice.
+    #[must_use]
+    pub fn choice(
+        name: &str,
+        choices: &[&str],
+        right: usize,
+        mistakes: &[(usize, Mistake)],
+        steps: Vec<Worked>,
+    ) -> Self {
+        let choices = choices.iter().map(|choice| (*choice).to_owned()).collect();
+        Self::new(name, Kind::Choice(choices), Expected::Choice(right, mistakes.to_vec(), steps))
+    }
+
+    /// A camera that fulfils conditions, and one that does.
+    #[must_use]
+    pub fn camera(
+        name: &str,
+        model: Parameters,
+        mistakes: &[(Parameters, Mistake)],
+        conditions: impl Fn(&Camera) -> Vec<(&'static str, bool)> + Send + Sync + 'static,
+    ) -> Self {
+        let expected = Expected::Camera(Arc::new(conditions), Box::new(model), mistakes.to_vec());
+        Self::new(name, Kind::Camera, expected)
+    }
+
+    /// With what its numbers measure.
+    #[must_use]
+    pub fn in_unit(self, unit: Unit) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// With whole numbers.
+    #[must_use]
+    pub fn whole(self) -> Self {
+        Self { whole: true, ..self }
+    }
+
+    /// With a tolerance of its own.
+    #[must_use]
+    pub fn within(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// With another reading, in which `other` is right.
+    #[must_use]
+    pub fn or_read_as(mut self, name: &'static str, other: Self) -> Self {
+        self.readings.extend(other.readings.into_iter().map(|reading| Reading { name, ..reading }));
+        self
+    }
+
+    /// Rows and columns of an answer; 1 × 1 for choices and cameras.
+    #[must_use]
+    pub const fn shape(&self) -> [usize; 2] {
+        match self.kind {
+            Kind::Vector(rows) => [rows, 1],
+            Kind::Matrix(rows, columns) => [rows, columns],
+            Kind::Number | Kind::Choice(_) | Kind::Camera => [1, 1],
+        }
+    }
+
+    /// What is right where the statement is read as it settles.
+    ///
+    /// # Panics
+    /// Never: every ask has a first reading.
+    #[must_use]
+    pub fn expected(&self) -> &Expected {
+        &self.readings[0].expected
+    }
+
+    /// The way to what is right; empty for a camera.
+    #[must_use]
+    pub fn steps(&self) -> Vec<Worked> {
+        match self.expected() {
+            Expected::Quantity(subject, path) => worked(subject, path),
+            Expected::Computed(_, steps) | Expected::Choice(_, _, steps) => steps.clone(),
+            Expected::Camera(..) => Vec::new(),
+        }
+    }
+}

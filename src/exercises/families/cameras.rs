@@ -1,0 +1,166 @@
+//! Cameras whose numbers can be computed with pencil and paper.
+
+use glam::DVec3;
+
+use crate::camera::{Camera, ImageSize, Parameters, Projection};
+use crate::exercises::{Exercise, Fact, Subject};
+use crate::figure::{Figure, NamedPoint, points::free_name};
+use crate::numbers::random::Random;
+use crate::scene::Preset;
+
+/// The numbers of a family for a seed.
+pub(in crate::exercises) fn numbers(family: &str, seed: u64) -> Random {
+    // FNV-1a, so that the same seed gives every family numbers of its own.
+    let stream = family
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    let mut random = Random::new(seed, stream);
+    // The first numbers of neighbouring seeds are alike in a few bits.
+    random.bits();
+    random
+}
+
+/// From PF to C: short vectors, none of them along an axis.
+const TO_VIEWER: [[f64; 3]; 16] = [
+    [3.0, 4.0, 0.0],
+    [4.0, 0.0, 3.0],
+    [0.0, 3.0, 4.0],
+    [2.0, 1.0, 2.0],
+    [1.0, 2.0, 2.0],
+    [2.0, 3.0, 6.0],
+    [6.0, 2.0, 3.0],
+    [4.0, 4.0, 7.0],
+    [3.0, 2.0, -6.0],
+    [-2.0, 2.0, 1.0],
+    [1.0, 1.0, 1.0],
+    [2.0, 1.0, 1.0],
+    [-1.0, 2.0, 3.0],
+    [3.0, 1.0, 2.0],
+    [4.0, 3.0, 12.0],
+    [-3.0, 4.0, 12.0],
+];
+
+/// None of them has length 1 and is perpendicular to what is looked along by chance: that would hide what may be forgotten.
+const UPS: [[f64; 3]; 5] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 0.0], [0.0, 2.0, 1.0], [1.0, 2.0, 0.0]];
+
+/// Heights to widths.
+const ASPECTS: [f64; 5] = [4.0 / 3.0, 3.0 / 2.0, 5.0 / 4.0, 2.0, 3.0 / 4.0];
+
+fn whole(random: &mut Random, low: i64, high: i64) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "a few units")]
+    let value = random.whole(low, high) as f64;
+    value
+}
+
+/// A camera that can be: C, PF and VUP of whole numbers, oblique to one another.
+pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters {
+    loop {
+        let focal_point = DVec3::new(whole(random, -2, 2), whole(random, -2, 2), whole(random, -2, 2));
+        let to_viewer = DVec3::from_array(random.one_of(&TO_VIEWER));
+        let view_up = DVec3::from_array(random.one_of(&UPS));
+        let near = random.one_of(&[1.0, 2.0, 0.5]);
+        let parameters = Parameters {
+            position: focal_point + to_viewer,
+            focal_point,
+            view_up,
+            projection,
+            view_angle: random.one_of(&[60.0, 90.0, 50.0, 40.0]),
+            height: random.one_of(&[4.0, 6.0, 8.0, 5.0]),
+            aspect: random.one_of(&ASPECTS),
+            near,
+            far: near * random.one_of(&[10.0, 20.0, 25.0]),
+            window: None,
+        };
+        // VUP along v would hide that it was taken for v; C at the origin hides every translation.
+        let up = view_up.normalize();
+        let oblique = up.dot(to_viewer.normalize()).abs();
+        if (0.1..0.95).contains(&oblique) && parameters.position.length() > 1.0 {
+            return parameters;
+        }
+    }
+}
+
+/// One of the two projections.
+pub(super) fn any_projection(random: &mut Random) -> Projection {
+    random.one_of(&[Projection::Perspective, Projection::Parallel])
+}
+
+/// A camera in a scene.
+pub(super) fn subject(camera: Parameters) -> Subject {
+    let mut figure = Figure::of_preset(Preset::House);
+    figure.camera = camera;
+    Subject { figure, ..Subject::default() }
+}
+
+/// With an image whose sides have the aspect of the window, as far as whole pixels can.
+pub(super) fn with_image(mut subject: Subject, height: u32) -> Subject {
+    let aspect = subject.figure.camera.window.map_or(subject.figure.camera.aspect, |window| window.aspect());
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred pixels")]
+    let width = (f64::from(height) * aspect).round().max(1.0) as u32;
+    subject.figure.image = ImageSize { width, height };
+    subject
+}
+
+/// With a point that is followed, and shown in the figure.
+pub(in crate::exercises) fn with_point(mut subject: Subject, point: DVec3) -> Subject {
+    subject.points.push(point);
+    let name = free_name(&subject.figure.points);
+    subject.figure.points.push(NamedPoint { name, position: point });
+    subject
+}
+
+/// A point of small whole numbers inside the volume of the camera, and not on its axis; PF moved a little where there is none.
+pub(super) fn point_inside(random: &mut Random, parameters: &Parameters) -> DVec3 {
+    let Ok(camera) = Camera::new(parameters) else { return parameters.focal_point };
+    for _ in 0..400 {
+        let by = DVec3::new(whole(random, -4, 4), whole(random, -4, 4), whole(random, -4, 4)) / 2.0;
+        let point = parameters.focal_point + by;
+        let clip = camera.clip_point(point);
+        let inside = clip.truncate().abs().cmple(DVec3::splat(0.9 * clip.w)).all();
+        if inside && clip.x.abs() > 0.05 * clip.w && clip.y.abs() > 0.05 * clip.w {
+            return point;
+        }
+    }
+    parameters.focal_point + camera.basis().u * (0.1 * camera.near()) + camera.basis().v * (0.05 * camera.near())
+}
+
+/// What every statement about a camera tells of it.
+pub(in crate::exercises) fn placement(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
+    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
+    vec![("C", tuple(parameters.position)), ("PF", tuple(parameters.focal_point)), ("VUP", tuple(parameters.view_up))]
+}
+
+/// The kind of projection with what it is given by.
+pub(super) fn lens(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
+    let projection = match (parameters.projection, parameters.window) {
+        (Projection::Perspective, None) => "lens-perspective",
+        (Projection::Parallel, None) => "lens-parallel",
+        (Projection::Perspective, Some(_)) => "lens-window-perspective",
+        (Projection::Parallel, Some(_)) => "lens-window-parallel",
+    };
+    let mut facts = vec![
+        ("lens", Fact::Text(projection)),
+        ("theta", Fact::Angle(parameters.view_angle)),
+        ("H", Fact::Number(parameters.height)),
+        ("A", Fact::Number(parameters.aspect)),
+        ("F", Fact::Number(parameters.near)),
+        ("B", Fact::Number(parameters.far)),
+    ];
+    if let Some(window) = parameters.window {
+        let sides = [("l", window.left), ("r", window.right), ("b", window.bottom), ("t", window.top)];
+        facts.extend(sides.map(|(name, side)| (name, Fact::Number(side))));
+    }
+    facts
+}
+
+/// An exercise about a subject, with what its camera is.
+pub(in crate::exercises) fn about(subject: Subject) -> Exercise {
+    let mut facts = placement(&subject.figure.camera);
+    facts.extend(lens(&subject.figure.camera));
+    Exercise { id: String::new(), seed: 0, subject, free: Vec::new(), facts, assumptions: Vec::new(), asks: Vec::new() }
+}
+
+/// What an image tells: m × n.
+pub(in crate::exercises) fn image(size: ImageSize) -> Vec<(&'static str, Fact)> {
+    vec![("m", Fact::Number(f64::from(size.width))), ("n", Fact::Number(f64::from(size.height)))]
+}

@@ -1,0 +1,70 @@
+//! The axes of a camera, its window, and its matrices.
+
+use super::cameras::{about, any_projection, camera, numbers, subject};
+use crate::camera::{Parameters, Projection, ViewWindow};
+use crate::exercises::{Ask, Entry, Exercise};
+
+pub(super) const BASIS: Entry =
+    Entry { id: "basis", source: "[0] §5.2, (5.2), (5.3)", is_family: true, make: |seed, _| basis(seed) };
+pub(super) const VIEW_MATRIX: Entry =
+    Entry { id: "view-matrix", source: "[0] §5.3.1, (5.7)", is_family: true, make: |seed, _| view_matrix(seed) };
+pub(super) const WINDOW: Entry =
+    Entry { id: "window", source: "[0] §5.2, (5.1), (5.5)", is_family: true, make: |seed, _| window(seed) };
+pub(super) const PERSPECTIVE_MATRIX: Entry = Entry {
+    id: "perspective-matrix",
+    source: "[0] §5.3.2, (5.14)",
+    is_family: true,
+    make: |seed, _| projection_matrix("perspective-matrix", seed, Projection::Perspective),
+};
+pub(super) const PARALLEL_MATRIX: Entry = Entry {
+    id: "parallel-matrix",
+    source: "[0] §5.3.2, (5.16)",
+    is_family: true,
+    make: |seed, _| projection_matrix("parallel-matrix", seed, Projection::Parallel),
+};
+pub(super) const ASYMMETRIC_WINDOW: Entry = Entry {
+    id: "asymmetric-window",
+    source: "[0] §5.3.2, (5.13), (5.15)",
+    is_family: true,
+    make: |seed, _| asymmetric_window(seed),
+};
+
+fn basis(seed: u64) -> Exercise {
+    let subject = subject(camera(&mut numbers("basis", seed), Projection::Perspective));
+    let asks = ["u", "v", "n"].map(|axis| Ask::quantity(axis, &subject, &format!("basis.{axis}")));
+    Exercise { asks: asks.to_vec(), ..about(subject) }
+}
+
+fn view_matrix(seed: u64) -> Exercise {
+    let subject = subject(camera(&mut numbers("view-matrix", seed), Projection::Perspective));
+    let asks = vec![Ask::quantity("Mv", &subject, "view_matrix")];
+    Exercise { asks, ..about(subject) }
+}
+
+fn window(seed: u64) -> Exercise {
+    let mut random = numbers("window", seed);
+    let subject = subject(camera(&mut random, Projection::Perspective));
+    let asks = [("H", "window.height"), ("W", "window.width"), ("r", "window.right"), ("b", "window.bottom")];
+    let asks = asks.map(|(name, path)| Ask::quantity(name, &subject, path));
+    Exercise { asks: asks.to_vec(), ..about(subject) }
+}
+
+fn projection_matrix(family: &str, seed: u64, projection: Projection) -> Exercise {
+    let subject = subject(camera(&mut numbers(family, seed), projection));
+    let asks = vec![Ask::quantity("Mp", &subject, "projection_matrix")];
+    Exercise { asks, ..about(subject) }
+}
+
+fn asymmetric_window(seed: u64) -> Exercise {
+    let mut random = numbers("asymmetric-window", seed);
+    let projection = any_projection(&mut random);
+    let camera = camera(&mut random, projection);
+    let [left, bottom] = [0, 1].map(|_| -random.one_of(&[0.5, 1.0, 1.5, 2.0]));
+    // Never as far to one side as to the other.
+    let right = -left * random.one_of(&[0.5, 2.0, 3.0]);
+    let top = -bottom * random.one_of(&[0.5, 1.5, 2.0]);
+    let camera = Parameters { window: Some(ViewWindow { left, right, bottom, top }), ..camera };
+    let subject = subject(camera);
+    let asks = vec![Ask::quantity("Mp", &subject, "projection_matrix")];
+    Exercise { asks, ..about(subject) }
+}

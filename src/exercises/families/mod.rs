@@ -1,0 +1,33 @@
+//! Families: exercises whose numbers come from a seed.
+
+mod cameras;
+mod matrices;
+mod operations;
+mod points;
+
+pub(in crate::exercises) use cameras::{about, image, with_point};
+
+use super::Entry;
+
+/// All families, in the order in which they are learnt.
+pub static ENTRIES: &[Entry] = &[
+    matrices::BASIS,
+    matrices::VIEW_MATRIX,
+    matrices::WINDOW,
+    matrices::PERSPECTIVE_MATRIX,
+    matrices::PARALLEL_MATRIX,
+    matrices::ASYMMETRIC_WINDOW,
+    points::NDC,
+    points::INSIDE,
+    points::PIXEL,
+    points::RAY,
+    points::VIEWPORT,
+    operations::ELEVATION,
+    operations::AZIMUTH,
+    operations::ROLL,
+    operations::YAW,
+    operations::PITCH,
+    operations::ZOOM,
+    operations::DOLLY,
+    operations::PAN,
+];

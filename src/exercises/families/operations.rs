@@ -1,0 +1,89 @@
+//! The operations on a camera, `[0]` §5.6.
+
+use super::cameras::{about, any_projection, camera, numbers, subject};
+use crate::camera::{Operation, Projection};
+use crate::exercises::{Ask, Entry, Exercise, Fact};
+use crate::geometry::Angle;
+use crate::numbers::random::Random;
+
+macro_rules! turns {
+    ($($name:ident, $id:literal, $operation:ident, $asks:expr;)*) => {
+        $(pub(super) const $name: Entry = Entry {
+            id: $id,
+            source: "[0] §5.6",
+            is_family: true,
+            make: |seed, _| turn($id, seed, Operation::$operation, &$asks),
+        };)*
+    };
+}
+
+turns! {
+    ELEVATION, "elevation", Elevation, [("C", "camera.position"), ("n", "basis.n"), ("v", "basis.v")];
+    AZIMUTH, "azimuth", Azimuth, [("C", "camera.position"), ("n", "basis.n"), ("u", "basis.u")];
+    ROLL, "roll", Roll, [("u", "basis.u"), ("v", "basis.v")];
+    YAW, "yaw", Yaw, [("PF", "camera.focal_point"), ("n", "basis.n"), ("u", "basis.u")];
+    PITCH, "pitch", Pitch, [("PF", "camera.focal_point"), ("n", "basis.n"), ("v", "basis.v")];
+}
+
+pub(super) const ZOOM: Entry = Entry { id: "zoom", source: "[0] §5.6", is_family: true, make: |seed, _| zoom(seed) };
+pub(super) const DOLLY: Entry =
+    Entry { id: "dolly", source: "[0] §5.6", is_family: true, make: |seed, _| dolly(seed) };
+pub(super) const PAN: Entry = Entry { id: "pan", source: "[0] §5.6", is_family: true, make: |seed, _| pan(seed) };
+
+fn turn(family: &str, seed: u64, operation: fn(Angle) -> Operation, asks: &[(&str, &str)]) -> Exercise {
+    let mut random = numbers(family, seed);
+    let projection = any_projection(&mut random);
+    let angle = random.one_of(&[30.0, 45.0, 60.0, 90.0, -30.0, -45.0, -60.0, 120.0]);
+    let mut subject = subject(camera(&mut random, projection));
+    subject.operations.push(operation(Angle::from_degrees(angle)));
+    let asks = asks.iter().map(|(name, path)| Ask::quantity(name, &subject, path)).collect();
+    let mut exercise = Exercise { asks, ..about(subject) };
+    exercise.facts.push(("alpha", Fact::Angle(angle)));
+    exercise
+}
+
+/// A factor that is not 1.
+fn factor(random: &mut Random) -> f64 {
+    random.one_of(&[2.0, 3.0, 1.5, 0.5, 4.0, 0.8])
+}
+
+fn zoom(seed: u64) -> Exercise {
+    let mut random = numbers("zoom", seed);
+    let projection = any_projection(&mut random);
+    let s = factor(&mut random);
+    let mut subject = subject(camera(&mut random, projection));
+    subject.operations.push(Operation::Zoom(s));
+    let mut paths = vec![("H", "window.height"), ("W", "window.width")];
+    if projection == Projection::Perspective {
+        paths.push(("theta", "camera.view_angle"));
+    }
+    let asks = paths.into_iter().map(|(name, path)| Ask::quantity(name, &subject, path)).collect();
+    let mut exercise = Exercise { asks, ..about(subject) };
+    exercise.facts.push(("s", Fact::Number(s)));
+    exercise
+}
+
+fn dolly(seed: u64) -> Exercise {
+    let mut random = numbers("dolly", seed);
+    let projection = any_projection(&mut random);
+    let f = factor(&mut random);
+    let mut subject = subject(camera(&mut random, projection));
+    subject.operations.push(Operation::Dolly(f));
+    let asks = vec![Ask::quantity("C", &subject, "camera.position"), Ask::quantity("D", &subject, "distance")];
+    let mut exercise = Exercise { asks, ..about(subject) };
+    exercise.facts.push(("f", Fact::Number(f)));
+    exercise
+}
+
+fn pan(seed: u64) -> Exercise {
+    let mut random = numbers("pan", seed);
+    let projection = any_projection(&mut random);
+    let [dx, dy] = [0, 1].map(|_| random.one_of(&[1.0, 2.0, -1.0, -2.0, 0.5, 3.0]));
+    let mut subject = subject(camera(&mut random, projection));
+    subject.operations.push(Operation::Pan { dx, dy });
+    let asks =
+        vec![Ask::quantity("C", &subject, "camera.position"), Ask::quantity("PF", &subject, "camera.focal_point")];
+    let mut exercise = Exercise { asks, ..about(subject) };
+    exercise.facts.extend([("dx", Fact::Number(dx)), ("dy", Fact::Number(dy))]);
+    exercise
+}

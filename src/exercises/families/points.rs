@@ -1,0 +1,199 @@
+//! Points on their way into the image, and pixels on their way back.
+
+use glam::DVec3;
+
+use super::cameras::{about, any_projection, camera, image, numbers, point_inside, subject, with_image, with_point};
+use crate::camera::{Camera, ImageSize, Projection, Viewport};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, Subject, Unit};
+use crate::numbers::random::Random;
+
+pub(super) const NDC: Entry =
+    Entry { id: "ndc", source: "[0] §5.3.2, [2]", is_family: true, make: |seed, _| ndc(seed) };
+pub(super) const INSIDE: Entry =
+    Entry { id: "inside", source: "[2], [0] §5.3.2", is_family: true, make: |seed, _| inside(seed) };
+pub(super) const PIXEL: Entry =
+    Entry { id: "pixel", source: "[0] §5.5, (5.22)", is_family: true, make: |seed, _| pixel(seed) };
+pub(super) const RAY: Entry =
+    Entry { id: "ray", source: "[0] §5.4, (5.17)–(5.23)", is_family: true, make: |seed, _| ray(seed) };
+pub(super) const VIEWPORT: Entry =
+    Entry { id: "viewport", source: "[0] §5.5, (5.24), (5.25)", is_family: true, make: |seed, _| viewport(seed) };
+
+fn point(subject: &Subject) -> (&'static str, Fact) {
+    ("P", Fact::Tuple(subject.points.first().map_or(Vec::new(), |point| point.to_array().to_vec())))
+}
+
+fn with_a_point(random: &mut Random, projection: Projection) -> Subject {
+    let camera = camera(random, projection);
+    let point = point_inside(random, &camera);
+    with_point(subject(camera), point)
+}
+
+fn ndc(seed: u64) -> Exercise {
+    let mut random = numbers("ndc", seed);
+    let projection = any_projection(&mut random);
+    let subject = with_a_point(&mut random, projection);
+    let asks = ["view", "clip", "ndc"].map(|space| Ask::quantity(space, &subject, &format!("points.0.{space}")));
+    let point = point(&subject);
+    let mut exercise = Exercise { asks: asks.to_vec(), ..about(subject) };
+    exercise.facts.push(point);
+    exercise
+}
+
+/// The planes by which a point can be outside, in the order of the outcode of `[2]`.
+const PLANES: [&str; 7] = ["none", "left", "right", "bottom", "top", "near", "far"];
+
+fn inside(seed: u64) -> Exercise {
+    let mut random = numbers("inside", seed);
+    let projection = any_projection(&mut random);
+    let parameters = camera(&mut random, projection);
+    let wanted = usize::try_from(random.whole(0, 6)).unwrap_or(0);
+    let (point, plane) = point_beyond(&mut random, &Camera::new(&parameters).ok(), parameters.focal_point, wanted);
+    let subject = with_point(subject(parameters), point);
+    let is_inside = Ask {
+        quantity: Some("points.0.inside".to_owned()),
+        ..Ask::choice("inside", &["yes", "no"], usize::from(plane != 0), &[], Vec::new())
+    };
+    let clip = Ask::quantity("clip", &subject, "points.0.clip");
+    let cut = Ask::choice("plane", &PLANES, plane, &opposite(plane, projection), Vec::new());
+    let fact = self::point(&subject);
+    let mut exercise = Exercise { asks: vec![clip, is_inside, cut], ..about(subject) };
+    exercise.facts.push(fact);
+    exercise
+}
+
+/// The plane on the other side comes out where a sign is wrong.
+fn opposite(plane: usize, _projection: Projection) -> Vec<(usize, Mistake)> {
+    match plane {
+        0 => Vec::new(),
+        5 | 6 => vec![(11 - plane, Mistake::ZSign)],
+        1 | 2 => vec![(3 - plane, Mistake::Sign)],
+        _ => vec![(7 - plane, Mistake::Sign)],
+    }
+}
+
+/// A point of small numbers outside by exactly one plane (0: inside), and by which; what was wanted, where there is such a point.
+fn point_beyond(random: &mut Random, camera: &Option<Camera>, around: DVec3, wanted: usize) -> (DVec3, usize) {
+    let Some(camera) = camera else { return (around, 0) };
+    let mut spare = (around, 0);
+    for _ in 0..4000 {
+        let by = DVec3::from_array([0, 1, 2].map(|_| {
+            #[expect(clippy::cast_precision_loss, reason = "a few units")]
+            let by = random.whole(-20, 20) as f64;
+            by
+        }));
+        let clip = camera.clip_point(around + by);
+        if clip.w <= 0.1 && wanted != 5 {
+            continue;
+        }
+        let beyond =
+            [clip.w + clip.x, clip.w - clip.x, clip.w + clip.y, clip.w - clip.y, clip.w + clip.z, clip.w - clip.z];
+        // Not so near a plane that a rounding decides.
+        if beyond.iter().any(|distance| distance.abs() < 0.02 * clip.w.abs().max(1.0)) {
+            continue;
+        }
+        let out: Vec<usize> = (0..6).filter(|plane| beyond[*plane] < 0.0).map(|plane| plane + 1).collect();
+        match out[..] {
+            [] if wanted == 0 => return (around + by, 0),
+            [plane] if plane == wanted => return (around + by, plane),
+            [] => spare = (around + by, 0),
+            _ => {}
+        }
+    }
+    spare
+}
+
+fn pixel(seed: u64) -> Exercise {
+    let mut random = numbers("pixel", seed);
+    let projection = any_projection(&mut random);
+    let height = random.one_of(&[240, 300, 480, 600]);
+    let subject = off_borders(&mut random, "window", |random| with_image(with_a_point(random, projection), height));
+    let asks = vec![
+        Ask::quantity("window", &subject, "points.0.window").in_unit(Unit::Scene),
+        Ask::quantity("pixel", &subject, "points.0.pixel"),
+    ];
+    let facts = [vec![point(&subject)], image(subject.figure.image)].concat();
+    let mut exercise = Exercise { asks, ..about(subject) };
+    exercise.facts.extend(facts);
+    exercise
+}
+
+/// A subject whose point is not on the border of two pixels, where the last digit of a calculator decides.
+fn off_borders(random: &mut Random, space: &str, mut make: impl FnMut(&mut Random) -> Subject) -> Subject {
+    for _ in 0..50 {
+        let subject = make(random);
+        let Some(at) = subject.value(&format!("points.0.{space}")) else { continue };
+        let ImageSize { width, height } = subject.figure.image;
+        let (size, window) = match subject.figure.viewport {
+            Some(viewport) => ([viewport.width, viewport.height], [2.0, 2.0]),
+            None => {
+                let Some(window) = ["width", "height"]
+                    .map(|side| subject.value(&format!("window.{side}")))
+                    .into_iter()
+                    .map(|side| side.map(|side| side.entries[0]))
+                    .collect::<Option<Vec<f64>>>()
+                else {
+                    continue;
+                };
+                ([width, height], [window[0], window[1]])
+            }
+        };
+        let share = |k: usize| f64::from(size[k]) * (at.entries[k] / window[k] + 0.5);
+        if (0..2).all(|k| (share(k) - share(k).round()).abs() > 0.02) {
+            return subject;
+        }
+    }
+    make(random)
+}
+
+fn ray(seed: u64) -> Exercise {
+    let mut random = numbers("ray", seed);
+    let projection = any_projection(&mut random);
+    // Few pixels, so that a half of one counts.
+    let mut subject = with_image(subject(camera(&mut random, projection)), random.one_of(&[12, 24, 48]));
+    let size = subject.figure.image;
+    let [i, j] = [size.width, size.height].map(|side| {
+        loop {
+            let k = random.whole(0, i64::from(side) - 1);
+            // Not in the middle, where rows from above and from below are the same.
+            if (2 * k + 1 - i64::from(side)).abs() > 2 {
+                break k;
+            }
+        }
+    });
+    subject.pixels.push([i, j]);
+    let asks = ["origin", "direction"].map(|what| Ask::quantity(what, &subject, &format!("rays.0.{what}")));
+    #[expect(clippy::cast_precision_loss, reason = "a few hundred pixels")]
+    let facts = [vec![("i", Fact::Number(i as f64)), ("j", Fact::Number(j as f64))], image(size)].concat();
+    let mut exercise = Exercise { asks: asks.to_vec(), ..about(subject) };
+    exercise.facts.extend(facts);
+    exercise
+}
+
+fn viewport(seed: u64) -> Exercise {
+    let mut random = numbers("viewport", seed);
+    let projection = any_projection(&mut random);
+    let (width, height) = random.one_of(&[(400, 300), (640, 480), (300, 200), (512, 384)]);
+    let (x, y) = random.one_of(&[(0, 0), (100, 50), (20, 40), (64, 32)]);
+    let (depth_near, depth_far) = random.one_of(&[(0.0, 1.0), (0.0, 0.5), (0.25, 1.0), (1.0, 0.0)]);
+    let viewport = Viewport { x, y, width, height, depth_near, depth_far };
+    let subject = off_borders(&mut random, "ndc", |random| {
+        let mut subject = with_a_point(random, projection);
+        subject.figure.viewport = Some(viewport);
+        subject
+    });
+    let asks =
+        vec![Ask::quantity("ndc", &subject, "points.0.ndc"), Ask::quantity("viewport", &subject, "points.0.viewport")];
+    let numbers = [
+        ("Xv", f64::from(x)),
+        ("Yv", f64::from(y)),
+        ("Wv", f64::from(width)),
+        ("Hv", f64::from(height)),
+        ("dn", depth_near),
+        ("df", depth_far),
+    ];
+    let point = point(&subject);
+    let mut exercise = Exercise { asks, ..about(subject) };
+    exercise.facts.push(point);
+    exercise.facts.extend(numbers.map(|(name, value)| (name, Fact::Number(value))));
+    exercise
+}

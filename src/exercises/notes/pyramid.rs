@@ -1,0 +1,181 @@
+//! `[1]` I to III: the pyramid with the day D and the month M of a birth.
+//!
+//! The figure with its local coordinates is lost: here the base is the square of side 1 about the origin of the plane y = 0, and the height is 1.
+
+use glam::{DMat4, DVec3, DVec4};
+
+use super::chosen;
+use crate::camera::{ImageSize, Parameters, Projection};
+use crate::exercises::families::{about, with_point};
+use crate::exercises::worked::{Worked, named, worked};
+use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Slip, Slips, Subject, Table, textbook};
+use crate::explain::{Formula, over};
+use crate::figure::Figure;
+use crate::scene::{ObjectSpec, Preset, Shape};
+
+const BASE: [DVec3; 4] =
+    [DVec3::new(-0.5, 0.0, -0.5), DVec3::new(0.5, 0.0, -0.5), DVec3::new(0.5, 0.0, 0.5), DVec3::new(-0.5, 0.0, 0.5)];
+const APEX: DVec3 = DVec3::Y;
+
+struct Birth {
+    day: f64,
+    month: f64,
+    view_angle: f64,
+    aspect: f64,
+}
+
+impl Birth {
+    fn new(free: &Free) -> Self {
+        let view_angle = chosen(free, "theta", 90.0);
+        Self {
+            day: chosen(free, "D", 15.0),
+            month: chosen(free, "M", 8.0),
+            view_angle: if view_angle < 180.0 { view_angle } else { 90.0 },
+            aspect: chosen(free, "A", 1.0),
+        }
+    }
+
+    /// M_m; the base touches the planes x = 0 and z = 0.
+    fn model(&self, slips: Slips) -> DMat4 {
+        let scale = DMat4::from_scale(DVec3::new(self.month, self.day, self.month));
+        let move_by = DMat4::from_translation(DVec3::new(self.month / 2.0, 0.0, self.month / 2.0));
+        if slips.has(Slip::OrderReversed) { scale * move_by } else { move_by * scale }
+    }
+
+    fn vertices(&self) -> impl Iterator<Item = DVec4> {
+        BASE.into_iter().chain([APEX]).map(|vertex| vertex.extend(1.0))
+    }
+
+    fn world(&self, slips: Slips) -> Vec<DVec4> {
+        self.vertices().map(|vertex| self.model(slips) * vertex).collect()
+    }
+
+    fn subject(&self) -> Subject {
+        let mut figure = Figure::of_preset(Preset::Empty);
+        let half = self.month / 2.0;
+        // The shape's own base is 2 wide, and it is 2 high.
+        let pyramid = ObjectSpec::new("pyramid", Shape::Pyramid).at(half, 0.0, half);
+        figure.scene.objects.push(pyramid.scaled(half, self.day / 2.0, half));
+        figure.camera = Parameters {
+            position: DVec3::new(0.0, 0.0, self.month),
+            focal_point: DVec3::ZERO,
+            view_up: DVec3::Y,
+            projection: Projection::Perspective,
+            view_angle: self.view_angle,
+            aspect: self.aspect,
+            near: self.day / 100.0,
+            far: 10.0 * self.day,
+            ..Parameters::default()
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 1, at most 4000")]
+        let width = (400.0 * self.aspect).clamp(1.0, 4000.0).round() as u32;
+        figure.image = ImageSize { width, height: 400 };
+        let subject = Subject { figure, ..Subject::default() };
+        self.world(Slips::NONE).into_iter().fold(subject, |subject, vertex| with_point(subject, vertex.truncate()))
+    }
+
+    fn exercise(&self, free: &[&'static str]) -> Exercise {
+        let all = [("D", self.day), ("M", self.month), ("theta", self.view_angle), ("A", self.aspect)];
+        let exercise = about(self.subject());
+        let own = vec![("D", Fact::Number(self.day)), ("M", Fact::Number(self.month))];
+        let facts = own.into_iter().chain(exercise.facts.clone()).collect();
+        let free = all.into_iter().filter(|(name, _)| free.contains(name)).collect();
+        Exercise { facts, free, assumptions: vec!["lost-pyramid"], ..exercise }
+    }
+}
+
+fn columns(points: &[DVec4]) -> Table {
+    Table::from_columns(&points.iter().map(DVec4::to_array).collect::<Vec<_>>())
+}
+
+fn matrix_of_points(
+    name: &str,
+    steps: Vec<Worked>,
+    compute: impl Fn(Slips) -> Option<Vec<DVec4>> + Send + Sync + 'static,
+) -> Ask {
+    Ask::computed(name, Kind::Matrix(4, 5), steps, move |slips| compute(slips).map(|points| columns(&points)))
+}
+
+/// I: the vertices in homogeneous coordinates, and the sides that the pyramid will have.
+pub(super) fn vertices(free: &Free) -> Exercise {
+    let birth = Birth::new(free);
+    let (day, month) = (birth.day, birth.month);
+    let local: Vec<DVec4> = birth.vertices().collect();
+    let number = |name: &str, text: &'static str, value: f64| {
+        let step = Worked::new("scaled", "[1]").row(named(text, text, value), plus_one(text, value));
+        Ask::computed(name, Kind::Number, vec![step], move |slips| {
+            // The other number of the two.
+            let wrong = if value.to_bits() == day.to_bits() { month } else { day };
+            Some(Table::number(if slips.has(Slip::OrderReversed) { wrong } else { value }))
+        })
+    };
+    let asks = vec![
+        matrix_of_points("local", Vec::new(), move |_| Some(local.clone())),
+        number("side", "M", month),
+        number("height", "D", day),
+    ];
+    Exercise { asks, ..birth.exercise(&["D", "M"]) }
+}
+
+fn plus_one(text: &'static str, value: f64) -> Formula {
+    crate::explain::times([named(text, text, value).into(), named("1", "1", 1.0).into()])
+}
+
+/// II: M_m with the vertices in the world, M_v with the vertices before the camera.
+pub(super) fn model_and_view(free: &Free) -> Exercise {
+    let birth = Birth::new(free);
+    let (day, month) = (birth.day, birth.month);
+    let subject = birth.subject();
+    let model_step = || {
+        let half = named("M/2", "M/2", month / 2.0);
+        Worked::new("model", "[1], [4]")
+            .row(named("m_11", "m_{11}", month), named("M", "M", month).into())
+            .row(named("m_22", "m_{22}", day), named("D", "D", day).into())
+            .row(named("m_33", "m_{33}", month), named("M", "M", month).into())
+            .row(named("m_14", "m_{14}", month / 2.0), over(named("M", "M", month), 2.0))
+            .row(named("m_34", "m_{34}", month / 2.0), half.into())
+    };
+    let of = move || Birth { day, month, view_angle: 90.0, aspect: 1.0 };
+    let model =
+        Ask::computed("Mm", Kind::Matrix(4, 4), vec![model_step()], move |slips| Some(Table::from(of().model(slips))));
+    let world = matrix_of_points("world", vec![model_step()], move |slips| Some(of().world(slips)));
+    let seen = {
+        let subject = subject.clone();
+        matrix_of_points("view", worked(&subject, "view_matrix"), move |slips| {
+            let view = matrix(&subject, "view_matrix", slips)?;
+            Some(of().world(slips).into_iter().map(|vertex| view * vertex).collect())
+        })
+    };
+    let exercise = birth.exercise(&["D", "M"]);
+    let asks = vec![model, world, Ask::quantity("Mv", &subject, "view_matrix"), seen];
+    Exercise { asks, assumptions: vec!["lost-pyramid", "touches-planes"], ..exercise }
+}
+
+/// III: M_p, and the vertices in clip space, some of them with w = 0.
+pub(super) fn projection(free: &Free) -> Exercise {
+    let birth = Birth::new(free);
+    let subject = birth.subject();
+    let of = Birth { ..birth };
+    let steps = worked(&subject, "view_projection_matrix");
+    let clip = {
+        let subject = subject.clone();
+        let world = of.world(Slips::NONE);
+        matrix_of_points("clip", steps, move |slips| {
+            let (view, projection) =
+                (matrix(&subject, "view_matrix", slips)?, matrix(&subject, "projection_matrix", slips)?);
+            Some(world.iter().map(|vertex| projection * (view * *vertex)).collect())
+        })
+    };
+    let apex = Ask::quantity("apex", &subject, "points.4.clip");
+    let exercise = of.exercise(&["D", "M", "theta", "A"]);
+    let asks = vec![Ask::quantity("Mp", &subject, "projection_matrix"), clip, apex];
+    let assumptions = vec!["lost-pyramid", "touches-planes", "angle-and-aspect", "distances-not-coordinates", "w-zero"];
+    Exercise { asks, assumptions, ..exercise }
+}
+
+/// A matrix of a subject, as it comes out with slips.
+fn matrix(subject: &Subject, path: &str, slips: Slips) -> Option<DMat4> {
+    let table = if slips == Slips::NONE { subject.value(path) } else { textbook::value(subject, path, slips) }?;
+    let entries: [f64; 16] = table.entries.try_into().ok()?;
+    Some(DMat4::from_cols_array(&entries).transpose())
+}

@@ -1,0 +1,339 @@
+//! The notes' equations as they are written down by hand, with the known mistakes built in: what a wrong answer is held against.
+//!
+//! What is right comes from the camera itself ([`Subject::value`]); this chain is only asked for what comes out when something is done wrong.
+
+use glam::{DMat4, DVec2, DVec3, DVec4};
+
+use super::mistake::{Slip, Slips};
+use super::subject::Subject;
+use super::value::Table;
+use crate::camera::{
+    Camera, CameraError, Convention, ImageSize, Operation, Parameters, Projection, ViewWindow, Viewport,
+};
+use crate::geometry::Angle;
+
+/// What comes out at a path of the report when `slips` are made; `None` where that is not a number, or the path is not known.
+#[must_use]
+pub(super) fn value(subject: &Subject, path: &str, slips: Slips) -> Option<Table> {
+    let camera = operated(subject, slips).ok()?;
+    let found = Textbook::new(&camera, subject, slips).at(path)?;
+    found.is_finite().then_some(found)
+}
+
+/// The camera after the operations, as they are done with the slips.
+fn operated(subject: &Subject, slips: Slips) -> Result<Camera, CameraError> {
+    let mut operations = subject.operations.clone();
+    if slips.has(Slip::OrderReversed) {
+        operations.reverse();
+    }
+    let camera = Camera::new(&subject.figure.camera)?;
+    operations.iter().try_fold(camera, |camera, operation| {
+        let on_angle = slips.has(Slip::ZoomOnAngle) && camera.projection() == Projection::Perspective;
+        match (operation, camera.parameters().window) {
+            (Operation::Zoom(factor), None) if on_angle => {
+                let parameters = camera.parameters();
+                Camera::new(&Parameters { view_angle: parameters.view_angle / factor, ..*parameters })
+            }
+            _ => slipped(*operation, slips).apply(&camera, Convention::RightHand),
+        }
+    })
+}
+
+/// A rotation by an angle.
+type Turn = fn(Angle) -> Operation;
+
+/// The operation that is done where slips are made.
+fn slipped(operation: Operation, slips: Slips) -> Operation {
+    if let Some(angle) = operation.angle() {
+        let angle = if slips.has(Slip::OppositeAngle) { -angle } else { angle };
+        let angle = if slips.has(Slip::TurnInRadians) { Angle::from_radians(angle.degrees()) } else { angle };
+        let others: [(Slip, Turn); 5] = [
+            (Slip::Elevated, Operation::Elevation),
+            (Slip::Turned, Operation::Azimuth),
+            (Slip::Rolled, Operation::Roll),
+            (Slip::Yawed, Operation::Yaw),
+            (Slip::Pitched, Operation::Pitch),
+        ];
+        if let Some((_, other)) = others.into_iter().find(|(slip, _)| slips.has(*slip)) {
+            return other(angle);
+        }
+        return match operation {
+            Operation::Elevation(_) => Operation::Elevation(angle),
+            Operation::Azimuth(_) => Operation::Azimuth(angle),
+            Operation::Roll(_) => Operation::Roll(angle),
+            Operation::Yaw(_) => Operation::Yaw(angle),
+            _ => Operation::Pitch(angle),
+        };
+    }
+    let factor = |factor: f64| if slips.has(Slip::FactorInverted) { 1.0 / factor } else { factor };
+    match operation {
+        Operation::Zoom(by) if slips.has(Slip::Dollied) => Operation::Dolly(factor(by)),
+        Operation::Dolly(by) if slips.has(Slip::Zoomed) => Operation::Zoom(factor(by)),
+        Operation::Zoom(by) => Operation::Zoom(factor(by)),
+        Operation::Dolly(by) => Operation::Dolly(factor(by)),
+        Operation::Pan { dx, dy } if slips.has(Slip::OppositeAngle) => Operation::Pan { dx: -dx, dy: -dy },
+        other => other,
+    }
+}
+
+/// What follows of a camera when slips are made.
+struct Textbook<'a> {
+    camera: &'a Camera,
+    subject: &'a Subject,
+    slips: Slips,
+    u: DVec3,
+    v: DVec3,
+    n: DVec3,
+    window: ViewWindow,
+    near: f64,
+    far: f64,
+    view: DMat4,
+    projection: DMat4,
+}
+
+impl<'a> Textbook<'a> {
+    fn new(camera: &'a Camera, subject: &'a Subject, slips: Slips) -> Self {
+        let [u, v, n] = basis(camera, slips);
+        let window = window(camera, slips);
+        let view = view_matrix([u, v, n], camera.position(), slips);
+        let (near, far) = (camera.near(), camera.far());
+        let projection = projection_matrix(camera.projection(), &window, [near, far], slips);
+        Self { camera, subject, slips, u, v, n, window, near, far, view, projection }
+    }
+
+    fn at(&self, path: &str) -> Option<Table> {
+        let parts: Vec<&str> = path.split('.').collect();
+        let parameters = self.camera.parameters();
+        Some(match parts[..] {
+            ["basis", "u"] => self.u.into(),
+            ["basis", "v"] => self.v.into(),
+            ["basis", "n"] => self.n.into(),
+            ["dop"] => (-self.n).into(),
+            ["distance"] => self.camera.distance().into(),
+            ["view_matrix"] => self.view.into(),
+            ["projection_matrix"] => self.projection.into(),
+            ["view_projection_matrix"] => self.view_projection().into(),
+            ["inverse_view_matrix"] => self.view.inverse().into(),
+            ["inverse_projection_matrix"] => self.projection.inverse().into(),
+            ["window", side] => window_number(&self.window, side)?.into(),
+            ["camera", "position"] => parameters.position.into(),
+            ["camera", "focal_point"] => parameters.focal_point.into(),
+            ["camera", "view_up"] => parameters.view_up.into(),
+            ["camera", "view_angle"] => parameters.view_angle.into(),
+            ["camera", "height"] => self.window.height().into(),
+            ["volume_corners", k] => self.corner(k.parse().ok()?)?.into(),
+            ["points", k, what] => self.point(*self.subject.points.get(k.parse::<usize>().ok()?)?, what)?,
+            ["rays", k, what] => self.ray(*self.subject.pixels.get(k.parse::<usize>().ok()?)?, what)?,
+            _ => return None,
+        })
+    }
+
+    fn view_projection(&self) -> DMat4 {
+        if self.slips.has(Slip::OrderReversed) && self.subject.operations.len() < 2 {
+            self.view * self.projection
+        } else {
+            self.projection * self.view
+        }
+    }
+
+    /// On a plane of the volume, at the factor that the far plane has in perspective.
+    fn on_plane(&self, x: f64, y: f64, depth: f64) -> DVec3 {
+        let spread = match self.camera.projection() {
+            Projection::Perspective => depth / self.near,
+            Projection::Parallel => 1.0,
+        };
+        let depth = if self.slips.any(&[Slip::WSign, Slip::LeftHanded, Slip::ViewDepthSign]) { -depth } else { depth };
+        self.camera.position() + self.u * (x * spread) + self.v * (y * spread) - self.n * depth
+    }
+
+    fn corner(&self, k: usize) -> Option<DVec3> {
+        let ViewWindow { left, right, bottom, top } = self.window;
+        let (x, y) = *[(left, bottom), (right, bottom), (right, top), (left, top)].get(k % 4)?;
+        (k < 8).then(|| self.on_plane(x, y, if k < 4 { self.near } else { self.far }))
+    }
+
+    fn point(&self, world: DVec3, what: &str) -> Option<Table> {
+        let seen = self.view * world.extend(1.0);
+        let seen = if self.slips.has(Slip::ViewDepthSign) { DVec4::new(seen.x, seen.y, -seen.z, 1.0) } else { seen };
+        let clip = self.projection * seen;
+        let ndc = if self.slips.has(Slip::NoDivide) { clip.truncate() } else { clip.truncate() / clip.w };
+        Some(match what {
+            "world" => world.into(),
+            "view" => seen.truncate().into(),
+            "clip" => clip.into(),
+            "ndc" => ndc.into(),
+            "window" => Table::column(&self.projected(seen.truncate()).to_array()),
+            "pixel" => Table::column(&self.pixel(self.projected(seen.truncate()))),
+            "viewport" => Table::column(&self.viewport(ndc)),
+            _ => return None,
+        })
+    }
+
+    fn projected(&self, seen: DVec3) -> DVec2 {
+        let in_perspective = self.camera.projection() == Projection::Perspective && !self.slips.has(Slip::NoDivide);
+        let depth = if self.slips.any(&[Slip::WSign, Slip::LeftHanded]) { seen.z } else { -seen.z };
+        seen.truncate() * if in_perspective { self.near / depth } else { 1.0 }
+    }
+
+    fn pixel(&self, window: DVec2) -> [f64; 2] {
+        let ImageSize { width, height } = self.subject.figure.image;
+        let ViewWindow { left, bottom, top, .. } = self.window;
+        let i = whole(f64::from(width) * ((window.x - left) / self.window.width()));
+        let share = if self.slips.has(Slip::YNotFlipped) { window.y - bottom } else { top - window.y };
+        let j = whole(f64::from(height) * (share / self.window.height()));
+        if self.slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] }
+    }
+
+    fn viewport(&self, ndc: DVec3) -> [f64; 3] {
+        let figure = &self.subject.figure;
+        let Viewport { x, y, width, height, depth_near, depth_far } =
+            figure.viewport.unwrap_or_else(|| Viewport::whole(figure.image));
+        let up = if self.slips.has(Slip::YNotFlipped) { -ndc.y } else { ndc.y };
+        let [x, y] = [(x, width, ndc.x), (y, height, up)]
+            .map(|(start, size, n)| whole(f64::from(size) / 2.0 * (n + 1.0)) + f64::from(start));
+        let z = if self.slips.has(Slip::DepthNotMapped) {
+            ndc.z
+        } else {
+            (depth_far - depth_near) / 2.0 * ndc.z + f64::midpoint(depth_far, depth_near)
+        };
+        if self.slips.has(Slip::ColumnsAndRows) { [y, x, z] } else { [x, y, z] }
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
+    fn ray(&self, [i, j]: [i64; 2], what: &str) -> Option<Table> {
+        let ImageSize { width, height } = self.subject.figure.image;
+        let half = if self.slips.has(Slip::PixelCorner) { 0.0 } else { 0.5 };
+        let [i, j] = if self.slips.has(Slip::ColumnsAndRows) { [j, i] } else { [i, j] };
+        let x = self.window.left + self.window.width() * (i as f64 + half) / f64::from(width);
+        let down = self.window.height() * (j as f64 + half) / f64::from(height);
+        let y = if self.slips.has(Slip::YNotFlipped) { self.window.bottom + down } else { self.window.top - down };
+        let across = self.u * x + self.v * y;
+        let in_perspective = self.camera.projection() == Projection::Perspective;
+        let forward = if self.slips.any(&[Slip::ViewDepthSign, Slip::LeftHanded]) { self.n } else { -self.n };
+        Some(match what {
+            "origin" if in_perspective => self.camera.position().into(),
+            "origin" => (self.camera.position() + across).into(),
+            "direction" if in_perspective => {
+                let direction = across + forward * self.near;
+                let keeps_length = self.slips.has(Slip::RayNotNormalised);
+                (if keeps_length { direction } else { direction.normalize_or_zero() }).into()
+            }
+            "direction" => forward.into(),
+            _ => return None,
+        })
+    }
+}
+
+/// ⌊x⌋, where x may be off by a rounding.
+fn whole(x: f64) -> f64 {
+    (x + 1e-9).floor()
+}
+
+/// **u**, **v**, **n**, `[0]` (5.3).
+fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
+    let to_viewer = camera.position() - camera.focal_point();
+    let to_viewer = if slips.has(Slip::NReversed) { -to_viewer } else { to_viewer };
+    let up = camera.view_up();
+    let all = slips.has(Slip::NothingNormalised);
+    let unit = |v: DVec3, keeps_length: bool| if keeps_length { v } else { v / v.length() };
+    let n = unit(to_viewer, all || slips.has(Slip::NNotNormalised));
+    // The others are made from a unit n where it alone keeps its length.
+    let made_from = unit(to_viewer, all);
+    let u = unit(up.cross(made_from), all || slips.any(&[Slip::UNotNormalised, Slip::ViewUpAsVWithoutNorm]));
+    let u = if slips.has(Slip::UReversed) { -u } else { u };
+    let v = if slips.has(Slip::UnitViewUpAsV) {
+        unit(up, false)
+    } else if slips.any(&[Slip::ViewUpAsV, Slip::ViewUpAsVWithoutNorm]) {
+        up
+    } else {
+        made_from.cross(u)
+    };
+    let u = if slips.has(Slip::UNotNormalisedAlone) { up.cross(made_from) } else { u };
+    let u = if slips.has(Slip::UReversedAlone) { -u } else { u };
+    [u, v, if slips.has(Slip::NReversedAlone) { -n } else { n }]
+}
+
+/// l, r, b, t, `[0]` (5.1), (5.5).
+fn window(camera: &Camera, slips: Slips) -> ViewWindow {
+    let parameters = camera.parameters();
+    if let Some(window) = parameters.window {
+        return window;
+    }
+    let height = match camera.projection() {
+        Projection::Parallel => parameters.height,
+        Projection::Perspective => {
+            let half = if slips.has(Slip::WholeAngle) { 1.0 } else { 0.5 };
+            let angle = parameters.view_angle * half;
+            let angle = if slips.has(Slip::Radians) { angle } else { angle.to_radians() };
+            2.0 * camera.near() * angle.tan()
+        }
+    };
+    let aspect = parameters.aspect;
+    let width = if slips.has(Slip::AspectInverted) { height / aspect } else { height * aspect };
+    ViewWindow { left: -width / 2.0, right: width / 2.0, bottom: -height / 2.0, top: height / 2.0 }
+}
+
+fn window_number(window: &ViewWindow, name: &str) -> Option<f64> {
+    Some(match name {
+        "left" => window.left,
+        "right" => window.right,
+        "bottom" => window.bottom,
+        "top" => window.top,
+        "width" => window.width(),
+        "height" => window.height(),
+        "aspect" => window.aspect(),
+        _ => return None,
+    })
+}
+
+/// M_v, `[0]` (5.7).
+pub(super) fn view_matrix([u, v, n]: [DVec3; 3], position: DVec3, slips: Slips) -> DMat4 {
+    let turned = DVec3::new(u.dot(position), v.dot(position), n.dot(position));
+    let last = if slips.any(&[Slip::TranslationNotRotated, Slip::PositionAsItIs]) { position } else { turned };
+    let last = if slips.any(&[Slip::PositionNotNegated, Slip::PositionAsItIs]) { last } else { -last };
+    DMat4::from_cols(u.extend(last.x), v.extend(last.y), n.extend(last.z), DVec4::W).transpose()
+}
+
+/// M_p, `[0]` (5.13) to (5.16).
+pub(super) fn projection_matrix(
+    projection: Projection,
+    window: &ViewWindow,
+    [near, far]: [f64; 2],
+    slips: Slips,
+) -> DMat4 {
+    let ViewWindow { left, right, bottom, top } = *window;
+    let (width, height) = (right - left, top - bottom);
+    let everywhere = slips.has(Slip::NearFarAsCoordinatesEverywhere);
+    let as_coordinates = everywhere || slips.has(Slip::NearFarAsCoordinates);
+    let (f, b) = if as_coordinates { (-near, -far) } else { (near, far) };
+    let window_near = if everywhere { -near } else { near };
+    let from_zero = slips.has(Slip::DepthRange);
+    let (mut scale, mut shift, last) = match projection {
+        Projection::Perspective if from_zero => (-b / (b - f), -b * f / (b - f), -1.0),
+        Projection::Perspective => (-(b + f) / (b - f), -2.0 * b * f / (b - f), -1.0),
+        Projection::Parallel if from_zero => (-1.0 / (b - f), -f / (b - f), 0.0),
+        Projection::Parallel => (-2.0 / (b - f), -(b + f) / (b - f), 0.0),
+    };
+    if slips.has(Slip::DepthRowSign) {
+        (scale, shift) = (-scale, -shift);
+    }
+    if slips.has(Slip::LeftHanded) {
+        scale = -scale;
+    }
+    let last = if slips.any(&[Slip::WSign, Slip::LeftHanded]) { -last } else { last };
+    let rows = match projection {
+        Projection::Perspective => [
+            [2.0 * window_near / width, 0.0, (right + left) / width, 0.0],
+            [0.0, 2.0 * window_near / height, (top + bottom) / height, 0.0],
+            [0.0, 0.0, scale, shift],
+            [0.0, 0.0, last, 0.0],
+        ],
+        Projection::Parallel => [
+            [2.0 / width, 0.0, 0.0, -(right + left) / width],
+            [0.0, 2.0 / height, 0.0, -(top + bottom) / height],
+            [0.0, 0.0, scale, shift],
+            [0.0, 0.0, 0.0, 1.0],
+        ],
+    };
+    DMat4::from_cols_array_2d(&rows).transpose()
+}

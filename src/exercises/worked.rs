@@ -1,0 +1,466 @@
+//! Worked steps: the formulas of the notes with the numbers of an exercise put in.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::subject::Subject;
+use crate::camera::{Camera, Convention, Operation, Projection};
+use crate::explain::{
+    self, Axis, Component, Formula, Function, Line, Matrix, MatrixFormula, Named, Setting, Style, Symbol, definition,
+    over, plus, times,
+};
+use crate::inspect::camera_after;
+
+/// A step of a solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worked {
+    /// The name of the text above it.
+    pub heading: &'static str,
+    /// The equations that it uses.
+    pub equation: String,
+    /// What gives the symbols their numbers: a figure without operations.
+    subject: Arc<Subject>,
+    /// The point whose coordinates stand in it.
+    point: Option<DVec3>,
+    /// What is computed.
+    rows: Vec<Row>,
+}
+
+/// `symbol` = `formula` = `value`.
+#[derive(Clone, Debug, PartialEq)]
+struct Row {
+    symbol: Formula,
+    formula: Formula,
+    value: f64,
+}
+
+/// A number that has a name of its own in a solution.
+#[must_use]
+pub(super) const fn named(text: &'static str, latex: &'static str, value: f64) -> Named {
+    Named { text, latex, value, is_angle: false }
+}
+
+/// An angle in degrees that has a name of its own in a solution.
+#[must_use]
+pub(super) const fn angle(text: &'static str, latex: &'static str, degrees: f64) -> Named {
+    Named { text, latex, value: degrees, is_angle: true }
+}
+
+impl Worked {
+    /// A step whose formulas have only numbers with names of their own.
+    #[must_use]
+    pub fn new(heading: &'static str, equation: &str) -> Self {
+        let subject = Arc::new(Subject::default());
+        Self { heading, equation: equation.to_owned(), subject, point: None, rows: Vec::new() }
+    }
+
+    /// With a row: what `symbol` names is `formula`.
+    #[must_use]
+    pub fn row(mut self, symbol: Named, formula: Formula) -> Self {
+        self.rows.push(Row { symbol: symbol.into(), formula, value: symbol.value });
+        self
+    }
+
+    fn of(heading: &'static str, equation: impl Into<String>, subject: &Arc<Subject>) -> Self {
+        Self { heading, equation: equation.into(), subject: Arc::clone(subject), point: None, rows: Vec::new() }
+    }
+
+    fn push(&mut self, setting: &Setting<'_>, symbol: impl Into<Formula>, formula: Formula) {
+        let value = formula.value(setting);
+        self.rows.push(Row { symbol: symbol.into(), formula, value });
+    }
+
+    /// The rows as they are written.
+    #[must_use]
+    pub fn lines(&self, style: Style, exact: bool) -> Vec<Line> {
+        let Ok(camera) = self.subject.camera() else { return Vec::new() };
+        let setting = setting(&camera, &self.subject);
+        let setting = match self.point {
+            Some(point) => setting.with_point(point),
+            None => setting,
+        };
+        let Style { notation, mark, digits } = style;
+        let symbols = explain::Writer { notation, numbers: None };
+        let numbers =
+            explain::Writer { notation, numbers: Some(explain::Numbers { setting: &setting, mark, digits, exact }) };
+        let line = |row: &Row| Line {
+            symbol: symbols.write(&row.symbol),
+            formula: symbols.write(&row.formula),
+            numbers: numbers.write(&row.formula),
+            value: numbers.number(row.value),
+        };
+        self.rows.iter().map(line).collect()
+    }
+}
+
+fn setting<'a>(camera: &'a Camera, subject: &Subject) -> Setting<'a> {
+    Setting::new(camera.notes_clip_space(), subject.figure.image, subject.figure.viewport)
+}
+
+/// The way to what `inspect` says at a path.
+#[must_use]
+pub(super) fn worked(subject: &Subject, path: &str) -> Vec<Worked> {
+    let parts: Vec<&str> = path.split('.').collect();
+    let (mut steps, after) = operated(subject, |operation| matters(&parts, operation));
+    let Ok(camera) = after.camera() else { return steps };
+    let setting = setting(&camera, &after);
+    match parts[..] {
+        ["basis", axis] => steps.extend(basis(&after, &setting, axis)),
+        ["dop" | "distance"] => steps.extend(basis(&after, &setting, "n")),
+        ["window", _] | ["camera", "height"] => steps.extend(window(&after, &setting)),
+        ["view_matrix" | "inverse_view_matrix"] => {
+            steps.extend(basis(&after, &setting, "v"));
+            steps.push(matrix(
+                &after,
+                &setting,
+                if path == "view_matrix" { Matrix::View } else { Matrix::InverseView },
+            ));
+        }
+        ["projection_matrix" | "inverse_projection_matrix"] => {
+            steps.extend(window(&after, &setting));
+            let of = if path == "projection_matrix" { Matrix::Projection } else { Matrix::InverseProjection };
+            steps.push(matrix(&after, &setting, of));
+        }
+        ["view_projection_matrix"] => {
+            steps.extend(basis(&after, &setting, "v"));
+            steps.extend(window(&after, &setting));
+            let all = [Matrix::View, Matrix::Projection, Matrix::ViewProjection];
+            steps.extend(all.map(|of| matrix(&after, &setting, of)));
+        }
+        ["points", k, what] => {
+            let point = k.parse().ok().and_then(|k: usize| subject.points.get(k));
+            steps.extend(basis(&after, &setting, "v"));
+            if what != "view" {
+                steps.extend(window(&after, &setting));
+            }
+            steps.extend(point.map(|point| trace(&after, &setting, *point, what)).unwrap_or_default());
+        }
+        ["rays", k, what] => {
+            let pixel = k.parse().ok().and_then(|k: usize| subject.pixels.get(k));
+            steps.extend(basis(&after, &setting, "v"));
+            steps.extend(window(&after, &setting));
+            steps.extend(pixel.map(|pixel| ray(&after, &setting, *pixel, what)));
+        }
+        ["volume_corners", k] => {
+            steps.extend(basis(&after, &setting, "v"));
+            steps.extend(window(&after, &setting));
+            steps.extend(k.parse().ok().map(|k| corner(&after, &setting, k)));
+        }
+        _ => {}
+    }
+    steps
+}
+
+/// Whether an operation changes what stands at a path.
+fn matters(path: &[&str], operation: Operation) -> bool {
+    let changes = operation.changes();
+    let (pose, window) = (changes.position || changes.focal_point || changes.view_up, changes.window);
+    match path {
+        ["basis" | "dop" | "distance" | "view_matrix" | "inverse_view_matrix", ..] => pose,
+        ["camera", "position" | "focal_point" | "view_up"] => pose,
+        ["window" | "projection_matrix" | "inverse_projection_matrix", ..] | ["camera", "view_angle" | "height"] => {
+            window
+        }
+        _ => true,
+    }
+}
+
+/// The operations that matter, one after the other, and the subject after all of them.
+fn operated(subject: &Subject, matters: impl Fn(Operation) -> bool) -> (Vec<Worked>, Arc<Subject>) {
+    let mut before = Subject { operations: Vec::new(), ..subject.clone() };
+    let mut steps = Vec::new();
+    for done in &subject.operations {
+        let at = Arc::new(before.clone());
+        let (Ok(camera), Ok(after)) =
+            (at.camera(), camera_after(&before.figure.camera, &[*done], Convention::RightHand))
+        else {
+            break;
+        };
+        if matters(*done) {
+            steps.push(operation(&at, &setting(&camera, &at), *done));
+        }
+        before.figure.camera = *after.parameters();
+    }
+    (steps, Arc::new(before))
+}
+
+/// A coordinate of a point.
+type Coordinate = fn(Component) -> Symbol;
+
+const NEW_POSITION: [(&str, &str); 3] = [("C'_x", "C'_x"), ("C'_y", "C'_y"), ("C'_z", "C'_z")];
+const NEW_FOCAL_POINT: [(&str, &str); 3] =
+    [("PF'_x", r"\mathrm{PF}'_x"), ("PF'_y", r"\mathrm{PF}'_y"), ("PF'_z", r"\mathrm{PF}'_z")];
+const NEW_U: [(&str, &str); 3] = [("u'_x", "u'_x"), ("u'_y", "u'_y"), ("u'_z", "u'_z")];
+const NEW_V: [(&str, &str); 3] = [("v'_x", "v'_x"), ("v'_y", "v'_y"), ("v'_z", "v'_z")];
+const NEW_N: [(&str, &str); 3] = [("n'_x", "n'_x"), ("n'_y", "n'_y"), ("n'_z", "n'_z")];
+
+/// What an operation does: the VRC turns about one of its axes, and C or PF with it.
+fn operation(subject: &Arc<Subject>, setting: &Setting<'_>, operation: Operation) -> Worked {
+    let (heading, turn) = match operation {
+        Operation::Elevation(by) => ("elevation", Some((Axis::U, by))),
+        Operation::Azimuth(by) => ("azimuth", Some((Axis::V, by))),
+        Operation::Roll(by) => ("roll", Some((Axis::N, by))),
+        Operation::Yaw(by) => ("yaw", Some((Axis::V, by))),
+        Operation::Pitch(by) => ("pitch", Some((Axis::U, by))),
+        Operation::Zoom(_) => ("zoom", None),
+        Operation::Dolly(_) => ("dolly", None),
+        Operation::Pan { .. } => ("pan", None),
+    };
+    let mut step = Worked::of(heading, "§5.6", subject);
+    if let Some((axis, by)) = turn {
+        turned(&mut step, setting, operation, axis, by.degrees());
+        return step;
+    }
+    let axis = |axis, c| Formula::from(Symbol::Axis(axis, c));
+    let parameters = setting.space().camera().parameters();
+    match operation {
+        Operation::Zoom(by) => {
+            let s = named("s", "s", by);
+            if parameters.window.is_some() {
+                for (symbol, name) in
+                    [(Symbol::Left, "l'"), (Symbol::Right, "r'"), (Symbol::Bottom, "b'"), (Symbol::Top, "t'")]
+                {
+                    step.push(setting, named(name, name, 0.0), over(symbol, s));
+                }
+            } else {
+                step.push(setting, named("H'", "H'", 0.0), over(Symbol::Height, s));
+                step.push(setting, named("W'", "W'", 0.0), over(Symbol::Width, s));
+                if parameters.projection == Projection::Perspective {
+                    let half = Formula::Of(Function::Tangent, Box::new(over(Symbol::ViewAngle, 2.0)));
+                    let turned = Formula::Of(Function::ArcTangent, Box::new(over(half, s)));
+                    step.push(setting, angle("θ'", r"\theta'", 0.0), times([2.0.into(), turned]));
+                }
+            }
+        }
+        Operation::Dolly(by) => {
+            let factor = named("f", "f", by);
+            let distance = named("D'", "D'", setting.value(Symbol::Distance) / by);
+            step.push(setting, distance, over(Symbol::Distance, factor));
+            for (c, (text, latex)) in Component::THREE.into_iter().zip(NEW_POSITION) {
+                let moved = plus(Symbol::FocalPoint(c), times([distance.into(), axis(Axis::N, c)]));
+                step.push(setting, named(text, latex, 0.0), moved);
+            }
+        }
+        Operation::Pan { dx, dy } => {
+            let (dx, dy) = (named("dx", "dx", dx), named("dy", "dy", dy));
+            let by = |c| plus(times([dx.into(), axis(Axis::U, c)]), times([dy.into(), axis(Axis::V, c)]));
+            for (names, of) in [(NEW_POSITION, Symbol::Position as Coordinate), (NEW_FOCAL_POINT, Symbol::FocalPoint)] {
+                for (c, (text, latex)) in Component::THREE.into_iter().zip(names) {
+                    step.push(setting, named(text, latex, 0.0), explain::sum([of(c).into(), by(c)]));
+                }
+            }
+        }
+        _ => {}
+    }
+    step
+}
+
+/// The VRC turned about one of its axes: the axis that is turned towards the next one takes of it, and C or PF follow.
+fn turned(step: &mut Worked, setting: &Setting<'_>, operation: Operation, about: Axis, degrees: f64) {
+    let alpha = angle("α", r"\alpha", degrees);
+    let of = |function| Formula::Of(function, Box::new(alpha.into()));
+    // About u: v turns towards n, n away from v; and round in this order.
+    let (first, second) = match about {
+        Axis::U => ((Axis::V, NEW_V), (Axis::N, NEW_N)),
+        Axis::V => ((Axis::N, NEW_N), (Axis::U, NEW_U)),
+        Axis::N => ((Axis::U, NEW_U), (Axis::V, NEW_V)),
+    };
+    let mut normal = [0.0; 3];
+    for ((axis, names), (other, _), sign) in [(first, second, 1.0), (second, first, -1.0)] {
+        for (k, (c, (text, latex))) in Component::THREE.into_iter().zip(names).enumerate() {
+            let along = times([Symbol::Axis(axis, c).into(), of(Function::Cosine)]);
+            let across = times([Symbol::Axis(other, c).into(), of(Function::Sine)]);
+            let formula = plus(along, if sign < 0.0 { -across } else { across });
+            if axis == Axis::N {
+                normal[k] = formula.value(setting);
+            }
+            step.push(setting, named(text, latex, 0.0), formula);
+        }
+    }
+    let moves: Option<(_, Coordinate, f64)> = match operation {
+        Operation::Elevation(_) | Operation::Azimuth(_) => Some((NEW_POSITION, Symbol::FocalPoint, 1.0)),
+        Operation::Yaw(_) | Operation::Pitch(_) => Some((NEW_FOCAL_POINT, Symbol::Position, -1.0)),
+        _ => None,
+    };
+    let Some((names, from, sign)) = moves else { return };
+    for (k, (c, (text, latex))) in Component::THREE.into_iter().zip(names).enumerate() {
+        let n = named(NEW_N[k].0, NEW_N[k].1, normal[k]);
+        let along = times([Symbol::Distance.into(), n.into()]);
+        step.push(setting, named(text, latex, 0.0), plus(from(c), if sign < 0.0 { -along } else { along }));
+    }
+}
+
+/// D and **n**, then **u**, then **v**, up to the axis that is asked for.
+fn basis(subject: &Arc<Subject>, setting: &Setting<'_>, up_to: &str) -> Vec<Worked> {
+    let mut steps = Vec::new();
+    for (axis, heading, letter) in [(Axis::N, "n", "n"), (Axis::U, "u", "u"), (Axis::V, "v", "v")] {
+        let symbols = Component::THREE.map(|c| Symbol::Axis(axis, c));
+        let distance = (axis == Axis::N).then_some(Symbol::Distance);
+        steps.push(defined(subject, setting, heading, distance.into_iter().chain(symbols)));
+        if letter == up_to {
+            break;
+        }
+    }
+    steps
+}
+
+/// What the window is made of.
+fn window(subject: &Arc<Subject>, setting: &Setting<'_>) -> Vec<Worked> {
+    let symbols = [Symbol::Height, Symbol::Width, Symbol::Left, Symbol::Right, Symbol::Bottom, Symbol::Top];
+    let step = defined(subject, setting, "window", symbols);
+    if step.rows.is_empty() { Vec::new() } else { vec![step] }
+}
+
+/// A step of definitions, of those symbols that have one.
+fn defined(
+    subject: &Arc<Subject>,
+    setting: &Setting<'_>,
+    heading: &'static str,
+    symbols: impl IntoIterator<Item = Symbol>,
+) -> Worked {
+    let mut step = Worked::of(heading, "", subject);
+    let mut equations: Vec<&str> = Vec::new();
+    for symbol in symbols {
+        if let Some(found) = definition(symbol, setting) {
+            for equation in found.equation.split(", ") {
+                if !equations.contains(&equation) {
+                    equations.push(equation);
+                }
+            }
+            // The camera's own number, which a formula in plain f64 may miss by its last digit.
+            let value = setting.value(symbol);
+            step.rows.push(Row { symbol: symbol.into(), formula: found.formula, value });
+        }
+    }
+    step.equation = equations.join(", ");
+    step
+}
+
+/// The entries of a matrix that are not 0 or 1 for every camera.
+fn matrix(subject: &Arc<Subject>, setting: &Setting<'_>, of: Matrix) -> Worked {
+    let formulas = MatrixFormula::new(of, setting);
+    let mut step = Worked::of("matrix", formulas.equation, subject);
+    for row in 0..4_u8 {
+        for column in 0..4_u8 {
+            let formula = formulas.entry(usize::from(row), usize::from(column));
+            if !matches!(formula, Formula::Number(_)) {
+                let symbol = Symbol::Entry(of, row, column);
+                step.rows.push(Row { symbol: symbol.into(), formula: formula.clone(), value: setting.value(symbol) });
+            }
+        }
+    }
+    step
+}
+
+/// A point's way from the world to a space.
+fn trace(subject: &Arc<Subject>, setting: &Setting<'_>, point: DVec3, to: &str) -> Vec<Worked> {
+    let all = explain::forward(&setting.clone().with_point(point));
+    let mut wanted = to;
+    let mut steps = Vec::new();
+    while let Some(found) = all.iter().find(|step| step.to == wanted) {
+        let rows = found.symbols.iter().zip(&found.formulas).zip(&found.output);
+        let rows = rows.map(|((symbol, formula), value)| Row {
+            symbol: (*symbol).into(),
+            formula: formula.clone(),
+            value: *value,
+        });
+        steps.push(Worked {
+            point: Some(point),
+            rows: rows.collect(),
+            ..Worked::of(heading_of(found.to), found.equation.clone(), subject)
+        });
+        wanted = found.from;
+    }
+    steps.reverse();
+    steps
+}
+
+fn heading_of(space: &str) -> &'static str {
+    match space {
+        "view" => "to-view",
+        "clip" => "to-clip",
+        "ndc" => "to-ndc",
+        "window" => "to-window",
+        "pixel" => "to-pixel",
+        _ => "to-viewport",
+    }
+}
+
+const DIRECTION: [(&str, &str); 3] = [("d_x", "d_x"), ("d_y", "d_y"), ("d_z", "d_z")];
+const UNIT_DIRECTION: [(&str, &str); 3] =
+    [("D_R,x", r"\mathbf{D}_{R,x}"), ("D_R,y", r"\mathbf{D}_{R,y}"), ("D_R,z", r"\mathbf{D}_{R,z}")];
+const ORIGIN: [(&str, &str); 3] = [("O_R,x", "O_{R,x}"), ("O_R,y", "O_{R,y}"), ("O_R,z", "O_{R,z}")];
+
+/// The ray through the centre of a pixel: (5.23) with the half, then (5.17) to (5.21).
+#[expect(clippy::cast_precision_loss, reason = "pixels of an image are far below 2^53")]
+fn ray(subject: &Arc<Subject>, setting: &Setting<'_>, [i, j]: [i64; 2], what: &str) -> Worked {
+    let in_perspective = setting.space().camera().projection() == Projection::Perspective;
+    let equation = if in_perspective { "(5.23), (5.17)–(5.19)" } else { "(5.23), (5.20), (5.21)" };
+    let mut step = Worked::of("ray", equation, subject);
+    let (i, j) = (named("i", "i", i as f64), named("j", "j", j as f64));
+    let share = |pixel: Named, size: Symbol| over(plus(pixel, 0.5), size);
+    let x = plus(Symbol::Left, times([Symbol::Width.into(), share(i, Symbol::ImageWidth)]));
+    let y = explain::minus(Symbol::Top, times([Symbol::Height.into(), share(j, Symbol::ImageHeight)]));
+    let (x_p, y_p) = (named("x_p", "x_p", x.value(setting)), named("y_p", "y_p", y.value(setting)));
+    step.push(setting, x_p, x);
+    step.push(setting, y_p, y);
+    let across = |c| {
+        let part = |along: Named, axis| times([along.into(), Symbol::Axis(axis, c).into()]);
+        [part(x_p, Axis::U), part(y_p, Axis::V)]
+    };
+    let components = Component::THREE.into_iter();
+    if in_perspective && what == "direction" {
+        let mut parts = [0.0_f64; 3];
+        for (k, (c, (text, latex))) in components.clone().zip(DIRECTION).enumerate() {
+            let [x, y] = across(c);
+            let back = times([Symbol::Near.into(), Symbol::Axis(Axis::N, c).into()]);
+            let formula = explain::sum([x, y, -back]);
+            parts[k] = formula.value(setting);
+            step.push(setting, named(text, latex, 0.0), formula);
+        }
+        let part = |k: usize| named(DIRECTION[k].0, DIRECTION[k].1, parts[k]);
+        let squares = (0..3).map(|k| times([part(k).into(), part(k).into()]));
+        let length = Formula::Of(Function::Root, Box::new(explain::sum(squares)));
+        let norm = named("‖d‖", r"\|\mathbf{d}\|", length.value(setting));
+        step.push(setting, norm, length);
+        for (k, (text, latex)) in UNIT_DIRECTION.into_iter().enumerate() {
+            step.push(setting, named(text, latex, 0.0), over(part(k), norm));
+        }
+    } else {
+        let names = if what == "origin" { ORIGIN } else { UNIT_DIRECTION };
+        for (c, (text, latex)) in components.zip(names) {
+            let formula = match (what, in_perspective) {
+                ("origin", true) => Symbol::Position(c).into(),
+                ("origin", false) => {
+                    let [x, y] = across(c);
+                    explain::sum([Symbol::Position(c).into(), x, y])
+                }
+                _ => -Formula::from(Symbol::Axis(Axis::N, c)),
+            };
+            step.push(setting, named(text, latex, 0.0), formula);
+        }
+    }
+    step
+}
+
+const CORNER: [(&str, &str); 3] = [("P_x", "P_x"), ("P_y", "P_y"), ("P_z", "P_z")];
+
+/// A corner of the view volume: C + x **u** + y **v** − z **n**.
+fn corner(subject: &Arc<Subject>, setting: &Setting<'_>, k: usize) -> Worked {
+    let mut step = Worked::of("corner", "§5.3.2", subject);
+    let x = if matches!(k % 4, 0 | 3) { Symbol::Left } else { Symbol::Right };
+    let y = if matches!(k % 4, 0 | 1) { Symbol::Bottom } else { Symbol::Top };
+    let (depth, is_far) = if k < 4 { (Symbol::Near, false) } else { (Symbol::Far, true) };
+    let spread = is_far && setting.space().camera().projection() == Projection::Perspective;
+    let side =
+        |side: Symbol| if spread { over(times([side.into(), Symbol::Far.into()]), Symbol::Near) } else { side.into() };
+    for (c, (text, latex)) in Component::THREE.into_iter().zip(CORNER) {
+        let along = |by: Formula, axis| times([by, Symbol::Axis(axis, c).into()]);
+        let back = along(depth.into(), Axis::N);
+        let formula =
+            explain::sum([Symbol::Position(c).into(), along(side(x), Axis::U), along(side(y), Axis::V), -back]);
+        step.push(setting, named(text, latex, 0.0), formula);
+    }
+    step
+}

@@ -1,0 +1,125 @@
+//! What the command line says about exercises, besides the exercises themselves.
+
+use super::Lang;
+use crate::foreign::shown;
+
+texts! {
+    right: "right", "certo";
+    wrong: "wrong", "errado";
+    understood: "understood as", "entendido como";
+    hint: "Hint", "Dica";
+    asked: "Asked", "Pede-se";
+    assumptions: "How it is read", "Como se entende";
+    answers: "Answers", "Respostas";
+    solution: "The way there", "O caminho";
+    not_answered: "Not answered yet", "Ainda sem resposta";
+    read_as: "read as", "entendido";
+    source: "Source", "Fonte";
+    exercises: "Exercises", "Exercícios";
+    name: "Name", "Nome";
+    date: "Date", "Data";
+}
+
+/// An identifier that no exercise has.
+#[must_use]
+pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
+    let id = shown(id);
+    match (lang, near) {
+        (Lang::En, Some(near)) => {
+            format!("there is no exercise {id:?}; did you mean {near:?}? `camera-lab exercise list` lists them")
+        }
+        (Lang::En, None) => format!("there is no exercise {id:?}; `camera-lab exercise list` lists them"),
+        (Lang::PtBr, Some(near)) => {
+            format!("não há exercício {id:?}; seria {near:?}? `camera-lab exercise list` os lista")
+        }
+        (Lang::PtBr, None) => format!("não há exercício {id:?}; `camera-lab exercise list` os lista"),
+    }
+}
+
+/// An answer to something that is not asked.
+#[must_use]
+pub fn unknown_ask(lang: Lang, id: &str, name: &str, asks: &[&str]) -> String {
+    let (name, asks) = (shown(name), asks.join(", "));
+    match lang {
+        Lang::En => format!("--answer: {id} does not ask for {name:?}; it asks for: {asks}"),
+        Lang::PtBr => format!("--answer: {id} não pede {name:?}; pede: {asks}"),
+    }
+}
+
+/// The same ask answered twice.
+#[must_use]
+pub fn answered_twice(lang: Lang, name: &str) -> String {
+    match lang {
+        Lang::En => format!("--answer: {} is answered twice", shown(name)),
+        Lang::PtBr => format!("--answer: {} foi respondido duas vezes", shown(name)),
+    }
+}
+
+/// An answer without `=`.
+#[must_use]
+pub fn answer_form(lang: Lang, text: &str) -> String {
+    format!("--answer {}: {}", shown(text), name_and_value(lang))
+}
+
+/// An answer that cannot be read; it has not been judged.
+#[must_use]
+pub fn unreadable(lang: Lang, name: &str, why: &str) -> String {
+    match lang {
+        Lang::En => format!("--answer {name}: {why}. Nothing has been judged"),
+        Lang::PtBr => format!("--answer {name}: {why}. Nada foi julgado"),
+    }
+}
+
+/// `--with` that cannot be used.
+#[must_use]
+pub fn with(_lang: Lang, text: &str, why: &str) -> String {
+    format!("--with {}: {why}", shown(text))
+}
+
+/// A number that the exercise does not leave open.
+#[must_use]
+pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
+    let name = shown(name);
+    match (lang, free.is_empty()) {
+        (Lang::En, true) => format!("--with: {id} leaves no number open, {name:?} neither"),
+        (Lang::En, false) => format!("--with: {id} does not leave {name:?} open; it leaves open: {}", free.join(", ")),
+        (Lang::PtBr, true) => format!("--with: {id} não deixa nenhum número em aberto, nem {name:?}"),
+        (Lang::PtBr, false) => format!("--with: {id} não deixa {name:?} em aberto; deixa: {}", free.join(", ")),
+    }
+}
+
+/// What is expected.
+#[must_use]
+pub const fn name_and_value(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "NAME=VALUE is expected",
+        Lang::PtBr => "esperava-se NOME=VALOR",
+    }
+}
+
+/// What is expected.
+#[must_use]
+pub const fn greater_than_zero(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "a number greater than 0 is expected",
+        Lang::PtBr => "esperava-se um número maior que 0",
+    }
+}
+
+/// How much of an answer is right.
+#[must_use]
+pub fn score(lang: Lang, right: usize, all: usize) -> String {
+    match lang {
+        Lang::En => format!("{right} of {all}"),
+        Lang::PtBr => format!("{right} de {all}"),
+    }
+}
+
+/// A sheet with an ending that cannot be written.
+#[must_use]
+pub fn sheet_ending(lang: Lang, path: &str) -> String {
+    match lang {
+        Lang::En => format!("{path}: a sheet ends with .md or .tex"),
+        Lang::PtBr => format!("{path}: uma folha termina com .md ou .tex"),
+    }
+}

@@ -1,0 +1,213 @@
+//! A sheet of exercises to hand out, as Markdown or LaTeX.
+
+use super::{Lang, exercise_messages, exercises};
+use crate::exercises::{Ask, Exercise, Expected, Kind};
+use crate::explain::{self, Notation, Style};
+
+/// Digits of the numbers in worked steps.
+const DIGITS: usize = 6;
+
+/// A sheet in Markdown.
+#[must_use]
+pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
+    let t = exercise_messages::texts(lang);
+    let mut text = format!("# {}\n\n{}: ____________________  {}: ____________\n", t.exercises, t.name, t.date);
+    for (number, exercise) in sheet.iter().enumerate() {
+        text.push_str(&format!("\n## {}. {}\n\n", number + 1, exercises::title(lang, &exercise.id)));
+        for paragraph in exercises::statement(lang, exercise) {
+            text.push_str(&format!("{paragraph}\n\n"));
+        }
+        for assumption in exercises::assumptions(lang, exercise) {
+            text.push_str(&format!("> {assumption}\n>\n"));
+        }
+        for (letter, ask) in ('a'..).zip(&exercise.asks) {
+            let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
+            text.push_str(&format!("\n**{letter})** {asked} — *{kind}*\n"));
+        }
+        text.push_str(&format!("\n<small>{}, seed {}</small>\n", exercise.id, exercise.seed));
+        if with_answers {
+            text.push_str(&format!("\n### {}\n", t.answers));
+            for (letter, ask) in ('a'..).zip(&exercise.asks) {
+                text.push_str(&format!("\n**{letter})** {}\n", answer(lang, ask)));
+                for step in exercises::steps(lang, exercise, ask, DIGITS) {
+                    text.push_str(&format!("\n```text\n{}\n```\n", step.replace("**", "")));
+                }
+            }
+        }
+    }
+    text
+}
+
+/// A sheet in LaTeX, which compiles with nothing but amsmath.
+#[must_use]
+pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
+    let t = exercise_messages::texts(lang);
+    let babel = match lang {
+        Lang::En => "english",
+        Lang::PtBr => "brazil",
+    };
+    let mut text = format!(
+        "\\documentclass[a4paper,11pt]{{article}}\n\\usepackage[T1]{{fontenc}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[{babel}]{{babel}}\n\
+         \\usepackage{{amsmath}}\n\\usepackage[margin=2cm]{{geometry}}\n\\allowdisplaybreaks\n\\begin{{document}}\n\\section*{{{}}}\n\
+         \\noindent {}: \\underline{{\\hspace{{6cm}}}}\\quad {}: \\underline{{\\hspace{{3cm}}}}\n",
+        t.exercises, t.name, t.date
+    );
+    for (number, exercise) in sheet.iter().enumerate() {
+        let title = escaped(exercises::title(lang, &exercise.id));
+        text.push_str(&format!("\n\\subsection*{{{}. {title}}}\n", number + 1));
+        for paragraph in exercises::statement(lang, exercise) {
+            text.push_str(&format!("{}\n\n", of_markdown(&paragraph)));
+        }
+        let assumptions = exercises::assumptions(lang, exercise);
+        if !assumptions.is_empty() {
+            text.push_str("\\begin{quote}\\small\n");
+            for assumption in assumptions {
+                text.push_str(&format!("{}\n\n", of_markdown(&assumption)));
+            }
+            text.push_str("\\end{quote}\n");
+        }
+        text.push_str("\\begin{enumerate}\n");
+        for ask in &exercise.asks {
+            let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
+            text.push_str(&format!("\\item {} \\emph{{({})}}\n", of_markdown(&asked), escaped(&kind)));
+        }
+        text.push_str("\\end{enumerate}\n");
+        text.push_str(&format!("{{\\footnotesize {}, seed {}}}\n", escaped(&exercise.id), exercise.seed));
+        if with_answers {
+            text.push_str(&format!("\n\\paragraph{{{}}}\n\\begin{{enumerate}}\n", t.answers));
+            for ask in &exercise.asks {
+                text.push_str(&format!("\\item {}\n", latex_answer(lang, ask)));
+            }
+            text.push_str("\\end{enumerate}\n");
+        }
+    }
+    text.push_str("\\end{document}\n");
+    text
+}
+
+/// What is right, as it would be typed.
+#[must_use]
+pub fn answer(lang: Lang, ask: &Ask) -> String {
+    let mark = lang.mark();
+    match (ask.expected(), ask.expected().table(), &ask.kind) {
+        (Expected::Choice(right, ..), _, Kind::Choice(choices)) => {
+            choices.get(*right).map_or_else(String::new, |name| exercises::choice(lang, name).to_owned())
+        }
+        (Expected::Camera(_, model, _), ..) => {
+            exercises::understood(lang, ask, &crate::exercises::Answer::Camera(model.clone()))
+        }
+        (_, Some(table), Kind::Matrix(..)) => exercises::matrix(mark, &table),
+        (_, Some(table), Kind::Number) => exercises::number(mark, table.entries.first().copied().unwrap_or(f64::NAN)),
+        (_, Some(table), _) => exercises::tuple(mark, &table.entries),
+        _ => String::new(),
+    }
+}
+
+fn latex_answer(lang: Lang, ask: &Ask) -> String {
+    let style = Style { notation: Notation::Latex, mark: lang.mark(), digits: DIGITS };
+    let mut text = match ask.expected().table() {
+        Some(table) if ask.shape()[1] > 1 => {
+            let number = |value: &f64| {
+                crate::numbers::exact_form(*value).map_or_else(
+                    || lang.mark().number(*value, DIGITS).replace('−', "-").replace(',', "{,}"),
+                    |form| form.latex(),
+                )
+            };
+            let rows: Vec<String> =
+                table.rows().map(|row| row.iter().map(number).collect::<Vec<_>>().join(" & ")).collect();
+            format!("\\[\\begin{{bmatrix}} {} \\end{{bmatrix}}\\]\n", rows.join(" \\\\ "))
+        }
+        _ => format!("{}\n", escaped(&answer(lang, ask))),
+    };
+    for step in ask.steps() {
+        let heading = of_markdown(exercises::heading(lang, step.heading));
+        let lines = step.lines(style, true);
+        text.push_str(&format!("\n\\smallskip\\noindent {heading} {}\n", escaped(&step.equation)));
+        if !lines.is_empty() {
+            text.push_str(&format!("\\begin{{small}}\\[{}\\]\\end{{small}}\n", explain::aligned(&lines)));
+        }
+    }
+    text
+}
+
+/// Markdown with bold words, code and mathematics between dollars, as LaTeX.
+fn of_markdown(text: &str) -> String {
+    let mut latex = String::new();
+    for (k, part) in text.split('$').enumerate() {
+        if k % 2 == 1 {
+            latex.push_str(&format!("${part}$"));
+            continue;
+        }
+        for (k, part) in part.split("**").enumerate() {
+            let part = escaped(part);
+            latex.push_str(&if k % 2 == 1 { format!("\\textbf{{{part}}}") } else { part });
+        }
+    }
+    latex
+}
+
+/// Words in LaTeX.
+fn escaped(text: &str) -> String {
+    let mut latex = String::new();
+    for c in text.chars() {
+        match c {
+            '_' | '&' | '%' | '#' | '{' | '}' | '$' => {
+                latex.push('\\');
+                latex.push(c);
+            }
+            '\\' => latex.push_str("\\textbackslash{}"),
+            '^' => latex.push_str("\\textasciicircum{}"),
+            '~' => latex.push_str("\\textasciitilde{}"),
+            '`' => latex.push('\''),
+            '[' | ']' => {
+                latex.push('{');
+                latex.push(c);
+                latex.push('}');
+            }
+            '…' => latex.push_str("\\dots{}"),
+            '“' => latex.push_str("``"),
+            '”' => latex.push_str("''"),
+            '–' => latex.push_str("--"),
+            '—' => latex.push_str("---"),
+            c => match symbol(c) {
+                Some(symbol) => latex.push_str(&format!("${symbol}$")),
+                None => latex.push(c),
+            },
+        }
+    }
+    latex
+}
+
+/// Signs that stand in statements and that an input encoding does not know.
+fn symbol(c: char) -> Option<&'static str> {
+    Some(match c {
+        'θ' => r"\theta",
+        'φ' => r"\varphi",
+        'α' => r"\alpha",
+        '−' => "-",
+        '×' => r"\times",
+        '·' => r"\cdot",
+        '√' => r"\surd",
+        '⌊' => r"\lfloor",
+        '⌋' => r"\rfloor",
+        '‖' => r"\|",
+        '≤' => r"\le",
+        '≥' => r"\ge",
+        '≠' => r"\ne",
+        '→' => r"\to",
+        '∈' => r"\in",
+        '∞' => r"\infty",
+        '°' => r"{}^{\circ}",
+        '²' => "{}^2",
+        '³' => "{}^3",
+        '⁻' => "{}^-",
+        '¹' => "{}^1",
+        'π' => r"\pi",
+        '±' => r"\pm",
+        'Δ' => r"\Delta",
+        '∥' => r"\parallel",
+        '<' => "<",
+        '>' => ">",
+        _ => return None,
+    })
+}

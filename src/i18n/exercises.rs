@@ -1,0 +1,399 @@
+//! What exercises say, in both languages, written in `assets/exercises`.
+//!
+//! A file is read line by line. `# id: title` begins an exercise: its other lines are paragraphs of the statement in Markdown, and `? name: text`
+//! what is asked. `# name` begins a list of `- name: text`. `{name}` stands for a fact of the exercise.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use super::{Lang, messages};
+use crate::exercises::{Answer, AnswerError, Ask, Diagnosis, Exercise, Fact, Kind, Mistake, Table, Unit};
+use crate::explain::{Notation, Style};
+use crate::expression::marked;
+use crate::figure::{Figure, write::to_toml};
+use crate::foreign::shown;
+use crate::numbers::{DecimalMark, exact_form};
+
+/// The texts of one language.
+#[derive(Debug, Default)]
+struct Texts {
+    exercises: BTreeMap<&'static str, Statement>,
+    lists: BTreeMap<&'static str, BTreeMap<&'static str, &'static str>>,
+}
+
+#[derive(Debug, Default)]
+struct Statement {
+    title: &'static str,
+    paragraphs: Vec<&'static str>,
+    asks: BTreeMap<&'static str, &'static str>,
+}
+
+static EN: LazyLock<Texts> = LazyLock::new(|| read(include_str!("../../assets/exercises/en.md")));
+static PT_BR: LazyLock<Texts> = LazyLock::new(|| read(include_str!("../../assets/exercises/pt-BR.md")));
+
+fn texts(lang: Lang) -> &'static Texts {
+    match lang {
+        Lang::En => &EN,
+        Lang::PtBr => &PT_BR,
+    }
+}
+
+fn read(text: &'static str) -> Texts {
+    enum Place {
+        Exercise(&'static str),
+        List(&'static str),
+    }
+    let (mut texts, mut place) = (Texts::default(), None);
+    for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        if let Some(heading) = line.strip_prefix("# ") {
+            place = Some(match heading.split_once(": ") {
+                Some((id, title)) => {
+                    texts.exercises.insert(id, Statement { title, ..Statement::default() });
+                    Place::Exercise(id)
+                }
+                None => Place::List(heading),
+            });
+            continue;
+        }
+        match place {
+            Some(Place::Exercise(id)) => {
+                let statement = texts.exercises.entry(id).or_default();
+                match line.strip_prefix("? ").and_then(|ask| ask.split_once(": ")) {
+                    Some((name, text)) => {
+                        statement.asks.insert(name, text);
+                    }
+                    None => statement.paragraphs.push(line),
+                }
+            }
+            Some(Place::List(list)) => {
+                if let Some((name, text)) = line.strip_prefix("- ").and_then(|entry| entry.split_once(": ")) {
+                    texts.lists.entry(list).or_default().insert(name, text);
+                }
+            }
+            None => {}
+        }
+    }
+    texts
+}
+
+/// A text of a list; the name itself where there is none, as with names that are the same in both languages.
+fn listed<'a>(lang: Lang, list: &str, name: &'a str) -> &'a str {
+    texts(lang).lists.get(list).and_then(|list| list.get(name)).copied().unwrap_or(name)
+}
+
+/// The title of an exercise or a family.
+#[must_use]
+pub fn title(lang: Lang, id: &str) -> &'static str {
+    texts(lang).exercises.get(id).map_or("", |statement| statement.title)
+}
+
+/// The paragraphs of its statement, in Markdown.
+#[must_use]
+pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
+    let found = texts(lang).exercises.get(exercise.id.as_str());
+    let paragraphs = found.map_or(&[][..], |statement| &statement.paragraphs);
+    paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
+}
+
+/// What is settled where the source leaves it open.
+#[must_use]
+pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
+    let text = |name: &&str| filled(lang, exercise, listed(lang, "assumptions", name));
+    exercise.assumptions.iter().map(text).collect()
+}
+
+/// What is asked.
+#[must_use]
+pub fn ask(lang: Lang, exercise: &Exercise, ask: &Ask) -> String {
+    let found = texts(lang).exercises.get(exercise.id.as_str()).and_then(|s| s.asks.get(ask.name.as_str()));
+    found.map_or_else(|| ask.name.clone(), |text| filled(lang, exercise, text))
+}
+
+/// How an ask is read.
+#[must_use]
+pub fn reading(lang: Lang, name: &'static str) -> &'static str {
+    listed(lang, "readings", name)
+}
+
+/// A choice.
+#[must_use]
+pub fn choice(lang: Lang, name: &str) -> &str {
+    listed(lang, "choices", name)
+}
+
+/// What a camera has to fulfil.
+#[must_use]
+pub fn condition(lang: Lang, name: &'static str) -> &'static str {
+    listed(lang, "conditions", name)
+}
+
+/// What stands above a worked step.
+#[must_use]
+pub fn heading(lang: Lang, name: &'static str) -> &'static str {
+    listed(lang, "headings", name)
+}
+
+/// What a mistake is, a hint, and a stronger one.
+#[must_use]
+pub fn mistake(lang: Lang, mistake: Mistake) -> [&'static str; 3] {
+    let mut parts = listed(lang, "mistakes", mistake.code()).split(" | ");
+    std::array::from_fn(|_| parts.next().unwrap_or_default())
+}
+
+/// What a diagnosis says: the mistakes, one after the other, and where a single number is at fault.
+#[must_use]
+pub fn diagnosis(lang: Lang, diagnosis: &Diagnosis) -> String {
+    let mut said: Vec<String> = diagnosis.mistakes.iter().map(|found| mistake(lang, *found)[0].to_owned()).collect();
+    if let Some([row, column]) = diagnosis.entry {
+        let (row, column) = (row + 1, column + 1);
+        said.push(match lang {
+            Lang::En => format!("It is the one in row {row}, column {column}."),
+            Lang::PtBr => format!("É a da linha {row}, coluna {column}."),
+        });
+    }
+    said.join(" ")
+}
+
+/// Its hints, weaker ones first.
+#[must_use]
+pub fn hints(lang: Lang, diagnosis: &Diagnosis) -> Vec<&'static str> {
+    let of = |strength: usize| diagnosis.mistakes.iter().map(move |found| mistake(lang, *found)[strength]);
+    of(1).chain(of(2)).collect()
+}
+
+/// The hints for a wrong answer that no known mistake explains: where it is wrong, and what the way there begins with.
+#[must_use]
+pub fn hints_without_diagnosis(lang: Lang, entries: &[Vec<bool>], first_step: Option<&str>) -> Vec<String> {
+    let all: usize = entries.iter().map(Vec::len).sum();
+    let right = entries.iter().flatten().filter(|is| **is).count();
+    let mut hints = Vec::new();
+    if all > 1 {
+        hints.push(match lang {
+            Lang::En => format!("{right} of {all} numbers are right; look at the others once more."),
+            Lang::PtBr => format!("{right} de {all} números estão certos; olhe os outros mais uma vez."),
+        });
+    }
+    if let Some(step) = first_step {
+        hints.push(match lang {
+            Lang::En => format!("The way begins with: {step}"),
+            Lang::PtBr => format!("O caminho começa por: {step}"),
+        });
+    }
+    hints
+}
+
+/// What an answer must be.
+#[must_use]
+pub fn kind(lang: Lang, ask: &Ask) -> String {
+    let kind = match (lang, &ask.kind) {
+        (Lang::En, Kind::Number) => "a number".to_owned(),
+        (Lang::PtBr, Kind::Number) => "um número".to_owned(),
+        (Lang::En, Kind::Vector(rows)) => format!("{rows} numbers [a, b, …]"),
+        (Lang::PtBr, Kind::Vector(rows)) => format!("{rows} números [a; b; …]"),
+        (Lang::En, Kind::Matrix(rows, columns)) => format!("{rows} × {columns} numbers [[a, …], …]"),
+        (Lang::PtBr, Kind::Matrix(rows, columns)) => format!("{rows} × {columns} números [[a; …]; …]"),
+        (Lang::En, Kind::Choice(choices)) => format!("one of: {}", list_of_choices(lang, choices)),
+        (Lang::PtBr, Kind::Choice(choices)) => format!("um destes: {}", list_of_choices(lang, choices)),
+        (Lang::En, Kind::Camera) => "a camera: position=[0, 0, 2]; projection=parallel; …".to_owned(),
+        (Lang::PtBr, Kind::Camera) => "uma câmera: position=[0, 0, 2]; projection=parallel; …".to_owned(),
+    };
+    let tolerance = tolerance(lang, ask);
+    if tolerance.is_empty() { kind } else { format!("{kind}; {tolerance}") }
+}
+
+fn list_of_choices(lang: Lang, choices: &[String]) -> String {
+    let choice = |name: &String| {
+        let said = choice(lang, name);
+        if said == name { name.clone() } else { format!("{name} ({said})") }
+    };
+    choices.iter().map(choice).collect::<Vec<_>>().join(", ")
+}
+
+/// How exact an answer must be; empty for choices and cameras.
+#[must_use]
+pub fn tolerance(lang: Lang, ask: &Ask) -> String {
+    let numbers = matches!(ask.kind, Kind::Number | Kind::Vector(_) | Kind::Matrix(..));
+    let by = lang.mark().number(ask.tolerance, 3);
+    let unit = unit(lang, ask.unit);
+    match (lang, numbers, ask.whole) {
+        (_, false, _) => String::new(),
+        (Lang::En, _, true) => "whole numbers".to_owned(),
+        (Lang::PtBr, _, true) => "números inteiros".to_owned(),
+        (Lang::En, ..) => format!("within {by}{unit}, or rounded to 3 digits or more"),
+        (Lang::PtBr, ..) => format!("com erro até {by}{unit}, ou arredondado a 3 dígitos ou mais"),
+    }
+}
+
+fn unit(lang: Lang, unit: Unit) -> &'static str {
+    match (unit, lang) {
+        (Unit::None, _) => "",
+        (Unit::Scene, Lang::En) => " scene units",
+        (Unit::Scene, Lang::PtBr) => " unidades da cena",
+        (Unit::Degrees, _) => "°",
+        (Unit::Pixels, _) => " px",
+    }
+}
+
+/// The worked steps to an answer, one text each: heading, equation, and the rows below one another.
+#[must_use]
+pub fn steps(lang: Lang, exercise: &Exercise, ask: &Ask, digits: usize) -> Vec<String> {
+    let style = Style { notation: Notation::Text, mark: lang.mark(), digits };
+    let step = |step: &crate::exercises::Worked| {
+        let equation = if step.equation.is_empty() { String::new() } else { format!("  {}", step.equation) };
+        let mut text = format!("{}{equation}", filled(lang, exercise, heading(lang, step.heading)));
+        for line in step.lines(style, true) {
+            text.push_str(&format!("\n  {} = {}", line.symbol, line.formula));
+            if line.numbers != line.formula && line.numbers != line.value {
+                text.push_str(&format!("\n    = {}", line.numbers));
+            }
+            if line.value != line.formula {
+                text.push_str(&format!(" = {}", line.value));
+            }
+        }
+        text
+    };
+    ask.steps().iter().map(step).collect()
+}
+
+/// An answer as it was understood.
+#[must_use]
+pub fn understood(lang: Lang, ask: &Ask, answer: &Answer) -> String {
+    let mark = lang.mark();
+    let entry = |entry: &Option<f64>| entry.map_or_else(|| "?".to_owned(), |value| number(mark, value));
+    match (answer, &ask.kind) {
+        (Answer::Choice(index), Kind::Choice(choices)) => {
+            choices.get(*index).map_or_else(String::new, |name| choice(lang, name).to_owned())
+        }
+        (Answer::Numbers { rows: 1, columns: 1, entries }, _) => entries.iter().map(entry).collect(),
+        (Answer::Numbers { columns: 1, entries, .. }, _) => {
+            let numbers: Vec<String> = entries.iter().map(entry).collect();
+            format!("({})", numbers.join(mark.separator()))
+        }
+        (Answer::Numbers { columns, entries, .. }, _) => {
+            let row = |row: &[Option<f64>]| {
+                let numbers: Vec<String> = row.iter().map(entry).collect();
+                format!("[{}]", numbers.join(mark.separator()))
+            };
+            let rows: Vec<String> = entries.chunks((*columns).max(1)).map(row).collect();
+            format!("[{}]", rows.join(mark.separator()))
+        }
+        (Answer::Camera(parameters), _) => {
+            let figure = Figure { camera: **parameters, ..Figure::default() };
+            let text = to_toml(&figure);
+            let camera = text.lines().skip_while(|line| *line != "[camera]").skip(1);
+            camera.take_while(|line| !line.starts_with('[')).filter(|l| !l.is_empty()).collect::<Vec<_>>().join("; ")
+        }
+        (Answer::Choice(_), _) => String::new(),
+    }
+}
+
+/// Why an answer cannot be read.
+#[must_use]
+pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
+    match (lang, error) {
+        (_, AnswerError::Number { row, column, text, error }) => {
+            let place = match lang {
+                Lang::En => format!("row {}, column {}", row + 1, column + 1),
+                Lang::PtBr => format!("linha {}, coluna {}", row + 1, column + 1),
+            };
+            format!("{place}: {}: {}", marked(text, &error.span), messages::expression(lang, &error.problem))
+        }
+        (_, AnswerError::Camera(error)) => messages::figure(lang, error),
+        (Lang::En, AnswerError::Choice { given, choices }) => {
+            format!("“{}” cannot be chosen; choose one of: {}", shown(given), list_of_choices(lang, choices))
+        }
+        (Lang::PtBr, AnswerError::Choice { given, choices }) => {
+            format!("“{}” não pode ser escolhido; escolha um destes: {}", shown(given), list_of_choices(lang, choices))
+        }
+        (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not KEY=VALUE", shown(text)),
+        (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é CHAVE=VALOR", shown(text)),
+        (Lang::En, other) => other.to_string(),
+        (Lang::PtBr, AnswerError::Empty) => "falta uma resposta".to_owned(),
+        (Lang::PtBr, AnswerError::TooLong) => {
+            format!("uma resposta tem no máximo {} caracteres", crate::limits::MAX_ANSWER)
+        }
+        (Lang::PtBr, AnswerError::Bracket) => "falta um colchete ou parêntese".to_owned(),
+        (Lang::PtBr, AnswerError::Ragged { row, found, first }) => {
+            format!("a linha {} tem {found} números, a primeira tem {first}", row + 1)
+        }
+    }
+}
+
+/// A text with the facts of an exercise put in.
+fn filled(lang: Lang, exercise: &Exercise, text: &str) -> String {
+    let mut filled = text.to_owned();
+    // A fact that is a text has facts in it.
+    for _ in 0..2 {
+        if !filled.contains('{') {
+            break;
+        }
+        for (name, fact) in &exercise.facts {
+            let place = format!("{{{name}}}");
+            if filled.contains(&place) {
+                filled = filled.replace(&place, &written(lang, fact));
+            }
+        }
+    }
+    filled
+}
+
+/// A fact as it stands in a sentence.
+fn written(lang: Lang, fact: &Fact) -> String {
+    let mark = lang.mark();
+    match fact {
+        Fact::Number(value) => number(mark, *value),
+        Fact::Angle(degrees) => format!("{}°", mark.number(*degrees, 8)),
+        Fact::Tuple(values) => tuple(mark, values),
+        Fact::Matrix(table) => matrix(mark, table),
+        Fact::Word(word) => word.clone(),
+        Fact::Text(name) => listed(lang, "words", name).to_owned(),
+    }
+}
+
+/// A number as a fraction or a root where it is one, else in six digits.
+#[must_use]
+pub fn number(mark: DecimalMark, value: f64) -> String {
+    exact_form(value).map_or_else(|| mark.number(value, 6), |form| form.text())
+}
+
+/// (a, b, c)
+#[must_use]
+pub fn tuple(mark: DecimalMark, values: &[f64]) -> String {
+    let numbers: Vec<String> = values.iter().map(|value| number(mark, *value)).collect();
+    format!("({})", numbers.join(mark.separator()))
+}
+
+/// [[a, b], [c, d]]
+#[must_use]
+pub fn matrix(mark: DecimalMark, table: &Table) -> String {
+    let row = |row: &[f64]| {
+        let numbers: Vec<String> = row.iter().map(|value| number(mark, *value)).collect();
+        format!("[{}]", numbers.join(mark.separator()))
+    };
+    format!("[{}]", table.rows().map(row).collect::<Vec<_>>().join(mark.separator()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_languages_have_the_same_names() {
+        let (en, pt) = (texts(Lang::En), texts(Lang::PtBr));
+        assert_eq!(en.exercises.keys().collect::<Vec<_>>(), pt.exercises.keys().collect::<Vec<_>>());
+        for (id, statement) in &en.exercises {
+            let other = &pt.exercises[id];
+            assert_eq!(statement.asks.keys().collect::<Vec<_>>(), other.asks.keys().collect::<Vec<_>>(), "{id}");
+            assert!(!statement.title.is_empty() && !other.title.is_empty() && !other.paragraphs.is_empty(), "{id}");
+        }
+        for (list, names) in &en.lists {
+            assert_eq!(names.keys().collect::<Vec<_>>(), pt.lists[list].keys().collect::<Vec<_>>(), "{list}");
+        }
+        for (mistake, code) in Mistake::ALL {
+            for lang in [Lang::En, Lang::PtBr] {
+                let said = super::mistake(lang, mistake);
+                assert!(said.iter().all(|text| text.len() > 10), "{code} {lang:?}");
+            }
+        }
+    }
+}
