@@ -15,6 +15,7 @@ mod explain;
 mod explain_steps;
 mod files;
 mod gallery;
+mod guide_pictures;
 mod homogeneous;
 mod keyboard;
 mod language;

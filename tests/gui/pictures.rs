@@ -41,7 +41,7 @@ fn assert_window(name: &str, window: &mut Window) {
 }
 
 /// Every colour as it is.
-fn write(path: &PathBuf, picture: &RgbaImage) {
+pub(super) fn write(path: &PathBuf, picture: &RgbaImage) {
     let mut encoder = png::Encoder::new(File::create(path).expect("a file"), picture.width(), picture.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_compression(png::Compression::High);

@@ -1,0 +1,111 @@
+//! The pictures of the guides' chapter on the explanations, a window for each tab: `cargo test --test gui guide_pictures -- --ignored` draws them anew.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use camera_lab::explain::Matrix;
+use camera_lab::figure::NamedPoint;
+use camera_lab::gui::state::{ExplainTab, Selected};
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::Lang;
+use camera_lab::scene::{ObjectSpec, Preset, Shape};
+use camera_lab::views::View;
+use glam::DVec3;
+
+use super::pictures::write;
+use super::window::Window;
+
+/// What is shown beside a tab.
+struct Shown {
+    tab: ExplainTab,
+    /// The name of the file.
+    name: &'static str,
+    view: View,
+    change: fn(&mut State),
+}
+
+const ALL: [Shown; 8] = [
+    Shown { tab: ExplainTab::Point, name: "point", view: View::Image, change: |_| () },
+    Shown {
+        tab: ExplainTab::Steps,
+        name: "steps",
+        view: View::Canonical,
+        change: |state| state.explain.steps.left = 1.4,
+    },
+    Shown {
+        tab: ExplainTab::Homogeneous,
+        name: "w",
+        view: View::Image,
+        change: |state| state.document.edit(|figure| figure.reveal.vanishing = true),
+    },
+    Shown { tab: ExplainTab::Stages, name: "stages", view: View::Image, change: |state| state.explain.painted = 0.4 },
+    Shown { tab: ExplainTab::Dialects, name: "dialects", view: View::World, change: |_| () },
+    Shown {
+        tab: ExplainTab::Order,
+        name: "order",
+        view: View::World,
+        change: |state| {
+            state.document.edit(|figure| {
+                figure.scene.preset = Preset::Empty;
+                let tower = ObjectSpec::new("box", Shape::Box).at(2.0, 0.0, 0.0).turned(0.0, 50.0, 0.0);
+                figure.scene.objects = vec![tower.scaled(0.5, 1.0, 0.5)];
+            });
+            state.tree.select(Some(Selected::Object("box".to_owned())));
+        },
+    },
+    Shown { tab: ExplainTab::Code, name: "code", view: View::World, change: |_| () },
+    Shown {
+        tab: ExplainTab::Notes,
+        name: "notes",
+        view: View::World,
+        change: |state| state.explain.notes.chosen = "5.14",
+    },
+];
+
+/// A window that shows a tab beside one picture.
+fn window(shown: &Shown, lang: Lang, size: [f32; 2], change: impl FnOnce(&mut State)) -> Window {
+    let figure = camera_lab::gui::fresh();
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
+    state.file_flow.native = false;
+    state.document.edit(|figure| {
+        let points = [("A", DVec3::new(0.5, 1.2, 1.5)), ("B", DVec3::new(-1.5, 0.0, -1.0))];
+        figure.points = points.map(|(name, position)| NamedPoint { name: name.to_owned(), position }).to_vec();
+    });
+    state.settings.panels.wanted = [false, false, true];
+    state.explain.tab = shown.tab;
+    state.layout.maximized = Some(shown.view);
+    (shown.change)(&mut state);
+    change(&mut state);
+    Window::with_state(state, size)
+}
+
+fn draw(window: &mut Window, path: &PathBuf) {
+    window.harness.remove_cursor();
+    window.harness.run_steps(6);
+    window.app_mut().state.coach.take(Duration::from_secs(60));
+    window.harness.run_steps(6);
+    write(path, &window.harness.render().unwrap());
+}
+
+#[test]
+#[ignore = "writes pictures of the guides"]
+fn of_each_tab() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/images");
+    for (lang, code) in [(Lang::En, "en"), (Lang::PtBr, "pt-BR")] {
+        for shown in &ALL {
+            let mut window = window(shown, lang, [960.0, 640.0], |_| ());
+            draw(&mut window, &folder.join(format!("explain-{}.{code}.png", shown.name)));
+        }
+        let matrices = Shown { tab: ExplainTab::Matrices, name: "", view: View::World, change: |_| () };
+        let mut window = window(&matrices, lang, [1280.0, 720.0], |state| {
+            state.layout.maximized = None;
+            state.settings.panels.wanted = [true, false, true];
+            state.document.edit(|figure| figure.points.clear());
+            state.explain.matrices.matrix = Matrix::Projection;
+            state.explain.matrices.entry = [2, 2];
+        });
+        draw(&mut window, &folder.join(format!("explain.{code}.png")));
+    }
+}
