@@ -79,3 +79,6 @@ pub const MAX_COMPARED_LINES: usize = 2000;
 
 /// The most windows that are written down, those that did not close included: more than anybody opens at once.
 pub const MAX_SESSIONS: usize = 16;
+
+/// Of larger images the pixels of a single triangle are not looked at: that is done while the window waits.
+pub const MAX_STEPPED_PIXELS: u64 = 1 << 22;

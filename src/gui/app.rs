@@ -144,6 +144,7 @@ impl App {
         self.state.measured.clear();
         self.state.explain.pointed.clear();
         self.state.explain.placed.clear();
+        self.state.explain.triangle.shown = None;
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         let sides = *self.state.settings.panels();
         if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {

@@ -12,7 +12,7 @@ texts! {
     point_hint: "One point through every space, with the whole arithmetic, and back", "Um ponto por todos os espaços, com a conta inteira, e de volta";
     homogeneous: "w", "w";
     homogeneous_hint: "What the fourth coordinate does: division, points behind the eye, ideal points, the middle of a segment, a floor", "O que faz a quarta coordenada: divisão, pontos atrás do olho, pontos ideais, o meio de um segmento, um piso";
-    stages: "Stages", "Estágios";
+    stages: "Stages", "Etapas";
     stages_hint: "The image painted triangle by triangle: painter's order, BSP, depth buffer", "A imagem pintada triângulo por triângulo: ordem do pintor, BSP, buffer de profundidade";
     no_inverse: "It has no inverse: something is multiplied by 0 (a scale, or a depth range from n to n), and cannot be found again.", "Não tem inversa: algo é multiplicado por 0 (uma escala, ou profundidades de n a n) e não pode ser recuperado.";
     film: "Export…", "Exportar…";

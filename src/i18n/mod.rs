@@ -66,6 +66,7 @@ pub mod sessions;
 pub mod sources;
 pub mod stages;
 pub mod toml_complaints;
+pub mod triangle;
 mod unreadable;
 pub mod window;
 mod wording;

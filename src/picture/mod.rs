@@ -6,6 +6,7 @@ mod file;
 mod film;
 mod renderer;
 mod sheet;
+mod triangle;
 
 use tiny_skia::{IntSize, Pixmap};
 
@@ -20,6 +21,7 @@ pub use file::{Form, PictureError, PictureFile, assembled, file};
 pub use film::{Film, FilmFormat};
 pub use renderer::Renderer;
 pub use sheet::{Crowded, OnPaper, Sheet, gap};
+pub use triangle::{Tested, TrianglePixels};
 
 /// A finished picture; without pixels until something has been drawn on it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -118,13 +118,30 @@ impl Clipper {
         }
     }
 
+    #[inline]
     fn clip(&mut self, projector: &Projector, points: &[ClipPoint], planes: PlaneSet) -> &[Corner] {
+        self.watched(projector, points, planes, |_, _, _| {})
+    }
+
+    /// The part of a triangle, or of a segment, inside `planes`; tells of each plane in its turn, with the polygon before it, where each
+    /// corner that it leaves comes from.
+    #[inline]
+    pub(super) fn watched(
+        &mut self,
+        projector: &Projector,
+        points: &[ClipPoint],
+        planes: PlaneSet,
+        mut watch: impl FnMut(usize, &[Corner], Origin),
+    ) -> &[Corner] {
         self.polygon.clear();
         self.polygon.extend(Corner::whole(projector, points));
         for plane in ORDER.into_iter().filter(|plane| planes >> plane & 1 == 1) {
             self.next.clear();
             let polygon = &self.polygon;
-            let keep = |origin| self.next.push(Corner::of_part(polygon, origin, plane, projector));
+            let keep = |origin| {
+                watch(plane, polygon, origin);
+                self.next.push(Corner::of_part(polygon, origin, plane, projector));
+            };
             cut(polygon.len(), |i| polygon[i].distances[plane], keep, |_| {});
             std::mem::swap(&mut self.polygon, &mut self.next);
             if self.polygon.len() < points.len() {

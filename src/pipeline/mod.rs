@@ -14,7 +14,7 @@
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
 //! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
-//! What goes into a stage and comes out of it is noted by `stage_work`, where a picture shows it. [`clip_parts`], [`cull_result`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
+//! What goes into a stage and comes out of it is noted by `stage_work`, where a picture shows it. [`clip_parts`], [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
 //! and what would come of dividing first.
 //!
 //! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which parts of its strokes faces hide,
@@ -35,6 +35,7 @@ mod faces;
 pub mod light;
 mod lines;
 mod misplaced;
+pub mod one_triangle;
 mod outline;
 pub mod plan;
 mod planes;
@@ -71,7 +72,7 @@ pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
 use projector::Projector;
 use report::Meter;
-pub use report::{Frame, StageReport};
+pub use report::{FollowedTriangle, Frame, StageReport};
 pub use resample::with_triangles;
 use shade::Shaded;
 use stage_work::Notes;
@@ -163,8 +164,9 @@ impl Pipeline {
         }
         meter.lap(Stage::Traverse);
 
-        let objects = scene.objects.iter().zip(&plan.objects).zip(&mut done);
-        for ((object, todo), done) in objects.filter(|((_, todo), _)| todo.drawn) {
+        let mut followed = None;
+        let objects = scene.objects.iter().zip(&plan.objects).zip(&mut done).enumerate();
+        for (index, ((object, todo), done)) in objects.filter(|(_, ((_, todo), _))| todo.drawn) {
             if self.progress.is_cancelled() {
                 break;
             }
@@ -186,7 +188,7 @@ impl Pipeline {
                 let task = FaceTask {
                     cull_back,
                     watch_turning: !plan.depth,
-                    want_source: Shaded::colors_faces(object, todo.lit),
+                    want_source: Shaded::colors_faces(object, todo.lit) || options.followed.is_some(),
                     want_used: todo.lit == LitAt::Vertices,
                 };
                 faces.cull(&vertices, &mesh.triangles, task);
@@ -200,6 +202,10 @@ impl Pipeline {
                     notes.clipped(&vertices, faces);
                 }
                 meter.lap(Stage::Clip);
+                if let Some((_, triangle)) = options.followed.filter(|(of, _)| *of == index) {
+                    let its = (0..).zip(&faces.source).filter(|(_, source)| **source == triangle).map(|(i, _)| i);
+                    followed = Some(FollowedTriangle { surface: surfaces.len(), triangles: its.collect() });
+                }
                 done.triangles = faces.triangles.len();
                 done.lit = todo.lit;
                 done.faces = match cull_back {
@@ -288,7 +294,7 @@ impl Pipeline {
         let too_much = TooMuch::rounding(misplaced.found());
         let work = notes.map(|notes| notes.work).filter(|work| report.iter().any(|r| r.stage == work.stage && r.ran));
         let depths = projector.depths;
-        let mut frame = Frame { drawing, report, plan, objects: done, too_much, depths, work, before: None };
+        let mut frame = Frame { drawing, report, plan, objects: done, too_much, depths, work, before: None, followed };
         if let Some(TooManyPieces { pieces, of_layer }) = too_many {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
             frame.too_much = Some(TooMuch::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));

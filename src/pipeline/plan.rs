@@ -40,6 +40,9 @@ pub struct Options {
     pub depth_of_volume: bool,
     /// What goes into this stage and what comes out is noted in [`Frame::work`](super::Frame::work).
     pub shown: Option<Stage>,
+    /// Where this triangle (object, index in its mesh) is in the drawing is said by [`Frame::followed`](super::Frame::followed). Not
+    /// where faces are put in order, or an object becomes several surfaces.
+    pub followed: Option<(usize, u32)>,
     /// Gives the time since any moment, for the report; without it nothing is timed.
     pub clock: Option<fn() -> Duration>,
 }

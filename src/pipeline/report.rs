@@ -34,6 +34,17 @@ pub struct Frame {
     pub work: Option<StageWork>,
     /// The picture as it is before that stage, for its left half; `None` where what comes out is drawn over what goes in.
     pub before: Option<Drawing>,
+    /// Where the triangle that was followed is in the drawing; `None` where none was, or its object is not drawn.
+    pub followed: Option<FollowedTriangle>,
+}
+
+/// Where a triangle of a mesh is in a drawing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FollowedTriangle {
+    /// The surface.
+    pub surface: usize,
+    /// The triangles of this surface that are left of it: one, none, or the fan that clipping makes.
+    pub triangles: Vec<usize>,
 }
 
 impl Frame {

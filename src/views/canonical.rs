@@ -21,7 +21,7 @@ use super::placing::Rules;
 use super::revealed_scene::{self, Revealed};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Labels, Palette, Request, placing, probe};
+use super::{Labels, Palette, Request, placing, probe, stepped};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -94,6 +94,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     axes(&mut builder, &canonical, palette);
     revealed.mark(&mut builder, palette);
     probe::in_canonical(&mut builder, request, palette);
+    stepped::in_canonical(&mut builder, request, palette);
     cube(&mut builder, &canonical, request.labels, palette);
     let drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));

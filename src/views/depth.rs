@@ -4,11 +4,11 @@ use glam::DVec2;
 
 use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::{Camera, Projected, Projection};
-use crate::drawing::Paint;
+use crate::drawing::{Drawing, Paint, Surface};
 use crate::figure::Depth;
 use crate::pipeline::depths::DepthScale;
 use crate::pipeline::divide_before_clip::divided_first;
-use crate::pipeline::{Frame, Reason, Stage};
+use crate::pipeline::{Frame, Options, Pipeline, Reason, Stage, Target};
 use crate::scene::Scene;
 
 use super::legend::Row;
@@ -40,6 +40,64 @@ pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     let stations = space.stations(hit, request.look.image, &request.look.viewport);
     let Projected { ndc, viewport, .. } = stations.projected?;
     Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })
+}
+
+/// What a triangle finds in the depth buffer: drawings of faces without colours, m × n pixels, one sample each.
+#[derive(Clone, Debug)]
+pub struct DepthTest {
+    /// The triangle alone.
+    pub alone: Drawing,
+    /// What is drawn before it.
+    pub before: Drawing,
+    scale: DepthScale,
+    greys: Greys,
+}
+
+impl DepthTest {
+    /// Of a triangle (object of the scene, index in its mesh) in the image; `None` where its object is not drawn.
+    #[must_use]
+    pub fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
+        let mut plain = request.clone();
+        plain.look.reveal.depth = Depth::Stored;
+        let mut scene = Scene::clone(&request.scene);
+        only(&mut scene);
+        // As it is stored, not resolved over what is in view.
+        let options = Options { followed: Some((object, triangle)), depth_of_volume: true, ..Options::default() };
+        let image = request.look.image;
+        let target = Target { width: image.width, height: image.height, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
+        let style = Style { antialias: 1, ..style(&request.look.style) };
+        let frame = Pipeline::default().frame(&scene, &request.camera, target, &style, options);
+        let followed = frame.followed?;
+        let mut drawing = Drawing { strokes: Vec::new(), marks: Vec::new(), labels: Vec::new(), ..frame.drawing };
+        drawing.surfaces.iter_mut().for_each(|surface| {
+            surface.depth_test = true;
+            // Only their depths are asked for.
+            surface.paint = Paint::Solid(Rgba::rgb(0, 0, 0));
+        });
+        let own = drawing.surfaces.get(followed.surface)?;
+        let is_translucent = own.translucent;
+        let triangles = followed.triangles.iter().filter_map(|i| own.triangles.get(*i).copied()).collect();
+        let alone = Surface { triangles, translucent: false, ..own.clone() };
+        let mut before = drawing.clone();
+        if is_translucent {
+            // It comes after all that is opaque.
+            before.surfaces.retain(|surface| !surface.translucent);
+        } else {
+            before.surfaces.truncate(followed.surface + 1);
+            before.surfaces.retain(|surface| !surface.translucent);
+            if let (Some(last), Some(first)) = (before.surfaces.last_mut(), followed.triangles.first()) {
+                last.triangles.truncate(*first);
+            }
+        }
+        let alone = Drawing { surfaces: vec![alone], ..drawing };
+        Some(Self { alone, before, scale: frame.depths, greys: Greys::of(&plain)? })
+    }
+
+    /// Z (5.25) of a depth of these drawings.
+    #[must_use]
+    pub fn z(&self, depth: f32) -> f64 {
+        self.greys.level(self.scale.in_scale(&self.greys.volume, f64::from(depth)))
+    }
 }
 
 /// The style in which faces leave their depth: a depth buffer needs faces, and a depth buffer, but no colours.

@@ -38,6 +38,11 @@ pub(super) fn can_be_seen(p: DVec3, faces: &Scene, camera: &Camera) -> bool {
 
 /// As [`first_crossing`], of one object.
 pub(super) fn crossing(object: &Object, from: DVec3, to: DVec3, fronts_only: bool) -> Option<f64> {
+    triangle_hit(object, from, to, fronts_only).map(|(t, _)| t)
+}
+
+/// As [`crossing`], with the index of the triangle.
+pub(super) fn triangle_hit(object: &Object, from: DVec3, to: DVec3, fronts_only: bool) -> Option<(f64, u32)> {
     let object_from_world = object.world_from_object.inverse();
     if !object_from_world.is_finite() {
         return None; // scaled to nothing
@@ -49,10 +54,11 @@ pub(super) fn crossing(object: &Object, from: DVec3, to: DVec3, fronts_only: boo
         .mesh
         .triangles
         .iter()
-        .filter_map(|t| triangle_crossing(a, b - a, [corner(t[0])?, corner(t[1])?, corner(t[2])?]))
-        .filter(|(_, facing)| !fronts_only || *facing > 0.0)
-        .map(|(t, _)| t)
-        .min_by(f64::total_cmp)
+        .zip(0..)
+        .filter_map(|(t, i)| Some((triangle_crossing(a, b - a, [corner(t[0])?, corner(t[1])?, corner(t[2])?])?, i)))
+        .filter(|((_, facing), _)| !fronts_only || *facing > 0.0)
+        .map(|((t, _), i)| (t, i))
+        .min_by(|one, other| one.0.total_cmp(&other.0))
 }
 
 /// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997), and a number that is positive where the

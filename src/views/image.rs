@@ -13,7 +13,7 @@ use super::pixels::{PixelRect, Size, image_frame};
 use super::placing::Rules;
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Palette, Request, begun, outside, placing, probe, revealed_scene, vanishing};
+use super::{Palette, Request, begun, outside, placing, probe, revealed_scene, stepped, vanishing};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -40,8 +40,8 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let rect = frame(request);
     let target = Target { width: rect.width, height: rect.height, ..whole };
     // A scene of many objects is not copied where nothing is added to it.
-    let plain =
-        request.look.reveal == Reveal::default() && request.overlays.probe.is_none() && request.points.is_empty();
+    let nothing_followed = request.points.is_empty() && request.overlays.stepped.is_none();
+    let plain = request.look.reveal == Reveal::default() && request.overlays.probe.is_none() && nothing_followed;
     let (revealed, wrong) = if plain { Default::default() } else { revealed_scene::in_image(request, palette) };
     let mut drawn = if plain {
         pipeline.frame(request, &request.scene, &request.camera, target, &style)
@@ -52,6 +52,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         }
         revealed.mark(&mut builder, palette);
         probe::in_image(&mut builder, request, palette);
+        stepped::in_image(&mut builder, request, palette);
         pipeline.frame(request, &builder.scene, &request.camera, target, &style)
     };
     // Where nothing is behind the eye, dividing first makes no difference, and clipping did its work as ever.
@@ -94,6 +95,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         };
         (drawn.drawing, drawn.before) = (mount(drawn.drawing), drawn.before.map(mount));
     }
+    stepped::pixels(&mut drawn.drawing, rect, request, palette);
     revealed_scene::explain(&mut drawn, request, revealed_scene::legend(request, rows, &whole, palette).as_ref());
     drawn
 }

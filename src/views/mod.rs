@@ -45,6 +45,7 @@ mod screen;
 mod section;
 mod solids;
 mod staged;
+mod stepped;
 mod timed_pipeline;
 pub mod transform_gizmo;
 mod vanishing;
@@ -65,8 +66,8 @@ pub use arrangement::{Arrangement, aspect_shown, used_area};
 pub use labels::Labels;
 use observer::Viewpoint;
 pub use overlays::{
-    Ghost, GizmoPart, Handle, Measure, Measured, ObjectTransform, Overlays, Placed, Probe, TransformGizmo,
-    Transforming, WindowSide,
+    Ghost, GizmoPart, Handle, Measure, Measured, ObjectTransform, Overlays, Placed, Probe, Stepped, TransformGizmo,
+    Transforming, TriangleStep, WindowSide,
 };
 pub use palette::Palette;
 pub use pixels::{PixelRect, Size, image_frame};

@@ -1,6 +1,7 @@
 //! What comes and goes with the pointer: what is pointed at, tried, and can be dragged.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
@@ -26,6 +27,8 @@ pub struct Overlays {
     pub object: Option<ObjectTransform>,
     /// Objects where transforms would put them, in the world; their axes are numbered in this order.
     pub placed: Vec<Placed>,
+    /// A triangle that is followed step by step, in all three pictures.
+    pub stepped: Option<Arc<Stepped>>,
     /// Without legends: the picture is painted on something.
     pub bare: bool,
     /// Without ground: what is behind the picture shows through.
@@ -116,6 +119,51 @@ pub enum WindowSide {
     Bottom,
     /// t
     Top,
+}
+
+/// A triangle that is followed step by step. Points are of the world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stepped {
+    /// Which step lights up.
+    pub step: TriangleStep,
+    /// Its corners, a, b, c.
+    pub corners: [DVec3; 3],
+    /// Those of them that are outside of a plane.
+    pub outside: [bool; 3],
+    /// What clipping leaves of it, with the names of its corners.
+    pub left: Vec<(char, DVec3)>,
+    /// Rows of pixels of the image, m × n, that it covers: j, the first i and the one after the last.
+    pub rows: Vec<[u32; 3]>,
+    /// The pixel of which the depth is tested.
+    pub pixel: Option<[u32; 2]>,
+}
+
+/// A step of a triangle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum TriangleStep {
+    /// Object → world → view.
+    #[default]
+    View,
+    /// Is it seen from its front?
+    Facing,
+    /// View → clip, with outcodes.
+    Outcodes,
+    /// The planes cut.
+    Cuts,
+    /// ÷ w.
+    Divide,
+    /// NDC → pixels.
+    Viewport,
+    /// The pixels that it covers.
+    Pixels,
+    /// The depth at one of them.
+    Depth,
+}
+
+impl TriangleStep {
+    /// All, in order.
+    pub const ALL: [Self; 8] =
+        [Self::View, Self::Facing, Self::Outcodes, Self::Cuts, Self::Divide, Self::Viewport, Self::Pixels, Self::Depth];
 }
 
 /// What is pointed at.

@@ -8,7 +8,7 @@ use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
 
 use super::canonical_box::CanonicalBox;
-use super::hits::{can_be_seen, crossing};
+use super::hits::{can_be_seen, crossing, triangle_hit};
 use super::probe::Pixel;
 use super::screen::Screen;
 use super::{Probe, Request, View, canonical, image, world_framing};
@@ -37,6 +37,33 @@ pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
         View::Canonical => None,
         View::Image => object_in_image(request, pointer),
     }
+}
+
+/// The triangle (object of the scene, index in its mesh) that the image shows at a place (pixels).
+#[must_use]
+pub fn triangle_in_image(request: &Request, pointer: DVec2) -> Option<(usize, u32)> {
+    let point = window_point_in_image(request, pointer)?;
+    let camera = &request.camera;
+    let ray = camera.ray_through_window(point);
+    let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
+    let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
+    let faced = request.scene.objects.iter().enumerate().filter(|(_, object)| object.faces);
+    let hits = faced.filter_map(|(i, o)| Some((triangle_hit(o, from, to, !o.two_sided && !o.mesh.closed)?, i)));
+    hits.min_by(|a, b| a.0.0.total_cmp(&b.0.0)).map(|((_, triangle), object)| (object, triangle))
+}
+
+/// The pixel of the figure's image, m × n, at a place (pixels) of the image picture, (0, 0) at the top left.
+#[must_use]
+pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
+    let frame = image::screen(request);
+    let share = frame.holds(pointer).then(|| frame.window_point(pointer))?;
+    let window = request.camera.window();
+    let (m, n) = (request.look.image.width, request.look.image.height);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to the image")]
+    let part = |share: f64, size: u32| ((share * f64::from(size)) as u32).min(size.saturating_sub(1));
+    let x = (share.x - window.left) / window.width();
+    let y = (window.top - share.y) / window.height();
+    Some([part(x, m), part(y, n)])
 }
 
 /// The vertex (world) that comes next from `from` in a direction (pixels, y down) of a picture; without `from`, the one nearest to the

@@ -34,6 +34,7 @@ impl TimedPipeline {
             // What is divided first is put into the image, with depths from F to B.
             depth_of_volume: request.view == View::Image && request.look.reveal.divide_first,
             shown: request.stage,
+            followed: None,
             clock: self.clock,
         };
         let mut frame = self.stages.frame(scene, camera, target, style, options);

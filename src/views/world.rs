@@ -18,7 +18,7 @@ use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{screen_of, seen_from};
 use super::{
     Handle, Palette, Request, components, dimensions, ghost, handles, hits, object_parts, placed, placing, probe,
-    revealed_scene, section, transform_gizmo, vanishing,
+    revealed_scene, section, stepped, transform_gizmo, vanishing,
 };
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
@@ -61,6 +61,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         if request.look.reveal.vanishing {
             vanishing::in_world(&mut world.builder, request, palette);
         }
+        stepped::in_world(&mut world.builder, request, palette);
         transform_gizmo::in_world(&mut world.builder, request, palette);
     }
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);

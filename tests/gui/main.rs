@@ -35,4 +35,5 @@ mod sessions;
 mod stages;
 mod strip;
 mod tooltips;
+mod triangle;
 mod window;

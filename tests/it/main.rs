@@ -36,6 +36,7 @@ mod misplaced;
 mod ndc;
 mod normalizing;
 mod notes;
+mod one_triangle;
 mod outline;
 mod pipeline;
 mod pipeline_bounds;

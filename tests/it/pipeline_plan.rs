@@ -16,8 +16,14 @@ use proptest::test_runner::RngSeed;
 
 use super::pipeline::{CLAY, TARGET, cube, eye, object, only};
 
-const FORCED: Options =
-    Options { force_all_stages: true, output: Output::Pixels, depth_of_volume: false, shown: None, clock: None };
+const FORCED: Options = Options {
+    force_all_stages: true,
+    output: Output::Pixels,
+    depth_of_volume: false,
+    shown: None,
+    followed: None,
+    clock: None,
+};
 
 fn frame(scene: &Scene, camera: &Camera, style: &Style) -> Frame {
     Pipeline::default().frame(scene, camera, TARGET, style, Options::default())

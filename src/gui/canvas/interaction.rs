@@ -1,31 +1,21 @@
-//! What the pointer and the keys do in the pictures.
+//! What the pointer that holds nothing and the keys do in the pictures; what it holds is in `held`.
 
-use eframe::egui::{
-    CursorIcon, Event, EventFilter, Key, Modifiers, PointerButton, PopupAnchor, Pos2, RichText, TextWrapMode, Tooltip,
-    Ui, Vec2,
-};
+use eframe::egui::{Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
 
-use super::followed::{self, PointDrag};
+use super::held::{GIZMO_REACH, gizmo_lines, tooltip, turning_with};
 use super::keyboard_probe::Probing;
 use super::picking::{self, PickRequest, What};
 use super::status::Status;
-use super::{Canvas, Pane, orbit, readout, toggle_maximized};
+use super::{Canvas, Pane, followed, orbit, readout, toggle_maximized};
 use crate::camera::{Convention, Operation};
-use crate::figure::Observer;
 use crate::geometry::Angle;
-use crate::gui::handle_drag::{self, HandleDrag};
-use crate::gui::selection_gizmo::Movable;
 use crate::gui::state::{ObserverChange, Selected, Side, State, Tab};
+use crate::gui::{explain, handle_drag};
 use crate::i18n::canvas::CanvasTexts;
-use crate::i18n::faults::camera_error;
-use crate::i18n::scenes;
-use crate::numbers::power_of_ten;
-use crate::scene::SceneSpec;
-use crate::views::Handle;
 use crate::views::handles::handle_at;
-use crate::views::transform_gizmo::{part_at, pull};
-use crate::views::{GizmoPart, Overlays, Probe, Request, Transforming, View, pick};
+use crate::views::transform_gizmo::part_at;
+use crate::views::{Handle, Overlays, Probe, Request, Transforming, View, pick};
 
 /// Logarithm of the zoom for one point of the wheel.
 const ZOOM_PER_POINT: f64 = 0.004;
@@ -35,45 +25,6 @@ const STEP: f64 = 5.0;
 
 /// Zoom or dolly for one press of a key.
 const STEP_FACTOR: f64 = 1.1;
-
-/// How near the pointer must come to a part of the gizmo, in points.
-const GIZMO_REACH: f32 = 7.0;
-
-/// What is held with the pointer.
-pub(super) enum Drag {
-    /// The eye of a three-dimensional picture turns.
-    Orbit { view: View, pressed: [Option<Observer>; 3] },
-    /// The eye of a three-dimensional picture moves.
-    Pan { view: View, pressed: Observer },
-    /// Something in the world is moved.
-    Handle(Box<HandleDrag>),
-    /// What is selected is moved, turned or scaled.
-    Gizmo(Box<GizmoDrag>),
-    /// A point that is followed is moved.
-    Point(Box<PointDrag>),
-}
-
-/// A part of the gizmo that is held.
-pub(super) struct GizmoDrag {
-    /// As it was when it was taken, and the scene with it.
-    movable: Movable,
-    before: SceneSpec,
-    part: GizmoPart,
-    observer: Option<Observer>,
-    from: DVec2,
-    /// Some objects would be sheared and stay as they were.
-    is_sheared: bool,
-}
-
-impl Drag {
-    fn view(&self) -> View {
-        match self {
-            Self::Orbit { view, .. } | Self::Pan { view, .. } => *view,
-            Self::Handle(_) | Self::Gizmo(_) => View::World,
-            Self::Point(held) => held.view(),
-        }
-    }
-}
 
 impl Canvas {
     /// Lets pointer and keys act; the result says what is under the pictures.
@@ -90,9 +41,8 @@ impl Canvas {
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
             // One thing after the other.
-            if self.pinned.is_none() && self.probing.is_none() && state.shown_stage().is_some() {
-                state.layout.stage = None;
-                ui.request_repaint();
+            if self.pinned.is_none() && self.probing.is_none() {
+                release_stage(ui, state);
             }
             self.pinned = None;
             self.probing = None;
@@ -139,10 +89,22 @@ impl Canvas {
             self.probing = None;
             let beside = response.ctx.input(|i| i.modifiers.command);
             self.select(state, pane, beside);
+            if self.choose_triangle(state, pane) {
+                self.pinned = None;
+            }
         }
         if response.clicked() || response.drag_started() {
             response.request_focus();
         }
+    }
+
+    /// While the tab of stages is shown, a triangle of the image is chosen, or a pixel of it; true where there is one.
+    fn choose_triangle(&self, state: &mut State, pane: &Pane) -> bool {
+        let shows = state.shows_stages() && pane.view == View::Image;
+        let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| shows) else { return false };
+        let request = self.request(state, pane.view, pane.rect.size);
+        pane.response.ctx.request_repaint();
+        explain::clicked(state, &request, pane.rect.pixel(pointer))
     }
 
     /// While the tree of the scene is open, selects the object that was clicked; with `beside`, beside what is selected.
@@ -157,178 +119,6 @@ impl Canvas {
         if selected.is_some() {
             state.select(selected, beside);
             pane.response.ctx.request_repaint();
-        }
-    }
-
-    // The pointer, held.
-
-    fn drag(&mut self, ui: &Ui, state: &mut State, pane: &Pane) {
-        let (origin, pointer) = ui.input(|i| (i.pointer.press_origin(), i.pointer.latest_pos()));
-        if pane.response.drag_started()
-            && let Some(origin) = origin
-        {
-            self.drag = self.taken(ui, state, pane, origin);
-        }
-        if self.drag.as_ref().is_none_or(|drag| drag.view() != pane.view) {
-            return;
-        }
-        if ui.input(|i| i.key_pressed(Key::Escape)) {
-            self.give_up(state);
-            return;
-        }
-        if let (Some(origin), Some(pointer)) = (origin, pointer) {
-            self.follow(ui, state, pane, origin, pointer);
-        }
-        if pane.response.drag_stopped() || !ui.input(|i| i.pointer.any_down()) {
-            self.drag = None;
-        }
-    }
-
-    /// What a press at `origin` takes.
-    fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
-        let view = pane.view;
-        let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
-        let from = pane.rect.pixel(origin);
-        let point = || PointDrag::taken(self.request(state, view, pane.rect.size), from, pane);
-        if view == View::Image {
-            return primary.then(point)?.map(|held| Drag::Point(Box::new(held)));
-        }
-        if view == View::World && primary {
-            let request = self.request(state, pane.view, pane.rect.size);
-            if let Some(handle) = handle_at(&request, from, pane.rect.pixels(handle_drag::REACH)) {
-                return Some(Drag::Handle(Box::new(HandleDrag::new(handle, request, from, modifiers))));
-            }
-            if let Some(movable) = Movable::selected(state)
-                && let Some(part) = part_at(&request, from, pane.rect.pixels(GIZMO_REACH))
-            {
-                let (observer, before) = (request.observer, state.document.figure().scene.clone());
-                let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
-                return Some(Drag::Gizmo(Box::new(held)));
-            }
-            if let Some(held) = point() {
-                return Some(Drag::Point(Box::new(held)));
-            }
-        }
-        Some(if primary && !modifiers.shift {
-            Drag::Orbit { view, pressed: self.seen }
-        } else {
-            Drag::Pan { view, pressed: self.seen[view.index()]? }
-        })
-    }
-
-    fn follow(&mut self, ui: &Ui, state: &mut State, pane: &Pane, origin: Pos2, pointer: Pos2) {
-        let motion = pointer - origin;
-        let request = self.request(state, pane.view, pane.rect.size);
-        match &mut self.drag {
-            None => {}
-            Some(Drag::Orbit { view, pressed }) => {
-                let (view, pressed) = (*view, *pressed);
-                for other in turning_with(view, state) {
-                    if let Some(pressed) = pressed[other.index()] {
-                        self.turn(state, other, orbit::orbited(pressed, motion));
-                    }
-                }
-            }
-            Some(Drag::Pan { view, pressed }) => {
-                let (view, pressed) = (*view, *pressed);
-                let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
-                let height = f64::from(pane.rect.size.height);
-                self.turn(state, view, pressed.pan(motion.x, motion.y, height));
-            }
-            Some(Drag::Handle(held)) => {
-                let modifiers = ui.input(|i| i.modifiers);
-                let moved = held.moved(&request, pane.rect.pixel(pointer), modifiers);
-                if let Some(parameters) = moved.filter(|p| p != state.document.draft()) {
-                    state.document.set_parameters(parameters);
-                    ui.request_repaint();
-                }
-            }
-            Some(Drag::Point(held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
-            Some(Drag::Gizmo(held)) => {
-                let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
-                let request = Request { observer: *observer, ..request };
-                let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
-                    return;
-                };
-                let snap = ui.input(|i| i.modifiers.command).then(|| snap_length(state));
-                // Where the scene cannot be built with it, the last one that could stays.
-                let Ok(Some((scene, all))) = movable.pulled(before, *part, pulled, snap) else { return };
-                *is_sheared = !all;
-                if state.document.figure().scene != scene {
-                    state.document.edit(|figure| figure.scene = scene);
-                    ui.request_repaint();
-                }
-            }
-        }
-    }
-
-    /// Puts back what was there before the press.
-    fn give_up(&mut self, state: &mut State) {
-        match self.drag.take() {
-            None => {}
-            Some(Drag::Orbit { pressed, view }) => {
-                for other in turning_with(view, state) {
-                    if let Some(pressed) = pressed[other.index()] {
-                        self.turn(state, other, pressed);
-                    }
-                }
-            }
-            Some(Drag::Pan { view, pressed }) => self.turn(state, view, pressed),
-            Some(Drag::Handle(held)) => state.document.set_camera(held.before()),
-            Some(Drag::Gizmo(held)) => state.document.edit(|figure| figure.scene = held.before),
-            Some(Drag::Point(held)) => held.give_up(state),
-        }
-    }
-
-    fn say_drag(&mut self, ui: &Ui, state: &State, status: &mut Status, texts: &CanvasTexts) {
-        let digits = state.settings.digits.min(6);
-        match &self.drag {
-            None => {}
-            Some(Drag::Orbit { view, .. }) => {
-                let Some(Observer { azimuth, elevation, .. }) = self.seen[view.index()] else { return };
-                let angles = [azimuth, elevation].map(|a| texts.lang.mark().number(a, 4));
-                status.message = format!("{}: {}° · {}°", texts.turning, angles[0], angles[1]);
-                ui.set_cursor_icon(CursorIcon::Grabbing);
-            }
-            Some(Drag::Pan { .. }) => {
-                texts.moving.clone_into(&mut status.message);
-                ui.set_cursor_icon(CursorIcon::Move);
-            }
-            Some(Drag::Handle(held)) => {
-                self.overlays.hot = Some(held.handle());
-                let camera = state.document.camera();
-                let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
-                status.message = match held.stopped() {
-                    Some(error) => {
-                        let reason = format!("{} {}", texts.stopped, camera_error(state.settings.lang, error));
-                        lines.push(reason.clone());
-                        status.warning = true;
-                        reason
-                    }
-                    None => format!("{} · {}", lines[0], handle_drag::hint(held.handle(), camera, digits, texts)),
-                };
-                tooltip(ui, &lines);
-                ui.set_cursor_icon(handle_drag::cursor(true));
-            }
-            Some(Drag::Point(held)) => {
-                let lines = held.lines(state);
-                status.message = lines.join(" · ");
-                tooltip(ui, &lines);
-                ui.set_cursor_icon(handle_drag::cursor(true));
-            }
-            Some(Drag::Gizmo(held)) => {
-                if let Some(gizmo) = &mut self.overlays.gizmo {
-                    gizmo.hot = Some(held.part);
-                }
-                let mut lines = gizmo_lines(state, digits);
-                if held.is_sheared {
-                    scenes::texts(state.settings.lang).sheared.clone_into(&mut lines[1]);
-                    status.warning = true;
-                }
-                status.message = lines.join(" · ");
-                tooltip(ui, &lines);
-                ui.set_cursor_icon(handle_drag::cursor(true));
-            }
         }
     }
 
@@ -517,6 +307,18 @@ impl Canvas {
     }
 }
 
+/// Takes away the stage that is shown; without one, the triangle that is followed.
+fn release_stage(ui: &Ui, state: &mut State) {
+    if state.shown_stage().is_some() {
+        state.layout.stage = None;
+    } else if state.explain.triangle.shown.is_some() {
+        state.explain.triangle.chosen = None;
+    } else {
+        return;
+    }
+    ui.request_repaint();
+}
+
 /// The direction of an arrow key: x right, y up; zero for any other.
 fn arrow_of(key: Key) -> DVec2 {
     match key {
@@ -526,12 +328,6 @@ fn arrow_of(key: Key) -> DVec2 {
         Key::ArrowDown => DVec2::NEG_Y,
         _ => DVec2::ZERO,
     }
-}
-
-/// The pictures whose observers turn with that of `view`.
-fn turning_with(view: View, state: &State) -> impl Iterator<Item = View> + use<> {
-    let linked = state.layout.linked;
-    [View::World, View::Canonical].into_iter().filter(move |other| *other == view || linked)
 }
 
 /// C and PF are points of the world, and so can be probed.
@@ -549,42 +345,4 @@ fn keys_hint(view: View, texts: &CanvasTexts) -> &'static str {
         View::Canonical => texts.keys_in_canonical,
         View::Image => texts.keys_in_image,
     }
-}
-
-/// A note beside the pointer.
-fn tooltip(ui: &Ui, lines: &[String]) {
-    let id = ui.scope_id().with("handle");
-    Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, PopupAnchor::Pointer).gap(16.0).show(|ui| {
-        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        for (i, line) in lines.iter().enumerate() {
-            let text = RichText::new(line);
-            ui.label(if i == 0 { text.strong() } else { text.small() });
-        }
-    });
-}
-
-/// How far a move goes in one step while the modifier is held: a tenth of D, as a power of ten.
-fn snap_length(state: &State) -> f64 {
-    power_of_ten(state.document.camera().distance() / 10.0).unwrap_or(1.0)
-}
-
-/// What the gizmo changes of what is selected, as it is now, and how it is dragged.
-fn gizmo_lines(state: &State, digits: usize) -> [String; 2] {
-    let t = scenes::texts(state.settings.lang);
-    let Some(movable) = Movable::selected(state) else { return Default::default() };
-    let (symbol, value, hint) = match (movable.is_light(), movable.gizmo.does) {
-        (true, Transforming::Turn) => ("L", movable.place, t.drag_parallel_light),
-        (true, Transforming::Move | Transforming::Scale) => ("P", movable.place, t.drag_lamp),
-        (false, Transforming::Move) => ("T", movable.place, t.drag_object),
-        (false, Transforming::Turn) => ("R", movable.rotate, t.drag_ring),
-        (false, Transforming::Scale) => ("S", movable.scale, t.drag_bar),
-    };
-    let together = match movable.count() {
-        1 => String::new(),
-        count => format!(" · {count} {}", t.together),
-    };
-    [
-        format!("{symbol} = {}{together}", handle_drag::point(value, digits, t.lang.mark())),
-        format!("{hint} · {}", t.drag_snaps),
-    ]
 }

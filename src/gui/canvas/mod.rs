@@ -6,6 +6,7 @@
 mod arrange;
 mod card;
 mod followed;
+mod held;
 mod icons;
 mod interaction;
 mod keyboard_probe;
@@ -30,7 +31,7 @@ use eframe::egui::{
 
 use self::arrange::{Axis, Framed, Shares, arrange};
 use self::card::CardAction;
-use self::interaction::Drag;
+use self::held::Drag;
 use self::keyboard_probe::Probing;
 use self::long_work::LongWork;
 use self::orbit::Auto;
@@ -172,7 +173,10 @@ impl Canvas {
     /// True where Esc would let go of something in a picture.
     #[must_use]
     pub fn holds_something(&self, state: &State) -> bool {
-        self.drag.is_some() || self.pinned.is_some() || state.shown_stage().is_some()
+        self.drag.is_some()
+            || self.pinned.is_some()
+            || state.shown_stage().is_some()
+            || state.explain.triangle.shown.is_some()
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
@@ -197,6 +201,7 @@ impl Canvas {
         self.overlays.measured.clone_from(&state.measured);
         self.overlays.object = explain::object_transform(state);
         self.overlays.placed.clone_from(&state.explain.placed);
+        self.overlays.stepped.clone_from(&state.explain.triangle.shown);
         self.overlays.gizmo = Movable::selected(state).map(|movable| movable.gizmo);
         let panes = self.panes(ui, pictures, state, texts);
         for pane in &panes {

@@ -18,6 +18,7 @@ mod point;
 mod stages;
 mod steps;
 mod subject;
+mod triangle;
 
 use eframe::egui;
 
@@ -27,6 +28,7 @@ use super::focus::keep_in_sight;
 use super::state::{ExplainTab, State};
 use super::tooltip::Explained;
 use crate::i18n::explain::{self, Texts};
+pub(super) use triangle::clicked;
 
 /// A tab: its name, what it is for, and what it shows.
 struct Row {

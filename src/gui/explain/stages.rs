@@ -2,6 +2,7 @@
 
 use eframe::egui::{self, RichText, Slider, Ui};
 
+use super::triangle;
 use crate::appearance::Visibility;
 use crate::figure::{Depth, Reveal};
 use crate::gui::noted::noted;
@@ -48,6 +49,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         Visibility::DepthBuffer => t.depth_buffer_said,
     };
     ui.label(said);
+    ui.separator();
+    triangle::ui(ui, state);
     ui.separator();
     shown(ui, t, state);
     ui.label(RichText::new(t.order).strong());

@@ -4,6 +4,7 @@ use super::matrices::Matrices;
 use super::notes::Notes;
 use super::order::Order;
 use super::steps::Steps;
+use super::triangle::OneTriangle;
 use crate::camera::{CameraError, MatrixKind};
 use crate::explain::Symbol;
 use crate::explain::code::CodeTarget;
@@ -56,6 +57,8 @@ pub struct Explain {
     pub share: f64,
     /// How much of the image is painted while the tab of stages is shown, 0 … 1.
     pub painted: f64,
+    /// The triangle that is followed step by step.
+    pub triangle: OneTriangle,
     /// How the picture of the strip came about, stage by stage; written by the pictures while the tab of stages is shown.
     pub reports: Vec<StageReport>,
     /// For what the code is.
@@ -95,6 +98,7 @@ impl Default for Explain {
             notes: Notes::default(),
             share: 0.5,
             painted: 1.0,
+            triangle: OneTriangle::default(),
             reports: Vec::new(),
             code: CodeTarget::default(),
             refused: None,

@@ -17,6 +17,7 @@ mod order;
 mod recent;
 mod scene_tree;
 mod steps;
+mod triangle;
 mod view_history;
 
 use glam::DVec3;
@@ -54,6 +55,7 @@ pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
 pub use scene_tree::{SceneTree, Selected};
 pub use steps::Steps;
+pub use triangle::OneTriangle;
 pub use view_history::ViewHistory;
 
 use super::Start;

@@ -1,0 +1,61 @@
+//! One triangle step by step, in the tab of stages.
+
+use crate::views::TriangleStep;
+
+texts! {
+    heading: "One triangle, step by step", "Um triângulo, passo a passo";
+    hint: "Click a triangle in the image, or choose an object and a number.", "Clique num triângulo na imagem, ou escolha um objeto e um número.";
+    object: "Object", "Objeto";
+    number: "Triangle, by its number in the mesh", "Triângulo, pelo seu número na malha";
+    of: "of", "de";
+    release: "No triangle any more (Esc)", "Mais nenhum triângulo (Esc)";
+    next: "Next step", "Próximo passo";
+    previous: "Step before", "Passo anterior";
+    step_view: "local → world → view", "local → mundo → visão";
+    step_facing: "front or back", "frente ou costas";
+    step_outcodes: "clip coordinates, outcodes", "coordenadas de recorte, outcodes";
+    step_cuts: "cuts", "cortes";
+    step_divide: "÷ w", "÷ w";
+    step_viewport: "viewport", "viewport";
+    step_pixels: "pixels", "pixels";
+    step_depth: "depth test", "teste de profundidade";
+    local: "local", "local";
+    world: "world", "mundo";
+    view: "view", "visão";
+    is_front: "N · (C − a) > 0: its front is seen", "N · (C − a) > 0: vê-se a frente";
+    is_back: "N · (C − a) ≤ 0: it turns its back; culled where the object is closed or one-sided", "N · (C − a) ≤ 0: dá as costas; descartado onde o objeto é fechado ou de um lado só";
+    inside: "inside of all planes: 000000", "dentro de todos os planos: 000000";
+    outside: "outside:", "fora:";
+    all_outside: "All corners are outside of one plane: dropped whole, without a cut.", "Todos os cantos estão fora de um mesmo plano: descartado inteiro, sem corte.";
+    no_cut: "No corner is outside of any plane: nothing is cut.", "Nenhum canto está fora de plano algum: nada é cortado.";
+    left: "left:", "fica:";
+    nothing_left: "nothing is left", "nada fica";
+    covers: "pixels covered", "pixels cobertos";
+    rows: "rows", "linhas";
+    too_large: "Nothing to be looked at: the object is not drawn, or the image is larger than 4 million pixels.", "Nada para olhar: o objeto não é desenhado, ou a imagem tem mais de 4 milhões de pixels.";
+    covers_none: "It covers the centre of no pixel.", "Não cobre o centro de nenhum pixel.";
+    pixel: "pixel (i, j), from the top left", "pixel (i, j), do canto superior esquerdo";
+    pixel_hint: "Type it, or click a pixel of the triangle in the image", "Digite-o, ou clique num pixel do triângulo na imagem";
+    not_covered: "The triangle does not cover this pixel.", "O triângulo não cobre este pixel.";
+    z_own: "Z of the triangle (5.25)", "Z do triângulo (5.25)";
+    z_before: "Z that was there", "Z que estava ali";
+    z_nothing: "nothing was there", "nada estava ali";
+    kept: "nearer: kept, the buffer holds its Z now", "mais perto: mantido, o buffer guarda agora o seu Z";
+    rejected: "not nearer: thrown away, the buffer stays", "não está mais perto: rejeitado, o buffer fica como está";
+    before_hint: "Before it come the objects, and the triangles of its own object, that are drawn earlier.", "Antes dele vêm os objetos, e os triângulos do próprio objeto, desenhados mais cedo.";
+}
+
+/// The name of a step.
+#[must_use]
+pub const fn step(t: &Texts, step: TriangleStep) -> &'static str {
+    match step {
+        TriangleStep::View => t.step_view,
+        TriangleStep::Facing => t.step_facing,
+        TriangleStep::Outcodes => t.step_outcodes,
+        TriangleStep::Cuts => t.step_cuts,
+        TriangleStep::Divide => t.step_divide,
+        TriangleStep::Viewport => t.step_viewport,
+        TriangleStep::Pixels => t.step_pixels,
+        TriangleStep::Depth => t.step_depth,
+    }
+}

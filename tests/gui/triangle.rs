@@ -1,0 +1,114 @@
+//! One triangle step by step, in the tab of stages.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::Lang;
+use camera_lab::i18n::triangle::{step, texts};
+use camera_lab::scene::Preset;
+use camera_lab::views::{TriangleStep, View};
+use eframe::egui::{Key, Modifiers, accesskit::Role};
+use egui_kittest::kittest::Queryable as _;
+
+use super::window::Window;
+
+fn staged(lang: Lang) -> Window {
+    let mut figure = camera_lab::gui::fresh();
+    figure.scene.preset = Preset::Cube;
+    figure.style.antialias = 1;
+    (figure.image.width, figure.image.height) = (160, 120);
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
+    state.layout.maximized = Some(View::Image);
+    let mut window = Window::with_state(state, [1100.0, 1000.0]);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
+    window.run();
+    window.click(camera_lab::i18n::explain::texts(lang).stages);
+    window
+}
+
+fn click_image(window: &mut Window) {
+    let at = window.harness.get_by_role(Role::Image).rect().center();
+    window.harness.hover_at(at);
+    window.run();
+    window.harness.drag_at(at);
+    window.harness.drop_at(at);
+    window.run();
+}
+
+#[test]
+fn a_triangle_is_clicked_in_the_image_and_each_step_shows_in_it() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = texts(lang);
+        let mut window = staged(lang);
+        assert!(window.state().explain.triangle.shown.is_none());
+        click_image(&mut window);
+        let shown = window.state().explain.triangle.shown.clone().unwrap();
+        assert_eq!(shown.step, TriangleStep::View);
+        // What is there can be seen: its middle faces the eye.
+        let camera = window.state().document.camera().clone();
+        let [a, b, c] = shown.corners;
+        assert!((b - a).cross(c - a).dot(camera.position() - a) > 0.0);
+        for one in &TriangleStep::ALL[1..] {
+            let drawn = window.app_mut().canvas.drawn()[View::Image.index()];
+            window.click(t.next);
+            let shown = window.state().explain.triangle.shown.clone().unwrap();
+            assert_eq!(shown.step, *one);
+            assert!(window.app_mut().canvas.drawn()[View::Image.index()] > drawn, "{one:?} shows");
+            assert_eq!(shown.rows.is_empty(), !matches!(one, TriangleStep::Pixels | TriangleStep::Depth));
+        }
+        assert!(window.says(t.kept), "nothing is before it");
+        // A click on one of its pixels chooses that pixel, not a triangle.
+        let before = window.state().explain.triangle.clone();
+        click_image(&mut window);
+        let after = window.state().explain.triangle.clone();
+        assert_eq!(after.chosen, before.chosen);
+        assert!(before.pixel.is_none() && after.pixel.is_some());
+        window.key(Key::Escape);
+        assert_eq!(window.state().explain.triangle.chosen, None);
+        assert!(window.state().explain.triangle.shown.is_none());
+    }
+}
+
+#[test]
+fn a_triangle_is_chosen_and_stepped_by_keyboard_and_f1_opens_the_note() {
+    let lang = Lang::En;
+    let t = texts(lang);
+    let mut window = staged(lang);
+    window.harness.get_by_role_and_label(Role::ComboBox, t.object).focus();
+    window.run();
+    window.key(Key::Enter);
+    let name = window.app_mut().state.scene_cache.scene().objects[0].name.clone();
+    window.harness.get_by_role_and_label(Role::Button, &name).focus();
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!(window.state().explain.triangle.chosen, Some((name.clone(), 0)));
+    window.harness.get_by_label(t.number).focus();
+    window.run();
+    window.key(Key::ArrowUp);
+    assert_eq!(window.state().explain.triangle.chosen, Some((name, 1)));
+    window.harness.get_by_label(step(t, TriangleStep::Outcodes)).focus();
+    window.run();
+    window.key(Key::Enter);
+    assert_eq!(window.state().explain.triangle.step, TriangleStep::Outcodes);
+    assert!(window.says("w + x = ") && window.says(t.inside));
+    window.key(Key::F1);
+    assert_eq!(window.state().explain.tab, camera_lab::gui::state::ExplainTab::Notes);
+    assert_eq!(window.state().explain.notes.chosen, "stage-clip");
+    assert!(window.state().explain.triangle.shown.is_none(), "hidden, nothing of it is shown");
+}
+
+#[test]
+fn a_triangle_that_is_left_alone_does_not_repaint() {
+    let mut window = staged(Lang::En);
+    click_image(&mut window);
+    window.click(step(texts(Lang::En), TriangleStep::Depth));
+    window.harness.remove_cursor();
+    window.run();
+    let drawn = window.app_mut().canvas.drawn();
+    for _ in 0..3 {
+        window.harness.step();
+        let delay = window.harness.output().viewport_output[&eframe::egui::ViewportId::ROOT].repaint_delay;
+        assert_eq!(delay, std::time::Duration::MAX);
+    }
+    assert_eq!(window.app_mut().canvas.drawn(), drawn);
+}
