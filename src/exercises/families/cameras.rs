@@ -52,6 +52,16 @@ fn whole(random: &mut Random, low: i64, high: i64) -> f64 {
     value
 }
 
+/// A whole number between −`most` and `most`.
+pub(super) fn small(random: &mut Random, most: i64) -> f64 {
+    whole(random, -most, most)
+}
+
+/// An exercise without a camera of its own.
+pub(super) fn plain() -> Exercise {
+    Exercise { facts: Vec::new(), ..about(Subject { figure: Figure::of_preset(Preset::House), ..Subject::default() }) }
+}
+
 /// A camera that can be: C, PF and VUP of whole numbers, oblique to one another.
 pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters {
     loop {

@@ -1,9 +1,13 @@
 //! Families: exercises whose numbers come from a seed.
 
 mod cameras;
+mod clipping;
+mod depth;
+mod hands;
 mod matrices;
 mod operations;
 mod points;
+mod spaces;
 
 pub(in crate::exercises) use cameras::{about, image, with_point};
 
@@ -30,4 +34,17 @@ pub static ENTRIES: &[Entry] = &[
     operations::ZOOM,
     operations::DOLLY,
     operations::PAN,
+    depth::ZOOM_OR_DOLLY,
+    hands::CANONICAL_CAMERA,
+    clipping::OUTCODES,
+    clipping::CLIP_SEGMENT,
+    spaces::PYRAMID,
+    spaces::LEFT_HANDED,
+    spaces::VOCABULARY,
+    spaces::ORDER,
+    depth::DEPTH_RESOLUTION,
+    depth::PAINTER,
+    hands::MATCH_PICTURE,
+    hands::PLACE_CAMERA,
+    hands::PREDICT_VISIBLE,
 ];

@@ -3,6 +3,8 @@
 mod camera;
 mod pyramid;
 
+pub(super) use pyramid::whole as pyramid_of;
+
 use super::{Entry, Free};
 
 /// In the order of the notes.

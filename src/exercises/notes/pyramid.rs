@@ -173,6 +173,14 @@ pub(super) fn projection(free: &Free) -> Exercise {
     Exercise { asks, assumptions, ..exercise }
 }
 
+/// II and III in one: M_m, M_v, M_p, and the apex in clip space.
+pub(in crate::exercises) fn whole(free: &Free) -> Exercise {
+    let [first, last] = [model_and_view(free), projection(free)];
+    let wanted = ["Mm", "Mv", "Mp", "apex"];
+    let asks = first.asks.into_iter().chain(last.asks).filter(|ask| wanted.contains(&ask.name.as_str())).collect();
+    Exercise { asks, free: Vec::new(), assumptions: vec!["touches-planes", "distances-not-coordinates"], ..last }
+}
+
 /// A matrix of a subject, as it comes out with slips.
 fn matrix(subject: &Subject, path: &str, slips: Slips) -> Option<DMat4> {
     let table = if slips == Slips::NONE { subject.value(path) } else { textbook::value(subject, path, slips) }?;

@@ -1,0 +1,130 @@
+//! Clipping before the division by w, `[2]`: outcodes, and a segment cut by the planes of the view volume.
+
+use glam::DVec4;
+
+use super::cameras::{numbers, plain, small};
+use crate::exercises::worked::{Worked, named};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Slip, Slips, Table};
+use crate::explain::{Formula, minus, over};
+use crate::numbers::random::Random;
+
+pub(super) const OUTCODES: Entry =
+    Entry { id: "outcodes", source: "[2]", is_family: true, make: |seed, _| outcodes(seed) };
+pub(super) const CLIP_SEGMENT: Entry =
+    Entry { id: "clip-segment", source: "[2]", is_family: true, make: |seed, _| clip_segment(seed) };
+
+/// How far inside of each plane a point is: left, right, bottom, top, near, far; negative outside.
+fn distances(p: DVec4, slips: Slips) -> [f64; 6] {
+    let w = if slips.has(Slip::NoDivide) { 1.0 } else { p.w };
+    let z = if slips.has(Slip::DepthRowSign) { -p.z } else { p.z };
+    let near = if slips.has(Slip::DepthRange) { z } else { w + z };
+    let (x, y) = if slips.has(Slip::TermSign) { (-p.x, -p.y) } else { (p.x, p.y) };
+    [w + x, w - x, w + y, w - y, near, w - z]
+}
+
+fn tuple(p: DVec4) -> Fact {
+    Fact::Tuple(p.to_array().to_vec())
+}
+
+/// A point of small whole numbers in clip space.
+fn clip_point(random: &mut Random) -> DVec4 {
+    let w = random.one_of(&[2.0, 3.0, 4.0, 5.0]);
+    DVec4::new(small(random, 7), small(random, 7), small(random, 7), w)
+}
+
+fn outcodes(seed: u64) -> Exercise {
+    let mut random = numbers("outcodes", seed);
+    let mut one = || loop {
+        let p = clip_point(&mut random);
+        let out = distances(p, Slips::NONE).iter().filter(|distance| **distance < 0.0).count();
+        // On a plane both answers would be right; inside of all there is nothing to find.
+        if out > 0 && distances(p, Slips::NONE).iter().all(|distance| *distance != 0.0) {
+            return p;
+        }
+    };
+    let (a, b) = (one(), one());
+    let ask = |name: &str, p: DVec4| {
+        let code = move |slips| distances(p, slips).map(|distance| f64::from(u8::from(distance < 0.0)));
+        let of = |text: &'static str, latex, value| named(text, latex, value);
+        let [x, y, z, w] = [of("x", "x", p.x), of("y", "y", p.y), of("z", "z", p.z), of("w", "w", p.w)];
+        let distance = distances(p, Slips::NONE);
+        let names = ["left", "right", "bottom", "top", "near", "far"];
+        let step = [(x, true), (x, false), (y, true), (y, false), (z, true), (z, false)]
+            .into_iter()
+            .zip(names)
+            .zip(distance)
+            .fold(Worked::new("outcode", "[2]"), |step, (((along, plus), name), distance)| {
+                let formula = if plus { crate::explain::plus(w, along) } else { minus(w, along) };
+                step.row(named(name, name, distance), formula)
+            });
+        Ask::computed(name, Kind::Vector(6), vec![step], move |slips| Some(Table::column(&code(slips)))).whole()
+    };
+    let asks = vec![ask("A", a), ask("B", b)];
+    Exercise { asks, facts: vec![("A", tuple(a)), ("B", tuple(b))], ..plain() }
+}
+
+/// From where to where the segment from `a` to `b` is inside: Liang and Barsky in homogeneous coordinates.
+fn inside(a: DVec4, b: DVec4, slips: Slips) -> Option<[f64; 2]> {
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for (at_a, at_b) in distances(a, slips).into_iter().zip(distances(b, slips)) {
+        if at_a < 0.0 && at_b < 0.0 {
+            return None;
+        }
+        let cut = at_a / (at_a - at_b);
+        if at_a < 0.0 {
+            from = from.max(cut);
+        } else if at_b < 0.0 {
+            to = to.min(cut);
+        }
+    }
+    (from < to).then_some([from, to])
+}
+
+fn clip_segment(seed: u64) -> Exercise {
+    let mut random = numbers("clip-segment", seed);
+    let (a, b) = loop {
+        let (a, b) = (clip_point(&mut random), clip_point(&mut random));
+        let found = inside(a, b, Slips::NONE);
+        // Both ends are cut off, and what is left is long enough to be seen.
+        if found.is_some_and(|[from, to]| from > 0.05 && to < 0.95 && to - from > 0.1 && (from + to - 1.0).abs() > 0.01)
+        {
+            break (a, b);
+        }
+    };
+    let ends = move |slips: Slips| {
+        let (a, b) = if slips.has(Slip::OrderReversed) { (b, a) } else { (a, b) };
+        inside(a, b, slips)
+    };
+    let step = steps(a, b);
+    let ask = |name: &str, k: usize| {
+        Ask::computed(name, Kind::Number, vec![step.clone()], move |slips| ends(slips).map(|t| t[k].into()))
+    };
+    let point = Ask::computed("P", Kind::Vector(4), vec![step.clone()], move |slips| {
+        let [from, _] = ends(slips)?;
+        let (a, b) = if slips.has(Slip::OrderReversed) { (b, a) } else { (a, b) };
+        Some(Table::from(a + (b - a) * from))
+    });
+    let asks = vec![ask("t_in", 0), ask("t_out", 1), point];
+    Exercise { asks, facts: vec![("A", tuple(a)), ("B", tuple(b))], ..plain() }
+}
+
+/// Where each plane that separates the ends cuts.
+fn steps(a: DVec4, b: DVec4) -> Worked {
+    let names = ["t_left", "t_right", "t_bottom", "t_top", "t_near", "t_far"];
+    let latex = [
+        r"t_{\mathrm{left}}",
+        r"t_{\mathrm{right}}",
+        r"t_{\mathrm{bottom}}",
+        r"t_{\mathrm{top}}",
+        r"t_{\mathrm{near}}",
+        r"t_{\mathrm{far}}",
+    ];
+    let ends = distances(a, Slips::NONE).into_iter().zip(distances(b, Slips::NONE));
+    let mut step = Worked::new("cuts", "[2]");
+    for (k, (at_a, at_b)) in ends.enumerate().filter(|(_, (at_a, at_b))| at_a * at_b < 0.0) {
+        let (da, db) = (named("d_A", "d_A", at_a), named("d_B", "d_B", at_b));
+        let formula: Formula = over(da, minus(da, db));
+        step = step.row(named(names[k], latex[k], at_a / (at_a - at_b)), formula);
+    }
+    step
+}

@@ -1,0 +1,191 @@
+//! Exercises done with the hands: a camera that has to be set, and what it sees before it is shown.
+
+use glam::DVec3;
+
+use super::cameras::{about, camera, numbers, point_inside, small, subject, with_point};
+use crate::camera::{Camera, Parameters, Projection};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake};
+use crate::figure::Figure;
+use crate::scene::{ObjectSpec, Preset, Shape};
+
+pub(super) const CANONICAL_CAMERA: Entry =
+    Entry { id: "canonical-camera", source: "[0] 5.3", is_family: true, make: |seed, _| canonical_camera(seed) };
+pub(super) const MATCH_PICTURE: Entry =
+    Entry { id: "match-picture", source: "[0] §5.2, §5.6", is_family: true, make: |seed, _| match_picture(seed) };
+pub(super) const PLACE_CAMERA: Entry =
+    Entry { id: "place-camera", source: "[0] §5.2", is_family: true, make: |seed, _| place_camera(seed) };
+pub(super) const PREDICT_VISIBLE: Entry =
+    Entry { id: "predict-visible", source: "[2], [0] §5.3", is_family: true, make: |seed, _| predict_visible(seed) };
+
+/// A camera whose view volume is a box along the axes.
+fn canonical_camera(seed: u64) -> Exercise {
+    let mut random = numbers("canonical-camera", seed);
+    let middle = DVec3::new(small(&mut random, 3), small(&mut random, 3), small(&mut random, 3));
+    let half = DVec3::from_array(random.one_of(&[[1.0, 2.0, 3.0], [2.0, 1.0, 1.5], [3.0, 2.0, 1.0], [2.0, 3.0, 4.0]]));
+    let model = Parameters {
+        position: middle + DVec3::Z * (half.z + 1.0),
+        focal_point: middle,
+        view_up: DVec3::Y,
+        projection: Projection::Parallel,
+        height: 2.0 * half.y,
+        aspect: half.x / half.y,
+        near: 1.0,
+        far: 1.0 + 2.0 * half.z,
+        ..Parameters::default()
+    };
+    let mistakes = [
+        (Parameters { aspect: half.y / half.x, ..model }, Mistake::AspectInverted),
+        (Parameters { height: half.y, ..model }, Mistake::WholeAngle),
+    ];
+    let ask = Ask::camera("camera", model, &mistakes, move |camera| {
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-6;
+        let corners = camera.volume_corners().map(|corner| corner - middle);
+        let octant = |at: &DVec3| at.to_array().map(|x| x > 0.0);
+        let distinct = (0..8).all(|a| (0..a).all(|b| octant(&corners[a]) != octant(&corners[b])));
+        let is_corner = |at: &DVec3| (0..3).all(|k| near(at[k].abs(), half[k]));
+        vec![
+            ("is-parallel", camera.projection() == Projection::Parallel),
+            ("looks-along-axis", camera.basis().n.to_array().iter().any(|x| near(x.abs(), 1.0))),
+            ("middle-of-box", (corners.iter().sum::<DVec3>() / 8.0).length() <= 1e-6),
+            ("is-the-box", corners.iter().all(is_corner) && distinct),
+        ]
+    });
+    let mut figure = Figure::of_preset(Preset::Empty);
+    let shape = ObjectSpec::new("box", Shape::Box).at(middle.x, middle.y, middle.z);
+    figure.scene.objects.push(shape.scaled(half.x, half.y, half.z));
+    figure.camera =
+        Parameters { position: middle + DVec3::new(6.0, 4.0, 8.0), focal_point: middle, ..Parameters::default() };
+    let subject = crate::exercises::Subject { figure, ..Default::default() };
+    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
+    let mut exercise = about(subject);
+    exercise.facts = vec![("low", tuple(middle - half)), ("high", tuple(middle + half))];
+    Exercise { asks: vec![ask], assumptions: vec!["family-of-cameras"], ..exercise }
+}
+
+/// Points by which two pictures of the house are compared.
+const REFERENCE: [DVec3; 6] = [
+    DVec3::new(1.0, 0.0, 1.0),
+    DVec3::new(-1.0, 0.0, 1.0),
+    DVec3::new(1.0, 1.0, -1.0),
+    DVec3::new(-1.0, 1.0, -1.0),
+    DVec3::new(0.0, 1.5, 0.5),
+    DVec3::new(0.5, 0.5, 0.0),
+];
+
+/// How far points may be from their places, in NDC.
+const NEAR_ENOUGH: f64 = 0.05;
+
+fn match_picture(seed: u64) -> Exercise {
+    let mut random = numbers("match-picture", seed);
+    let start = Figure::of_preset(Preset::House);
+    let target = Parameters {
+        position: DVec3::new(6.0, 0.0, 0.0)
+            + DVec3::new(small(&mut random, 2), 4.0 + small(&mut random, 2), small(&mut random, 5)),
+        focal_point: DVec3::new(0.0, 0.5, 0.0),
+        view_angle: random.one_of(&[30.0, 40.0, 50.0]),
+        aspect: start.camera.aspect,
+        near: 1.0,
+        far: 40.0,
+        ..Parameters::default()
+    };
+    let wanted = Camera::new(&target);
+    let ask = Ask::camera("camera", target, &[], move |camera| {
+        let Ok(wanted) = &wanted else { return vec![("picture-matches", false)] };
+        let ndc = |camera: &Camera, point: DVec3| {
+            let clip = camera.clip_point(point);
+            (clip.w > 0.0).then(|| clip.truncate().truncate() / clip.w)
+        };
+        let near = |point: &DVec3| {
+            let places = ndc(camera, *point).zip(ndc(wanted, *point));
+            places.is_some_and(|(a, b)| (a - b).length() <= NEAR_ENOUGH)
+        };
+        let turned = camera.basis().n.dot(wanted.basis().n);
+        let tall = camera.window_height() / camera.near() / (wanted.window_height() / wanted.near());
+        vec![
+            ("same-projection", camera.projection() == wanted.projection()),
+            ("same-direction", turned > 0.995),
+            ("same-angle", (0.93..1.07).contains(&tall)),
+            ("picture-matches", REFERENCE.iter().all(near)),
+        ]
+    });
+    let subject = crate::exercises::Subject { figure: start, ..Default::default() };
+    let mut exercise = about(subject);
+    exercise.facts.clear();
+    Exercise { asks: vec![ask], ..exercise }
+}
+
+fn place_camera(seed: u64) -> Exercise {
+    let mut random = numbers("place-camera", seed);
+    let [a, b] = [0, 1].map(|_| DVec3::new(small(&mut random, 3), 1.0 + small(&mut random, 1), small(&mut random, 3)));
+    let b = if (a - b).length() < 1.5 { a + DVec3::new(2.0, 0.0, 1.0) } else { b };
+    let least = random.one_of(&[20.0, 30.0, 40.0]);
+    let height: f64 = f64::tan(f64::to_radians(least + 15.0));
+    let aside = (b - a).cross(DVec3::Y).normalize_or(DVec3::Z);
+    let distance = (b - a).length() * 2.5;
+    let model = Parameters {
+        position: a + (aside + DVec3::Y * height) * distance,
+        focal_point: a,
+        view_angle: 60.0,
+        near: 0.1,
+        far: 100.0,
+        ..Parameters::default()
+    };
+    let ask = Ask::camera("camera", model, &[], move |camera| {
+        let seen = |point: DVec3| {
+            let clip = camera.clip_point(point);
+            (clip.w > 0.0).then(|| clip.truncate() / clip.w).filter(|ndc| ndc.abs().max_element() <= 1.0)
+        };
+        let in_middle = seen(a).is_some_and(|ndc| ndc.truncate().length() <= 0.02);
+        vec![
+            ("a-in-the-middle", in_middle),
+            ("b-is-seen", seen(b).is_some()),
+            ("b-is-apart", seen(a).zip(seen(b)).is_some_and(|(a, b)| (a - b).truncate().length() >= 0.2)),
+            ("from-above", camera.basis().n.y >= f64::sin(f64::to_radians(least)) - 1e-9),
+        ]
+    });
+    let mut figure = Figure::of_preset(Preset::House);
+    figure.camera = Parameters { position: DVec3::new(9.0, 1.0, 9.0), ..figure.camera };
+    let subject = crate::exercises::Subject { figure, ..Default::default() };
+    let subject = with_point(with_point(subject, a), b);
+    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
+    let mut exercise = about(subject);
+    exercise.facts = vec![("P", tuple(a)), ("Q", tuple(b)), ("least", Fact::Angle(least))];
+    Exercise { asks: vec![ask], ..exercise }
+}
+
+fn predict_visible(seed: u64) -> Exercise {
+    let mut random = numbers("predict-visible", seed);
+    let projection = super::cameras::any_projection(&mut random);
+    let parameters = camera(&mut random, projection);
+    let is_inside = |point: DVec3| {
+        Camera::new(&parameters).ok().map(|camera| {
+            let clip = camera.clip_point(point);
+            let rest = clip.w - clip.truncate().abs().max_element();
+            // Not so near a plane that the eye could not tell.
+            (rest > 0.05 * clip.w.abs(), rest.abs() > 0.05 * clip.w.abs().max(1.0))
+        })
+    };
+    let mut points = vec![point_inside(&mut random, &parameters)];
+    while points.len() < 3 {
+        let point =
+            parameters.focal_point + DVec3::new(small(&mut random, 8), small(&mut random, 8), small(&mut random, 8));
+        if is_inside(point).is_some_and(|(_, clear)| clear) && !points.contains(&point) {
+            points.push(point);
+        }
+    }
+    // The one that is seen is not always the first.
+    points.rotate_left(usize::try_from(random.whole(0, 2)).unwrap_or(0));
+    let subject = points.iter().fold(subject(parameters), |subject, point| with_point(subject, *point));
+    let names = ["P", "Q", "R"];
+    let asks = names.into_iter().zip(&points).enumerate().map(|(k, (name, point))| {
+        let seen = is_inside(*point).is_some_and(|(inside, _)| inside);
+        let ask = Ask::choice(name, &["yes", "no"], usize::from(!seen), &[], Vec::new());
+        Ask { quantity: Some(format!("points.{k}.inside")), ..ask }
+    });
+    let facts: Vec<(&'static str, Fact)> =
+        names.into_iter().zip(&points).map(|(name, p)| (name, Fact::Tuple(p.to_array().to_vec()))).collect();
+    let asks = asks.collect();
+    let mut exercise = Exercise { asks, ..about(subject) };
+    exercise.facts.extend(facts);
+    exercise
+}

@@ -1,0 +1,192 @@
+//! Other vocabularies, other orders: the left-handed basis of `[3]`, the calls of OpenGL, K of computer vision, products of transforms.
+
+use glam::{DMat3, DMat4, DVec3};
+
+use super::cameras::{about, camera, numbers, plain, small, subject};
+use crate::camera::{Parameters, Projection};
+use crate::exercises::worked::{Worked, angle, named};
+use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Slips, Table, notes};
+use crate::explain::{Formula, Function, over, times};
+use crate::geometry::Angle;
+
+pub(super) const PYRAMID: Entry =
+    Entry { id: "pyramid", source: "[1] II, III", is_family: true, make: |seed, _| pyramid(seed) };
+pub(super) const LEFT_HANDED: Entry =
+    Entry { id: "left-handed", source: "[3] §1.5", is_family: true, make: |seed, _| left_handed(seed) };
+pub(super) const VOCABULARY: Entry =
+    Entry { id: "vocabulary", source: "[2], K [R|t]", is_family: true, make: |seed, _| vocabulary(seed) };
+pub(super) const ORDER: Entry = Entry { id: "order", source: "[4], [3]", is_family: true, make: |seed, _| order(seed) };
+
+fn pyramid(seed: u64) -> Exercise {
+    let mut random = numbers("pyramid", seed);
+    #[expect(clippy::cast_precision_loss, reason = "a day and a month")]
+    let birth = [("D", random.whole(2, 31) as f64), ("M", random.whole(2, 12) as f64)];
+    notes::pyramid_of(&birth.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+}
+
+/// **n** into the scene, **v** from VUV' without what is along **n**, **u** = **n** × **v**.
+fn left_handed_basis(normal: DVec3, up: DVec3, slips: Slips) -> [DVec3; 3] {
+    let into = if slips.has(Slip::NReversed) { -normal } else { normal };
+    let keeps = slips.any(&[Slip::NothingNormalised, Slip::NNotNormalised]);
+    let n = if keeps { into } else { into.normalize() };
+    // The formula of [3] with a VPN that is not of length 1 takes away too much.
+    let v = up - n * n.dot(up);
+    let v = if slips.any(&[Slip::ViewUpAsV, Slip::UnitViewUpAsV]) { up } else { v };
+    let v =
+        if slips.any(&[Slip::NothingNormalised, Slip::ViewUpAsV, Slip::LengthForgotten]) { v } else { v.normalize() };
+    let u = if slips.has(Slip::UReversed) { v.cross(n) } else { n.cross(v) };
+    [u, v, n]
+}
+
+fn left_handed(seed: u64) -> Exercise {
+    let mut random = numbers("left-handed", seed);
+    let Parameters { position, focal_point, view_up, .. } = camera(&mut random, Projection::Perspective);
+    let normal = focal_point - position;
+    let [_, v, n] = left_handed_basis(normal, view_up, Slips::NONE);
+    let step = {
+        let (length, along) = (normal.length(), n.dot(view_up));
+        let part = |text: &'static str, value: f64| named(text, text, value);
+        let names =
+            [["n_x", "VPN_x", "v_x", "VUV'_x"], ["n_y", "VPN_y", "v_y", "VUV'_y"], ["n_z", "VPN_z", "v_z", "VUV'_z"]];
+        let norm = named("‖VPN‖", r"\|\mathrm{VPN}\|", length);
+        let dot = named("n·VUV'", r"\mathbf{n}\cdot\mathrm{VUV}'", along);
+        let rest = named("‖VUV‖", r"\|\mathrm{VUV}\|", (view_up - n * along).length());
+        let mut step = Worked::new("left-handed", "[3] §1.5");
+        for (k, [n_name, vpn, v_name, vuv]) in names.into_iter().enumerate() {
+            step = step.row(part(n_name, n[k]), over(part(vpn, normal[k]), norm));
+            let taken = times([part(n_name, n[k]).into(), dot.into()]);
+            step = step.row(part(v_name, v[k]), over(crate::explain::minus(part(vuv, view_up[k]), taken), rest));
+        }
+        step
+    };
+    let ask = |name: &str, k: usize| {
+        let mut ask = Ask::computed(name, Kind::Vector(3), vec![step.clone()], move |slips| {
+            Some(Table::from(left_handed_basis(normal, view_up, slips)[k]))
+        });
+        ask.tolerance = crate::exercises::TOLERANCE;
+        ask
+    };
+    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
+    let facts = vec![("VPN", tuple(normal)), ("VUV", tuple(view_up))];
+    Exercise { asks: vec![ask("n", 2), ask("v", 1), ask("u", 0)], facts, assumptions: vec!["unit-vpn"], ..plain() }
+}
+
+/// l, r, b, t of glFrustum, and K, from what gluPerspective is given.
+fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
+    let half = if slips.has(Slip::WholeAngle) { 1.0 } else { 0.5 };
+    let angle = parameters.view_angle * half;
+    let top = parameters.near * if slips.has(Slip::Radians) { angle } else { angle.to_radians() }.tan();
+    let aspect = if slips.has(Slip::AspectInverted) { 1.0 / parameters.aspect } else { parameters.aspect };
+    let right = top * aspect;
+    [-right, right, -top, top]
+}
+
+fn vocabulary(seed: u64) -> Exercise {
+    let mut random = numbers("vocabulary", seed);
+    let parameters = camera(&mut random, Projection::Perspective);
+    let subject = super::cameras::with_image(subject(parameters), random.one_of(&[240, 480, 600]));
+    let size = subject.figure.image;
+    let (m, n) = (f64::from(size.width), f64::from(size.height));
+    let theta = angle("θ", r"\theta", parameters.view_angle);
+    let near = named("F", "F", parameters.near);
+    let aspect = named("A", "A", parameters.aspect);
+    let [left, right, bottom, top] = frustum(&parameters, Slips::NONE);
+    let tangent = Formula::Of(Function::Tangent, Box::new(over(theta, 2.0)));
+    let t = named("t", "t", top);
+    let frustum_step = Worked::new("frustum", "(5.5), (5.1)")
+        .row(t, times([near.into(), tangent]))
+        .row(named("b", "b", bottom), -Formula::from(t))
+        .row(named("r", "r", right), times([aspect.into(), t.into()]))
+        .row(named("l", "l", left), -Formula::from(named("r", "r", right)));
+    let k_step = {
+        let (m, n) = (named("m", "m", m), named("n", "n", n));
+        let (r, t) = (named("r", "r", right), named("t", "t", top));
+        let twice = |side| times([2.0.into(), Formula::from(side)]);
+        Worked::new("pinhole", "K [R|t]")
+            .row(
+                named("f_x", "f_x", m.value * near.value / (2.0 * right)),
+                over(times([m.into(), near.into()]), twice(r)),
+            )
+            .row(
+                named("f_y", "f_y", n.value * near.value / (2.0 * top)),
+                over(times([n.into(), near.into()]), twice(t)),
+            )
+            .row(named("c_x", "c_x", m.value / 2.0), over(m, 2.0))
+            .row(named("c_y", "c_y", n.value / 2.0), over(n, 2.0))
+    };
+    let frustum_ask = Ask::computed("frustum", Kind::Vector(4), vec![frustum_step.clone()], move |slips| {
+        Some(Table::column(&frustum(&parameters, slips)))
+    });
+    let k = Ask::computed("K", Kind::Matrix(3, 3), vec![frustum_step, k_step], move |slips| {
+        let [_, right, _, top] = frustum(&parameters, slips);
+        let (m, n) = if slips.has(Slip::ColumnsAndRows) { (n, m) } else { (m, n) };
+        let f = [m * parameters.near / (2.0 * right), n * parameters.near / (2.0 * top)];
+        Some(Table::from(
+            DMat3::from_cols_array_2d(&[[f[0], 0.0, m / 2.0], [0.0, f[1], n / 2.0], [0.0, 0.0, 1.0]]).transpose(),
+        ))
+    });
+    let facts = super::cameras::image(size);
+    let mut exercise = Exercise { asks: vec![frustum_ask, k], ..about(subject) };
+    exercise.facts.extend(facts);
+    exercise
+}
+
+fn order(seed: u64) -> Exercise {
+    let mut random = numbers("order", seed);
+    let by = DVec3::new(small(&mut random, 4), small(&mut random, 4), small(&mut random, 4)) + DVec3::X * 5.0;
+    let degrees = random.one_of(&[30.0, 90.0, 45.0, 60.0, -90.0, -30.0]);
+    let scale = DVec3::from_array(random.one_of(&[[2.0, 1.0, 3.0], [1.0, 3.0, 2.0], [2.0, 3.0, 1.0], [3.0, 1.0, 0.5]]));
+    let axis = random.one_of(&[DVec3::X, DVec3::Y, DVec3::Z]);
+    let point = DVec3::new(1.0, small(&mut random, 3), 2.0);
+    let product = move |slips: Slips| {
+        let angle = if slips.has(Slip::OppositeAngle) { -degrees } else { degrees };
+        let angle =
+            if slips.has(Slip::TurnInRadians) { Angle::from_radians(angle) } else { Angle::from_degrees(angle) };
+        // The sine of whole degrees is exact there.
+        let (sin, cos) = angle.sin_cos();
+        let turn = DMat4::from_mat3(rotation(axis, sin, cos));
+        let turn = if slips.has(Slip::Transposed) { turn.transpose() } else { turn };
+        let (move_by, stretch) = (DMat4::from_translation(by), DMat4::from_scale(scale));
+        if slips.has(Slip::OrderReversed) { stretch * turn * move_by } else { move_by * turn * stretch }
+    };
+    let alpha = angle("α", r"\alpha", degrees);
+    let of = |function| Formula::Of(function, Box::new(alpha.into()));
+    let (sin, cos) = Angle::from_degrees(degrees).sin_cos();
+    let step = Worked::new("order", "[4]")
+        .row(named("cos α", r"\cos\alpha", cos), of(Function::Cosine))
+        .row(named("sin α", r"\sin\alpha", sin), of(Function::Sine));
+    let matrix =
+        Ask::computed("M", Kind::Matrix(4, 4), vec![step.clone()], move |slips| Some(Table::from(product(slips))));
+    let image = Ask::computed("P", Kind::Vector(3), vec![step], move |slips| {
+        Some(Table::from(product(slips).transform_point3(point)))
+    });
+    let first = Ask::choice("first", &["translate", "rotate", "scale"], 2, &[(0, Mistake::OrderReversed)], Vec::new());
+    let axis_name = if axis.x > 0.0 {
+        "1, 0, 0"
+    } else if axis.y > 0.0 {
+        "0, 1, 0"
+    } else {
+        "0, 0, 1"
+    };
+    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
+    let facts = vec![
+        ("t", tuple(by)),
+        ("alpha", Fact::Number(degrees)),
+        ("axis", Fact::Word(axis_name.to_owned())),
+        ("s", tuple(scale)),
+        ("p", tuple(point)),
+    ];
+    Exercise { asks: vec![matrix, image, first], facts, ..plain() }
+}
+
+/// A rotation about an axis of coordinates.
+fn rotation(axis: DVec3, sin: f64, cos: f64) -> DMat3 {
+    let columns = if axis.x > 0.0 {
+        [[1.0, 0.0, 0.0], [0.0, cos, sin], [0.0, -sin, cos]]
+    } else if axis.y > 0.0 {
+        [[cos, 0.0, -sin], [0.0, 1.0, 0.0], [sin, 0.0, cos]]
+    } else {
+        [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]]
+    };
+    DMat3::from_cols_array_2d(&columns)
+}
