@@ -1,6 +1,7 @@
 //! What the command line says about exercises, besides the exercises themselves.
 
-use super::Lang;
+use super::{Lang, exercises::mistake};
+use crate::exercises::Why;
 use crate::foreign::shown;
 
 texts! {
@@ -121,5 +122,24 @@ pub fn sheet_ending(lang: Lang, path: &str) -> String {
     match lang {
         Lang::En => format!("{path}: a sheet ends with .md or .tex"),
         Lang::PtBr => format!("{path}: uma folha termina com .md ou .tex"),
+    }
+}
+
+/// Why an exercise is the next to practise.
+#[must_use]
+pub fn why(lang: Lang, why: Why) -> String {
+    match (lang, why) {
+        (Lang::En, Why::Mistake(made, times)) => {
+            let times = if times == 1 { "once".to_owned() } else { format!("{times} times") };
+            format!("It shows a mistake that you made {times}: {}", mistake(lang, made)[0])
+        }
+        (Lang::PtBr, Why::Mistake(made, times)) => {
+            let times = if times == 1 { "uma vez".to_owned() } else { format!("{times} vezes") };
+            format!("Ele mostra um erro que você cometeu {times}: {}", mistake(lang, made)[0])
+        }
+        (Lang::En, Why::NotSolved) => "It is the first that you have not solved.".to_owned(),
+        (Lang::PtBr, Why::NotSolved) => "É o primeiro que você ainda não resolveu.".to_owned(),
+        (Lang::En, Why::LongestAgo) => "You have solved all; this is the one that you tried least recently.".to_owned(),
+        (Lang::PtBr, Why::LongestAgo) => "Você já resolveu todos; este é o que você tentou há mais tempo.".to_owned(),
     }
 }

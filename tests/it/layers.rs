@@ -100,6 +100,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("pdf_writer", &["export"]),
     ("plotters", &["export"]),
     ("plotters_backend", &["export"]),
+    ("csv", &["exercises", "cli"]),
     ("toml_edit", &["exercises", "figure", "gui"]),
     ("fearless_simd", &["simd"]),
     ("gif", &["export"]),

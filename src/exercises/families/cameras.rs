@@ -3,8 +3,9 @@
 use glam::DVec3;
 
 use crate::camera::{Camera, ImageSize, Parameters, Projection};
-use crate::exercises::{Exercise, Fact, Subject};
-use crate::figure::{Figure, NamedPoint, points::free_name};
+pub(super) use crate::exercises::given::{about, image, with_point};
+use crate::exercises::{Exercise, Subject};
+use crate::figure::Figure;
 use crate::numbers::random::Random;
 use crate::scene::Preset;
 
@@ -111,14 +112,6 @@ pub(super) fn with_image(mut subject: Subject, height: u32) -> Subject {
     subject
 }
 
-/// With a point that is followed, and shown in the figure.
-pub(in crate::exercises) fn with_point(mut subject: Subject, point: DVec3) -> Subject {
-    subject.points.push(point);
-    let name = free_name(&subject.figure.points);
-    subject.figure.points.push(NamedPoint { name, position: point });
-    subject
-}
-
 /// A point of small whole numbers inside the volume of the camera, and not on its axis; PF moved a little where there is none.
 pub(super) fn point_inside(random: &mut Random, parameters: &Parameters) -> DVec3 {
     let Ok(camera) = Camera::new(parameters) else { return parameters.focal_point };
@@ -132,45 +125,4 @@ pub(super) fn point_inside(random: &mut Random, parameters: &Parameters) -> DVec
         }
     }
     parameters.focal_point + camera.basis().u * (0.1 * camera.near()) + camera.basis().v * (0.05 * camera.near())
-}
-
-/// What every statement about a camera tells of it.
-pub(in crate::exercises) fn placement(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
-    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
-    vec![("C", tuple(parameters.position)), ("PF", tuple(parameters.focal_point)), ("VUP", tuple(parameters.view_up))]
-}
-
-/// The kind of projection with what it is given by.
-pub(super) fn lens(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
-    let projection = match (parameters.projection, parameters.window) {
-        (Projection::Perspective, None) => "lens-perspective",
-        (Projection::Parallel, None) => "lens-parallel",
-        (Projection::Perspective, Some(_)) => "lens-window-perspective",
-        (Projection::Parallel, Some(_)) => "lens-window-parallel",
-    };
-    let mut facts = vec![
-        ("lens", Fact::Text(projection)),
-        ("theta", Fact::Angle(parameters.view_angle)),
-        ("H", Fact::Number(parameters.height)),
-        ("A", Fact::Number(parameters.aspect)),
-        ("F", Fact::Number(parameters.near)),
-        ("B", Fact::Number(parameters.far)),
-    ];
-    if let Some(window) = parameters.window {
-        let sides = [("l", window.left), ("r", window.right), ("b", window.bottom), ("t", window.top)];
-        facts.extend(sides.map(|(name, side)| (name, Fact::Number(side))));
-    }
-    facts
-}
-
-/// An exercise about a subject, with what its camera is.
-pub(in crate::exercises) fn about(subject: Subject) -> Exercise {
-    let mut facts = placement(&subject.figure.camera);
-    facts.extend(lens(&subject.figure.camera));
-    Exercise { id: String::new(), seed: 0, subject, free: Vec::new(), facts, assumptions: Vec::new(), asks: Vec::new() }
-}
-
-/// What an image tells: m × n.
-pub(in crate::exercises) fn image(size: ImageSize) -> Vec<(&'static str, Fact)> {
-    vec![("m", Fact::Number(f64::from(size.width))), ("n", Fact::Number(f64::from(size.height)))]
 }

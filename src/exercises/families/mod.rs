@@ -9,8 +9,6 @@ mod operations;
 mod points;
 mod spaces;
 
-pub(in crate::exercises) use cameras::{about, image, with_point};
-
 use super::Entry;
 
 /// All families, in the order in which they are learnt.

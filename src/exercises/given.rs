@@ -1,0 +1,57 @@
+//! What a statement tells of a subject.
+
+use glam::DVec3;
+
+use super::exercise::{Exercise, Fact};
+use super::subject::Subject;
+use crate::camera::{ImageSize, Parameters, Projection};
+use crate::figure::{NamedPoint, points::free_name};
+
+/// With a point that is followed, and shown in the figure.
+pub(super) fn with_point(mut subject: Subject, point: DVec3) -> Subject {
+    subject.points.push(point);
+    let name = free_name(&subject.figure.points);
+    subject.figure.points.push(NamedPoint { name, position: point });
+    subject
+}
+
+/// What every statement about a camera tells of it.
+fn placement(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
+    let tuple = |v: DVec3| Fact::Tuple(v.to_array().to_vec());
+    vec![("C", tuple(parameters.position)), ("PF", tuple(parameters.focal_point)), ("VUP", tuple(parameters.view_up))]
+}
+
+/// The kind of projection with what it is given by.
+fn lens(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
+    let projection = match (parameters.projection, parameters.window) {
+        (Projection::Perspective, None) => "lens-perspective",
+        (Projection::Parallel, None) => "lens-parallel",
+        (Projection::Perspective, Some(_)) => "lens-window-perspective",
+        (Projection::Parallel, Some(_)) => "lens-window-parallel",
+    };
+    let mut facts = vec![
+        ("lens", Fact::Text(projection)),
+        ("theta", Fact::Angle(parameters.view_angle)),
+        ("H", Fact::Number(parameters.height)),
+        ("A", Fact::Number(parameters.aspect)),
+        ("F", Fact::Number(parameters.near)),
+        ("B", Fact::Number(parameters.far)),
+    ];
+    if let Some(window) = parameters.window {
+        let sides = [("l", window.left), ("r", window.right), ("b", window.bottom), ("t", window.top)];
+        facts.extend(sides.map(|(name, side)| (name, Fact::Number(side))));
+    }
+    facts
+}
+
+/// An exercise about a subject, with what its camera is.
+pub(super) fn about(subject: Subject) -> Exercise {
+    let mut facts = placement(&subject.figure.camera);
+    facts.extend(lens(&subject.figure.camera));
+    Exercise { id: String::new(), seed: 0, subject, free: Vec::new(), facts, assumptions: Vec::new(), asks: Vec::new() }
+}
+
+/// What an image tells: m × n.
+pub(super) fn image(size: ImageSize) -> Vec<(&'static str, Fact)> {
+    vec![("m", Fact::Number(f64::from(size.width))), ("n", Fact::Number(f64::from(size.height)))]
+}

@@ -1,0 +1,313 @@
+//! What a student has done: per exercise and per known mistake, kept as a TOML text, and what to practise next.
+//!
+//! There is no clock here: times are handed in, as seconds since the beginning of 1970 (UTC).
+
+mod text;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use toml_edit::DocumentMut;
+
+use super::exercise::{Exercise, Expected};
+use super::judge::Judged;
+use super::mistake::{Mistake, Slip, Slips};
+use super::{Entry, Free};
+
+/// What is kept of all exercises. It has a text, which is a file the student can read and delete.
+#[derive(Clone, Debug, Default)]
+pub struct Progress {
+    exercises: BTreeMap<String, Tried>,
+    mistakes: BTreeMap<Mistake, Made>,
+    /// The file as it was read: what is not known here stays in it.
+    rest: DocumentMut,
+}
+
+/// What is kept of an exercise.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tried {
+    /// How many answers have been judged, with whatever numbers.
+    pub tries: u32,
+    /// How many times all that is asked was answered rightly: once for each seed, at most.
+    pub solved: u32,
+    /// When an answer was judged last.
+    pub last: Option<u64>,
+    /// What its numbers come from now; what follows is about these.
+    pub seed: u64,
+    /// The numbers that the notes leave open, as they were typed.
+    pub free: BTreeMap<String, String>,
+    /// What was typed last, by the names of the asks.
+    pub answers: BTreeMap<String, String>,
+    /// How many hints and worked steps were opened, by the names of the asks.
+    pub hints: BTreeMap<String, u32>,
+    /// The asks that have been answered rightly.
+    pub right: BTreeSet<String>,
+    /// The mistakes that were made.
+    pub mistakes: BTreeSet<Mistake>,
+    /// All that is asked has been answered rightly.
+    pub is_solved: bool,
+}
+
+/// What is kept of a known mistake.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Made {
+    /// How often.
+    pub times: u32,
+    /// When it was made last.
+    pub last: u64,
+    /// The exercise in which it was made last.
+    pub exercise: String,
+    /// No exercise that shows it has been solved without it since.
+    pub is_open: bool,
+}
+
+/// How far a student is with an exercise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Nothing has been judged.
+    Untouched,
+    /// Something has been judged.
+    Begun,
+    /// It has been solved, with these numbers or others.
+    Solved,
+}
+
+/// What to practise next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Next {
+    /// The exercise.
+    pub id: String,
+    /// With these numbers.
+    pub seed: u64,
+    /// Why this one.
+    pub why: Why,
+}
+
+/// Why an exercise is the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// It shows this mistake, which was made so often, and more often than other open ones.
+    Mistake(Mistake, u32),
+    /// It is the first that has not been solved.
+    NotSolved,
+    /// All are solved; this one was tried least recently.
+    LongestAgo,
+}
+
+/// A text that is not what is kept of exercises.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ProgressError {
+    /// Not TOML.
+    #[error("{0}")]
+    Toml(String),
+    /// A key whose value is not what it should be.
+    #[error("{0} cannot be understood")]
+    Value(String),
+}
+
+impl Progress {
+    /// What is kept of an exercise, if anything is.
+    #[must_use]
+    pub fn tried(&self, id: &str) -> Option<&Tried> {
+        self.exercises.get(id)
+    }
+
+    /// How far the student is with it.
+    #[must_use]
+    pub fn stage(&self, id: &str) -> Stage {
+        match self.tried(id) {
+            Some(tried) if tried.solved > 0 => Stage::Solved,
+            Some(tried) if tried.tries > 0 => Stage::Begun,
+            _ => Stage::Untouched,
+        }
+    }
+
+    /// The known mistakes that were made.
+    pub fn mistakes(&self) -> impl Iterator<Item = (Mistake, &Made)> {
+        self.mistakes.iter().map(|(mistake, made)| (*mistake, made))
+    }
+
+    /// Nothing is kept.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.exercises.is_empty() && self.mistakes.is_empty()
+    }
+
+    /// What has been typed into the field of an ask; nothing is judged.
+    pub fn typed(&mut self, id: &str, ask: &str, text: &str) {
+        keep_text(&mut self.of(id).answers, ask, text);
+    }
+
+    /// A number that the notes leave open, as it was typed.
+    pub fn chosen(&mut self, id: &str, name: &str, text: &str) {
+        keep_text(&mut self.of(id).free, name, text);
+    }
+
+    /// How many hints and worked steps of an ask are open; as many as ever were count.
+    pub fn opened(&mut self, id: &str, ask: &str, hints: u32) {
+        let kept = self.of(id).hints.entry(ask.to_owned()).or_default();
+        *kept = hints.max(*kept);
+    }
+
+    /// The exercise begins anew, with the numbers of a seed.
+    pub fn begin(&mut self, id: &str, seed: u64) {
+        let kept = self.of(id);
+        *kept = Tried { seed, tries: kept.tries, solved: kept.solved, last: kept.last, ..Tried::default() };
+    }
+
+    /// An answer to an exercise has been judged at a time.
+    pub fn judged(&mut self, exercise: &Exercise, judged: &Judged, now: u64) {
+        if self.of(&exercise.id).seed != exercise.seed {
+            self.begin(&exercise.id, exercise.seed);
+        }
+        let tried = self.exercises.entry(exercise.id.clone()).or_default();
+        tried.tries = tried.tries.saturating_add(1);
+        tried.last = Some(now);
+        for mistake in judged.diagnosis.iter().flat_map(|diagnosis| &diagnosis.mistakes) {
+            tried.mistakes.insert(*mistake);
+            let made = self.mistakes.entry(*mistake).or_insert_with(|| Made {
+                times: 0,
+                last: now,
+                exercise: String::new(),
+                is_open: true,
+            });
+            *made =
+                Made { times: made.times.saturating_add(1), last: now, exercise: exercise.id.clone(), is_open: true };
+        }
+        if judged.right {
+            tried.right.insert(judged.name.clone());
+        } else {
+            tried.right.remove(&judged.name);
+        }
+        if !tried.is_solved && exercise.asks.iter().all(|ask| tried.right.contains(&ask.name)) {
+            tried.is_solved = true;
+            tried.solved = tried.solved.saturating_add(1);
+            let made_here = tried.mistakes.clone();
+            for (mistake, made) in &mut self.mistakes {
+                let could_be_made = made.exercise == exercise.id || exercise.shows(*mistake);
+                made.is_open &= made_here.contains(mistake) || !could_be_made;
+            }
+        }
+    }
+
+    /// What to practise next of these: a family that shows the open mistake that was made most often; else the first that is not solved; else
+    /// the one that was tried least recently. `None` where there are none.
+    #[must_use]
+    pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>) -> Option<Next> {
+        let entries: Vec<&Entry> = entries.into_iter().collect();
+        let mut open: Vec<(Mistake, &Made)> =
+            self.mistakes().filter(|(mistake, made)| made.is_open && mistake.is_misconception()).collect();
+        open.sort_by_key(|(mistake, made)| (std::cmp::Reverse((made.times, made.last)), *mistake));
+        for (mistake, made) in open {
+            let families = || entries.iter().filter(|entry| entry.is_family);
+            // Where it was made it can be made again; else the first that shows it.
+            let found = families().find(|entry| entry.id == made.exercise).or_else(|| {
+                families().find(|entry| entry.exercise(self.next_seed(entry), &Free::new()).shows(mistake))
+            });
+            if let Some(entry) = found {
+                return Some(self.next(entry, Why::Mistake(mistake, made.times)));
+            }
+        }
+        if let Some(entry) = entries.iter().find(|entry| self.stage(entry.id) != Stage::Solved) {
+            return Some(self.next(entry, Why::NotSolved));
+        }
+        let last = |entry: &&&Entry| self.tried(entry.id).and_then(|tried| tried.last);
+        entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
+    }
+
+    fn next(&self, entry: &Entry, why: Why) -> Next {
+        Next { id: entry.id.to_owned(), seed: self.next_seed(entry), why }
+    }
+
+    /// New numbers where those it has are solved, or a mistake was made with them.
+    fn next_seed(&self, entry: &Entry) -> u64 {
+        match self.tried(entry.id) {
+            Some(tried) if entry.is_family && (tried.is_solved || !tried.mistakes.is_empty()) => {
+                tried.seed.wrapping_add(1)
+            }
+            Some(tried) => tried.seed,
+            None => 0,
+        }
+    }
+
+    /// A table for spreadsheets: a row for each exercise and one for each known mistake.
+    #[must_use]
+    pub fn to_csv(&self) -> String {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let mut row = |cells: [String; 8]| {
+            // Writing to memory cannot fail, and all rows are of one length.
+            let _ = writer.write_record(cells);
+        };
+        row(["kind", "name", "tries", "solved", "last", "seed", "hints", "open"].map(str::to_owned));
+        for (id, tried) in &self.exercises {
+            let last = tried.last.map(date).unwrap_or_default();
+            let hints: u64 = tried.hints.values().map(|hints| u64::from(*hints)).sum();
+            let [tries, solved] = [tried.tries, tried.solved].map(|count| count.to_string());
+            let (seed, hints) = (tried.seed.to_string(), hints.to_string());
+            row(["exercise".to_owned(), id.clone(), tries, solved, last, seed, hints, String::new()]);
+        }
+        for (mistake, made) in &self.mistakes {
+            let (name, open) = (mistake.code().to_owned(), made.is_open.to_string());
+            let (times, none) = (made.times.to_string(), String::new);
+            row(["mistake".to_owned(), name, times, none(), date(made.last), none(), none(), open]);
+        }
+        let bytes = writer.into_inner().unwrap_or_default();
+        String::from_utf8(bytes).unwrap_or_default()
+    }
+
+    fn of(&mut self, id: &str) -> &mut Tried {
+        self.exercises.entry(id.to_owned()).or_default()
+    }
+}
+
+impl Mistake {
+    /// Not a slip of the pen, of the calculator or of the eye: practice can mend it.
+    #[must_use]
+    pub const fn is_misconception(self) -> bool {
+        !matches!(self, Self::ArithmeticSlip | Self::RoundedTooEarly | Self::WrongShape)
+    }
+}
+
+impl Exercise {
+    /// Whether a known mistake, made in it, gives another answer than the right one.
+    #[must_use]
+    pub fn shows(&self, mistake: Mistake) -> bool {
+        self.asks.iter().any(|ask| match ask.expected() {
+            Expected::Choice(_, mistakes, _) => mistakes.iter().any(|(_, known)| *known == mistake),
+            Expected::Camera(_, model, mistakes) => {
+                mistakes.iter().any(|(wrong, known)| *known == mistake && wrong != &**model)
+            }
+            expected => expected.table().is_some_and(|right| {
+                let slips = Slip::ALL.iter().filter(|slip| slip.mistake() == mistake);
+                slips.filter_map(|slip| expected.slipped(Slips::one(*slip))).any(|wrong| {
+                    let mut both = wrong.entries.iter().zip(&right.entries);
+                    wrong.shape() == right.shape() && both.any(|(wrong, right)| !ask.accepts(Some(*wrong), *right))
+                })
+            }),
+        })
+    }
+}
+
+fn keep_text(texts: &mut BTreeMap<String, String>, name: &str, text: &str) {
+    if text.is_empty() {
+        texts.remove(name);
+    } else {
+        texts.insert(name.to_owned(), text.to_owned());
+    }
+}
+
+/// Seconds since the beginning of 1970 as a date and a time of day in UTC, in the Gregorian calendar.
+fn date(seconds: u64) -> String {
+    let (days, rest) = (seconds / 86_400, seconds % 86_400);
+    // Years begin in March here, so that the day that some years have more is their last; 400 of them are one cycle.
+    let since = days + 719_468;
+    let (cycle, day) = (since / 146_097, since % 146_097);
+    let year = (day - day / 1_460 + day / 36_524 - day / 146_096) / 365;
+    let day = day - (365 * year + year / 4 - year / 100);
+    let month = (5 * day + 2) / 153;
+    let day = day - (153 * month + 2) / 5 + 1;
+    let (year, month) = (cycle * 400 + year + u64::from(month > 9), if month > 9 { month - 9 } else { month + 3 });
+    format!("{year:04}-{month:02}-{day:02}T{:02}:{:02}:{:02}Z", rest / 3600, rest / 60 % 60, rest % 60)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,165 @@
+#![expect(clippy::unwrap_used, reason = "tests")]
+
+use super::*;
+use crate::exercises::{check, entries, entry};
+
+/// Answers an ask of an exercise, as the window does.
+fn answer(progress: &mut Progress, id: &str, seed: u64, ask: &str, text: &str, now: u64) -> bool {
+    let entry = entry(id).unwrap();
+    let exercise = entry.exercise(seed, &Free::new());
+    let found = exercise.asks.iter().find(|found| found.name == ask).unwrap();
+    let judged = check(entry, &exercise, found, text).unwrap();
+    progress.typed(id, ask, text);
+    progress.judged(&exercise, &judged, now);
+    judged.right
+}
+
+/// Solves an exercise with what its own solution says.
+fn solve(progress: &mut Progress, entry: &Entry, seed: u64, now: u64) {
+    let exercise = entry.exercise(seed, &Free::new());
+    for ask in &exercise.asks {
+        let judged = Judged {
+            name: ask.name.clone(),
+            right: true,
+            score: 1.0,
+            entries: vec![vec![true]],
+            reading: "",
+            conditions: Vec::new(),
+            diagnosis: None,
+            understood: crate::exercises::Answer::Choice(0),
+        };
+        progress.judged(&exercise, &judged, now);
+    }
+}
+
+#[test]
+fn what_is_kept_is_the_same_after_it_was_written_and_read() {
+    let mut progress = Progress::default();
+    assert!(progress.is_empty() && progress.to_toml().is_empty());
+    assert!(!answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1_000));
+    progress.opened("0-5.1", "parallel_direction", 2);
+    progress.opened("0-5.1", "parallel_direction", 1);
+    progress.chosen("0-5.1", "F", "1/2");
+    progress.begin("basis", u64::MAX);
+    progress.typed("basis", "u", "[1, \"0\"");
+    let text = progress.to_toml();
+    let read = Progress::read(&text).unwrap();
+    assert_eq!(read.exercises, progress.exercises);
+    assert_eq!(read.mistakes, progress.mistakes);
+    assert_eq!(read.to_toml(), text);
+    let tried = read.tried("0-5.1").unwrap();
+    assert_eq!((tried.tries, tried.solved, tried.last), (1, 0, Some(1_000)));
+    assert_eq!(tried.answers["parallel_direction"], "[3/5, 4/5, 0]");
+    assert_eq!(tried.hints["parallel_direction"], 2);
+    assert_eq!(tried.free["F"], "1/2");
+    let made = read.mistakes().next().unwrap();
+    assert_eq!((made.0, made.1.times, made.1.last, made.1.is_open), (Mistake::NReversed, 1, 1_000, true));
+    assert_eq!(read.tried("basis").unwrap().seed, u64::MAX);
+    assert_eq!((read.stage("0-5.1"), read.stage("basis")), (Stage::Begun, Stage::Untouched));
+}
+
+#[test]
+fn what_another_version_wrote_stays() {
+    let text = "# mine\nlater = 1\n\n[exercise.basis]\ntries = 2 # twice\nlater = [1]\n\n[exercise.\"mine of May\"]\ntries = 1\n\n\
+                [mistake.later-one]\ntimes = 7\n";
+    let mut progress = Progress::read(text).unwrap();
+    assert_eq!(progress.tried("mine of May").unwrap().tries, 1);
+    progress.typed("basis", "u", "?");
+    let written = progress.to_toml();
+    for kept in ["# mine\nlater = 1", "later = [1]", "[exercise.\"mine of May\"]", "[mistake.later-one]\ntimes = 7"] {
+        assert!(written.contains(kept), "{kept}: {written}");
+    }
+    assert!(written.contains("answers = { u = \"?\" }"), "{written}");
+}
+
+#[test]
+fn a_damaged_file_is_told_by_its_key() {
+    for (text, said) in [
+        ("[exercise.basis]\ntries = \"two\"", "exercise.basis.tries cannot be understood"),
+        ("[exercise.basis]\ntries = -1", "exercise.basis.tries cannot be understood"),
+        ("[exercise.basis]\nseed = \"x\"", "exercise.basis.seed cannot be understood"),
+        ("exercise = 1", "exercise cannot be understood"),
+        ("[mistake]\nsign = 1", "mistake.sign cannot be understood"),
+    ] {
+        assert_eq!(Progress::read(text).unwrap_err().to_string(), said);
+    }
+    assert!(matches!(Progress::read("[exercise"), Err(ProgressError::Toml(_))));
+}
+
+#[test]
+fn a_mistake_is_open_until_what_shows_it_is_solved_without_it() {
+    let mut progress = Progress::default();
+    let open = |progress: &Progress| progress.mistakes().filter(|(_, made)| made.is_open).count();
+    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1);
+    // Solved, but with the mistake on the way.
+    solve(&mut progress, entry("0-5.1").unwrap(), 0, 2);
+    assert_eq!((progress.stage("0-5.1"), open(&progress)), (Stage::Solved, 1));
+    // The window has nothing to do with n.
+    solve(&mut progress, entry("window").unwrap(), 0, 3);
+    assert_eq!(open(&progress), 1);
+    solve(&mut progress, entry("basis").unwrap(), 0, 4);
+    assert_eq!(open(&progress), 0);
+    // Made again, it is open again.
+    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 5);
+    assert_eq!((open(&progress), progress.mistakes().next().unwrap().1.times), (1, 2));
+}
+
+#[test]
+fn what_is_solved_counts_once_for_each_seed() {
+    let (mut progress, basis) = (Progress::default(), entry("basis").unwrap());
+    for (seed, solved) in [(0, 1), (0, 1), (1, 2), (1, 2)] {
+        solve(&mut progress, basis, seed, 1);
+        assert_eq!(progress.tried("basis").unwrap().solved, solved, "{seed}");
+    }
+    progress.typed("basis", "u", "1");
+    progress.begin("basis", 2);
+    let tried = progress.tried("basis").unwrap();
+    assert_eq!((tried.solved, tried.is_solved, tried.answers.len()), (2, false, 0));
+    assert_eq!(tried.tries as usize, 4 * basis.exercise(0, &Free::new()).asks.len());
+}
+
+#[test]
+fn the_next_exercise_is_chosen_for_a_reason() {
+    let mut progress = Progress::default();
+    let next = |progress: &Progress| {
+        let next = progress.practise_next(entries()).unwrap();
+        (next.id, next.seed, next.why)
+    };
+    assert_eq!(next(&progress), ("0-5.1".to_owned(), 0, Why::NotSolved));
+    // n = (3/5, 4/5, 0) was reversed: the first family that shows it.
+    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1);
+    assert_eq!(next(&progress), ("basis".to_owned(), 0, Why::Mistake(Mistake::NReversed, 1)));
+    // A slip of the pen is not a misconception.
+    let mut slip = Progress::default();
+    answer(&mut slip, "0-5.1", 0, "parallel_direction", "[-3/5, -4/5, 7]", 1);
+    assert_eq!(slip.mistakes().next().unwrap().0, Mistake::ArithmeticSlip);
+    assert_eq!(next(&slip), ("0-5.1".to_owned(), 0, Why::NotSolved));
+    // Solved without it: on with what is not solved.
+    solve(&mut progress, entry("basis").unwrap(), 0, 2);
+    assert_eq!(next(&progress), ("0-5.1".to_owned(), 0, Why::NotSolved));
+    // All solved: the one that was tried least recently, a family with new numbers.
+    for (at, entry) in (10..).zip(entries()) {
+        solve(&mut progress, entry, 0, if entry.id == "roll" { 5 } else { at });
+    }
+    assert_eq!(next(&progress), ("roll".to_owned(), 1, Why::LongestAgo));
+    assert_eq!(Progress::default().practise_next([]), None);
+}
+
+#[test]
+fn it_becomes_a_table() {
+    let mut progress = Progress::default();
+    // 29 February 2024, 23:59:59.
+    answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1_709_251_199);
+    progress.opened("0-5.1", "parallel_direction", 2);
+    progress.typed("a, \"b\"", "x", "1");
+    let table = "kind,name,tries,solved,last,seed,hints,open\n\
+                 exercise,0-5.1,1,0,2024-02-29T23:59:59Z,0,2,\n\
+                 exercise,\"a, \"\"b\"\"\",0,0,,0,0,\n\
+                 mistake,n-reversed,1,,2024-02-29T23:59:59Z,,,true\n";
+    assert_eq!(progress.to_csv(), table);
+    for (seconds, said) in
+        [(0, "1970-01-01T00:00:00Z"), (946_684_800, "2000-01-01T00:00:00Z"), (4_107_542_400, "2100-03-01T00:00:00Z")]
+    {
+        assert_eq!(date(seconds), said);
+    }
+}

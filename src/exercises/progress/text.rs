@@ -1,0 +1,174 @@
+//! What is kept of exercises as the text of a file.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, TomlError, Value, value};
+
+use super::{Made, Progress, ProgressError, Tried};
+use crate::exercises::Mistake;
+
+impl Progress {
+    /// What a text keeps. Keys that are not known stay in [`to_toml`](Self::to_toml).
+    ///
+    /// # Errors
+    /// [`ProgressError`]: it is not TOML, or a known key has a value that it can't have.
+    pub fn read(text: &str) -> Result<Self, ProgressError> {
+        let rest: DocumentMut =
+            text.parse().map_err(|error: TomlError| ProgressError::Toml(error.message().to_owned()))?;
+        let mut progress = Self::default();
+        for (id, item) in table(&rest, "exercise")? {
+            let tried = Tried::read(item).map_err(|key| ProgressError::Value(format!("exercise.{id}.{key}")))?;
+            progress.exercises.insert(id.to_owned(), tried);
+        }
+        for (code, item) in table(&rest, "mistake")? {
+            // One that another version tells stays in the file.
+            let Some(mistake) = Mistake::of_code(code) else { continue };
+            let made = Made::read(item).map_err(|key| ProgressError::Value(format!("mistake.{code}.{key}")))?;
+            progress.mistakes.insert(mistake, made);
+        }
+        Ok(Self { rest, ..progress })
+    }
+
+    /// The text that keeps it.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        let mut document = self.rest.clone();
+        for (id, tried) in &self.exercises {
+            if let Some(table) = entered(&mut document, "exercise", id) {
+                tried.write(table);
+            }
+        }
+        for (mistake, made) in &self.mistakes {
+            if let Some(table) = entered(&mut document, "mistake", mistake.code()) {
+                made.write(table);
+            }
+        }
+        document.to_string()
+    }
+}
+
+/// The tables in a table of the file; none where it is not there.
+fn table<'a>(document: &'a DocumentMut, key: &str) -> Result<Vec<(&'a str, &'a dyn TableLike)>, ProgressError> {
+    let Some(item) = document.get(key) else { return Ok(Vec::new()) };
+    let tables = item.as_table_like().ok_or_else(|| ProgressError::Value(key.to_owned()))?;
+    let table = |(name, item): (&'a str, &'a Item)| {
+        let table = item.as_table_like().ok_or_else(|| ProgressError::Value(format!("{key}.{name}")))?;
+        Ok((name, table))
+    };
+    tables.iter().map(table).collect()
+}
+
+/// The table of an entry, made where there is none. `None`: something else stands there, which [`table`] would not have read.
+fn entered<'a>(document: &'a mut DocumentMut, key: &str, name: &str) -> Option<&'a mut dyn TableLike> {
+    let outer = document.entry(key).or_insert_with(|| {
+        let mut table = Table::new();
+        table.set_implicit(true);
+        Item::Table(table)
+    });
+    let empty = if outer.is_table() { Item::Table(Table::new()) } else { value(InlineTable::new()) };
+    outer.as_table_like_mut()?.entry(name).or_insert(empty).as_table_like_mut()
+}
+
+/// The value of a key that is there; the key where it is something else.
+fn known<T>(table: &dyn TableLike, key: &str, read: impl Fn(&Item) -> Option<T>) -> Result<Option<T>, String> {
+    table.get(key).map(|item| read(item).ok_or_else(|| key.to_owned())).transpose()
+}
+
+fn count(item: &Item) -> Option<u32> {
+    item.as_integer().and_then(|count| count.try_into().ok())
+}
+
+/// A whole number of 64 bits; those that TOML has no room for are written as text.
+fn long(item: &Item) -> Option<u64> {
+    match item.as_integer() {
+        Some(number) => number.try_into().ok(),
+        None => item.as_str()?.parse().ok(),
+    }
+}
+
+fn long_item(number: u64) -> Item {
+    i64::try_from(number).map_or_else(|_| value(number.to_string()), value)
+}
+
+fn by_name<T>(item: &Item, read: impl Fn(&Item) -> Option<T>) -> Option<BTreeMap<String, T>> {
+    item.as_table_like()?.iter().map(|(name, item)| Some((name.to_owned(), read(item)?))).collect()
+}
+
+fn text(item: &Item) -> Option<String> {
+    item.as_str().map(str::to_owned)
+}
+
+fn names(item: &Item) -> Option<BTreeSet<String>> {
+    item.as_array()?.iter().map(|name| name.as_str().map(str::to_owned)).collect()
+}
+
+/// Sets a key, or takes it away where there is nothing to say.
+fn set(table: &mut dyn TableLike, key: &str, item: Option<Item>) {
+    match item {
+        Some(item) => {
+            table.insert(key, item);
+        }
+        None => {
+            table.remove(key);
+        }
+    }
+}
+
+fn inline<T>(texts: &BTreeMap<String, T>, item: impl Fn(&T) -> Value) -> Option<Item> {
+    let table: InlineTable = texts.iter().map(|(name, text)| (name.as_str(), item(text))).collect();
+    (!texts.is_empty()).then(|| value(table))
+}
+
+fn list<'a>(names: impl Iterator<Item = &'a str>) -> Option<Item> {
+    let list: Array = names.collect();
+    (!list.is_empty()).then(|| value(list))
+}
+
+impl Tried {
+    fn read(table: &dyn TableLike) -> Result<Self, String> {
+        let codes = known(table, "mistakes", names)?.unwrap_or_default();
+        Ok(Self {
+            tries: known(table, "tries", count)?.unwrap_or_default(),
+            solved: known(table, "solved", count)?.unwrap_or_default(),
+            last: known(table, "last", long)?,
+            seed: known(table, "seed", long)?.unwrap_or_default(),
+            free: known(table, "free", |item| by_name(item, text))?.unwrap_or_default(),
+            answers: known(table, "answers", |item| by_name(item, text))?.unwrap_or_default(),
+            hints: known(table, "hints", |item| by_name(item, count))?.unwrap_or_default(),
+            right: known(table, "right", names)?.unwrap_or_default(),
+            mistakes: codes.iter().filter_map(|code| Mistake::of_code(code)).collect(),
+            is_solved: known(table, "is_solved", Item::as_bool)?.unwrap_or_default(),
+        })
+    }
+
+    fn write(&self, table: &mut dyn TableLike) {
+        set(table, "tries", (self.tries > 0).then(|| value(i64::from(self.tries))));
+        set(table, "solved", (self.solved > 0).then(|| value(i64::from(self.solved))));
+        set(table, "last", self.last.map(long_item));
+        set(table, "seed", Some(long_item(self.seed)));
+        set(table, "free", inline(&self.free, |text| text.into()));
+        set(table, "answers", inline(&self.answers, |text| text.into()));
+        set(table, "hints", inline(&self.hints, |count| i64::from(*count).into()));
+        set(table, "right", list(self.right.iter().map(String::as_str)));
+        set(table, "mistakes", list(self.mistakes.iter().map(|mistake| mistake.code())));
+        set(table, "is_solved", self.is_solved.then(|| value(true)));
+    }
+}
+
+impl Made {
+    fn read(table: &dyn TableLike) -> Result<Self, String> {
+        Ok(Self {
+            times: known(table, "times", count)?.unwrap_or_default(),
+            last: known(table, "last", long)?.unwrap_or_default(),
+            exercise: known(table, "exercise", text)?.unwrap_or_default(),
+            is_open: known(table, "is_open", Item::as_bool)?.unwrap_or_default(),
+        })
+    }
+
+    fn write(&self, table: &mut dyn TableLike) {
+        set(table, "times", Some(value(i64::from(self.times))));
+        set(table, "last", Some(long_item(self.last)));
+        set(table, "exercise", Some(value(&self.exercise)));
+        set(table, "is_open", Some(value(self.is_open)));
+    }
+}
