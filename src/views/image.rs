@@ -1,5 +1,7 @@
 //! The image: the scene as the figure's camera sees it, m × n pixels of (5.22), which are not square where A ≠ m / n.
 
+use glam::DVec2;
+
 use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
 use crate::figure::Reveal;
@@ -10,7 +12,7 @@ use super::depth::{self, Greys};
 use super::gizmos::{SceneBuilder, stroke};
 use super::legend::Row;
 use super::pixels::{PixelRect, Size, image_frame};
-use super::placing::Rules;
+use super::placing::{Box2, Rules};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
 use super::{Palette, Request, begun, outside, placing, probe, revealed_scene, stepped, vanishing};
@@ -80,9 +82,13 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     if request.look.reveal.vanishing {
         rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
     }
+    let legend = revealed_scene::legend(request, rows, &whole, palette);
+    // The legend lies in the whole picture, of which the image may be the middle.
+    let reserved = revealed_scene::room(legend.as_ref())
+        .map(|room| Box2 { center: room.center - DVec2::new(f64::from(rect.x), f64::from(rect.y)), ..room });
     placing::settle(
         &mut drawn.drawing,
-        &Rules { background: &[], reserved: None, first: &[], dispensable: None, leader: None },
+        &Rules { background: &[], reserved, first: &[], dispensable: None, leader: None },
     );
     if rect != PixelRect::whole(request.size) {
         let mount = |drawing: Drawing| {
@@ -96,7 +102,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         (drawn.drawing, drawn.before) = (mount(drawn.drawing), drawn.before.map(mount));
     }
     stepped::pixels(&mut drawn.drawing, rect, request, palette);
-    revealed_scene::explain(&mut drawn, request, revealed_scene::legend(request, rows, &whole, palette).as_ref());
+    revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
 }
 
