@@ -104,8 +104,9 @@ fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
         let answers: Map<String, Value> =
             exercise.asks.iter().map(|ask| (ask.name.clone(), answer_value(lang, ask))).collect();
         object["answers"] = Value::Object(answers);
+        let new_steps = exercise.new_steps();
         let steps: Vec<String> =
-            exercise.asks.iter().flat_map(|ask| texts::steps(lang, exercise, ask, DIGITS)).collect();
+            new_steps.iter().flatten().map(|step| texts::step(lang, exercise, step, DIGITS)).collect();
         object["steps"] = json!(steps);
     }
     object
@@ -166,9 +167,10 @@ fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
         let _ = writeln!(text, "  {:<12} {} ({kind})", ask.name, plain(&asked));
     }
     if with_solution {
-        for ask in &exercise.asks {
+        for (ask, steps) in exercise.asks.iter().zip(exercise.new_steps()) {
             let _ = writeln!(text, "\n{} = {}", ask.name, sheet_of::answer(lang, ask));
-            for step in texts::steps(lang, exercise, ask, DIGITS) {
+            for step in &steps {
+                let step = texts::step(lang, exercise, step, DIGITS);
                 let _ = writeln!(text, "  {}", plain(&step).replace('\n', "\n  "));
             }
         }

@@ -9,6 +9,8 @@ use super::textbook;
 use super::value::Table;
 use super::worked::{Worked, worked};
 use crate::camera::{Camera, Parameters};
+use crate::explain::{Notation, Style};
+use crate::numbers::{DecimalMark, EXACT_DIGITS};
 
 /// An exercise with its numbers.
 #[derive(Clone, Debug)]
@@ -27,6 +29,27 @@ pub struct Exercise {
     pub assumptions: Vec<&'static str>,
     /// What is asked.
     pub asks: Vec<Ask>,
+}
+
+impl Exercise {
+    /// For each ask the steps of its way that did not stand in the way to an ask before it.
+    #[must_use]
+    pub fn new_steps(&self) -> Vec<Vec<Worked>> {
+        // Steps of different cameras may well say the same.
+        let style = Style { notation: Notation::Text, mark: DecimalMark::Point, digits: EXACT_DIGITS };
+        let mut told = Vec::new();
+        let new = |ask: &Ask| {
+            let mut steps = ask.steps();
+            steps.retain(|step| {
+                let said = (step.heading, step.equation.clone(), step.lines(style, true));
+                let is_new = !told.contains(&said);
+                told.push(said);
+                is_new
+            });
+            steps
+        };
+        self.asks.iter().map(new).collect()
+    }
 }
 
 /// A number, or more, that a statement tells.

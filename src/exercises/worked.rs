@@ -297,12 +297,44 @@ fn basis(subject: &Arc<Subject>, setting: &Setting<'_>, up_to: &str) -> Vec<Work
     for (axis, heading, letter) in [(Axis::N, "n", "n"), (Axis::U, "u", "u"), (Axis::V, "v", "v")] {
         let symbols = Component::THREE.map(|c| Symbol::Axis(axis, c));
         let distance = (axis == Axis::N).then_some(Symbol::Distance);
-        steps.push(defined(subject, setting, heading, distance.into_iter().chain(symbols)));
+        let mut step = defined(subject, setting, heading, distance.into_iter().chain(symbols));
+        if axis == Axis::U {
+            with_cross_product(&mut step, setting);
+        }
+        steps.push(step);
         if letter == up_to {
             break;
         }
     }
     steps
+}
+
+const CROSS: [(&str, &str); 3] = [("a_x", "a_x"), ("a_y", "a_y"), ("a_z", "a_z")];
+
+/// **a** = VUP × **n** and its length in rows of their own, before the components of **u** that are made of them.
+fn with_cross_product(step: &mut Worked, setting: &Setting<'_>) {
+    let mut of_axis = std::mem::take(&mut step.rows);
+    let mut parts: Vec<Named> = Vec::new();
+    for (row, (text, latex)) in of_axis.iter().zip(CROSS) {
+        if let Formula::Quotient(above, _) = &row.formula {
+            parts.push(named(text, latex, above.value(setting)));
+            step.push(setting, named(text, latex, 0.0), (**above).clone());
+        }
+    }
+    let (length, norm) = length_of("‖a‖", r"\|\mathbf{a}\|", &parts, setting);
+    step.push(setting, norm, length);
+    for (row, part) in of_axis.iter_mut().zip(parts) {
+        row.formula = over(part, norm);
+    }
+    step.rows.extend(of_axis);
+}
+
+/// The length of a vector whose components have names, and the name of that.
+fn length_of(text: &'static str, latex: &'static str, parts: &[Named], setting: &Setting<'_>) -> (Formula, Named) {
+    let squares = parts.iter().map(|part| times([(*part).into(), (*part).into()]));
+    let length = Formula::Of(Function::Root, Box::new(explain::sum(squares)));
+    let norm = named(text, latex, length.value(setting));
+    (length, norm)
 }
 
 /// What the window is made of.
@@ -420,9 +452,7 @@ fn ray(subject: &Arc<Subject>, setting: &Setting<'_>, [i, j]: [i64; 2], what: &s
             step.push(setting, named(text, latex, 0.0), formula);
         }
         let part = |k: usize| named(DIRECTION[k].0, DIRECTION[k].1, parts[k]);
-        let squares = (0..3).map(|k| times([part(k).into(), part(k).into()]));
-        let length = Formula::Of(Function::Root, Box::new(explain::sum(squares)));
-        let norm = named("‖d‖", r"\|\mathbf{d}\|", length.value(setting));
+        let (length, norm) = length_of("‖d‖", r"\|\mathbf{d}\|", &[part(0), part(1), part(2)], setting);
         step.push(setting, norm, length);
         for (k, (text, latex)) in UNIT_DIRECTION.into_iter().enumerate() {
             step.push(setting, named(text, latex, 0.0), over(part(k), norm));

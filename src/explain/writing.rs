@@ -156,8 +156,10 @@ impl Writer<'_> {
         if !is_angle {
             return (text, strength);
         }
-        let degrees = if self.is_latex() { r"^{\circ}" } else { "°" };
-        (format!("{}{degrees}", numbers.mark.number(value, numbers.digits)), strength)
+        let degrees = numbers.mark.number(value, numbers.digits);
+        let text =
+            if self.is_latex() { format!(r"{}^{{\circ}}", latex_number(&degrees)) } else { format!("{degrees}°") };
+        (text, strength)
     }
 
     fn sum(&self, terms: &[Formula]) -> String {

@@ -1,8 +1,8 @@
 //! A sheet of exercises to hand out, as Markdown or LaTeX.
 
 use super::{Lang, exercise_messages, exercises};
-use crate::exercises::{Ask, Exercise, Expected, Kind};
-use crate::explain::{self, Notation, Style};
+use crate::exercises::{Ask, Exercise, Expected, Kind, Worked};
+use crate::explain::{Line, Notation, Style};
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
@@ -15,22 +15,27 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
     for (number, exercise) in sheet.iter().enumerate() {
         text.push_str(&format!("\n## {}. {}\n\n", number + 1, exercises::title(lang, &exercise.id)));
         for paragraph in exercises::statement(lang, exercise) {
-            text.push_str(&format!("{paragraph}\n\n"));
+            text.push_str(&format!("{}\n\n", set(&paragraph)));
         }
         for assumption in exercises::assumptions(lang, exercise) {
-            text.push_str(&format!("> {assumption}\n>\n"));
+            text.push_str(&format!("> {}\n>\n", set(&assumption)));
         }
         for (letter, ask) in ('a'..).zip(&exercise.asks) {
             let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
-            text.push_str(&format!("\n**{letter})** {asked} — *{kind}*\n"));
+            text.push_str(&format!("\n**{letter})** {} — *{kind}*\n", set(&asked)));
         }
         text.push_str(&format!("\n<small>{}, seed {}</small>\n", exercise.id, exercise.seed));
         if with_answers {
             text.push_str(&format!("\n### {}\n", t.answers));
-            for (letter, ask) in ('a'..).zip(&exercise.asks) {
+            let style = Style { notation: Notation::Latex, mark: lang.mark(), digits: DIGITS };
+            for ((letter, ask), steps) in ('a'..).zip(&exercise.asks).zip(exercise.new_steps()) {
                 text.push_str(&format!("\n**{letter})** {}\n", answer(lang, ask)));
-                for step in exercises::steps(lang, exercise, ask, DIGITS) {
-                    text.push_str(&format!("\n```text\n{}\n```\n", step.replace("**", "")));
+                for step in &steps {
+                    text.push_str(&format!("\n{}\n", set(&exercises::step_heading(lang, exercise, step))));
+                    let lines = step.lines(style, true);
+                    if !lines.is_empty() {
+                        text.push_str(&format!("\n$$\n\\begin{{aligned}}\n{}\n\\end{{aligned}}\n$$\n", rows(&lines)));
+                    }
                 }
             }
         }
@@ -75,8 +80,8 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
         text.push_str(&format!("{{\\footnotesize {}, seed {}}}\n", escaped(&exercise.id), exercise.seed));
         if with_answers {
             text.push_str(&format!("\n\\paragraph{{{}}}\n\\begin{{enumerate}}\n", t.answers));
-            for ask in &exercise.asks {
-                text.push_str(&format!("\\item {}\n", latex_answer(lang, ask)));
+            for (ask, steps) in exercise.asks.iter().zip(exercise.new_steps()) {
+                text.push_str(&format!("\\item {}\n", latex_answer(lang, exercise, ask, &steps)));
             }
             text.push_str("\\end{enumerate}\n");
         }
@@ -103,7 +108,7 @@ pub fn answer(lang: Lang, ask: &Ask) -> String {
     }
 }
 
-fn latex_answer(lang: Lang, ask: &Ask) -> String {
+fn latex_answer(lang: Lang, exercise: &Exercise, ask: &Ask, steps: &[Worked]) -> String {
     let style = Style { notation: Notation::Latex, mark: lang.mark(), digits: DIGITS };
     let mut text = match ask.expected().table() {
         Some(table) if ask.shape()[1] > 1 => {
@@ -119,19 +124,97 @@ fn latex_answer(lang: Lang, ask: &Ask) -> String {
         }
         _ => format!("{}\n", escaped(&answer(lang, ask))),
     };
-    for step in ask.steps() {
-        let heading = of_markdown(exercises::heading(lang, step.heading));
+    for step in steps {
         let lines = step.lines(style, true);
-        text.push_str(&format!("\n\\smallskip\\noindent {heading} {}\n", escaped(&step.equation)));
+        text.push_str(&format!("\n{}\n", of_markdown(&exercises::step_heading(lang, exercise, step))));
         if !lines.is_empty() {
-            text.push_str(&format!("\\begin{{small}}\\[{}\\]\\end{{small}}\n", explain::aligned(&lines)));
+            text.push_str(&format!("{{\\footnotesize\\begin{{align*}}\n{}\n\\end{{align*}}}}\n", rows(&lines)));
         }
     }
     text
 }
 
+/// Rows in LaTeX, their first signs of equality below one another; what is short stays in one line.
+fn rows(lines: &[Line]) -> String {
+    let row = |Line { symbol, formula, numbers, value }: &Line| {
+        let mut parts = vec![formula];
+        for part in [numbers, value] {
+            if !parts.contains(&part) {
+                parts.push(part);
+            }
+        }
+        let mut row = symbol.clone();
+        let mut so_far = 0;
+        for part in parts {
+            so_far += width(part);
+            let is_next = row != *symbol && so_far > ONE_LINE;
+            if is_next {
+                so_far = width(part);
+            }
+            row.push_str(match (is_next, row == *symbol) {
+                (true, _) => " \\\\\n &= ",
+                (false, true) => " &= ",
+                (false, false) => " = ",
+            });
+            row.push_str(part);
+        }
+        row
+    };
+    lines.iter().map(row).collect::<Vec<_>>().join(" \\\\\n")
+}
+
+/// So many letters of a formula fit into a line.
+const ONE_LINE: usize = 64;
+
+/// How many letters a formula has, roughly: a fraction is as wide as both its halves.
+fn width(latex: &str) -> usize {
+    let (mut width, mut in_command) = (0, false);
+    for c in latex.chars() {
+        in_command = c == '\\' || (in_command && c.is_ascii_alphabetic());
+        width += usize::from(!in_command && !matches!(c, '{' | '}' | ' ' | '_' | '^'));
+    }
+    width
+}
+
+/// Markdown whose names with subscripts, such as M_v, are set as mathematics.
+fn set(markdown: &str) -> String {
+    let mut set = String::new();
+    for (k, part) in markdown.split('$').enumerate() {
+        if k % 2 == 1 {
+            set.push_str(&format!("${part}$"));
+            continue;
+        }
+        let mut rest = part;
+        while let Some(at) = rest.find('_') {
+            let (before, after) = (&rest[..at], &rest[at + 1..]);
+            let end = after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len());
+            let mut letters = before.chars().rev();
+            let name = letters.next().filter(|c| c.is_alphabetic());
+            let is_one_letter = letters.next().is_none_or(|c| !(c.is_alphanumeric() || c == '_'));
+            let (under, next) = after.split_at(end);
+            match name {
+                Some(name) if is_one_letter && end > 0 && !next.starts_with('_') => {
+                    set.push_str(&before[..at - name.len_utf8()]);
+                    let under =
+                        if under.chars().count() > 1 { format!("\\mathrm{{{under}}}") } else { under.to_owned() };
+                    set.push_str(&format!("${name}_{{{under}}}$"));
+                    rest = next;
+                }
+                _ => {
+                    set.push_str(before);
+                    set.push('_');
+                    rest = after;
+                }
+            }
+        }
+        set.push_str(rest);
+    }
+    set
+}
+
 /// Markdown with bold words, code and mathematics between dollars, as LaTeX.
 fn of_markdown(text: &str) -> String {
+    let text = set(text);
     let mut latex = String::new();
     for (k, part) in text.split('$').enumerate() {
         if k % 2 == 1 {

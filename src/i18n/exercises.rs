@@ -1,80 +1,13 @@
-//! What exercises say, in both languages, written in `assets/exercises`.
-//!
-//! A file is read line by line. `# id: title` begins an exercise: its other lines are paragraphs of the statement in Markdown, and `? name: text`
-//! what is asked. `# name` begins a list of `- name: text`. `{name}` stands for a fact of the exercise.
+//! What exercises say, in both languages. In the texts `{name}` stands for a fact of the exercise.
 
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
-
+use super::exercise_texts::texts;
 use super::{Lang, messages};
-use crate::exercises::{Answer, AnswerError, Ask, Diagnosis, Exercise, Fact, Kind, Mistake, Table, Unit};
+use crate::exercises::{Answer, AnswerError, Ask, Diagnosis, Exercise, Fact, Kind, Mistake, Table, Unit, Worked};
 use crate::explain::{Notation, Style};
 use crate::expression::marked;
 use crate::figure::{Figure, write::to_toml};
 use crate::foreign::shown;
 use crate::numbers::{DecimalMark, exact_form};
-
-/// The texts of one language.
-#[derive(Debug, Default)]
-struct Texts {
-    exercises: BTreeMap<&'static str, Statement>,
-    lists: BTreeMap<&'static str, BTreeMap<&'static str, &'static str>>,
-}
-
-#[derive(Debug, Default)]
-struct Statement {
-    title: &'static str,
-    paragraphs: Vec<&'static str>,
-    asks: BTreeMap<&'static str, &'static str>,
-}
-
-static EN: LazyLock<Texts> = LazyLock::new(|| read(include_str!("../../assets/exercises/en.md")));
-static PT_BR: LazyLock<Texts> = LazyLock::new(|| read(include_str!("../../assets/exercises/pt-BR.md")));
-
-fn texts(lang: Lang) -> &'static Texts {
-    match lang {
-        Lang::En => &EN,
-        Lang::PtBr => &PT_BR,
-    }
-}
-
-fn read(text: &'static str) -> Texts {
-    enum Place {
-        Exercise(&'static str),
-        List(&'static str),
-    }
-    let (mut texts, mut place) = (Texts::default(), None);
-    for line in text.lines().map(str::trim).filter(|line| !line.is_empty()) {
-        if let Some(heading) = line.strip_prefix("# ") {
-            place = Some(match heading.split_once(": ") {
-                Some((id, title)) => {
-                    texts.exercises.insert(id, Statement { title, ..Statement::default() });
-                    Place::Exercise(id)
-                }
-                None => Place::List(heading),
-            });
-            continue;
-        }
-        match place {
-            Some(Place::Exercise(id)) => {
-                let statement = texts.exercises.entry(id).or_default();
-                match line.strip_prefix("? ").and_then(|ask| ask.split_once(": ")) {
-                    Some((name, text)) => {
-                        statement.asks.insert(name, text);
-                    }
-                    None => statement.paragraphs.push(line),
-                }
-            }
-            Some(Place::List(list)) => {
-                if let Some((name, text)) = line.strip_prefix("- ").and_then(|entry| entry.split_once(": ")) {
-                    texts.lists.entry(list).or_default().insert(name, text);
-                }
-            }
-            None => {}
-        }
-    }
-    texts
-}
 
 /// A text of a list; the name itself where there is none, as with names that are the same in both languages.
 fn listed<'a>(lang: Lang, list: &str, name: &'a str) -> &'a str {
@@ -234,25 +167,34 @@ fn unit(lang: Lang, unit: Unit) -> &'static str {
     }
 }
 
-/// The worked steps to an answer, one text each: heading, equation, and the rows below one another.
+/// The worked steps to an answer, one text each.
 #[must_use]
 pub fn steps(lang: Lang, exercise: &Exercise, ask: &Ask, digits: usize) -> Vec<String> {
+    ask.steps().iter().map(|worked| step(lang, exercise, worked, digits)).collect()
+}
+
+/// A worked step: heading, equation, and the rows below one another.
+#[must_use]
+pub fn step(lang: Lang, exercise: &Exercise, step: &Worked, digits: usize) -> String {
     let style = Style { notation: Notation::Text, mark: lang.mark(), digits };
-    let step = |step: &crate::exercises::Worked| {
-        let equation = if step.equation.is_empty() { String::new() } else { format!("  {}", step.equation) };
-        let mut text = format!("{}{equation}", filled(lang, exercise, heading(lang, step.heading)));
-        for line in step.lines(style, true) {
-            text.push_str(&format!("\n  {} = {}", line.symbol, line.formula));
-            if line.numbers != line.formula && line.numbers != line.value {
-                text.push_str(&format!("\n    = {}", line.numbers));
-            }
-            if line.value != line.formula {
-                text.push_str(&format!(" = {}", line.value));
-            }
+    let mut text = step_heading(lang, exercise, step);
+    for line in step.lines(style, true) {
+        text.push_str(&format!("\n  {} = {}", line.symbol, line.formula));
+        if line.numbers != line.formula && line.numbers != line.value {
+            text.push_str(&format!("\n    = {}", line.numbers));
         }
-        text
-    };
-    ask.steps().iter().map(step).collect()
+        if line.value != line.formula {
+            text.push_str(&format!(" = {}", line.value));
+        }
+    }
+    text
+}
+
+/// What stands above a worked step: what it does, and by which equation.
+#[must_use]
+pub fn step_heading(lang: Lang, exercise: &Exercise, step: &Worked) -> String {
+    let heading = filled(lang, exercise, heading(lang, step.heading));
+    if step.equation.is_empty() { heading } else { format!("{heading}  {}", step.equation) }
 }
 
 /// An answer as it was understood.

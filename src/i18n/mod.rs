@@ -42,6 +42,7 @@ pub mod conventions;
 pub mod dialects;
 pub mod exercise_messages;
 pub mod exercise_sheet;
+mod exercise_texts;
 pub mod exercises;
 pub mod explain;
 pub mod explain_point;
