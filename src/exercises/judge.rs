@@ -171,9 +171,9 @@ fn diagnose(ask: &Ask, expected: &Expected, right: &Table, given: &[f64]) -> Opt
     // A slip that can't be told from the right way is not a mistake here.
     let differs = |table: &Table| table.shape() == right.shape() && !ask.accepts_all(&table.entries, right);
     let explains = |table: &Table| differs(table) && ask.accepts_all(given, table);
-    let slipped: Vec<(Slip, Table)> = Slip::ALL
-        .iter()
-        .filter_map(|slip| Some((*slip, expected.slipped(Slips::one(*slip))?)))
+    let slipped: Vec<(Slip, Table)> = in_order_of_telling(expected)
+        .into_iter()
+        .filter_map(|slip| Some((slip, expected.slipped(Slips::one(slip))?)))
         .filter(|(_, table)| differs(table))
         .collect();
     if let Some((slip, _)) = slipped.iter().find(|(_, table)| explains(table)) {
@@ -206,6 +206,15 @@ fn diagnose(ask: &Ask, expected: &Expected, right: &Table, given: &[f64]) -> Opt
         return Some(Diagnosis { entry: Some(entry), ..Diagnosis::of(Mistake::ArithmeticSlip) });
     }
     two_together(ask, expected, given, &slipped, explains, as_mistake)
+}
+
+/// The slips, those first that are told where two explain the same numbers: of a point and after an operation what
+/// is done last, of all else the axes.
+fn in_order_of_telling(expected: &Expected) -> Vec<Slip> {
+    let last_first = matches!(expected, Expected::Quantity(subject, path)
+        if path.starts_with("points") || !subject.operations.is_empty());
+    let (axes, others): (Vec<Slip>, Vec<Slip>) = Slip::ALL.iter().partition(|slip| slip.is_of_axes());
+    if last_first { [others, axes].concat() } else { [axes, others].concat() }
 }
 
 /// Two slips, a slip in the wrong order, or a slip with one more number wrong.
@@ -263,12 +272,14 @@ fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
         return false;
     }
     let wrong = || given.iter().zip(&right.entries).filter(|(given, right)| !ask.accepts(Some(**given), **right));
+    let several = wrong().count() > 1;
     let cut = |given: f64, right: f64| {
         let to_digits = (1..=2).any(|digits| (given - rounded(right, digits)).abs() <= 1e-9 * right.abs());
         let to_decimals = [1.0, 10.0, 100.0].iter().any(|unit| ((right * unit).round() / unit - given).abs() <= 1e-9);
-        to_digits || (to_decimals && given != 0.0)
+        // One number that is 0 may be anything; among others that are rounded it is rounded too.
+        to_digits || (to_decimals && (given != 0.0 || several))
     };
     let near = |given: f64, right: f64| (given - right).abs() <= 0.01 * right.abs();
     wrong().all(|(given, right)| cut(*given, *right))
-        || (wrong().all(|(given, right)| near(*given, *right)) && (given.len() == 1 || wrong().count() > 1))
+        || (wrong().all(|(given, right)| near(*given, *right)) && (given.len() == 1 || several))
 }

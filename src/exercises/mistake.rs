@@ -137,8 +137,6 @@ slips! {
     UnitViewUpAsV = VupAsV;
     /// **v** is VUP as it is given.
     ViewUpAsV = VupAsV;
-    /// **v** is VUP as it is given, and **u** = VUP × **n** was divided by nothing, since VUP has length 1.
-    ViewUpAsVWithoutNorm = VupAsV;
     /// No vector is divided by its length.
     NothingNormalised = NotNormalised;
     /// **n** alone keeps its length.
@@ -217,6 +215,26 @@ slips! {
     Transposed = Transposed;
     /// The inverse, in what a family asks.
     Inverted = Inverse;
+}
+
+impl Slip {
+    /// Whether it is made where the axes of the camera are computed.
+    #[must_use]
+    pub const fn is_of_axes(self) -> bool {
+        matches!(
+            self,
+            Self::UReversedAlone
+                | Self::UReversed
+                | Self::NReversedAlone
+                | Self::NReversed
+                | Self::UnitViewUpAsV
+                | Self::ViewUpAsV
+                | Self::NothingNormalised
+                | Self::NNotNormalised
+                | Self::UNotNormalised
+                | Self::UNotNormalisedAlone
+        )
+    }
 }
 
 /// The slips that are made together.

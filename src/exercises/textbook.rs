@@ -239,11 +239,11 @@ fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
     let n = unit(to_viewer, all || slips.has(Slip::NNotNormalised));
     // The others are made from a unit n where it alone keeps its length.
     let made_from = unit(to_viewer, all);
-    let u = unit(up.cross(made_from), all || slips.any(&[Slip::UNotNormalised, Slip::ViewUpAsVWithoutNorm]));
+    let u = unit(up.cross(made_from), all || slips.has(Slip::UNotNormalised));
     let u = if slips.has(Slip::UReversed) { -u } else { u };
     let v = if slips.has(Slip::UnitViewUpAsV) {
         unit(up, false)
-    } else if slips.any(&[Slip::ViewUpAsV, Slip::ViewUpAsVWithoutNorm]) {
+    } else if slips.has(Slip::ViewUpAsV) {
         up
     } else {
         made_from.cross(u)
@@ -317,7 +317,8 @@ pub(super) fn projection_matrix(
     if slips.has(Slip::DepthRowSign) {
         (scale, shift) = (-scale, -shift);
     }
-    if slips.has(Slip::LeftHanded) {
+    // Without a division nothing but the scale would tell it from planes taken as coordinates.
+    if slips.has(Slip::LeftHanded) && projection == Projection::Perspective {
         scale = -scale;
     }
     let last = if slips.any(&[Slip::WSign, Slip::LeftHanded]) { -last } else { last };

@@ -127,27 +127,28 @@ fn no_known_mistake_is_accepted_and_each_is_told() {
         for ask in &exercise.asks {
             // Where there are several readings, a mistake in one may be right in another.
             let Some(right) = ask.expected().table().filter(|_| ask.readings.len() == 1) else { continue };
-            let mut before: Vec<(Mistake, Table)> = Vec::new();
-            for slip in Slip::ALL {
-                let Some(wrong) = ask.expected().slipped(Slips::one(*slip)) else { continue };
-                if wrong.shape() != right.shape() || !differs(ask, &wrong, &right) {
-                    continue;
-                }
+            let of_slip = |slip: &Slip| Some((*slip, ask.expected().slipped(Slips::one(*slip))?));
+            let wrong: Vec<(Slip, Table)> = Slip::ALL
+                .iter()
+                .filter_map(of_slip)
+                .filter(|(_, wrong)| wrong.shape() == right.shape() && differs(ask, wrong, &right))
+                .collect();
+            for (slip, table) in &wrong {
                 let answer = Answer::Numbers {
-                    rows: wrong.rows,
-                    columns: wrong.columns,
-                    entries: wrong.entries.iter().map(|x| Some(*x)).collect(),
+                    rows: table.rows,
+                    columns: table.columns,
+                    entries: table.entries.iter().map(|x| Some(*x)).collect(),
                 };
                 let judged = judge_answer(ask, answer);
                 let context = format!("{} seed {} {} {slip:?}", entry.id, exercise.seed, ask.name);
-                assert!(!judged.right && judged.score < 1.0, "{context}: {wrong:?} is taken for {right:?}");
+                assert!(!judged.right && judged.score < 1.0, "{context}: {table:?} is taken for {right:?}");
                 let found = judged.diagnosis.unwrap_or_else(|| panic!("{context}: not told"));
                 told.insert(found.mistakes[0]);
                 // Another mistake with the same numbers may be told, but no other.
-                let same =
-                    before.iter().any(|(mistake, table)| *mistake == found.mistakes[0] && !differs(ask, table, &wrong));
+                let same = wrong
+                    .iter()
+                    .any(|(other, numbers)| other.mistake() == found.mistakes[0] && !differs(ask, numbers, table));
                 assert!(found.mistakes == [slip.mistake()] || same, "{context}: {found:?}");
-                before.push((slip.mistake(), wrong));
             }
         }
     });

@@ -82,10 +82,12 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
             far: near * random.one_of(&[10.0, 20.0, 25.0]),
             window: None,
         };
-        // VUP along v would hide that it was taken for v; C at the origin hides every translation.
-        let up = view_up.normalize();
-        let oblique = up.dot(to_viewer.normalize()).abs();
-        if (0.1..0.95).contains(&oblique) && parameters.position.length() > 1.0 {
+        // VUP along v would hide that it was taken for v, a product of length 1 that it was not divided by its length; C at the origin
+        // hides every translation.
+        let n = to_viewer.normalize();
+        let oblique = view_up.normalize().dot(n).abs();
+        let has_length_1 = (view_up.cross(n).length() - 1.0).abs() < 0.05;
+        if (0.1..0.95).contains(&oblique) && !has_length_1 && parameters.position.length() > 1.0 {
             return parameters;
         }
     }
