@@ -5,8 +5,7 @@
 use std::collections::BTreeSet;
 
 use camera_lab::exercises::{
-    Answer, Ask, Entry, Exercise, Expected, Free, Kind, Mistake, Slip, Slips, Table, check, entries, entry,
-    judge_answer,
+    Answer, Ask, Entry, Exercise, Expected, Free, Kind, Slip, Slips, Table, check, entries, entry, judge_answer,
 };
 use camera_lab::numbers::exact_form;
 
