@@ -64,6 +64,18 @@ pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
 /// The longest answer to an exercise in bytes: a matrix of roots takes a few hundred.
 pub const MAX_ANSWER: usize = 10_000;
 
+/// The longest file of an exercise of one's own in bytes: a figure with a scene takes some kilobytes.
+pub const MAX_EXERCISE_BYTES: usize = 1 << 20;
+
+/// The most exercises in a folder: all are read when the folder is; a lecture has a few dozen.
+pub const MAX_OWN_EXERCISES: usize = 256;
+
+/// The most that one exercise asks: they are lettered from a to z.
+pub const MAX_ASKS: usize = 26;
+
+/// The longest identifier of an exercise or of what it asks, in characters: it stands in a command line.
+pub const MAX_EXERCISE_NAME: usize = 64;
+
 /// The most undo steps that are kept: more than anybody goes back.
 pub const MAX_UNDO_STEPS: usize = 500;
 

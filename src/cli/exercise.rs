@@ -1,6 +1,7 @@
 //! `camera-lab exercise`: exercises, their statements, and answers that are judged.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -10,7 +11,7 @@ use super::words::{LangArg, TableFormat};
 use super::{Failure, print};
 use crate::exercises::{self, Ask, Entry, Exercise, Expected, Judged, Kind};
 use crate::figure::write::to_toml;
-use crate::files::{self, Overwrite};
+use crate::files::{self, FileError, Overwrite, OwnExercises};
 use crate::foreign;
 use crate::i18n::{Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages};
 use crate::inspect::json_text;
@@ -34,18 +35,19 @@ fn written(lang: Option<LangArg>) -> Lang {
 
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     #[derive(Serialize)]
-    struct Line {
-        id: &'static str,
-        source: &'static str,
-        title: &'static str,
+    struct Line<'a> {
+        id: &'a str,
+        source: &'a str,
+        title: &'a str,
         family: bool,
     }
     let written = written(args.lang);
-    let lines: Vec<Line> = exercises::entries()
+    let own = own(args.folder.as_deref(), lang)?;
+    let lines: Vec<Line<'_>> = exercises::with_own(&own)
         .map(|entry| Line {
-            id: entry.id,
+            id: &entry.id,
             source: entry.source,
-            title: texts::title(written, entry.id),
+            title: texts::title(written, entry),
             family: entry.is_family,
         })
         .collect();
@@ -56,11 +58,24 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), lang)
 }
 
+/// The exercises of a lecturer's folder; none without one. A file that cannot be used is not passed over: its exercise would be missed later.
+fn own(folder: Option<&Path>, lang: Lang) -> Result<Vec<Entry>, Failure> {
+    let Some(folder) = folder else { return Ok(Vec::new()) };
+    let bad = |path: &Path, error: &FileError| Failure::BadInput(messages::file(lang, &foreign::path(path), error));
+    let OwnExercises { entries, faults } = files::read_exercises(folder).map_err(|error| bad(folder, &error))?;
+    match faults.first() {
+        Some((path, error)) => Err(bad(path, error)),
+        None => Ok(entries),
+    }
+}
+
 /// The exercise with an identifier, with the numbers of the arguments.
-fn find(id: &str, numbers: &NumbersArgs, lang: Lang) -> Result<(&'static Entry, Exercise), Failure> {
-    let entry = exercises::entry(id).ok_or_else(|| {
-        let near = exercises::entries()
-            .map(|entry| (strsim::jaro_winkler(entry.id, id), entry.id))
+fn find(id: &str, numbers: &NumbersArgs, lang: Lang) -> Result<(Entry, Exercise), Failure> {
+    let own = own(numbers.folder.as_deref(), lang)?;
+    let all = || exercises::with_own(&own);
+    let entry = all().find(|entry| entry.id == id).cloned().ok_or_else(|| {
+        let near = all()
+            .map(|entry| (strsim::jaro_winkler(&entry.id, id), &*entry.id))
             .max_by(|a, b| a.0.total_cmp(&b.0))
             .filter(|(likeness, _)| *likeness > 0.7);
         Failure::BadInput(said::unknown_exercise(lang, id, near.map(|(_, id)| id)))
@@ -90,7 +105,7 @@ fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
     let mut object = json!({
         "id": exercise.id,
         "seed": exercise.seed,
-        "title": texts::title(lang, &exercise.id),
+        "title": texts::exercise_title(lang, exercise),
         "statement": texts::statement(lang, exercise).join("\n\n"),
         "assumptions": texts::assumptions(lang, exercise),
         "figure": to_toml(&subject.figure),
@@ -149,7 +164,7 @@ fn answer_value(lang: Lang, ask: &Ask) -> Value {
 /// The same to read.
 fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
     let t = said::texts(lang);
-    let mut text = format!("{}  ({})\n", texts::title(lang, &exercise.id), exercise.id);
+    let mut text = format!("{}  ({})\n", texts::exercise_title(lang, exercise), exercise.id);
     // Writing to a String cannot fail.
     for paragraph in texts::statement(lang, exercise) {
         let _ = writeln!(text, "\n{}", plain(&paragraph));
@@ -189,11 +204,11 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     let mut judged: Vec<(&Ask, Judged)> = Vec::new();
     for (name, answer) in args.answers(lang)? {
         let ask = exercise.asks.iter().find(|ask| ask.name == name);
-        let ask = ask.ok_or_else(|| Failure::BadInput(said::unknown_ask(lang, entry.id, name, &names)))?;
+        let ask = ask.ok_or_else(|| Failure::BadInput(said::unknown_ask(lang, &entry.id, name, &names)))?;
         if judged.iter().any(|(other, _)| other.name == ask.name) {
             return Err(Failure::BadInput(said::answered_twice(lang, name)));
         }
-        let verdict = exercises::check(entry, &exercise, ask, answer)
+        let verdict = exercises::check(&entry, &exercise, ask, answer)
             .map_err(|error| Failure::BadInput(said::unreadable(lang, name, &texts::answer_error(lang, &error))))?;
         judged.push((ask, verdict));
     }
@@ -231,7 +246,7 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
     let diagnosis = verdict.diagnosis.as_ref().map(|diagnosis| {
         let codes: Vec<&str> = diagnosis.mistakes.iter().map(|mistake| mistake.code()).collect();
         json!({
-            "code": codes.first(),
+            "code": codes.first().copied().unwrap_or("own"),
             "codes": codes,
             "message": texts::diagnosis(lang, diagnosis),
             "hints": hints,

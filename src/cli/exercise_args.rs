@@ -33,6 +33,9 @@ pub(super) struct ListArgs {
     /// A table to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
+    /// A folder with exercises of one's own, which come after the others
+    #[arg(long, value_name = "DIR")]
+    pub(super) folder: Option<PathBuf>,
     /// Language of titles and messages
     #[arg(long, value_enum, ignore_case = true)]
     pub(super) lang: Option<LangArg>,
@@ -47,6 +50,9 @@ pub(super) struct NumbersArgs {
     /// A number that the exercise leaves open, such as F=3 or D=24
     #[arg(long = "with", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     with: Vec<String>,
+    /// A folder with exercises of one's own
+    #[arg(long, value_name = "DIR")]
+    pub(super) folder: Option<PathBuf>,
     /// Language of statements and messages
     #[arg(long, value_enum, ignore_case = true)]
     pub(super) lang: Option<LangArg>,

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::mistake::{Mistake, Slips};
 use super::subject::Subject;
 use super::textbook;
+use super::told::{OwnMistake, OwnTexts};
 use super::value::Table;
 use super::worked::{Worked, worked};
 use crate::camera::{Camera, Parameters};
@@ -29,6 +30,8 @@ pub struct Exercise {
     pub assumptions: Vec<&'static str>,
     /// What is asked.
     pub asks: Vec<Ask>,
+    /// What it says, where it is a lecturer's own.
+    pub texts: Option<Arc<OwnTexts>>,
 }
 
 impl Exercise {
@@ -88,6 +91,8 @@ pub struct Ask {
     /// The readings of what is asked: an answer that is right in one of them is right. The first is the one that the statement settles; the
     /// others have the name of their text.
     pub readings: Vec<Reading>,
+    /// Wrong answers that a lecturer expects.
+    pub own_mistakes: Vec<Arc<OwnMistake>>,
 }
 
 /// What an answer is.
@@ -199,7 +204,16 @@ impl Ask {
     fn new(name: &str, kind: Kind, expected: Expected) -> Self {
         let readings = vec![Reading { name: "", expected }];
         let (unit, tolerance) = (Unit::None, TOLERANCE);
-        Self { name: name.to_owned(), kind, unit, tolerance, whole: false, quantity: None, readings }
+        Self {
+            name: name.to_owned(),
+            kind,
+            unit,
+            tolerance,
+            whole: false,
+            quantity: None,
+            readings,
+            own_mistakes: Vec::new(),
+        }
     }
 
     /// What `inspect` says at a path of the exercise's own subject.

@@ -48,7 +48,16 @@ fn lens(parameters: &Parameters) -> Vec<(&'static str, Fact)> {
 pub(super) fn about(subject: Subject) -> Exercise {
     let mut facts = placement(&subject.figure.camera);
     facts.extend(lens(&subject.figure.camera));
-    Exercise { id: String::new(), seed: 0, subject, free: Vec::new(), facts, assumptions: Vec::new(), asks: Vec::new() }
+    Exercise {
+        id: String::new(),
+        seed: 0,
+        subject,
+        free: Vec::new(),
+        facts,
+        assumptions: Vec::new(),
+        asks: Vec::new(),
+        texts: None,
+    }
 }
 
 /// What an image tells: m × n.

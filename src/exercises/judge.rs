@@ -1,8 +1,11 @@
 //! Judging an answer: what is right of it, and which known mistake explains what is not.
 
+use std::sync::Arc;
+
 use super::answer::{Answer, AnswerError, read_answer};
 use super::exercise::{Ask, Exercise, Expected, Kind};
 use super::mistake::{Mistake, Slip, Slips};
+use super::told::{Given, OwnMistake};
 use super::value::Table;
 use crate::camera::{Camera, CameraError};
 
@@ -30,15 +33,17 @@ pub struct Judged {
 /// The known mistakes that give the numbers of an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
-    /// One, or two that were made together; the first is the one that comes first on the way.
+    /// One, or two that were made together; the first is the one that comes first on the way. None where `own` is not among the known ones.
     pub mistakes: Vec<Mistake>,
     /// Where a single number is at fault: its row and column, from 0.
     pub entry: Option<[usize; 2]>,
+    /// The wrong answer that a lecturer expected, and what is said of it.
+    pub own: Option<Arc<OwnMistake>>,
 }
 
 impl Diagnosis {
     fn of(mistake: Mistake) -> Self {
-        Self { mistakes: vec![mistake], entry: None }
+        Self { mistakes: vec![mistake], entry: None, own: None }
     }
 }
 
@@ -54,6 +59,18 @@ pub fn judge(exercise: &Exercise, ask: &Ask, text: &str) -> Result<Judged, Answe
 /// Judges an answer that has been read.
 #[must_use]
 pub fn judge_answer(ask: &Ask, answer: Answer) -> Judged {
+    let judged = judge_readings(ask, answer);
+    // What its author says of an answer goes before what is known in general.
+    match ask.own_mistake(&judged.understood).filter(|_| !judged.right) {
+        Some(own) => {
+            let mistakes = own.mistake.into_iter().collect();
+            Judged { diagnosis: Some(Diagnosis { mistakes, entry: None, own: Some(own) }), ..judged }
+        }
+        None => judged,
+    }
+}
+
+fn judge_readings(ask: &Ask, answer: Answer) -> Judged {
     let in_readings = ask
         .readings
         .iter()
@@ -150,6 +167,19 @@ impl Ask {
         (given - right).abs() <= self.tolerance + rest || is_rounded(given, right, rest)
     }
 
+    /// The wrong answer that was expected, and is this one.
+    fn own_mistake(&self, answer: &Answer) -> Option<Arc<OwnMistake>> {
+        let is = |own: &&Arc<OwnMistake>| match (&own.answer, answer) {
+            (Given::Choice(wrong), Answer::Choice(chosen)) => wrong == chosen,
+            (Given::Numbers(wrong), Answer::Numbers { rows, columns, entries }) => {
+                [*rows, *columns] == wrong.shape()
+                    && entries.iter().zip(&wrong.entries).all(|(given, wrong)| self.accepts(*given, *wrong))
+            }
+            _ => false,
+        };
+        self.own_mistakes.iter().find(is).cloned()
+    }
+
     fn accepts_all(&self, given: &[f64], right: &Table) -> bool {
         given.len() == right.entries.len()
             && given.iter().zip(&right.entries).all(|(given, right)| self.accepts(Some(*given), *right))
@@ -232,14 +262,14 @@ fn two_together(
                 continue;
             }
             if expected.slipped(Slips::one(*first).and(*second)).is_some_and(|table| explains(&table)) {
-                return Some(Diagnosis { mistakes: vec![first.mistake(), second.mistake()], entry: None });
+                return Some(Diagnosis { mistakes: vec![first.mistake(), second.mistake()], entry: None, own: None });
             }
         }
     }
     for (slip, table) in slipped {
         let second = as_mistake(table).filter(|second| *second != slip.mistake());
         if let Some(second) = second {
-            return Some(Diagnosis { mistakes: vec![slip.mistake(), second], entry: None });
+            return Some(Diagnosis { mistakes: vec![slip.mistake(), second], entry: None, own: None });
         }
     }
     // In few numbers one more that is wrong would explain anything.
@@ -249,7 +279,11 @@ fn two_together(
             continue;
         }
         let Some(entry) = only_wrong(ask, given, table) else { continue };
-        return Some(Diagnosis { mistakes: vec![slip.mistake(), Mistake::ArithmeticSlip], entry: Some(entry) });
+        return Some(Diagnosis {
+            mistakes: vec![slip.mistake(), Mistake::ArithmeticSlip],
+            entry: Some(entry),
+            own: None,
+        });
     }
     None
 }

@@ -10,11 +10,16 @@ mod given;
 mod judge;
 mod mistake;
 pub mod notes;
+pub mod own;
 mod progress;
 mod subject;
 mod textbook;
+mod told;
 mod value;
 mod worked;
+
+use std::borrow::Cow;
+use std::sync::Arc;
 
 pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
@@ -22,30 +27,60 @@ pub use judge::{Diagnosis, Judged, judge, judge_answer};
 pub use mistake::{Mistake, Slip, Slips};
 pub use progress::{Made, Next, Progress, ProgressError, Stage, Tried, Why};
 pub use subject::Subject;
+pub use told::{Given, OwnMistake, OwnTexts, Told};
 pub use value::Table;
 pub use worked::Worked;
 
 /// An exercise, or a family of them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Entry {
     /// Its identifier.
-    pub id: &'static str,
-    /// Where the notes have it, or what it practises: `[0] 5.1`.
+    pub id: Cow<'static, str>,
+    /// Where the notes have it, or what it practises: `[0] 5.1`; empty for a lecturer's own.
     pub source: &'static str,
     /// Its numbers come from a seed.
     pub is_family: bool,
-    /// Makes it from a seed, with numbers that the notes leave open.
-    make: fn(u64, &Free) -> Exercise,
+    make: Make,
+}
+
+/// How the exercise of an entry comes about.
+#[derive(Clone, Debug)]
+enum Make {
+    /// From a seed, with numbers that the notes leave open.
+    Shipped(fn(u64, &Free) -> Exercise),
+    /// As it stands in a file.
+    Own(Arc<Exercise>),
 }
 
 /// Numbers that the notes leave open, where an answer chooses them: F, B, D, M.
 pub type Free = std::collections::BTreeMap<String, f64>;
 
 impl Entry {
+    const fn of_notes(id: &'static str, source: &'static str, make: fn(u64, &Free) -> Exercise) -> Self {
+        Self { id: Cow::Borrowed(id), source, is_family: false, make: Make::Shipped(make) }
+    }
+
+    const fn family(id: &'static str, source: &'static str, make: fn(u64, &Free) -> Exercise) -> Self {
+        Self { id: Cow::Borrowed(id), source, is_family: true, make: Make::Shipped(make) }
+    }
+
+    /// What it says, where it is a lecturer's own.
+    #[must_use]
+    pub fn texts(&self) -> Option<&OwnTexts> {
+        match &self.make {
+            Make::Shipped(_) => None,
+            Make::Own(exercise) => exercise.texts.as_deref(),
+        }
+    }
+
     /// The exercise with the numbers of a seed; `free` chooses those that the notes leave open.
     #[must_use]
     pub fn exercise(&self, seed: u64, free: &Free) -> Exercise {
-        Exercise { id: self.id.to_owned(), seed, ..(self.make)(seed, free) }
+        let exercise = match &self.make {
+            Make::Shipped(make) => make(seed, free),
+            Make::Own(exercise) => Exercise::clone(exercise),
+        };
+        Exercise { id: self.id.clone().into_owned(), seed, ..exercise }
     }
 }
 
@@ -74,6 +109,11 @@ pub fn check(entry: &Entry, exercise: &Exercise, ask: &Ask, text: &str) -> Resul
 /// All of them: the notes' own first.
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
     notes::ENTRIES.iter().chain(families::ENTRIES)
+}
+
+/// All of them, and after them those of a folder.
+pub fn with_own(own: &[Entry]) -> impl Iterator<Item = &Entry> {
+    notes::ENTRIES.iter().chain(families::ENTRIES).chain(own)
 }
 
 /// The exercise or family with an identifier.

@@ -207,20 +207,20 @@ impl Progress {
                 return Some(self.next(entry, Why::Mistake(mistake, made.times)));
             }
         }
-        if let Some(entry) = entries.iter().find(|entry| self.stage(entry.id) != Stage::Solved) {
+        if let Some(entry) = entries.iter().find(|entry| self.stage(&entry.id) != Stage::Solved) {
             return Some(self.next(entry, Why::NotSolved));
         }
-        let last = |entry: &&&Entry| self.tried(entry.id).and_then(|tried| tried.last);
+        let last = |entry: &&&Entry| self.tried(&entry.id).and_then(|tried| tried.last);
         entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
     }
 
     fn next(&self, entry: &Entry, why: Why) -> Next {
-        Next { id: entry.id.to_owned(), seed: self.next_seed(entry), why }
+        Next { id: entry.id.clone().into_owned(), seed: self.next_seed(entry), why }
     }
 
     /// New numbers where those it has are solved, or a mistake was made with them.
     fn next_seed(&self, entry: &Entry) -> u64 {
-        match self.tried(entry.id) {
+        match self.tried(&entry.id) {
             Some(tried) if entry.is_family && (tried.is_solved || !tried.mistakes.is_empty()) => {
                 tried.seed.wrapping_add(1)
             }

@@ -134,6 +134,33 @@ pub enum Allowed {
         /// The one that was probably meant.
         near: Option<String>,
     },
+    /// A text, or one for each language.
+    Told,
+    /// A list of such texts.
+    ToldList,
+    /// A list of texts.
+    Texts,
+    /// A name of letters, digits, `-`, `_` and `.`.
+    Name {
+        /// The longest in characters.
+        limit: usize,
+    },
+    /// A name that nothing else has.
+    FreeName,
+    /// A list of operations that the camera can do.
+    Operations,
+    /// A list of pixels, `[i, j]`.
+    Pixels,
+    /// A number, `[a, b, …]` or `[[…], …]`.
+    Numbers,
+    /// A path in the output of `inspect` where numbers stand.
+    Quantity,
+    /// Either of two keys.
+    Either(&'static str, &'static str),
+    /// One of what stands in another key.
+    Choice(Vec<String>),
+    /// An answer that is wrong.
+    WrongAnswer,
     /// A section, `[like.this]`.
     Section,
     /// Sections, `[[like.this]]`.

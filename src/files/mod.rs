@@ -2,6 +2,7 @@
 
 mod look;
 mod mesh_paths;
+mod own_exercises;
 mod reach;
 mod save;
 mod shipped;
@@ -12,10 +13,11 @@ use std::path::{Path, PathBuf};
 
 use crate::export::png::{self, PngError};
 use crate::figure::{Figure, FigureError, read};
-use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES};
+use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
 use crate::scene::{ReadProblem, system_words};
 pub use look::{Found, Stamp, look};
 pub use mesh_paths::{for_folder, named_in_figure};
+pub use own_exercises::{OwnExercises, read_exercises};
 pub use reach::{FigureFiles, Reach};
 pub use save::{Overwrite, is_read_only, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure};
@@ -44,6 +46,9 @@ pub enum FileError {
     /// It is larger than any file that is meant for this program.
     #[error("is larger than any figure or picture; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
     TooLarge,
+    /// A folder with more exercises than a lecture has.
+    #[error("has more exercises than there may be; allowed: at most {MAX_OWN_EXERCISES}")]
+    TooManyExercises,
     /// A picture that holds no figure.
     #[error(transparent)]
     Png(#[from] PngError),

@@ -13,7 +13,7 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
     let t = exercise_messages::texts(lang);
     let mut text = format!("# {}\n\n{}: ____________________  {}: ____________\n", t.exercises, t.name, t.date);
     for (number, exercise) in sheet.iter().enumerate() {
-        text.push_str(&format!("\n## {}. {}\n\n", number + 1, exercises::title(lang, &exercise.id)));
+        text.push_str(&format!("\n## {}. {}\n\n", number + 1, exercises::exercise_title(lang, exercise)));
         for paragraph in exercises::statement(lang, exercise) {
             text.push_str(&format!("{}\n\n", set(&paragraph)));
         }
@@ -58,7 +58,7 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
         t.exercises, t.name, t.date
     );
     for (number, exercise) in sheet.iter().enumerate() {
-        let title = escaped(exercises::title(lang, &exercise.id));
+        let title = escaped(exercises::exercise_title(lang, exercise));
         text.push_str(&format!("\n\\subsection*{{{}. {title}}}\n", number + 1));
         for paragraph in exercises::statement(lang, exercise) {
             text.push_str(&format!("{}\n\n", of_markdown(&paragraph)));

@@ -2,7 +2,9 @@
 
 use super::exercise_texts::texts;
 use super::{Lang, messages};
-use crate::exercises::{Answer, AnswerError, Ask, Diagnosis, Exercise, Fact, Kind, Mistake, Table, Unit, Worked};
+use crate::exercises::{
+    Answer, AnswerError, Ask, Diagnosis, Entry, Exercise, Fact, Kind, Mistake, OwnTexts, Table, Told, Unit, Worked,
+};
 use crate::explain::{Notation, Style};
 use crate::expression::marked;
 use crate::figure::{Figure, write::to_toml};
@@ -16,13 +18,41 @@ fn listed<'a>(lang: Lang, list: &str, name: &'a str) -> &'a str {
 
 /// The title of an exercise or a family.
 #[must_use]
-pub fn title(lang: Lang, id: &str) -> &'static str {
-    texts(lang).exercises.get(id).map_or("", |statement| statement.title)
+pub fn title(lang: Lang, entry: &Entry) -> &str {
+    title_of(lang, &entry.id, entry.texts())
+}
+
+/// The title of an exercise with its numbers.
+#[must_use]
+pub fn exercise_title(lang: Lang, exercise: &Exercise) -> &str {
+    title_of(lang, &exercise.id, exercise.texts.as_deref())
+}
+
+fn title_of<'a>(lang: Lang, id: &str, own: Option<&'a OwnTexts>) -> &'a str {
+    match own {
+        Some(own) => told(lang, &own.title),
+        None => texts(lang).exercises.get(id).map_or("", |statement| statement.title),
+    }
+}
+
+/// A text of a lecturer's own.
+fn told(lang: Lang, told: &Told) -> &str {
+    match lang {
+        Lang::En => &told.en,
+        Lang::PtBr => &told.pt_br,
+    }
 }
 
 /// The paragraphs of its statement, in Markdown.
 #[must_use]
 pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
+    if let Some(own) = &exercise.texts {
+        let paragraphs = told(lang, &own.statement).split("\n\n").map(str::trim);
+        return paragraphs
+            .filter(|paragraph| !paragraph.is_empty())
+            .map(|paragraph| paragraph.replace('\n', " "))
+            .collect();
+    }
     let found = texts(lang).exercises.get(exercise.id.as_str());
     let paragraphs = found.map_or(&[][..], |statement| &statement.paragraphs);
     paragraphs.iter().map(|paragraph| filled(lang, exercise, paragraph)).collect()
@@ -32,12 +62,16 @@ pub fn statement(lang: Lang, exercise: &Exercise) -> Vec<String> {
 #[must_use]
 pub fn assumptions(lang: Lang, exercise: &Exercise) -> Vec<String> {
     let text = |name: &&str| filled(lang, exercise, listed(lang, "assumptions", name));
-    exercise.assumptions.iter().map(text).collect()
+    let own = exercise.texts.iter().flat_map(|own| &own.assumptions).map(|text| told(lang, text).to_owned());
+    exercise.assumptions.iter().map(text).chain(own).collect()
 }
 
 /// What is asked.
 #[must_use]
 pub fn ask(lang: Lang, exercise: &Exercise, ask: &Ask) -> String {
+    if let Some(own) = exercise.texts.as_ref().and_then(|own| own.asks.get(&ask.name)) {
+        return told(lang, own).to_owned();
+    }
     let found = texts(lang).exercises.get(exercise.id.as_str()).and_then(|s| s.asks.get(ask.name.as_str()));
     found.map_or_else(|| ask.name.clone(), |text| filled(lang, exercise, text))
 }
@@ -76,6 +110,9 @@ pub fn mistake(lang: Lang, mistake: Mistake) -> [&'static str; 3] {
 /// What a diagnosis says: the mistakes, one after the other, and where a single number is at fault.
 #[must_use]
 pub fn diagnosis(lang: Lang, diagnosis: &Diagnosis) -> String {
+    if let Some(own) = &diagnosis.own {
+        return told(lang, &own.message).to_owned();
+    }
     let mut said: Vec<String> = diagnosis.mistakes.iter().map(|found| mistake(lang, *found)[0].to_owned()).collect();
     if let Some([row, column]) = diagnosis.entry {
         let (row, column) = (row + 1, column + 1);
@@ -89,7 +126,10 @@ pub fn diagnosis(lang: Lang, diagnosis: &Diagnosis) -> String {
 
 /// Its hints, weaker ones first.
 #[must_use]
-pub fn hints(lang: Lang, diagnosis: &Diagnosis) -> Vec<&'static str> {
+pub fn hints(lang: Lang, diagnosis: &Diagnosis) -> Vec<&str> {
+    if let Some(own) = diagnosis.own.as_ref().filter(|own| !own.hints.is_empty()) {
+        return own.hints.iter().map(|hint| told(lang, hint)).collect();
+    }
     let of = |strength: usize| diagnosis.mistakes.iter().map(move |found| mistake(lang, *found)[strength]);
     of(1).chain(of(2)).collect()
 }

@@ -173,6 +173,44 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             let words: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
             format!("{}{}", words.join(", "), meant(lang, near.as_deref()))
         }
+        Allowed::Told | Allowed::ToldList | Allowed::Texts | Allowed::Name { .. } | Allowed::FreeName => {
+            allowed_text(lang, allowed)
+        }
+        Allowed::Operations => match lang {
+            Lang::En => "a list of operations that this camera can do, such as [\"azimuth=30\", \"zoom=2\"]".to_owned(),
+            Lang::PtBr => {
+                "uma lista de operações que esta câmera pode fazer, como [\"azimuth=30\", \"zoom=2\"]".to_owned()
+            }
+        },
+        Allowed::Pixels => match lang {
+            Lang::En => "a list of pixels, [[i, j], …], in whole numbers".to_owned(),
+            Lang::PtBr => "uma lista de pixels, [[i, j], …], em números inteiros".to_owned(),
+        },
+        Allowed::Numbers => match lang {
+            Lang::En => "a number or an expression, [a, b, …], or [[…], […], …] with rows of one length".to_owned(),
+            Lang::PtBr => {
+                "um número ou uma expressão, [a, b, …], ou [[…], […], …] com linhas de mesmo comprimento".to_owned()
+            }
+        },
+        Allowed::Quantity => match lang {
+            Lang::En => {
+                "a path in the output of inspect for this figure, such as \"basis.u\" or \"points.0.ndc\"".to_owned()
+            }
+            Lang::PtBr => {
+                "um caminho na saída de inspect para esta figura, como \"basis.u\" ou \"points.0.ndc\"".to_owned()
+            }
+        },
+        Allowed::Either(one, other) => match lang {
+            Lang::En => format!("either {one} or {other}"),
+            Lang::PtBr => format!("ou {one} ou {other}"),
+        },
+        Allowed::Choice(choices) => {
+            choices.iter().map(|choice| format!("\"{}\"", shown(choice))).collect::<Vec<_>>().join(", ")
+        }
+        Allowed::WrongAnswer => match lang {
+            Lang::En => "an answer that is wrong, which the message explains".to_owned(),
+            Lang::PtBr => "uma resposta errada, que a mensagem explica".to_owned(),
+        },
         Allowed::Section => match lang {
             Lang::En => "a section with keys".to_owned(),
             Lang::PtBr => "uma seção com chaves".to_owned(),
@@ -181,6 +219,26 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::En => "sections in double brackets, or a list of inline tables".to_owned(),
             Lang::PtBr => "seções entre colchetes duplos, ou uma lista de tabelas em linha".to_owned(),
         },
+    }
+}
+
+/// What may stand where texts are asked for.
+fn allowed_text(lang: Lang, allowed: &Allowed) -> String {
+    match (lang, allowed) {
+        (Lang::En, Allowed::ToldList) => {
+            "a list of texts, each as \"…\" or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()
+        }
+        (Lang::PtBr, Allowed::ToldList) => {
+            "uma lista de textos, cada um como \"…\" ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned()
+        }
+        (Lang::En, Allowed::Texts) => "a list of texts in quotes".to_owned(),
+        (Lang::PtBr, Allowed::Texts) => "uma lista de textos entre aspas".to_owned(),
+        (Lang::En, Allowed::Name { limit }) => format!("at most {limit} letters, digits, -, _ and ."),
+        (Lang::PtBr, Allowed::Name { limit }) => format!("no máximo {limit} letras, dígitos, -, _ e ."),
+        (Lang::En, Allowed::FreeName) => "a name that no other exercise has".to_owned(),
+        (Lang::PtBr, Allowed::FreeName) => "um nome que nenhum outro exercício tem".to_owned(),
+        (Lang::En, _) => "a text in quotes, or { en = \"…\", \"pt-BR\" = \"…\" }".to_owned(),
+        (Lang::PtBr, _) => "um texto entre aspas, ou { en = \"…\", \"pt-BR\" = \"…\" }".to_owned(),
     }
 }
 

@@ -5,7 +5,7 @@ use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
 use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
-use crate::limits::MAX_FILE_BYTES;
+use crate::limits::{MAX_FILE_BYTES, MAX_OWN_EXERCISES};
 use crate::scene::ReadProblem;
 
 /// Why the file called `name` cannot be used.
@@ -21,6 +21,9 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
             format!("{name} não pode ser gravado: {}", system_in_portuguese(error.kind(), error.raw_os_error()))
         }
         (Lang::PtBr, FileError::Directory) => after_name(&ReadProblem::Directory),
+        (Lang::PtBr, FileError::TooManyExercises) => {
+            format!("{name} tem exercícios demais; permitido: no máximo {MAX_OWN_EXERCISES}")
+        }
         (Lang::PtBr, FileError::TooLarge) => {
             let gib = MAX_FILE_BYTES >> 30;
             format!("{name} é maior que qualquer figura ou imagem; permitido: no máximo {gib} GiB")

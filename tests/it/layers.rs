@@ -32,7 +32,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("inspect", &["camera", "figure"]),
     ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "numbers", "text"]),
     ("export", &["drawing", "raster", "inspect", "text"]),
-    ("files", &["figure", "export", "scene"]),
+    ("files", &["figure", "export", "scene", "exercises", "numbers"]),
     ("clock", &[]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
     ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),

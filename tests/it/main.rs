@@ -38,6 +38,7 @@ mod normalizing;
 mod notes;
 mod one_triangle;
 mod outline;
+mod own_exercises;
 mod pipeline;
 mod pipeline_bounds;
 mod pipeline_counts;

@@ -8,10 +8,8 @@ use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Slip, Slips, Table};
 use crate::explain::{Formula, minus, over};
 use crate::numbers::random::Random;
 
-pub(super) const OUTCODES: Entry =
-    Entry { id: "outcodes", source: "[2]", is_family: true, make: |seed, _| outcodes(seed) };
-pub(super) const CLIP_SEGMENT: Entry =
-    Entry { id: "clip-segment", source: "[2]", is_family: true, make: |seed, _| clip_segment(seed) };
+pub(super) const OUTCODES: Entry = Entry::family("outcodes", "[2]", |seed, _| outcodes(seed));
+pub(super) const CLIP_SEGMENT: Entry = Entry::family("clip-segment", "[2]", |seed, _| clip_segment(seed));
 
 /// How far inside of each plane a point is: left, right, bottom, top, near, far; negative outside.
 fn distances(p: DVec4, slips: Slips) -> [f64; 6] {

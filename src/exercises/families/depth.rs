@@ -9,11 +9,9 @@ use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Slips, T
 use crate::explain::{Formula, Function, minus, over, plus, times};
 
 pub(super) const DEPTH_RESOLUTION: Entry =
-    Entry { id: "depth-resolution", source: "[0] (5.25), [2]", is_family: true, make: |seed, _| resolution(seed) };
-pub(super) const PAINTER: Entry =
-    Entry { id: "painter", source: "[2]", is_family: true, make: |seed, _| painter(seed) };
-pub(super) const ZOOM_OR_DOLLY: Entry =
-    Entry { id: "zoom-or-dolly", source: "[0] §5.6", is_family: true, make: |seed, _| zoom_or_dolly(seed) };
+    Entry::family("depth-resolution", "[0] (5.25), [2]", |seed, _| resolution(seed));
+pub(super) const PAINTER: Entry = Entry::family("painter", "[2]", |seed, _| painter(seed));
+pub(super) const ZOOM_OR_DOLLY: Entry = Entry::family("zoom-or-dolly", "[0] §5.6", |seed, _| zoom_or_dolly(seed));
 
 fn resolution(seed: u64) -> Exercise {
     let mut random = numbers("depth-resolution", seed);

@@ -9,13 +9,12 @@ use crate::figure::Figure;
 use crate::scene::{ObjectSpec, Preset, Shape};
 
 pub(super) const CANONICAL_CAMERA: Entry =
-    Entry { id: "canonical-camera", source: "[0] 5.3", is_family: true, make: |seed, _| canonical_camera(seed) };
+    Entry::family("canonical-camera", "[0] 5.3", |seed, _| canonical_camera(seed));
 pub(super) const MATCH_PICTURE: Entry =
-    Entry { id: "match-picture", source: "[0] §5.2, §5.6", is_family: true, make: |seed, _| match_picture(seed) };
-pub(super) const PLACE_CAMERA: Entry =
-    Entry { id: "place-camera", source: "[0] §5.2", is_family: true, make: |seed, _| place_camera(seed) };
+    Entry::family("match-picture", "[0] §5.2, §5.6", |seed, _| match_picture(seed));
+pub(super) const PLACE_CAMERA: Entry = Entry::family("place-camera", "[0] §5.2", |seed, _| place_camera(seed));
 pub(super) const PREDICT_VISIBLE: Entry =
-    Entry { id: "predict-visible", source: "[2], [0] §5.3", is_family: true, make: |seed, _| predict_visible(seed) };
+    Entry::family("predict-visible", "[2], [0] §5.3", |seed, _| predict_visible(seed));
 
 /// A camera whose view volume is a box along the axes.
 fn canonical_camera(seed: u64) -> Exercise {

@@ -4,30 +4,17 @@ use super::cameras::{about, any_projection, camera, numbers, subject};
 use crate::camera::{Parameters, Projection, ViewWindow};
 use crate::exercises::{Ask, Entry, Exercise};
 
-pub(super) const BASIS: Entry =
-    Entry { id: "basis", source: "[0] §5.2, (5.2), (5.3)", is_family: true, make: |seed, _| basis(seed) };
-pub(super) const VIEW_MATRIX: Entry =
-    Entry { id: "view-matrix", source: "[0] §5.3.1, (5.7)", is_family: true, make: |seed, _| view_matrix(seed) };
-pub(super) const WINDOW: Entry =
-    Entry { id: "window", source: "[0] §5.2, (5.1), (5.5)", is_family: true, make: |seed, _| window(seed) };
-pub(super) const PERSPECTIVE_MATRIX: Entry = Entry {
-    id: "perspective-matrix",
-    source: "[0] §5.3.2, (5.14)",
-    is_family: true,
-    make: |seed, _| projection_matrix("perspective-matrix", seed, Projection::Perspective),
-};
-pub(super) const PARALLEL_MATRIX: Entry = Entry {
-    id: "parallel-matrix",
-    source: "[0] §5.3.2, (5.16)",
-    is_family: true,
-    make: |seed, _| projection_matrix("parallel-matrix", seed, Projection::Parallel),
-};
-pub(super) const ASYMMETRIC_WINDOW: Entry = Entry {
-    id: "asymmetric-window",
-    source: "[0] §5.3.2, (5.13), (5.15)",
-    is_family: true,
-    make: |seed, _| asymmetric_window(seed),
-};
+pub(super) const BASIS: Entry = Entry::family("basis", "[0] §5.2, (5.2), (5.3)", |seed, _| basis(seed));
+pub(super) const VIEW_MATRIX: Entry = Entry::family("view-matrix", "[0] §5.3.1, (5.7)", |seed, _| view_matrix(seed));
+pub(super) const WINDOW: Entry = Entry::family("window", "[0] §5.2, (5.1), (5.5)", |seed, _| window(seed));
+pub(super) const PERSPECTIVE_MATRIX: Entry = Entry::family("perspective-matrix", "[0] §5.3.2, (5.14)", |seed, _| {
+    projection_matrix("perspective-matrix", seed, Projection::Perspective)
+});
+pub(super) const PARALLEL_MATRIX: Entry = Entry::family("parallel-matrix", "[0] §5.3.2, (5.16)", |seed, _| {
+    projection_matrix("parallel-matrix", seed, Projection::Parallel)
+});
+pub(super) const ASYMMETRIC_WINDOW: Entry =
+    Entry::family("asymmetric-window", "[0] §5.3.2, (5.13), (5.15)", |seed, _| asymmetric_window(seed));
 
 fn basis(seed: u64) -> Exercise {
     let subject = subject(camera(&mut numbers("basis", seed), Projection::Perspective));

@@ -8,12 +8,7 @@ use crate::numbers::random::Random;
 
 macro_rules! turns {
     ($($name:ident, $id:literal, $operation:ident, $asks:expr;)*) => {
-        $(pub(super) const $name: Entry = Entry {
-            id: $id,
-            source: "[0] §5.6",
-            is_family: true,
-            make: |seed, _| turn($id, seed, Operation::$operation, &$asks),
-        };)*
+        $(pub(super) const $name: Entry = Entry::family($id, "[0] §5.6", |seed, _| turn($id, seed, Operation::$operation, &$asks));)*
     };
 }
 
@@ -25,10 +20,9 @@ turns! {
     PITCH, "pitch", Pitch, [("PF", "camera.focal_point"), ("n", "basis.n"), ("v", "basis.v")];
 }
 
-pub(super) const ZOOM: Entry = Entry { id: "zoom", source: "[0] §5.6", is_family: true, make: |seed, _| zoom(seed) };
-pub(super) const DOLLY: Entry =
-    Entry { id: "dolly", source: "[0] §5.6", is_family: true, make: |seed, _| dolly(seed) };
-pub(super) const PAN: Entry = Entry { id: "pan", source: "[0] §5.6", is_family: true, make: |seed, _| pan(seed) };
+pub(super) const ZOOM: Entry = Entry::family("zoom", "[0] §5.6", |seed, _| zoom(seed));
+pub(super) const DOLLY: Entry = Entry::family("dolly", "[0] §5.6", |seed, _| dolly(seed));
+pub(super) const PAN: Entry = Entry::family("pan", "[0] §5.6", |seed, _| pan(seed));
 
 fn turn(family: &str, seed: u64, operation: fn(Angle) -> Operation, asks: &[(&str, &str)]) -> Exercise {
     let mut random = numbers(family, seed);

@@ -7,16 +7,11 @@ use crate::camera::{Camera, ImageSize, Projection, Viewport};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, Subject, Unit};
 use crate::numbers::random::Random;
 
-pub(super) const NDC: Entry =
-    Entry { id: "ndc", source: "[0] §5.3.2, [2]", is_family: true, make: |seed, _| ndc(seed) };
-pub(super) const INSIDE: Entry =
-    Entry { id: "inside", source: "[2], [0] §5.3.2", is_family: true, make: |seed, _| inside(seed) };
-pub(super) const PIXEL: Entry =
-    Entry { id: "pixel", source: "[0] §5.5, (5.22)", is_family: true, make: |seed, _| pixel(seed) };
-pub(super) const RAY: Entry =
-    Entry { id: "ray", source: "[0] §5.4, (5.17)–(5.23)", is_family: true, make: |seed, _| ray(seed) };
-pub(super) const VIEWPORT: Entry =
-    Entry { id: "viewport", source: "[0] §5.5, (5.24), (5.25)", is_family: true, make: |seed, _| viewport(seed) };
+pub(super) const NDC: Entry = Entry::family("ndc", "[0] §5.3.2, [2]", |seed, _| ndc(seed));
+pub(super) const INSIDE: Entry = Entry::family("inside", "[2], [0] §5.3.2", |seed, _| inside(seed));
+pub(super) const PIXEL: Entry = Entry::family("pixel", "[0] §5.5, (5.22)", |seed, _| pixel(seed));
+pub(super) const RAY: Entry = Entry::family("ray", "[0] §5.4, (5.17)–(5.23)", |seed, _| ray(seed));
+pub(super) const VIEWPORT: Entry = Entry::family("viewport", "[0] §5.5, (5.24), (5.25)", |seed, _| viewport(seed));
 
 fn point(subject: &Subject) -> (&'static str, Fact) {
     ("P", Fact::Tuple(subject.points.first().map_or(Vec::new(), |point| point.to_array().to_vec())))

@@ -9,13 +9,10 @@ use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Slips, T
 use crate::explain::{Formula, Function, over, times};
 use crate::geometry::Angle;
 
-pub(super) const PYRAMID: Entry =
-    Entry { id: "pyramid", source: "[1] II, III", is_family: true, make: |seed, _| pyramid(seed) };
-pub(super) const LEFT_HANDED: Entry =
-    Entry { id: "left-handed", source: "[3] §1.5", is_family: true, make: |seed, _| left_handed(seed) };
-pub(super) const VOCABULARY: Entry =
-    Entry { id: "vocabulary", source: "[2], K [R|t]", is_family: true, make: |seed, _| vocabulary(seed) };
-pub(super) const ORDER: Entry = Entry { id: "order", source: "[4], [3]", is_family: true, make: |seed, _| order(seed) };
+pub(super) const PYRAMID: Entry = Entry::family("pyramid", "[1] II, III", |seed, _| pyramid(seed));
+pub(super) const LEFT_HANDED: Entry = Entry::family("left-handed", "[3] §1.5", |seed, _| left_handed(seed));
+pub(super) const VOCABULARY: Entry = Entry::family("vocabulary", "[2], K [R|t]", |seed, _| vocabulary(seed));
+pub(super) const ORDER: Entry = Entry::family("order", "[4], [3]", |seed, _| order(seed));
 
 fn pyramid(seed: u64) -> Exercise {
     let mut random = numbers("pyramid", seed);

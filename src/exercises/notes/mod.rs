@@ -9,12 +9,12 @@ use super::{Entry, Free};
 
 /// In the order of the notes.
 pub static ENTRIES: &[Entry] = &[
-    Entry { id: "0-5.1", source: "[0] 5.1", is_family: false, make: |seed, _| camera::rays(seed) },
-    Entry { id: "0-5.2", source: "[0] 5.2", is_family: false, make: |_, free| camera::zoomed(free) },
-    Entry { id: "0-5.3", source: "[0] 5.3", is_family: false, make: |_, _| camera::cube() },
-    Entry { id: "1-I", source: "[1] I", is_family: false, make: |_, free| pyramid::vertices(free) },
-    Entry { id: "1-II", source: "[1] II", is_family: false, make: |_, free| pyramid::model_and_view(free) },
-    Entry { id: "1-III", source: "[1] III", is_family: false, make: |_, free| pyramid::projection(free) },
+    Entry::of_notes("0-5.1", "[0] 5.1", |seed, _| camera::rays(seed)),
+    Entry::of_notes("0-5.2", "[0] 5.2", |_, free| camera::zoomed(free)),
+    Entry::of_notes("0-5.3", "[0] 5.3", |_, _| camera::cube()),
+    Entry::of_notes("1-I", "[1] I", |_, free| pyramid::vertices(free)),
+    Entry::of_notes("1-II", "[1] II", |_, free| pyramid::model_and_view(free)),
+    Entry::of_notes("1-III", "[1] III", |_, free| pyramid::projection(free)),
 ];
 
 /// A number that the notes leave open, where it was chosen and can be used.

@@ -18,23 +18,45 @@ use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewp
 use crate::foreign;
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
 pub use scene::line_of_object;
-use section::{Fault, Section};
+pub(crate) use section::{Fault, Section};
 
 /// Reads the bytes of a figure file, whatever they are.
 ///
 /// # Errors
 /// [`FigureError`] names the first line that is at fault.
 pub fn parse_bytes(bytes: &[u8]) -> Result<Figure, FigureError> {
+    parse(text_of(bytes, MAX_FIGURE_BYTES)?)
+}
+
+/// The text of a file of at most `limit` bytes.
+///
+/// # Errors
+/// [`FigureError`]: it is too large, or not UTF-8.
+pub fn text_of(bytes: &[u8], limit: usize) -> Result<&str, FigureError> {
     let fault = |line, problem| FigureError { line, key: String::new(), problem };
-    if bytes.len() > MAX_FIGURE_BYTES {
-        return Err(fault(1, Problem::TooLarge { limit: MAX_FIGURE_BYTES }));
+    if bytes.len() > limit {
+        return Err(fault(1, Problem::TooLarge { limit }));
     }
-    let text = std::str::from_utf8(bytes).map_err(|error| {
+    std::str::from_utf8(bytes).map_err(|error| {
         let good = error.valid_up_to();
         let line = 1 + bytes[..good].iter().filter(|b| **b == b'\n').count();
         fault(line, Problem::NotUtf8 { byte: bytes[good] })
-    })?;
-    parse(text)
+    })
+}
+
+/// Reads a file of another kind, with sections of its own, in which a figure may stand.
+///
+/// # Errors
+/// [`FigureError`] names the first line that is at fault.
+pub(crate) fn parse_with<T>(
+    text: &str,
+    read: impl FnOnce(Section<'_>, &mut Vec<Fault>) -> T,
+) -> Result<T, FigureError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
+    let mut faults = Vec::new();
+    let found = read(Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0), &mut faults);
+    first_of(text, faults).map_or(Ok(found), Err)
 }
 
 /// Reads a figure file. A key that is missing has its default; the empty text is the default figure.
@@ -75,28 +97,37 @@ fn first_of(text: &str, faults: Vec<Fault>) -> Option<FigureError> {
 /// The figure of a text that is TOML, and all faults; where there is one, the figure has a default there.
 fn figure_and_faults(text: &str) -> Result<(Figure, Vec<Fault>), FigureError> {
     let document = Document::parse(text).map_err(|error| syntax::explain(text, &error))?;
-    let mut root = Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0);
+    let mut faults = Vec::new();
+    let figure = figure(Section::new(text, Some(document.as_table() as &dyn TableLike), "", 0), &mut faults);
+    Ok((figure, faults))
+}
+
+/// The figure whose sections stand in a section: a file, or a part of one.
+pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
+    let inside = |root: &Section<'_>, key: &str| match root.name_of("") {
+        label if label.is_empty() => format!("[{key}]"),
+        label => format!("[{}.{key}]", label.trim_matches(['[', ']', ' '])),
+    };
     // Asked for in the order of the documentation, in which a message lists them.
     let [camera_section, image_section, viewport_section, scene_section] =
-        ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &format!("[{key}]")));
-    let point_sections = root.sections("points", "[[points]]");
+        ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &inside(&root, key)));
+    let point_sections = root.sections("points", &format!("[{}]", inside(&root, "points")));
     let [style_section, reveal_section, world_section, observers_section] =
-        ["style", "reveal", "world", "observers"].map(|key| root.section(key, &format!("[{key}]")));
-    let mut faults = root.finish();
-    let (image, undistorted) = image(image_section, &mut faults);
-    let figure = Figure {
-        camera: camera(camera_section, &mut faults),
+        ["style", "reveal", "world", "observers"].map(|key| root.section(key, &inside(&root, key)));
+    faults.extend(root.finish());
+    let (image, undistorted) = image(image_section, faults);
+    Figure {
+        camera: camera(camera_section, faults),
         image,
         undistorted,
-        viewport: viewport(viewport_section, image, &mut faults),
-        scene: scene::scene(scene_section, &mut faults),
-        points: points::points(point_sections, &mut faults),
-        style: style(style_section, &mut faults),
-        reveal: reveal(reveal_section, &mut faults),
-        world: world(world_section, &mut faults),
-        observers: observers(observers_section, &mut faults),
-    };
-    Ok((figure, faults))
+        viewport: viewport(viewport_section, image, faults),
+        scene: scene::scene(scene_section, faults),
+        points: points::points(point_sections, faults),
+        style: style(style_section, faults),
+        reveal: reveal(reveal_section, faults),
+        world: world(world_section, faults),
+        observers: observers(observers_section, faults),
+    }
 }
 
 fn camera(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Parameters {

@@ -12,60 +12,70 @@ use crate::figure::words::{self, Words};
 
 /// A fault, and where it stands in the text.
 #[derive(Debug)]
-pub(super) struct Fault {
-    pub(super) at: usize,
-    pub(super) key: String,
-    pub(super) problem: Problem,
+pub(crate) struct Fault {
+    pub(crate) at: usize,
+    pub(crate) key: String,
+    pub(crate) problem: Problem,
 }
 
 impl Fault {
-    pub(super) fn is_unknown_key(&self) -> bool {
+    pub(crate) fn is_unknown_key(&self) -> bool {
         matches!(self.problem, Problem::UnknownKey { .. })
     }
 }
 
 /// A section that is there, or one of which every key has its default.
-pub(super) struct Section<'a> {
+pub(crate) struct Section<'a> {
     text: &'a str,
     table: Option<&'a dyn TableLike>,
     label: String,
     at: usize,
     asked: Vec<&'static str>,
-    pub(super) faults: Vec<Fault>,
+    pub(crate) faults: Vec<Fault>,
 }
 
 impl<'a> Section<'a> {
     /// The section of `table`; `label` is written before its keys in messages, `at` is where it starts.
-    pub(super) fn new(text: &'a str, table: Option<&'a dyn TableLike>, label: &str, at: usize) -> Self {
+    pub(crate) fn new(text: &'a str, table: Option<&'a dyn TableLike>, label: &str, at: usize) -> Self {
         Self { text, table, label: label.to_owned(), at, asked: Vec::new(), faults: Vec::new() }
     }
 
     /// Where `key` stands; `None` where it is not there.
-    pub(super) fn place(&self, key: &str) -> Option<usize> {
+    pub(crate) fn place(&self, key: &str) -> Option<usize> {
         let (key, item) = self.table?.get_key_value(key)?;
         Some(key.span().or_else(|| item.span()).map_or(self.at, |span| span.start))
     }
 
     /// Where the section starts.
-    pub(super) fn start(&self) -> usize {
+    pub(crate) fn start(&self) -> usize {
         self.at
     }
 
-    pub(super) fn is_present(&self, key: &str) -> bool {
+    pub(crate) fn is_present(&self, key: &str) -> bool {
         self.table.is_some_and(|table| table.contains_key(key))
     }
 
+    /// The key is known, and nothing more is said of it.
+    pub(crate) fn skip(&mut self, key: &'static str) {
+        self.ask(key);
+    }
+
+    /// True where there is a list.
+    pub(crate) fn is_list(&self, key: &str) -> bool {
+        self.item(key).is_some_and(Item::is_array)
+    }
+
     /// True where there is a table, even an empty one.
-    pub(super) fn is_table(&self) -> bool {
+    pub(crate) fn is_table(&self) -> bool {
         self.table.is_some()
     }
 
     /// True where no key is there.
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.table.is_none_or(|table| table.iter().next().is_none())
     }
 
-    pub(super) fn name_of(&self, key: &str) -> String {
+    pub(crate) fn name_of(&self, key: &str) -> String {
         match self.label.as_str() {
             "" => key.to_owned(),
             label if label.ends_with('.') => format!("{label}{key}"),
@@ -73,18 +83,18 @@ impl<'a> Section<'a> {
         }
     }
 
-    pub(super) fn fault(&mut self, key: &str, problem: Problem) {
+    pub(crate) fn fault(&mut self, key: &str, problem: Problem) {
         let at = self.place(key).unwrap_or(self.at);
         self.faults.push(Fault { at, key: self.name_of(key), problem });
     }
 
     /// Says that the value of `key` is not among what is allowed.
-    pub(super) fn refuse(&mut self, key: &str, allowed: Allowed) {
+    pub(crate) fn refuse(&mut self, key: &str, allowed: Allowed) {
         let found = self.item(key).and_then(Item::span).map_or_else(String::new, |span| snippet(self.text, span));
         self.fault(key, Problem::Value { found, allowed });
     }
 
-    pub(super) fn missing(&mut self, key: &str, allowed: Allowed) {
+    pub(crate) fn missing(&mut self, key: &str, allowed: Allowed) {
         self.fault(key, Problem::Missing { allowed });
     }
 
@@ -133,12 +143,12 @@ impl<'a> Section<'a> {
         default
     }
 
-    pub(super) fn number(&mut self, key: &'static str, default: f64) -> f64 {
+    pub(crate) fn number(&mut self, key: &'static str, default: f64) -> f64 {
         self.quantity(key, Dimension::Number, default)
     }
 
     /// Degrees.
-    pub(super) fn angle(&mut self, key: &'static str, default: f64) -> f64 {
+    pub(crate) fn angle(&mut self, key: &'static str, default: f64) -> f64 {
         self.quantity(key, Dimension::Angle, default)
     }
 
@@ -146,12 +156,12 @@ impl<'a> Section<'a> {
         self.read_numbers(key, default, Allowed::Number, |value| number(value, dimension))
     }
 
-    pub(super) fn number_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
+    pub(crate) fn number_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
         self.quantity_in(key, Dimension::Number, least, most, default)
     }
 
     /// Degrees.
-    pub(super) fn angle_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
+    pub(crate) fn angle_in(&mut self, key: &'static str, least: f64, most: f64, default: f64) -> f64 {
         self.quantity_in(key, Dimension::Angle, least, most, default)
     }
 
@@ -161,47 +171,47 @@ impl<'a> Section<'a> {
         })
     }
 
-    pub(super) fn positive(&mut self, key: &'static str, default: f64) -> f64 {
+    pub(crate) fn positive(&mut self, key: &'static str, default: f64) -> f64 {
         self.read_numbers(key, default, Allowed::PositiveNumber, |value| {
             number(value, Dimension::Number).and_then(|x| (x > 0.0).then_some(x).ok_or(Refused::Value))
         })
     }
 
     /// An integer from `least` to `most`, which fit the type.
-    pub(super) fn integer<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64, most: i64, default: T) -> T {
+    pub(crate) fn integer<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64, most: i64, default: T) -> T {
         self.read(key, default, Allowed::IntegerIn(least, most), |value| {
             value.as_integer().filter(|i| (least..=most).contains(i)).and_then(|i| T::try_from(i).ok())
         })
     }
 
-    pub(super) fn integer_of(&mut self, key: &'static str, choice: &'static [i64], default: u8) -> u8 {
+    pub(crate) fn integer_of(&mut self, key: &'static str, choice: &'static [i64], default: u8) -> u8 {
         self.read(key, default, Allowed::Integers(choice), |value| {
             value.as_integer().filter(|i| choice.contains(i)).and_then(|i| u8::try_from(i).ok())
         })
     }
 
-    pub(super) fn switch(&mut self, key: &'static str) -> bool {
+    pub(crate) fn switch(&mut self, key: &'static str) -> bool {
         self.read(key, false, Allowed::Switch, Value::as_bool)
     }
 
     /// One of two values, or one of `words`; the first where there is nothing.
-    pub(super) fn switch_or<T: Copy>(&mut self, key: &'static str, [off, on]: [T; 2], words: Words<T>) -> T {
+    pub(crate) fn switch_or<T: Copy>(&mut self, key: &'static str, [off, on]: [T; 2], words: Words<T>) -> T {
         self.read(key, off, Allowed::SwitchOr(words::names(words)), |value| match value.as_bool() {
             Some(switch) => Some(if switch { on } else { off }),
             None => words::value(words, value.as_str()?),
         })
     }
 
-    pub(super) fn vector(&mut self, key: &'static str, default: DVec3) -> DVec3 {
+    pub(crate) fn vector(&mut self, key: &'static str, default: DVec3) -> DVec3 {
         self.read_numbers(key, default, Allowed::Vector, |value| vector(value, Dimension::Number))
     }
 
     /// Degrees about x, y and z.
-    pub(super) fn angles(&mut self, key: &'static str, default: DVec3) -> DVec3 {
+    pub(crate) fn angles(&mut self, key: &'static str, default: DVec3) -> DVec3 {
         self.read_numbers(key, default, Allowed::Vector, |value| vector(value, Dimension::Angle))
     }
 
-    pub(super) fn points(&mut self, key: &'static str, allowed: Allowed) -> Option<Vec<DVec3>> {
+    pub(crate) fn points(&mut self, key: &'static str, allowed: Allowed) -> Option<Vec<DVec3>> {
         let pairs = allowed == Allowed::PointPairs;
         if self.ask(key).is_none() {
             self.missing(key, allowed);
@@ -213,23 +223,67 @@ impl<'a> Section<'a> {
         })
     }
 
-    pub(super) fn color(&mut self, key: &'static str) -> Option<Rgba> {
+    pub(crate) fn color(&mut self, key: &'static str) -> Option<Rgba> {
         self.read(key, None, Allowed::Color, |value| value.as_str()?.parse().ok().map(Some))
     }
 
     /// A text that is not empty.
-    pub(super) fn text(&mut self, key: &'static str) -> Option<String> {
+    pub(crate) fn text(&mut self, key: &'static str) -> Option<String> {
         self.read(key, None, Allowed::Text, |value| {
             value.as_str().filter(|text| !text.is_empty()).map(|text| Some(text.to_owned()))
         })
     }
 
-    pub(super) fn word<T: Clone>(&mut self, key: &'static str, words: Words<T>, default: T) -> T {
+    /// A text that is the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`; in English and in Portuguese.
+    pub(crate) fn told(&mut self, key: &'static str) -> Option<[String; 2]> {
+        self.read(key, None, Allowed::Told, |value| told(value).map(Some))
+    }
+
+    /// A list of such texts.
+    pub(crate) fn told_list(&mut self, key: &'static str) -> Vec<[String; 2]> {
+        self.read(key, Vec::new(), Allowed::ToldList, |value| value.as_array()?.iter().map(told).collect())
+    }
+
+    /// A list of texts, each of which `read` can read.
+    pub(crate) fn list<T>(&mut self, key: &'static str, allowed: Allowed, read: impl Fn(&str) -> Option<T>) -> Vec<T> {
+        self.read(key, Vec::new(), allowed, |value| value.as_array()?.iter().map(|text| read(text.as_str()?)).collect())
+    }
+
+    /// A list of pairs of whole numbers.
+    pub(crate) fn pairs(&mut self, key: &'static str) -> Vec<[i64; 2]> {
+        self.read(key, Vec::new(), Allowed::Pixels, |value| {
+            let pair = |value: &Value| -> Option<[i64; 2]> {
+                let list = value.as_array().filter(|list| list.len() == 2)?;
+                Some([list.get(0)?.as_integer()?, list.get(1)?.as_integer()?])
+            };
+            value.as_array()?.iter().map(pair).collect()
+        })
+    }
+
+    /// Numbers in rows: a number is one row of one, a list is a row for each, a list of lists is as it stands.
+    pub(crate) fn rows(&mut self, key: &'static str, is_angle: bool) -> Option<Vec<Vec<f64>>> {
+        let dimension = if is_angle { Dimension::Angle } else { Dimension::Number };
+        self.read_numbers(key, None, Allowed::Numbers, |value| {
+            let row = |value: &Value| match value.as_array() {
+                Some(list) => list.iter().map(|entry| number(entry, dimension)).collect::<Result<Vec<_>, _>>(),
+                None => Ok(vec![number(value, dimension)?]),
+            };
+            let rows = match value.as_array() {
+                Some(list) => list.iter().map(row).collect::<Result<Vec<_>, _>>()?,
+                None => vec![row(value)?],
+            };
+            let columns = rows.first().map_or(0, Vec::len);
+            let is_table = columns > 0 && rows.iter().all(|row| row.len() == columns);
+            if is_table { Ok(Some(rows)) } else { Err(Refused::Value) }
+        })
+    }
+
+    pub(crate) fn word<T: Clone>(&mut self, key: &'static str, words: Words<T>, default: T) -> T {
         self.choice(key, words).unwrap_or(default)
     }
 
     /// The value of one of `words`; `None` where the key is missing or holds no such word.
-    pub(super) fn choice<T: Clone>(&mut self, key: &'static str, words: Words<T>) -> Option<T> {
+    pub(crate) fn choice<T: Clone>(&mut self, key: &'static str, words: Words<T>) -> Option<T> {
         let written = self.ask(key)?.as_str();
         let value = written.and_then(|text| words::value(words, text));
         if value.is_none() {
@@ -241,7 +295,7 @@ impl<'a> Section<'a> {
     }
 
     /// A section in this one.
-    pub(super) fn section(&mut self, key: &'static str, label: &str) -> Self {
+    pub(crate) fn section(&mut self, key: &'static str, label: &str) -> Self {
         let item = self.ask(key);
         let table = item.and_then(Item::as_table_like);
         if item.is_some() && table.is_none() {
@@ -251,7 +305,7 @@ impl<'a> Section<'a> {
     }
 
     /// Sections in this one: `[[label]]`, or a list of inline tables.
-    pub(super) fn sections(&mut self, key: &'static str, label: &str) -> Vec<Self> {
+    pub(crate) fn sections(&mut self, key: &'static str, label: &str) -> Vec<Self> {
         let Some(item) = self.ask(key) else { return Vec::new() };
         let tables: Option<Vec<(&dyn TableLike, Option<usize>)>> = match item {
             Item::ArrayOfTables(tables) => {
@@ -275,7 +329,7 @@ impl<'a> Section<'a> {
     }
 
     /// The faults of the section, those of keys that nobody asked for included.
-    pub(super) fn finish(mut self) -> Vec<Fault> {
+    pub(crate) fn finish(mut self) -> Vec<Fault> {
         let unknown: Vec<String> = self
             .table
             .iter()
@@ -312,6 +366,20 @@ fn number(value: &Value, dimension: Dimension) -> Result<f64, Refused> {
             expression::evaluate(text, dimension).map_err(|error| Refused::Expression { text: text.clone(), error })
         }
         Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => Err(Refused::Value),
+    }
+}
+
+/// A text for both languages; one that is missing is the other.
+fn told(value: &Value) -> Option<[String; 2]> {
+    let text = |value: &Value| value.as_str().filter(|text| !text.trim().is_empty()).map(str::to_owned);
+    let Some(table) = value.as_inline_table() else { return text(value).map(|text| [text.clone(), text]) };
+    let of = |key: &str| table.get(key).map(text);
+    let [en, pt_br] = ["en", "pt-BR"].map(of);
+    let known = usize::from(en.is_some()) + usize::from(pt_br.is_some());
+    match (en.or(pt_br.clone())?, pt_br) {
+        (Some(en), None) if known == table.len() => Some([en.clone(), en]),
+        (Some(en), Some(Some(pt_br))) if known == table.len() => Some([en, pt_br]),
+        _ => None,
     }
 }
 

@@ -1,0 +1,258 @@
+//! A lecturer's own exercises: one TOML file each, read as figure files are.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::exercise::{Ask, Exercise, Expected, Kind, Unit};
+use super::given::about;
+use super::mistake::Mistake;
+use super::subject::Subject;
+use super::told::{Given, OwnMistake, OwnTexts, Told};
+use super::value::Table;
+use super::{Entry, Make};
+use crate::figure::error::{Allowed, Problem};
+use crate::figure::read::{self, Fault, Section};
+use crate::figure::words::Words;
+use crate::figure::{Figure, FigureError};
+use crate::limits::{MAX_ASKS, MAX_EXERCISE_BYTES, MAX_EXERCISE_NAME};
+use crate::scene::Preset;
+
+/// `unit`
+const UNITS: Words<Unit> =
+    &[("none", Unit::None), ("scene", Unit::Scene), ("degrees", Unit::Degrees), ("pixels", Unit::Pixels)];
+
+/// `code`
+const CODES: Words<Mistake> = {
+    const SWAPPED: [(&str, Mistake); Mistake::ALL.len()] = {
+        let mut words = [("", Mistake::Sign); Mistake::ALL.len()];
+        let mut k = 0;
+        while k < words.len() {
+            words[k] = (Mistake::ALL[k].1, Mistake::ALL[k].0);
+            k += 1;
+        }
+        words
+    };
+    &SWAPPED
+};
+
+/// Reads the bytes of a file that holds an exercise.
+///
+/// # Guarantees
+/// What it asks has right answers, and the mistakes that it names are wrong.
+///
+/// # Errors
+/// [`FigureError`] names the first line that is at fault: the line, the key, what was found and what is allowed.
+pub fn parse_bytes(bytes: &[u8]) -> Result<Entry, FigureError> {
+    parse(read::text_of(bytes, MAX_EXERCISE_BYTES)?)
+}
+
+/// Reads an exercise.
+///
+/// # Errors
+/// As for [`parse_bytes`].
+pub fn parse(text: &str) -> Result<Entry, FigureError> {
+    let exercise = read::parse_with(text, exercise)?;
+    Ok(Entry { id: exercise.id.clone().into(), source: "", is_family: false, make: Make::Own(Arc::new(exercise)) })
+}
+
+/// The fault of an exercise whose identifier another one has.
+#[must_use]
+pub fn taken(text: &str, id: &str) -> FigureError {
+    let refuse = |mut section: Section<'_>, faults: &mut Vec<Fault>| {
+        section.refuse("id", Allowed::FreeName);
+        // Of the others nothing is said: they were good.
+        faults.append(&mut section.faults);
+    };
+    let otherwise = || {
+        let problem = Problem::Value { found: id.to_owned(), allowed: Allowed::FreeName };
+        FigureError { line: 1, key: "id".to_owned(), problem }
+    };
+    read::parse_with(text, refuse).err().unwrap_or_else(otherwise)
+}
+
+fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
+    let id = name(&mut root, "id");
+    let title = told(&mut root, "title");
+    let statement = told(&mut root, "statement");
+    let assumptions = root.told_list("assumptions");
+    let figure_section = root.section("figure", "[figure]");
+    let has_figure = figure_section.is_table();
+    let figure = read::figure(figure_section, faults);
+    let figure = if has_figure { figure } else { Figure::of_preset(Preset::House) };
+    let operations = root.list("ops", Allowed::Operations, |text| text.parse().ok());
+    let points = if root.is_present("points") { root.points("points", Allowed::Points) } else { None };
+    let pixels = root.pairs("pixels");
+    let subject = Subject { figure, operations, points: points.unwrap_or_default(), pixels };
+    // A camera that is not one has been told already.
+    if faults.is_empty() && root.faults.is_empty() && subject.camera().is_err() {
+        root.refuse("ops", Allowed::Operations);
+    }
+    let mut sections = root.sections("ask", "[[ask]]");
+    if let Some(beyond) = sections.get(MAX_ASKS) {
+        let problem = Problem::TooMany { count: sections.len(), limit: MAX_ASKS };
+        faults.push(Fault { at: beyond.start(), key: "[[ask]]".to_owned(), problem });
+        sections.clear();
+    } else if sections.is_empty() {
+        root.missing("ask", Allowed::Sections);
+    }
+    faults.extend(root.finish());
+    // What is asked of a figure that is at fault is not judged.
+    let is_good = faults.iter().all(Fault::is_unknown_key);
+    let (mut asks, mut texts): (Vec<Ask>, BTreeMap<String, Told>) = (Vec::new(), BTreeMap::new());
+    for section in sections.into_iter().filter(|_| is_good) {
+        if let Some((ask, text)) = ask(section, &subject, &asks, faults) {
+            texts.insert(ask.name.clone(), text);
+            asks.push(ask);
+        }
+    }
+    let assumptions = assumptions.into_iter().map(Told::from).collect();
+    let texts = OwnTexts { title, statement, assumptions, asks: texts };
+    // Its statement has its numbers already; braces in it are those of formulas.
+    Exercise { id, facts: Vec::new(), asks, texts: Some(Arc::new(texts)), ..about(subject) }
+}
+
+/// A name that can stand in a command line and in a file.
+fn name(section: &mut Section<'_>, key: &'static str) -> String {
+    let allowed = || Allowed::Name { limit: MAX_EXERCISE_NAME };
+    let Some(text) = section.text(key) else {
+        if !section.is_present(key) {
+            section.missing(key, allowed());
+        }
+        return String::new();
+    };
+    let is_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    if text.chars().all(is_name) && text.len() <= MAX_EXERCISE_NAME {
+        return text;
+    }
+    section.refuse(key, allowed());
+    String::new()
+}
+
+/// A text that has to be there.
+fn told(section: &mut Section<'_>, key: &'static str) -> Told {
+    if !section.is_present(key) {
+        section.missing(key, Allowed::Told);
+    }
+    section.told(key).map(Told::from).unwrap_or_default()
+}
+
+/// What is asked, and its text; `None`, and a fault, where it cannot be asked.
+fn ask(mut section: Section<'_>, subject: &Subject, before: &[Ask], faults: &mut Vec<Fault>) -> Option<(Ask, Told)> {
+    let name = name(&mut section, "name");
+    if before.iter().any(|other| other.name == name) && !name.is_empty() {
+        section.fault("name", Problem::Duplicate);
+    }
+    let text = told(&mut section, "text");
+    let unit = section.choice("unit", UNITS);
+    let whole = section.is_present("whole").then(|| section.switch("whole"));
+    let tolerance = section.is_present("tolerance").then(|| section.positive("tolerance", 1.0));
+    let choices = section.list("choices", Allowed::Texts, |text| (!text.trim().is_empty()).then(|| text.to_owned()));
+    let ask = asked(&mut section, &name, subject, choices, unit);
+    let mistakes = section.sections("mistake", "[[ask.mistake]]");
+    faults.extend(section.finish());
+    let mut ask = ask?;
+    ask.unit = unit.unwrap_or(ask.unit);
+    ask.whole = whole.unwrap_or(ask.whole);
+    ask.tolerance = tolerance.unwrap_or(ask.tolerance);
+    for section in mistakes {
+        let own = own_mistake(section, &ask, faults);
+        ask.own_mistakes.extend(own.map(Arc::new));
+    }
+    Some((ask, text))
+}
+
+/// An ask by its `quantity` or its `answer`.
+fn asked(
+    section: &mut Section<'_>,
+    name: &str,
+    subject: &Subject,
+    choices: Vec<String>,
+    unit: Option<Unit>,
+) -> Option<Ask> {
+    let quantity = section.text("quantity");
+    match (section.is_present("quantity"), section.is_present("answer")) {
+        (true, true) => {
+            section.refuse("answer", Allowed::Either("quantity", "answer"));
+            // It is known all the same.
+            section.skip("answer");
+            None
+        }
+        (false, false) => {
+            section.skip("answer");
+            section.missing("answer", Allowed::Either("quantity", "answer"));
+            None
+        }
+        (true, false) => {
+            section.skip("answer");
+            let path = quantity?;
+            if subject.value(&path).is_none_or(|table| !table.is_finite()) {
+                section.refuse("quantity", Allowed::Quantity);
+                return None;
+            }
+            Some(Ask::quantity(name, subject, &path))
+        }
+        (false, true) => match given(section, &choices, unit)? {
+            Given::Choice(right) => {
+                let choices: Vec<&str> = choices.iter().map(String::as_str).collect();
+                Some(Ask::choice(name, &choices, right, &[], Vec::new()))
+            }
+            Given::Numbers(table) => {
+                let kind = match table.shape() {
+                    [1, 1] => Kind::Number,
+                    [rows, 1] => Kind::Vector(rows),
+                    [rows, columns] => Kind::Matrix(rows, columns),
+                };
+                Some(Ask::computed(name, kind, Vec::new(), move |slips| {
+                    // What is known of mistakes needs a figure; only what is done to any table is known here.
+                    (slips == super::Slips::NONE).then(|| table.clone())
+                }))
+            }
+        },
+    }
+}
+
+/// `answer`: one of the choices, or numbers.
+fn given(section: &mut Section<'_>, choices: &[String], unit: Option<Unit>) -> Option<Given> {
+    if choices.is_empty() {
+        let rows = section.rows("answer", unit == Some(Unit::Degrees))?;
+        let columns = rows.first().map_or(0, Vec::len);
+        return Some(Given::Numbers(Table { rows: rows.len(), columns, entries: rows.concat() }));
+    }
+    let allowed = || Allowed::Choice(choices.to_vec());
+    let text = section.text("answer");
+    let found = text.and_then(|text| choices.iter().position(|choice| *choice == text));
+    if found.is_none() && section.is_present("answer") {
+        section.faults.retain(|fault| !matches!(fault.problem, Problem::Value { allowed: Allowed::Text, .. }));
+        section.refuse("answer", allowed());
+    }
+    found.map(Given::Choice)
+}
+
+fn own_mistake(mut section: Section<'_>, ask: &Ask, faults: &mut Vec<Fault>) -> Option<OwnMistake> {
+    let choices = match &ask.kind {
+        Kind::Choice(choices) => choices.clone(),
+        _ => Vec::new(),
+    };
+    if !section.is_present("answer") {
+        section.missing("answer", if choices.is_empty() { Allowed::Numbers } else { Allowed::Choice(choices.clone()) });
+    }
+    let answer = given(&mut section, &choices, Some(ask.unit));
+    let is_right = match (&answer, ask.expected()) {
+        (Some(Given::Choice(wrong)), Expected::Choice(right, ..)) => wrong == right,
+        (Some(Given::Numbers(wrong)), expected) => expected.table().is_some_and(|right| {
+            let mut both = wrong.entries.iter().zip(&right.entries);
+            wrong.shape() == right.shape() && both.all(|(wrong, right)| ask.accepts(Some(*wrong), *right))
+        }),
+        _ => false,
+    };
+    if is_right {
+        section.refuse("answer", Allowed::WrongAnswer);
+    }
+    let message = told(&mut section, "message");
+    let hints =
+        if section.is_list("hint") { section.told_list("hint") } else { section.told("hint").into_iter().collect() };
+    let mistake = section.choice("code", CODES);
+    faults.extend(section.finish());
+    let hints = hints.into_iter().map(Told::from).collect();
+    answer.map(|answer| OwnMistake { answer, mistake, message, hints })
+}

@@ -1,0 +1,181 @@
+//! A lecturer's own exercises: what their files may hold, what is said of those that hold something else, and the command line over them.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::path::Path;
+
+use camera_lab::exercises::{Free, check, own};
+use camera_lab::files::{FileError, read_exercises};
+use camera_lab::i18n::{Lang, exercises as texts, messages};
+use camera_lab::limits::MAX_OWN_EXERCISES;
+
+use crate::common::program::Bench;
+
+const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises");
+
+/// An exercise about a camera at (0, 0, 5) that looks at the origin.
+const PLAIN: &str = "id = \"mine\"\ntitle = \"Mine\"\nstatement = \"Say it.\"\n[figure.camera]\nposition = [0, 0, 5]\n";
+
+fn fault(text: &str) -> [String; 2] {
+    let error = own::parse(text).err().unwrap_or_else(|| panic!("read: {text}"));
+    [Lang::En, Lang::PtBr].map(|lang| messages::figure(lang, &error))
+}
+
+/// By hand: C = (3, 4, 12), so D = 13 and **n** = (3, 4, 12)/13; (0, 1, 0) × **n** = (12, 0, −3)/13, so **u** = (4, 0, −1)/√17. A quarter turn
+/// about **v** takes **n** to **u**.
+#[test]
+fn the_examples_are_read_and_judged() {
+    let found = read_exercises(Path::new(EXAMPLES)).unwrap();
+    assert!(found.faults.is_empty(), "{:?}", found.faults);
+    let ids: Vec<&str> = found.entries.iter().map(|entry| &*entry.id).collect();
+    assert_eq!(ids, ["field-of-view", "house-view"]);
+    let judged = |entry: usize, name: &str, answer: &str| {
+        let entry = &found.entries[entry];
+        let exercise = entry.exercise(0, &Free::new());
+        let ask = exercise.asks.iter().find(|ask| ask.name == name).unwrap();
+        let judged = check(entry, &exercise, ask, answer).unwrap();
+        let said = judged.diagnosis.as_ref().map(|found| texts::diagnosis(Lang::PtBr, found)).unwrap_or_default();
+        (judged.right, said)
+    };
+    assert_eq!(judged(1, "n", "[4/sqrt(17), 0, -1/sqrt(17)]"), (true, String::new()));
+    assert_eq!(judged(1, "n", "[3/13, 4/13, 12/13]").1, "Este é o **n** de antes do azimute.");
+    // The known mistakes come by themselves: this is a quarter turn the other way.
+    assert_eq!(judged(1, "n", "[-4/sqrt(17), 0, 1/sqrt(17)]").1, "Girou para o outro lado.");
+    assert_eq!(judged(0, "theta", "90°"), (true, String::new()));
+    assert_eq!(judged(0, "theta", "45").1, "Esta é a metade do ângulo: do eixo à borda.");
+    assert_eq!(judged(0, "changes", "dolly").1, "Um dolly move a câmera, seu ângulo fica.");
+    assert!(judged(0, "changes", "zoom").0);
+    let (_, said) = judged(0, "axes", "[[1, 0, 0], [0, 1, 0], [0, 0, -1]]");
+    assert!(said.contains("sinal"), "{said}");
+    for (lang, title) in [(Lang::En, "Half the picture"), (Lang::PtBr, "Metade da imagem")] {
+        assert_eq!(texts::title(lang, &found.entries[0]), title);
+    }
+}
+
+#[test]
+fn a_file_at_fault_is_told_by_line_key_and_what_is_allowed() {
+    let whole = |text: String| format!("{text}[[ask]]\nname = \"a\"\ntext = \"What?\"\nanswer = 1\n");
+    let ask = |rest: &str| format!("{PLAIN}[[ask]]\nname = \"a\"\ntext = \"What?\"\n{rest}\n");
+    for (text, parts) in [
+        (whole(PLAIN.replace("id = \"mine\"\n", "")), &["id ", "64"][..]),
+        (whole(PLAIN.replace("mine", "my own")), &["1", "id", "\"my own\""]),
+        (whole(PLAIN.replace("\"Mine\"", "{ en = \"Mine\", de = \"Meine\" }")), &["2", "title", "pt-BR"]),
+        (PLAIN.to_owned(), &["ask"]),
+        (whole(PLAIN.replace("position", "positoin")), &["5", "[figure.camera] positoin", "position"]),
+        (whole(format!("ops = [\"azimut=30\"]\n{PLAIN}")), &["1", "ops", "azimuth=30"]),
+        (whole(format!("ops = [\"dolly=1e308\", \"dolly=1e308\"]\n{PLAIN}")), &["1", "ops"]),
+        (whole(format!("pixels = [[1.5, 2]]\n{PLAIN}")), &["1", "pixels", "[[i, j], …]"]),
+        (ask("quantity = \"basis.w\""), &["9", "[[ask]] quantity", "\"basis.w\"", "points.0.ndc"]),
+        (ask("quantity = \"points.0.ndc\""), &["9", "[[ask]] quantity"]),
+        (ask("quantity = \"basis.n\"\nanswer = 3"), &["10", "[[ask]] answer", "quantity"]),
+        (ask(""), &["[[ask]] answer", "quantity"]),
+        (ask("answer = \"1/\""), &["9", "[[ask]] answer", "1/"]),
+        (ask("answer = [[1, 2], [3]]"), &["9", "[[ask]] answer", "[[…], […], …]"]),
+        (ask("answer = 3\nunit = \"pixel\""), &["10", "[[ask]] unit", "\"pixels\""]),
+        (ask("answer = 3\ntolerance = 0"), &["10", "[[ask]] tolerance", "0"]),
+        (
+            ask("choices = [\"up\", \"down\"]\nanswer = \"left\""),
+            &["10", "[[ask]] answer", "\"left\"", "\"up\", \"down\""],
+        ),
+        (ask("answer = 3\n[[ask]]\nname = \"a\"\ntext = \"?\"\nanswer = 4"), &["11", "[[ask]] name"]),
+        (
+            ask("answer = 3\n[[ask.mistake]]\nanswer = 3.0001\nmessage = \"no\""),
+            &["11", "[[ask.mistake]] answer", "3.0001"],
+        ),
+        (ask("answer = 3\n[[ask.mistake]]\nanswer = 4"), &["[[ask.mistake]] message"]),
+        (
+            ask("answer = 3\n[[ask.mistake]]\nanswer = 4\nmessage = \"no\"\ncode = \"signs\""),
+            &["13", "code", "\"sign\""],
+        ),
+        (ask("answer = 3\nhint = \"x\""), &["10", "[[ask]] hint"]),
+    ] {
+        let [en, pt] = fault(&text);
+        for part in parts {
+            assert!(en.contains(part) && pt.contains(part), "{part}: {en} / {pt}");
+        }
+        assert_ne!(en, pt);
+    }
+}
+
+#[test]
+fn a_folder_is_read_file_by_file_and_within_its_budget() {
+    let bench = Bench::new("own-folder");
+    let named = |id: &str| format!("{}[[ask]]\nname = \"a\"\ntext = \"?\"\nanswer = 1\n", PLAIN.replace("mine", id));
+    bench.write("10.toml", named("ten"));
+    bench.write("9.toml", named("nine"));
+    bench.write("notes.md", "not an exercise");
+    bench.write("taken.toml", format!("# mine\n{}", named("basis")));
+    bench.write("twice.toml", named("ten"));
+    bench.write("wrong.toml", "id = 3\n");
+    bench.write("long.toml", "#".repeat((1 << 20) + 1));
+    let found = read_exercises(&bench.path("")).unwrap();
+    assert_eq!(found.entries.iter().map(|entry| &*entry.id).collect::<Vec<_>>(), ["nine", "ten"]);
+    let said: Vec<String> = found.faults.iter().map(|(_, error)| messages::file(Lang::En, "x", error)).collect();
+    assert_eq!(said.len(), 4, "{said:?}");
+    for (said, part) in
+        said.iter().zip(["1048576 bytes", "line 2: id is \"basis\"", "line 1: id is \"ten\"", "line 1: id"])
+    {
+        assert!(said.contains(part), "{said}");
+    }
+    for k in 0..MAX_OWN_EXERCISES {
+        bench.write(&format!("more-{k}.toml"), "");
+    }
+    assert!(matches!(read_exercises(&bench.path("")), Err(FileError::TooManyExercises)));
+    assert!(matches!(read_exercises(&bench.path("none")), Err(FileError::Read(_))));
+    assert!(matches!(read_exercises(Path::new("//host/share")), Err(FileError::Network)));
+}
+
+#[test]
+fn the_command_line_takes_a_folder() {
+    let bench = Bench::new("own-command");
+    let list = bench.run(&["exercise", "list", "--folder", EXAMPLES, "--format", "json"]).json();
+    let ids: Vec<&str> = list.as_array().unwrap().iter().map(|line| line["id"].as_str().unwrap()).collect();
+    assert_eq!((ids[0], &ids[ids.len() - 2..]), ("0-5.1", &["field-of-view", "house-view"][..]));
+    let shown =
+        bench.run(&["exercise", "show", "house-view", "--folder", EXAMPLES, "--format", "json", "--solution"]).json();
+    assert_eq!(shown["ops"][0], "azimuth=90");
+    assert_eq!(shown["asks"][0]["quantity"], "basis.n");
+    assert!((shown["answers"]["n"][0].as_f64().unwrap() - 4.0 / 17.0_f64.sqrt()).abs() < 1e-12);
+    assert!(shown["steps"].as_array().unwrap().len() > 3);
+    let answers = [
+        "exercise",
+        "check",
+        "field-of-view",
+        "--folder",
+        EXAMPLES,
+        "--format",
+        "json",
+        "--answer",
+        "theta=45",
+        "--answer",
+        "changes=dolly",
+    ];
+    let run = bench.run(&answers);
+    assert_eq!(run.status, Some(1), "{}", run.err);
+    let judged: serde_json::Value = serde_json::from_slice(&run.out).unwrap();
+    assert_eq!(judged["answers"][0]["diagnosis"]["code"], "whole-angle");
+    assert_eq!(judged["answers"][0]["diagnosis"]["hints"][1], "$\\tan(\\theta/2) = 2/2$");
+    assert_eq!(judged["answers"][1]["diagnosis"]["code"], "own");
+    for name in ["sheet.md", "sheet.tex"] {
+        bench
+            .run(&[
+                "exercise",
+                "sheet",
+                "--ids",
+                "house-view,basis,field-of-view",
+                "--folder",
+                EXAMPLES,
+                "--answers",
+                "-o",
+                name,
+            ])
+            .done();
+        let text = String::from_utf8(bench.read(name)).unwrap();
+        assert!(text.contains("The house from the corner") && text.contains("$\\theta = 60^{\\circ}$"), "{text}");
+    }
+    bench.write("bad.toml", "id = \"x\"\n");
+    let folder = bench.path("");
+    let message = bench.run(&["exercise", "list", "--folder", folder.to_str().unwrap()]).refused(2).to_owned();
+    assert!(message.contains("bad.toml") && message.contains("title"), "{message}");
+    bench.run(&["exercise", "show", "house-view"]).refused(2);
+}
