@@ -228,21 +228,8 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
     if right { Ok(()) } else { Err(Failure::NotRight) }
 }
 
-/// Hints for a wrong answer, weaker ones first; none for a right one.
-fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Vec<String> {
-    match &verdict.diagnosis {
-        _ if verdict.right => Vec::new(),
-        Some(diagnosis) => texts::hints(lang, diagnosis).into_iter().map(str::to_owned).collect(),
-        None => {
-            let steps = texts::steps(lang, exercise, ask, DIGITS);
-            let first = steps.first().and_then(|step| step.lines().next()).map(str::to_owned);
-            texts::hints_without_diagnosis(lang, &verdict.entries, first.as_deref())
-        }
-    }
-}
-
 fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Value {
-    let hints = hints(lang, exercise, ask, verdict);
+    let hints = said::hints(lang, exercise, ask, verdict);
     let diagnosis = verdict.diagnosis.as_ref().map(|diagnosis| {
         let codes: Vec<&str> = diagnosis.mistakes.iter().map(|mistake| mistake.code()).collect();
         json!({
@@ -288,7 +275,7 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
         if let Some(diagnosis) = &verdict.diagnosis {
             let _ = writeln!(text, "  {}", plain(&texts::diagnosis(lang, diagnosis)));
         }
-        for hint in hints(lang, exercise, ask, verdict) {
+        for hint in said::hints(lang, exercise, ask, verdict) {
             let _ = writeln!(text, "  {}: {}", t.hint, plain(&hint));
         }
     }

@@ -17,7 +17,7 @@ use super::motion;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{News, Sessions};
-use super::state::{AfterSave, Dialog, Message, Purpose, Side, State};
+use super::state::{AfterSave, Dialog, ExplainTab, Message, Purpose, Side, State};
 use super::{dialogs, explain, menu, noted, panels, presentation, sequence, theme, tooltip};
 use crate::appearance::Theme;
 use crate::foreign;
@@ -322,6 +322,8 @@ impl App {
             Command::ParametersPanel => state.settings.panels_mut().toggle(Side::Left),
             Command::NumbersPanel => state.settings.panels_mut().toggle(Side::Right),
             Command::Explain => state.settings.panels_mut().toggle(Side::Explain),
+            Command::Exercises if state.shows_exercises() => state.settings.panels_mut().toggle(Side::Explain),
+            Command::Exercises => state.show_explanation(ExplainTab::Exercises),
             Command::Tab(tab) => {
                 state.settings.tab = tab;
                 if !state.settings.panels().is_shown(Side::Left) {

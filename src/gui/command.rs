@@ -92,6 +92,8 @@ pub enum Command {
     Numerics,
     /// Shows or hides the explanations of the numbers.
     Explain,
+    /// Shows or hides the exercises.
+    Exercises,
     /// Mouse and keyboard at a glance.
     Help,
 }
@@ -132,13 +134,14 @@ impl Command {
         Self::Numerics,
     ];
     /// The menu of the window: its panels, its looks, its language.
-    pub const WINDOW: [Self; 12] = [
+    pub const WINDOW: [Self; 13] = [
         Self::Tab(Tab::Camera),
         Self::Tab(Tab::Scene),
         Self::Tab(Tab::Drawing),
         Self::ParametersPanel,
         Self::NumbersPanel,
         Self::Explain,
+        Self::Exercises,
         Self::Theme,
         Self::ReduceMotion,
         Self::ZoomIn,
@@ -220,6 +223,7 @@ impl Command {
             Self::ParametersPanel => (t.parameters_panel, t.parameters_panel_hint),
             Self::NumbersPanel => (t.numbers_panel, t.numbers_panel_hint),
             Self::Explain => (t.explain_panel, t.explain_panel_hint),
+            Self::Exercises => (t.exercises, t.exercises_hint),
             Self::Tab(Tab::Camera) => (t.camera_tab, t.camera_tab_hint),
             Self::Tab(Tab::Scene) => (t.scene_tab, t.scene_tab_hint),
             Self::Tab(Tab::Drawing) => (t.drawing_tab, t.drawing_tab_hint),
@@ -279,6 +283,7 @@ impl Command {
             Self::ParametersPanel => (Modifiers::NONE, Key::F8),
             Self::NumbersPanel => (Modifiers::NONE, Key::F9),
             Self::Explain => (Modifiers::ALT, Key::E),
+            Self::Exercises => (Modifiers::ALT, Key::X),
             Self::Pipeline => (Modifiers::NONE, Key::F10),
             Self::Numerics => (Modifiers::COMMAND, Key::Num9),
             Self::Tab(Tab::Camera) => (Modifiers::NONE, Key::F5),
@@ -344,6 +349,7 @@ impl Command {
             | Self::ParametersPanel
             | Self::NumbersPanel
             | Self::Explain
+            | Self::Exercises
             | Self::Tab(_)
             | Self::Show(_)
             | Self::Arrange(_)
@@ -395,6 +401,7 @@ impl Command {
             | Self::ParametersPanel
             | Self::NumbersPanel
             | Self::Explain
+            | Self::Exercises
             | Self::Tab(_)
             | Self::Show(_)
             | Self::Arrange(_)
@@ -421,6 +428,7 @@ impl Command {
             Self::ParametersPanel => Some(state.settings.panels().is_shown(Side::Left)),
             Self::NumbersPanel => Some(state.settings.panels().is_shown(Side::Right)),
             Self::Explain => Some(state.settings.panels().is_shown(Side::Explain)),
+            Self::Exercises => Some(state.shows_exercises()),
             Self::Tab(tab) => Some(state.settings.tab == tab && state.settings.panels().is_shown(Side::Left)),
             Self::Show(picture) => Some(state.layout.is_shown(picture)),
             Self::Arrange(arrangement) => Some(state.layout.arrangement == arrangement),

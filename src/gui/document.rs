@@ -23,6 +23,25 @@ pub struct Document {
     saved: Figure,
     opened: Parameters,
     history: History,
+    /// The file that stays alone while another figure is shown.
+    aside: Option<Aside>,
+}
+
+/// A file whose figure was left for another one, in the same document.
+#[derive(Clone, Debug)]
+struct Aside {
+    path: Option<PathBuf>,
+    shipped: Option<&'static str>,
+    source: String,
+    /// The figure that was left.
+    own: Figure,
+    /// The one that is shown in its place.
+    lent: Figure,
+}
+
+/// True where figures are the same, from wherever they are seen.
+fn same(a: &Figure, b: &Figure) -> bool {
+    Figure { observers: b.observers, ..a.clone() } == *b
 }
 
 impl Document {
@@ -53,6 +72,7 @@ impl Document {
             saved: figure.clone(),
             opened: figure.camera,
             figure,
+            aside: None,
         })
     }
 
@@ -124,6 +144,19 @@ impl Document {
         let Some(Moment { figure, camera, draft }) = moment else { return };
         (self.figure, self.camera, self.draft) = (figure, camera, draft);
         self.problem = Camera::new(&self.draft).err();
+        self.follow_file();
+    }
+
+    /// The file belongs to the figure that was left, and to those before it.
+    fn follow_file(&mut self) {
+        let Some(aside) = &mut self.aside else { return };
+        let has_file = self.path.is_some() || self.shipped.is_some();
+        let comes_back = !has_file && same(&self.figure, &aside.own);
+        if comes_back || (has_file && same(&self.figure, &aside.lent)) {
+            std::mem::swap(&mut self.path, &mut aside.path);
+            std::mem::swap(&mut self.shipped, &mut aside.shipped);
+            std::mem::swap(&mut self.source, &mut aside.source);
+        }
     }
 
     /// Makes an undo step of what has changed since the last one. Call it when no pointer or key is held, so that a drag is
@@ -169,6 +202,22 @@ impl Document {
         self.figure = figure;
         self.problem = None;
         self.commit();
+        Ok(())
+    }
+
+    /// Shows another figure, as one undo step. The file stays with the figure that is left: saving asks for another one, until undoing has led back.
+    ///
+    /// # Errors
+    /// As for [`Self::replace`].
+    pub fn lend(&mut self, figure: Figure) -> Result<(), CameraError> {
+        self.commit();
+        let own = self.figure.clone();
+        self.replace(figure)?;
+        if self.path.is_some() || self.shipped.is_some() {
+            let (path, shipped) = (self.path.take(), self.shipped.take());
+            let source = std::mem::take(&mut self.source);
+            self.aside = Some(Aside { path, shipped, source, own, lent: self.figure.clone() });
+        }
         Ok(())
     }
 
@@ -267,6 +316,7 @@ impl Document {
 
     /// Notes that the figure now stands in a file with this text.
     pub fn mark_saved(&mut self, path: PathBuf, source: String) {
+        self.aside = None;
         self.folder = path.parent().map(Path::to_owned);
         self.path = Some(path);
         self.source = source;

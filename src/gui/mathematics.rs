@@ -10,6 +10,8 @@ use eframe::egui::{
 use ratex_layout::{LayoutOptions, layout, to_display_list};
 use ratex_types::display_item::{DisplayItem, DisplayList};
 
+use crate::i18n::notes::plain;
+
 /// The fonts, by the names that `RaTeX` has for them. What would need another one is written as text.
 const FONTS: [(&str, &[u8]); 7] = [
     ("Main-Regular", include_bytes!("../../assets/fonts/KaTeX_Main-Regular.ttf")),
@@ -215,6 +217,44 @@ pub(super) fn show(ui: &mut Ui, latex: &str, text: &str, size: f32) -> Response 
     formula.paint(ui.painter(), place.min, ui.visuals().text_color());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
     response
+}
+
+/// A formula in a line of words, on their baseline.
+pub(super) fn inline(ui: &mut Ui, latex: &str, font: &FontId, color: Color32) {
+    let text = plain(latex);
+    let formula = Formula::new(ui, latex, &text, font.size * 1.08);
+    let sample = ui.painter().layout_no_wrap("x".to_owned(), font.clone(), color);
+    let (place, response) = ui.allocate_exact_size(vec2(formula.size().x, sample.size().y), Sense::hover());
+    formula.paint(ui.painter(), place.min + vec2(0.0, baseline_of(&sample) - formula.baseline()), color);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
+}
+
+/// The same as LaTeX and as text.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Both {
+    pub(super) latex: String,
+    pub(super) text: String,
+}
+
+/// name = formula = numbers = value, each once.
+pub(super) fn chain(ui: &mut Ui, name: &Both, said: &[Both]) {
+    /// The type size, in points.
+    const CHAIN: f32 = 14.0;
+    let mut last = name;
+    for (i, next) in said.iter().enumerate() {
+        if i > 0 && next.text == last.text {
+            continue;
+        }
+        let (latex, text) = if std::ptr::eq(last, name) {
+            (format!("{} = {}", name.latex, next.latex), format!("{} = {}", name.text, next.text))
+        } else {
+            (format!(r"\quad = {}", next.latex), format!("= {}", next.text))
+        };
+        egui::ScrollArea::horizontal().id_salt(("chain", &name.text, i)).show(ui, |ui| {
+            show(ui, &latex, &text, CHAIN);
+        });
+        last = next;
+    }
 }
 
 #[cfg(test)]

@@ -59,6 +59,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
                 (Command::Pipeline, "⬓"),
                 (Command::NumbersPanel, "◨"),
                 (Command::Explain, "?"),
+                (Command::Exercises, "✎"),
             ] {
                 if switch(ui, t, state, command, sign) {
                     switched = Some(command);

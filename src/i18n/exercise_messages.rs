@@ -1,7 +1,7 @@
 //! What the command line says about exercises, besides the exercises themselves.
 
-use super::{Lang, exercises::mistake};
-use crate::exercises::Why;
+use super::{Lang, exercises, exercises::mistake};
+use crate::exercises::{Ask, Exercise, Judged, Why};
 use crate::foreign::shown;
 
 texts! {
@@ -104,6 +104,22 @@ pub const fn greater_than_zero(lang: Lang) -> &'static str {
     match lang {
         Lang::En => "a number greater than 0 is expected",
         Lang::PtBr => "esperava-se um número maior que 0",
+    }
+}
+
+/// Hints for a wrong answer, weaker ones first; none for a right one.
+#[must_use]
+pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Vec<String> {
+    /// Digits of the numbers in the first step.
+    const DIGITS: usize = 6;
+    match &verdict.diagnosis {
+        _ if verdict.right => Vec::new(),
+        Some(diagnosis) => exercises::hints(lang, diagnosis).into_iter().map(str::to_owned).collect(),
+        None => {
+            let steps = exercises::steps(lang, exercise, ask, DIGITS);
+            let first = steps.first().and_then(|step| step.lines().next()).map(str::to_owned);
+            exercises::hints_without_diagnosis(lang, &verdict.entries, first.as_deref())
+        }
     }
 }
 

@@ -27,6 +27,8 @@ texts! {
     code_hint: "The camera as code for a library", "A câmera como código para uma biblioteca";
     notes: "Notes", "Notas";
     notes_hint: "A short text for each symbol, operation, equation, step and stage; F1 on one of them leads here", "Um texto curto para cada símbolo, operação, equação, passo e etapa; F1 sobre um deles traz até aqui";
+    exercises: "Exercises", "Exercícios";
+    exercises_hint: "The notes' exercises and families with ever new numbers: answers are checked, and wrong ones explained", "Os exercícios das notas e famílias com números sempre novos: as respostas são conferidas, e as erradas explicadas";
     search_notes: "Search the notes", "Procurar nas notas";
     search_notes_hint: "Words, symbols or numbers of equations; accents and capitals do not matter. Enter reads the first", "Palavras, símbolos ou números de equações; acentos e maiúsculas não importam. Enter lê a primeira";
     no_note: "No note says that.", "Nenhuma nota diz isso.";

@@ -43,6 +43,7 @@ pub mod dialects;
 pub mod exercise_messages;
 pub mod exercise_sheet;
 mod exercise_texts;
+pub mod exercise_window;
 pub mod exercises;
 pub mod explain;
 pub mod explain_point;
@@ -97,7 +98,7 @@ impl Lang {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lang, canvas, coach, conventions, order, pictures, reasons, scenes};
+    use super::{Lang, canvas, coach, conventions, exercise_window, order, pictures, reasons, scenes};
 
     /// The words of the window itself have a test of their own, in the window.
     #[test]
@@ -113,6 +114,7 @@ mod tests {
         };
         check(canvas::texts(Lang::En).entries(), canvas::texts(Lang::PtBr).entries());
         check(coach::texts(Lang::En).entries(), coach::texts(Lang::PtBr).entries());
+        check(exercise_window::texts(Lang::En).entries(), exercise_window::texts(Lang::PtBr).entries());
         check(order::texts(Lang::En).entries(), order::texts(Lang::PtBr).entries());
         check(conventions::texts(Lang::En).entries(), conventions::texts(Lang::PtBr).entries());
         check(pictures::texts(Lang::En).entries(), pictures::texts(Lang::PtBr).entries());

@@ -12,6 +12,7 @@ texts! {
     vertex: "vertex", "vértice";
     point: "point", "ponto";
     before: "before", "antes";
+    answered: "your answer", "sua resposta";
     depth_stored: "depth buffer: Z (5.25)", "z-buffer: Z (5.25)";
     depth_linear: "distance from the eye", "distância ao olho";
     nothing: "nothing here", "nada aqui";
@@ -103,6 +104,7 @@ const fn of(t: &Texts) -> Labels {
         vertex: t.vertex,
         point: t.point,
         before: t.before,
+        answered: t.answered,
         depth_stored: t.depth_stored,
         depth_linear: t.depth_linear,
         nothing: t.nothing,

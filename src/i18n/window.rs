@@ -68,6 +68,8 @@ texts! {
     numbers_panel: "Operations and numbers", "Operações e números";
     numbers_panel_hint: "The panel on the right", "O painel da direita";
     explain_panel: "Explanations", "Explicações";
+    exercises: "Exercises", "Exercícios";
+    exercises_hint: "The notes' exercises and families with ever new numbers, whose answers are checked and explained", "Os exercícios das notas e famílias com números sempre novos, cujas respostas são conferidas e explicadas";
     explain_panel_hint: "Every number with its formula, in the place of operations and numbers", "Cada número com sua fórmula, no lugar de operações e números";
     camera_tab: "Camera tab", "Aba da câmera";
     camera_tab_hint: "Camera, projection, view window, image", "Câmera, projeção, janela de vista, imagem";

@@ -28,6 +28,7 @@ impl Content {
         let scene = request.scene.bounds();
         let mut points = vec![camera.position()];
         points.extend(request.overlays.ghost.iter().map(|g| g.before.position()));
+        points.extend(request.overlays.answered.iter().map(Camera::position));
         points.extend(scene.iter().flat_map(Aabb::corners));
         let boxed = |points: &[DVec3]| {
             Aabb::around(points.iter().copied()).unwrap_or(Aabb { min: camera.position(), max: camera.position() })

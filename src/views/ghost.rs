@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DQuat, DVec2, DVec3};
 
-use crate::appearance::{Dash, HiddenLines, MarkShape};
+use crate::appearance::{Dash, HiddenLines, MarkShape, Rgba};
 use crate::camera::{Camera, Operation};
 use crate::geometry::Ray;
 use crate::scene::{Object, ObjectPaint};
@@ -13,8 +13,11 @@ use super::gear::Gear;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
 use super::{Ghost, Palette, Request};
 
-/// Adds the operation that is being tried, if there is one.
+/// Adds the operation that is being tried, and the camera that an answer describes, where there are any.
 pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear) {
+    if let Some(answered) = &request.overlays.answered {
+        camera_answered(builder, request, palette, gear, answered);
+    }
     let Some(ghost) = &request.overlays.ghost else { return };
     camera_before(builder, request, palette, gear, &ghost.before);
     let after = &request.camera;
@@ -30,14 +33,36 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
     }
 }
 
-/// The camera before, faintly: body, line to PF, and where the window was.
+/// The camera before, faintly, with its name where it has moved.
 fn camera_before(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear, before: &Camera) {
-    let color = palette.ghost;
-    let c = before.position();
+    let (c, color) = (before.position(), palette.ghost);
+    camera(builder, gear, before, "camera before", color);
+    let moved = c.distance(request.camera.position()) > 0.5 * gear.axis;
+    if moved {
+        builder.mark(c, MarkShape::Ring, 3.0, color);
+        builder.text(c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
+    }
+}
+
+/// The camera of an answer with its axes and its name, in the colour of what is wrong.
+fn camera_answered(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear, answered: &Camera) {
+    let (c, color) = (answered.position(), palette.wrong);
+    camera(builder, gear, answered, "camera of the answer", color);
+    let basis = answered.basis();
+    for (axis, name) in [(basis.u, "u"), (basis.v, "v"), (basis.n, "n")] {
+        builder.vector(c, axis * gear.axis, color, 1.4, name);
+    }
+    builder.mark(c, MarkShape::Ring, 4.0, color);
+    builder.text(c, request.labels.answered, DVec2::new(-0.6, 0.8), SMALL_TYPE, color);
+}
+
+/// A camera that is not the one of the picture, faintly: body, line to PF, and where its window is.
+fn camera(builder: &mut SceneBuilder, gear: Gear, camera: &Camera, name: &str, color: Rgba) {
+    let c = camera.position();
     builder.scene.objects.push(Object {
-        name: "camera before".to_owned(),
+        name: name.to_owned(),
         mesh: Arc::new(gizmos::camera_body()),
-        world_from_object: before.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
+        world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
         paint: ObjectPaint::Solid(color.with_alpha(70)),
         lit: false,
         two_sided: false,
@@ -45,14 +70,9 @@ fn camera_before(builder: &mut SceneBuilder, request: &Request, palette: Palette
         edges: Some(gizmos::stroke(color, 0.8, Dash::Solid, HiddenLines::Hidden)),
         outline: None,
     });
-    builder.line(vec![c, before.focal_point()], color, 0.9, Dash::Dotted);
-    let corners = before.volume_corners();
+    builder.line(vec![c, camera.focal_point()], color, 0.9, Dash::Dotted);
+    let corners = camera.volume_corners();
     builder.closed(&corners[..4], color, 1.2, Dash::Dotted);
-    let moved = c.distance(request.camera.position()) > 0.5 * gear.axis;
-    if moved {
-        builder.mark(c, MarkShape::Ring, 3.0, color);
-        builder.text(c, request.labels.before, DVec2::new(-0.6, -0.8), SMALL_TYPE, color);
-    }
 }
 
 /// The axis through the pivot, and the arc in the sense of the rotation.

@@ -23,6 +23,8 @@ pub struct Labels {
     pub point: &'static str,
     /// The camera before an operation.
     pub before: &'static str,
+    /// The camera that an answer describes.
+    pub answered: &'static str,
     /// Heading of a picture of Z.
     pub depth_stored: &'static str,
     /// Heading of a picture of distances.

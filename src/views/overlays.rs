@@ -17,6 +17,8 @@ pub struct Overlays {
     pub probe: Option<Probe>,
     /// The operation that is being tried, shown in the world.
     pub ghost: Option<Ghost>,
+    /// The camera that an answer describes, shown in the world.
+    pub answered: Option<Camera>,
     /// The handle under the pointer, drawn stronger, in the world.
     pub hot: Option<Handle>,
     /// By this what is selected can be moved, turned or scaled, in the world.
@@ -46,7 +48,7 @@ impl Overlays {
             View::Canonical | View::Image => {
                 let base = self.clone();
                 let base = Self { measured: Vec::new(), object: None, placed: Vec::new(), ..base };
-                Self { ghost: None, hot: None, gizmo: None, ..base }
+                Self { ghost: None, answered: None, hot: None, gizmo: None, ..base }
             }
         }
     }

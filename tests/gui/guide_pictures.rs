@@ -5,14 +5,16 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use camera_lab::camera::{Camera, MatrixKind, Ndc, recover};
+use camera_lab::exercises::{Free, check, entry};
 use camera_lab::explain::Matrix;
 use camera_lab::figure::NamedPoint;
-use camera_lab::gui::state::{ExplainTab, Selected};
+use camera_lab::gui::state::{Checked, Chosen, Described, ExplainTab, Selected, Typed, joined};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::scene::{ObjectSpec, Preset, Shape};
 use camera_lab::views::View;
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
 use super::pictures::write;
 use super::window::Window;
@@ -26,7 +28,7 @@ struct Shown {
     change: fn(&mut State),
 }
 
-const ALL: [Shown; 8] = [
+const ALL: [Shown; 9] = [
     Shown { tab: ExplainTab::Point, name: "point", view: View::Image, change: |_| () },
     Shown {
         tab: ExplainTab::Steps,
@@ -62,7 +64,33 @@ const ALL: [Shown; 8] = [
         view: View::World,
         change: |state| state.explain.notes.chosen = "5.14",
     },
+    Shown { tab: ExplainTab::Exercises, name: "exercises", view: View::World, change: wrong_view_matrix },
 ];
+
+/// A view matrix with −C in its last column, judged, and its camera beside the right one.
+fn wrong_view_matrix(state: &mut State) {
+    let entry = entry("view-matrix").unwrap();
+    let exercise = entry.exercise(1, &Free::new());
+    let ask = &exercise.asks[0];
+    let mut numbers = ask.expected().table().unwrap().entries;
+    let camera = exercise.subject.figure.camera;
+    for (row, c) in camera.position.to_array().into_iter().enumerate() {
+        numbers[4 * row + 3] = -c;
+    }
+    let fields: Vec<String> = numbers.iter().map(|x| format!("{}", (x * 1000.0).round() / 1000.0)).collect();
+    let judged = check(entry, &exercise, ask, &joined(ask, &fields)).unwrap();
+    let chosen = Chosen { id: entry.id.to_owned(), seed: 1 };
+    state.exercises.work_on(chosen.clone());
+    let typed = Typed { answers: [(ask.name.clone(), fields.clone())].into(), ..Typed::default() };
+    state.exercises.typed.insert(chosen, typed);
+    state.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
+    let matrix = DMat4::from_cols_slice(&numbers).transpose();
+    let found = recover(MatrixKind::View, matrix, Ndc::default(), &camera).unwrap();
+    let described = Box::new(Camera::new(&found.parameters).unwrap());
+    state.exercises.described = Some(Described { ask: ask.name.clone(), camera: Ok(described) });
+    state.document.edit(|figure| figure.points.clear());
+    state.document.replace(exercise.subject.figure.clone()).unwrap();
+}
 
 /// A window that shows a tab beside one picture.
 fn window(shown: &Shown, lang: Lang, size: [f32; 2], change: impl FnOnce(&mut State)) -> Window {

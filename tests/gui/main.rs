@@ -11,6 +11,7 @@ mod commands;
 mod conventions;
 mod dialects;
 mod dialogs;
+mod exercises;
 mod explain;
 mod explain_steps;
 mod files;

@@ -92,6 +92,7 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("rfd", &["gui"]),
     ("clap", &["cli", "i18n"]),
     ("dashu_float", &["numerics"]),
+    ("egui_commonmark", &["gui"]),
     ("egui_plot", &["gui"]),
     ("ratex_layout", &["gui"]),
     ("ratex_parser", &["gui"]),

@@ -198,6 +198,7 @@ impl Canvas {
             state.say(Message::Scene(error));
         }
         self.overlays.ghost = state.ghost.clone();
+        self.overlays.answered = state.answered_camera();
         self.overlays.measured.clone_from(&state.measured);
         self.overlays.object = explain::object_transform(state);
         self.overlays.placed.clone_from(&state.explain.placed);

@@ -4,7 +4,7 @@ use eframe::egui::{self, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::measures;
 use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Writer, definition};
-use crate::gui::mathematics::{self, Formula as Typeset};
+use crate::gui::mathematics::{Both, Formula as Typeset, chain};
 use crate::gui::noted::noted;
 use crate::gui::state::Matrices;
 use crate::i18n::explain::{self as words, Texts};
@@ -21,13 +21,6 @@ pub(super) struct Writing<'a> {
     pub(super) setting: &'a Setting<'a>,
     pub(super) lang: Lang,
     pub(super) digits: usize,
-}
-
-/// The same as LaTeX and as text.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Both {
-    pub(super) latex: String,
-    pub(super) text: String,
 }
 
 impl Writing<'_> {
@@ -107,25 +100,6 @@ pub(super) fn show(
 pub(super) fn term(ui: &mut Ui, writing: Writing<'_>, term: &Formula, value: f64) {
     let (formula, numbers) = (writing.formula(term), writing.both(true, false, |writer| writer.write(term)));
     chain(ui, &formula, &[numbers, writing.whole_value(value)]);
-}
-
-/// name = formula = numbers = value, each once.
-fn chain(ui: &mut Ui, name: &Both, said: &[Both]) {
-    let mut last = name;
-    for (i, next) in said.iter().enumerate() {
-        if i > 0 && next.text == last.text {
-            continue;
-        }
-        let (latex, text) = if std::ptr::eq(last, name) {
-            (format!("{} = {}", name.latex, next.latex), format!("{} = {}", name.text, next.text))
-        } else {
-            (format!(r"\quad = {}", next.latex), format!("= {}", next.text))
-        };
-        egui::ScrollArea::horizontal().id_salt(("chain", &name.text, i)).show(ui, |ui| {
-            mathematics::show(ui, &latex, &text, SIZE);
-        });
-        last = next;
-    }
 }
 
 /// A symbol = what it is made of = numbers = value.

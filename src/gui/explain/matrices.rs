@@ -4,11 +4,12 @@ use std::time::Duration;
 
 use eframe::egui::{self, RichText, Ui};
 
-use super::answer::{self, Both, Writing};
+use super::answer::{self, Writing};
 use super::entries::{self, Cell};
 use super::subject::Subject;
 use crate::camera::{Ndc, Projection};
 use crate::explain::{Formula, Matrix, MatrixFormula, Setting, forward, leaves};
+use crate::gui::mathematics::Both;
 use crate::gui::noted::noted;
 use crate::gui::panels::erratum;
 use crate::gui::state::{Matrices, Reading, State};

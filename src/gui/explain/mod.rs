@@ -24,6 +24,7 @@ use eframe::egui;
 
 pub(in crate::gui) use subject::object_transform;
 
+use super::exercises;
 use super::focus::keep_in_sight;
 use super::state::{ExplainTab, State};
 use super::tooltip::Explained;
@@ -63,6 +64,10 @@ const TABS: &[Row] = &[
     Row { head: Some(order::head), ..Row::new(ExplainTab::Order, |t| t.order, |t| t.order_hint, order::ui) },
     Row::new(ExplainTab::Code, |t| t.code, |t| t.code_hint, code::ui),
     Row::new(ExplainTab::Notes, |t| t.notes, |t| t.notes_hint, notes::ui),
+    Row {
+        head: Some(exercises::head),
+        ..Row::new(ExplainTab::Exercises, |t| t.exercises, |t| t.exercises_hint, exercises::ui)
+    },
 ];
 
 /// Shows the heads of the tabs, and the tab that is chosen.

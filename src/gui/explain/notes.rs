@@ -1,11 +1,11 @@
 //! The tab of notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the thing itself.
 
-use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, Sense, TextEdit, TextStyle, Ui, WidgetInfo, vec2};
+use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextEdit, TextStyle, Ui, WidgetInfo, vec2};
 
 use super::answer::{self, Writing};
 use super::subject::Subject;
 use crate::explain::{Axis, Component, Symbol};
-use crate::gui::mathematics::{self, Formula};
+use crate::gui::mathematics;
 use crate::gui::state::{Notes, State};
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
@@ -126,22 +126,10 @@ fn words_of(ui: &mut Ui, begins: &str, pieces: &[Piece], color: egui::Color32) {
         for piece in pieces {
             match piece {
                 Piece::Words(words) => drop(ui.label(RichText::new(*words).color(color))),
-                Piece::Mathematics(latex) => inline(ui, latex, &font, color),
+                Piece::Mathematics(latex) => mathematics::inline(ui, latex, &font, color),
             }
         }
     });
-}
-
-/// A formula in a line of words, on their baseline.
-fn inline(ui: &mut Ui, latex: &str, font: &egui::FontId, color: egui::Color32) {
-    let text = notes::plain(latex);
-    let formula = Formula::new(ui, latex, &text, font.size * 1.08);
-    let sample = ui.painter().layout_no_wrap("x".to_owned(), font.clone(), color);
-    let ascent = sample.rows.first().and_then(|row| row.glyphs.first().map(|glyph| row.pos.y + glyph.pos.y));
-    let (place, response) = ui.allocate_exact_size(vec2(formula.size().x, sample.size().y), Sense::hover());
-    let baseline = ascent.unwrap_or(sample.size().y);
-    formula.paint(ui.painter(), place.min + vec2(0.0, baseline - formula.baseline()), color);
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
 }
 
 /// What the symbols of a note are in this figure.

@@ -9,6 +9,7 @@ use std::time::Duration;
 use eframe::egui;
 use toml_edit::{Array, DocumentMut, Value};
 
+use super::answers::NOTHING;
 use super::{RECENT, apply, recent, values};
 use crate::clock;
 use crate::files::{self, FileError, Overwrite};
@@ -144,7 +145,7 @@ impl Preferences {
     /// What is not in the file yet.
     fn job(&self, state: &State) -> Job {
         let mut changed = values(state);
-        changed.retain(|key, value| self.kept.get(key) != Some(value));
+        changed.retain(|key, value| self.kept.get(key).map_or(NOTHING, String::as_str) != value);
         Job { file: self.file.clone(), changed, opened: state.recent.new.clone() }
     }
 

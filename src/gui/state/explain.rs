@@ -34,6 +34,8 @@ pub enum ExplainTab {
     Code,
     /// A short text for each symbol, operation, equation, step and stage.
     Notes,
+    /// Exercises whose answers are checked.
+    Exercises,
 }
 
 /// The side of explanations. Whether it is shown is said by [`Panels`](super::Panels).

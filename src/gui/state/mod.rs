@@ -3,6 +3,7 @@
 mod annotations;
 mod coach;
 mod conventions;
+mod exercises;
 mod explain;
 mod files;
 mod follow;
@@ -23,7 +24,7 @@ mod view_history;
 use glam::DVec3;
 
 use crate::appearance::{Style, Theme};
-use crate::camera::{CameraError, Operation};
+use crate::camera::{Camera, CameraError, Operation};
 use crate::explain::Matrix;
 use crate::figure::points::free_name;
 use crate::figure::{Figure, NamedPoint, Outside, Reveal};
@@ -35,6 +36,7 @@ use crate::views::{Ghost, Measured, Normalizing, Probe, View};
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
+pub use exercises::{Checked, Chosen, Described, Exercises, Opened, Standing, Typed, is_whole, joined};
 pub use explain::{Explain, ExplainTab};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub use follow::Follow;
@@ -169,6 +171,8 @@ pub struct State {
     pub numerics: Numerics,
     /// The side of explanations.
     pub explain: Explain,
+    /// The exercises.
+    pub exercises: Exercises,
     /// Which point is followed.
     pub follow: Follow,
     /// What is wrong with the picture, and how near the camera is to trouble.
@@ -238,6 +242,7 @@ impl State {
             annotations: Annotations::default(),
             numerics: Numerics::default(),
             explain: Explain::default(),
+            exercises: Exercises::default(),
             follow: Follow::default(),
             coach: Coach::default(),
         })
@@ -409,6 +414,30 @@ impl State {
     pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
         self.explain.matrices.go_to(matrix, entry);
         self.show_explanations(ExplainTab::Matrices);
+    }
+
+    /// True while the exercises are shown.
+    #[must_use]
+    pub fn shows_exercises(&self) -> bool {
+        self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Exercises
+    }
+
+    /// The camera that an answer describes, while it is shown.
+    pub(in crate::gui) fn answered_camera(&self) -> Option<Camera> {
+        let described = self.exercises.described.as_ref().filter(|_| self.shows_exercises())?;
+        described.camera.as_deref().ok().cloned()
+    }
+
+    /// Puts the figure of an exercise into the pictures, as one step that can be undone. The user's own stays in its file.
+    pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
+        let before = self.document.figure().scene.clone();
+        self.operations.motion = None;
+        let image = figure.image;
+        self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
+        let shown = self.document.lend(figure);
+        self.say_camera_error(shown);
+        self.tree.follow(&before, &self.document.figure().scene);
+        self.observer_change = Some(ObserverChange::Fit);
     }
 
     /// Shows a note, which takes the keyboard in the list of notes.

@@ -1,0 +1,253 @@
+//! Fields for answers, and what was understood of them before they are judged.
+
+use eframe::egui::text::{CCursor, CCursorRange};
+use eframe::egui::text_edit::TextEditState;
+use eframe::egui::{self, Align2, Color32, RichText, ScrollArea, Stroke, StrokeKind, TextEdit, TextStyle, Ui, vec2};
+
+use super::{Sheet, check};
+use crate::exercises::{Answer, Ask, Kind, Unit, read_answer};
+use crate::expression::{Dimension, evaluate_with};
+use crate::gui::mathematics;
+use crate::gui::panels::complaint;
+use crate::gui::prose;
+use crate::gui::state::{State, is_whole, joined};
+use crate::gui::tooltip::Explained;
+use crate::i18n::{Lang, exercise_window as words, exercises as said, messages};
+use crate::numbers::exact_form;
+
+/// The type size of what was understood, in points.
+const SIZE: f32 = 13.0;
+
+/// Why an answer cannot be read: the field, where it is one, and what is wrong.
+pub(super) struct Unreadable {
+    field: Option<usize>,
+    why: String,
+}
+
+/// What was understood; `None` where nothing was typed.
+pub(super) fn understood(sheet: Sheet<'_>, ask: &Ask, fields: &[String]) -> Result<Option<Answer>, Unreadable> {
+    let text = joined(ask, fields);
+    if text.is_empty() {
+        return Ok(None);
+    }
+    let lang = sheet.t.lang;
+    let names = &sheet.exercise.free;
+    let is_list = matches!(ask.kind, Kind::Vector(_) | Kind::Matrix(..)) && !is_whole(ask, fields);
+    if is_list {
+        let dimension = if ask.unit == Unit::Degrees { Dimension::Angle } else { Dimension::Number };
+        for (k, field) in fields.iter().enumerate().filter(|(_, field)| !matches!(field.trim(), "" | "?" | "_")) {
+            if let Err(error) = evaluate_with(field.trim(), dimension, names) {
+                let marked = crate::expression::marked(field.trim(), &error.span);
+                let why = format!("{marked}: {}", messages::expression(lang, &error.problem));
+                return Err(Unreadable { field: Some(k), why });
+            }
+        }
+    }
+    let unreadable = |error| Unreadable { field: Some(0), why: said::answer_error(lang, &error) };
+    read_answer(&text, ask, names).map(Some).map_err(unreadable)
+}
+
+/// Shows what is asked, its fields and what was understood; true where one of the fields has the keyboard.
+pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) -> bool {
+    let Sheet { t, exercise, .. } = sheet;
+    prose::show(ui, &format!("**{}**", said::ask(t.lang, exercise, ask).replace("**", "")));
+    let tolerance = said::tolerance(t.lang, ask);
+    if !tolerance.is_empty() {
+        ui.add(egui::Label::new(RichText::new(tolerance).small().weak()).wrap());
+    }
+    let mut fields = state.exercises.fields(ask).clone();
+    let reading = understood(sheet, ask, &fields);
+    let broken = reading.as_ref().err().and_then(|unreadable| unreadable.field);
+    let marks = marks(state, ask, &fields);
+    let name = said::ask(t.lang, exercise, ask).replace("**", "");
+    let mut in_focus = match &ask.kind {
+        Kind::Choice(choices) => choice(ui, t.lang, choices, &mut fields[0]),
+        Kind::Camera => camera(ui, state, sheet, ask, &mut fields[0]),
+        Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => {
+            numbers(ui, sheet, ask, (&name, broken), &marks, &mut fields)
+        }
+    };
+    *state.exercises.fields(ask) = fields;
+    match &reading {
+        Err(unreadable) => complaint(ui, &unreadable.why),
+        Ok(Some(answer)) => show_understood(ui, t.lang, ask, answer),
+        Ok(None) => {}
+    }
+    let can = matches!(reading, Ok(Some(_)));
+    let button = ui.add_enabled(can, egui::Button::new(t.check)).explained(t.check_hint);
+    let button = button.explained_disabled(t.check_hint).accessible_name(words::of_ask(t.check, &name));
+    in_focus |= button.has_focus();
+    if button.clicked() {
+        check(state, sheet, ask);
+    }
+    in_focus
+}
+
+/// Which fields are right, where they are as they were when they were judged.
+fn marks(state: &State, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
+    let [rows, columns] = ask.shape();
+    let none = vec![None; rows * columns];
+    let Some(checked) = state.exercises.checked.get(&ask.name) else { return none };
+    let entries = &checked.judged.entries;
+    let fits = entries.len() == rows && entries.iter().all(|row| row.len() == columns);
+    if !fits || is_whole(ask, fields) || is_whole(ask, &checked.fields) {
+        return none;
+    }
+    let is_same = |k: usize| fields.get(k) == checked.fields.get(k);
+    let typed = |k: usize| fields.get(k).is_some_and(|field| !field.trim().is_empty());
+    entries.iter().flatten().enumerate().map(|(k, right)| Some(*right).filter(|_| is_same(k) && typed(k))).collect()
+}
+
+/// The colour of what is right, or wrong.
+pub(super) fn color(ui: &Ui, right: bool) -> Color32 {
+    match (right, ui.visuals().dark_mode) {
+        (false, _) => ui.visuals().error_fg_color,
+        (true, true) => Color32::from_rgb(0x6c, 0xc6, 0x7a),
+        (true, false) => Color32::from_rgb(0x1e, 0x7a, 0x34),
+    }
+}
+
+/// A field for each number.
+fn numbers(
+    ui: &mut Ui,
+    sheet: Sheet<'_>,
+    ask: &Ask,
+    (name, broken): (&str, Option<usize>),
+    marks: &[Option<bool>],
+    fields: &mut [String],
+) -> bool {
+    /// Between fields, in points.
+    const GAP: f32 = 4.0;
+    let t = sheet.t;
+    let shape @ [rows, columns] = ask.shape();
+    // A vector lies in a row: there is little height.
+    let per_line = if columns == 1 { rows } else { columns };
+    let whole = is_whole(ask, fields);
+    #[expect(clippy::cast_precision_loss, reason = "a handful of columns")]
+    let share = (ui.available_width() - GAP * (per_line - 1) as f32) / per_line as f32;
+    let width = share.floor().clamp(44.0, if per_line == 1 { 200.0 } else { 120.0 });
+    let mut in_focus = false;
+    let lines = fields.chunks_mut(per_line.max(1)).enumerate();
+    for (i, line) in lines {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = GAP;
+            for (j, text) in line.iter_mut().enumerate() {
+                let k = i * per_line + j;
+                let place = [k / columns.max(1), k % columns.max(1)];
+                let first = k == 0 && fields_are_many(shape);
+                let wide = if whole && k == 0 { ui.available_width() } else { width };
+                if whole && k > 0 {
+                    continue;
+                }
+                let mark = marks.get(k).copied().flatten();
+                let edit = TextEdit::singleline(text).id_salt(k).desired_width(wide).align(Align2::LEFT_CENTER);
+                let response = ui.add(edit.char_limit(crate::limits::MAX_ANSWER));
+                select_on_arrival(ui, &response, text);
+                let hint = if first { t.first_field_hint } else { t.answer_hint };
+                let sign = match mark {
+                    Some(true) => format!("✓ {}. ", t.right),
+                    Some(false) => format!("✗ {}. ", t.wrong),
+                    None => String::new(),
+                };
+                let response = response.explained(format!("{sign}{hint}"));
+                let response = response.accessible_name(words::field(t.lang, name, shape, place));
+                let wrong = if broken == Some(k) { Some(false) } else { mark };
+                if let Some(right) = wrong {
+                    sign_field(ui, response.rect, right, broken == Some(k));
+                }
+                in_focus |= response.has_focus();
+            }
+        });
+    }
+    in_focus
+}
+
+/// Whoever comes with Tab types over what is there, as in the fields of parameters.
+fn select_on_arrival(ui: &Ui, response: &egui::Response, text: &str) {
+    let came_by_key =
+        response.gained_focus() && !ui.input(|input| input.pointer.any_down() || input.pointer.any_released());
+    if let Some(mut state) = TextEditState::load(ui.ctx(), response.id).filter(|_| came_by_key) {
+        let all = CCursorRange::two(CCursor::new(0), CCursor::new(text.chars().count()));
+        state.cursor.set_char_range(Some(all));
+        state.store(ui.ctx(), response.id);
+    }
+}
+
+const fn fields_are_many([rows, columns]: [usize; 2]) -> bool {
+    rows * columns > 1
+}
+
+/// Marks a field by colour and sign.
+fn sign_field(ui: &Ui, rect: egui::Rect, right: bool, broken: bool) {
+    let color = color(ui, right);
+    ui.painter().rect_stroke(rect, 2.0, Stroke::new(1.5, color), StrokeKind::Inside);
+    let sign = match (broken, right) {
+        (true, _) => "⚠",
+        (false, true) => "✓",
+        (false, false) => "✗",
+    };
+    let font = TextStyle::Small.resolve(ui.style());
+    let corner = rect.right_center() - vec2(3.0, 0.0);
+    let galley = ui.painter().layout_no_wrap(sign.to_owned(), font, color);
+    let place = Align2::RIGHT_CENTER.anchor_size(corner, galley.size());
+    ui.painter().rect_filled(place, 0.0, ui.visuals().text_edit_bg_color());
+    ui.painter().galley(place.min, galley, color);
+}
+
+/// One of several; chosen by name, so that it is the same in every language.
+fn choice(ui: &mut Ui, lang: Lang, choices: &[String], text: &mut String) -> bool {
+    let mut in_focus = false;
+    ui.horizontal_wrapped(|ui| {
+        for name in choices {
+            let response = ui.radio(text == name, said::choice(lang, name));
+            in_focus |= response.has_focus();
+            if response.clicked() {
+                text.clone_from(name);
+            }
+        }
+    });
+    in_focus
+}
+
+/// A camera as text, and the button that takes the one of the window.
+fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> bool {
+    let t = sheet.t;
+    if ui.button(t.take_camera).explained(t.take_camera_hint).clicked() {
+        let set = Answer::Camera(Box::new(*state.document.camera().parameters()));
+        *text = said::understood(t.lang, ask, &set);
+    }
+    let field = TextEdit::multiline(text).id_salt("camera").desired_rows(2).desired_width(f32::INFINITY);
+    let field = field.font(TextStyle::Monospace).hint_text(t.camera_hint).char_limit(crate::limits::MAX_ANSWER);
+    let response = ui.add(field).accessible_name(t.your_answer);
+    response.has_focus()
+}
+
+/// What was understood, set as mathematics.
+fn show_understood(ui: &mut Ui, lang: Lang, ask: &Ask, answer: &Answer) {
+    let Answer::Numbers { columns, entries, .. } = answer else { return };
+    let t = words::texts(lang);
+    let text = said::understood(lang, ask, answer);
+    let latex = as_latex(lang, ask, *columns, entries);
+    ScrollArea::horizontal().id_salt("understood").show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(t.understood).small().weak());
+            mathematics::show(ui, &latex, &text, SIZE);
+        });
+    });
+}
+
+/// A number, or a matrix; a vector is a column.
+fn as_latex(lang: Lang, ask: &Ask, columns: usize, entries: &[Option<f64>]) -> String {
+    let unit = if ask.unit == Unit::Degrees { r"^\circ" } else { "" };
+    let decimal = |value: f64| lang.mark().number(value, 6).replace('−', "-").replace(',', "{,}");
+    let number = |entry: &Option<f64>| {
+        let set = |value: f64| exact_form(value).map_or_else(|| decimal(value), |form| form.latex());
+        entry.map_or_else(|| "?".to_owned(), |value| format!("{}{unit}", set(value)))
+    };
+    if entries.len() == 1 {
+        return entries.iter().map(number).collect();
+    }
+    let row = |row: &[Option<f64>]| row.iter().map(number).collect::<Vec<_>>().join(" & ");
+    let rows: Vec<String> = entries.chunks(columns.max(1)).map(row).collect();
+    format!(r"\begin{{bmatrix}} {} \end{{bmatrix}}", rows.join(r" \\ "))
+}

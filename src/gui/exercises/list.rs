@@ -1,0 +1,95 @@
+//! The list of exercises.
+
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{self, Button, Key, RichText, Role, TextEdit, TextStyle, Ui, WidgetInfo};
+
+use crate::exercises::{self, Entry};
+use crate::gui::state::{Chosen, Exercises, Standing};
+use crate::gui::tooltip::Explained;
+use crate::i18n::exercise_window::Texts;
+use crate::i18n::{Lang, exercise_messages, exercises as said};
+
+/// The field for words; Enter opens the first exercise that is found.
+pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
+    let field = TextEdit::singleline(&mut state.wanted).hint_text(t.search).desired_width(f32::INFINITY);
+    let response = ui.add(field).explained(t.search_hint).accessible_name(t.search);
+    if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
+        let first = found(t.lang, &state.wanted).next();
+        first.into_iter().for_each(|first| open(state, first));
+    }
+}
+
+/// How many are solved.
+pub(super) fn count(ui: &mut Ui, state: &Exercises, lang: Lang) {
+    let all = exercises::entries().count();
+    let solved = exercises::entries().filter(|entry| state.standing(entry.id) == Standing::Solved).count();
+    ui.label(RichText::new(format!("✓ {}", exercise_messages::score(lang, solved, all))).weak());
+}
+
+/// Those that say all the words.
+fn found<'a>(lang: Lang, wanted: &'a str) -> impl Iterator<Item = &'static Entry> + 'a {
+    exercises::entries().filter(move |entry| {
+        let text = format!("{} {} {}", entry.id, entry.source, said::title(lang, entry.id)).to_lowercase();
+        wanted.split_whitespace().all(|word| text.contains(&word.to_lowercase()))
+    })
+}
+
+fn open(state: &mut Exercises, entry: &Entry) {
+    let seed = state.seed_of(entry);
+    state.work_on(Chosen { id: entry.id.to_owned(), seed });
+}
+
+/// Shows what is found, by groups.
+pub(super) fn ui(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
+    let wanted = state.wanted.clone();
+    let mut group = None;
+    let mut chosen = None;
+    ui.spacing_mut().item_spacing.y = 1.0;
+    for entry in found(t.lang, &wanted) {
+        if group != Some(entry.is_family) {
+            group = Some(entry.is_family);
+            ui.add_space(4.0);
+            let heading = if entry.is_family { t.families } else { t.of_the_notes };
+            ui.label(RichText::new(heading).small().strong());
+        }
+        if row(ui, t, entry, state) {
+            chosen = Some(entry);
+        }
+    }
+    if group.is_none() {
+        ui.label(t.none_found);
+    }
+    if let Some(entry) = chosen {
+        open(state, entry);
+    }
+}
+
+/// A row: how far it is, its title and its source; true where it is chosen.
+fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
+    let (sign, standing) = match state.standing(entry.id) {
+        Standing::Untouched => ("○", t.untouched),
+        Standing::Begun => ("◐", t.begun),
+        Standing::Solved => ("✓", t.solved),
+    };
+    let title = said::title(t.lang, entry.id);
+    let mut job = LayoutJob::default();
+    let format = |style: TextStyle, color| TextFormat::simple(style.resolve(ui.style()), color);
+    let visuals = ui.visuals();
+    job.append(&format!("{sign} "), 0.0, format(TextStyle::Body, visuals.weak_text_color()));
+    job.append(title, 0.0, format(TextStyle::Body, visuals.text_color()));
+    job.append(&format!("  {}", entry.source), 0.0, format(TextStyle::Small, visuals.weak_text_color()));
+    let button = Button::selectable(false, job).truncate();
+    let response = ui.with_layout(egui::Layout::top_down_justified(egui::Align::LEFT), |ui| ui.add(button)).inner;
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}, {}, {standing}", entry.source)));
+    if state.wants_focus.as_deref() == Some(entry.id) {
+        // A click elsewhere takes the keyboard away once more after its frame.
+        if response.has_focus() {
+            state.wants_focus = None;
+        } else {
+            response.request_focus();
+            response.scroll_to_me(Some(egui::Align::Center));
+            ui.ctx().request_repaint();
+        }
+    }
+    response.explained(standing).clicked()
+}

@@ -1,0 +1,108 @@
+//! The tab of exercises: the list, and the exercise that is worked on with its statement, answers, verdicts and the way to them.
+
+mod answers;
+mod figure;
+mod list;
+mod solution;
+mod statement;
+mod verdict;
+
+use eframe::egui::{self, Key, Modifiers, Ui};
+
+use super::state::{Checked, Chosen, State, joined};
+use super::tooltip::Explained;
+use crate::exercises::{self, Ask, Entry, Exercise};
+use crate::i18n::exercise_window::{self as words, Texts};
+
+/// The exercise that is worked on, and the words of the window.
+#[derive(Clone, Copy)]
+struct Sheet<'a> {
+    t: &'static Texts,
+    entry: &'static Entry,
+    exercise: &'a Exercise,
+}
+
+/// What stays in sight above the list, and above an exercise.
+pub(super) fn head(ui: &mut Ui, state: &mut State) {
+    let t = words::texts(state.settings.lang);
+    let open = state.exercises.open.clone();
+    if open.is_none() {
+        list::search(ui, t, &mut state.exercises);
+    }
+    ui.horizontal_wrapped(|ui| {
+        let entry = open.as_ref().and_then(|chosen| exercises::entry(&chosen.id));
+        if open.is_some() && ui.button(format!("◀ {}", t.back)).accessible_name(t.back).clicked() {
+            state.exercises.leave();
+        }
+        if ui.button(t.practise_next).explained(t.practise_next_hint).clicked()
+            && let Some(next) = state.exercises.next()
+        {
+            state.exercises.work_on(next);
+        }
+        if let (Some(chosen), Some(entry)) = (open, entry)
+            && entry.is_family
+            && ui.button(t.new_numbers).explained(t.new_numbers_hint).clicked()
+        {
+            state.exercises.work_on(Chosen { seed: chosen.seed + 1, ..chosen });
+        }
+        if state.exercises.open.is_none() {
+            list::count(ui, &state.exercises, t.lang);
+        }
+    });
+}
+
+/// Shows the list, or the exercise that is worked on.
+pub(super) fn ui(ui: &mut Ui, state: &mut State) {
+    let t = words::texts(state.settings.lang);
+    let Some((entry, exercise)) = state.exercises.exercise() else {
+        return list::ui(ui, t, &mut state.exercises);
+    };
+    let sheet = Sheet { t, entry, exercise: &exercise };
+    if state.exercises.described.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
+        state.exercises.described = None;
+    }
+    let all_wanted = ui.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Enter));
+    let top = ui.cursor().min;
+    if std::mem::take(&mut state.exercises.just_opened) {
+        ui.scroll_to_rect(egui::Rect::from_min_size(top, egui::Vec2::ZERO), Some(egui::Align::TOP));
+    }
+    let chosen = state.exercises.open.clone();
+    ui.push_id(chosen, |ui| {
+        statement::ui(ui, state, sheet);
+        let mut in_focus = None;
+        for ask in &exercise.asks {
+            ui.separator();
+            ui.push_id(&ask.name, |ui| {
+                if answers::ui(ui, state, sheet, ask) {
+                    in_focus = Some(ask);
+                }
+                verdict::ui(ui, state, sheet, ask);
+            });
+        }
+        if all_wanted {
+            let wanted = in_focus.map_or_else(|| exercise.asks.iter().collect(), |ask| vec![ask]);
+            wanted.into_iter().for_each(|ask| check(state, sheet, ask));
+        }
+        verdict::all(ui, state, sheet);
+        ui.add_space(12.0);
+    });
+}
+
+/// Judges what was typed, where it can be read.
+fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
+    let fields = state.exercises.fields(ask).clone();
+    if answers::understood(sheet, ask, &fields).is_err() {
+        return;
+    }
+    let Ok(judged) = exercises::check(sheet.entry, sheet.exercise, ask, &joined(ask, &fields)) else { return };
+    if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
+        state.exercises.described = None;
+    }
+    let said_before = state.exercises.checked.get(&ask.name).map(|checked| checked.judged.diagnosis.clone());
+    if said_before.is_some_and(|before| before != judged.diagnosis) {
+        // Hints on another mistake.
+        state.exercises.opened.entry(ask.name.clone()).or_default().hints = 0;
+    }
+    state.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
+    state.exercises.note_solved(sheet.exercise);
+}

@@ -1,0 +1,175 @@
+//! The way to an answer, step by step, and the camera that a wrong answer describes.
+
+use std::sync::Arc;
+
+use eframe::egui::Ui;
+use glam::{DMat3, DMat4, DVec3};
+
+use super::{Sheet, figure};
+use crate::camera::{Camera, MatrixKind, Ndc, Parameters, RecoveryError, recover};
+use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
+use crate::explain::{Notation, Style};
+use crate::gui::mathematics::{Both, chain};
+use crate::gui::panels::complaint;
+use crate::gui::prose;
+use crate::gui::state::{Described, State};
+use crate::gui::tooltip::Explained;
+use crate::i18n::{dialects, exercise_window as words, exercises as said};
+
+/// The button of the next step, once hints are used up, and that of the camera that a wrong answer describes.
+pub(super) fn buttons(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, helped: bool) {
+    let Sheet { t, exercise, .. } = sheet;
+    let name = said::ask(t.lang, exercise, ask).replace("**", "");
+    let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
+    let has_way = !matches!(ask.expected(), Expected::Camera(..));
+    let rest = opened.way.as_ref().is_none_or(|way| opened.steps < way.len());
+    if helped && has_way && rest {
+        let label = if opened.steps == 0 { t.first_step } else { t.next_step };
+        let button = ui.button(label).explained(t.step_hint).accessible_name(words::of_ask(label, &name));
+        if button.clicked() {
+            let opened = state.exercises.opened.entry(ask.name.clone()).or_default();
+            opened.steps += 1;
+            opened.way.get_or_insert_with(|| ask.steps().into());
+        }
+    }
+    camera_button(ui, state, sheet, ask, &name);
+}
+
+/// Shows the camera that a wrong answer describes, beside the right one; or takes it away.
+fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, name: &str) {
+    let Sheet { t, exercise, .. } = sheet;
+    if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
+        let button = ui.button(t.hide_camera).accessible_name(words::of_ask(t.hide_camera, name));
+        if button.clicked() {
+            state.exercises.described = None;
+        }
+        return;
+    }
+    let Some(judged) = state.exercises.checked.get(&ask.name).map(|checked| &checked.judged) else { return };
+    if judged.right || !describes_camera(ask, judged) {
+        return;
+    }
+    let button = ui.button(t.show_camera).explained(t.show_camera_hint);
+    if !button.accessible_name(words::of_ask(t.show_camera, name)).clicked() {
+        return;
+    }
+    let answer = judged.understood.clone();
+    let others = |path: &str| answered_elsewhere(state, exercise, path);
+    let Some((right, camera)) = described(exercise, ask, &answer, others) else { return };
+    let camera = camera.map(Box::new);
+    if camera.is_ok() && *state.document.figure() != figure::with_camera(exercise, right) {
+        state.show_figure_of_exercise(figure::with_camera(exercise, right));
+    }
+    state.exercises.described = Some(Described { ask: ask.name.clone(), camera });
+}
+
+/// The path of the number that is asked for, where it is one of `inspect`.
+fn path(ask: &Ask) -> &str {
+    match ask.expected() {
+        Expected::Quantity(_, path) => path,
+        Expected::Computed(..) | Expected::Choice(..) | Expected::Camera(..) => "",
+    }
+}
+
+/// True for answers that are complete and say something of a camera.
+fn describes_camera(ask: &Ask, judged: &Judged) -> bool {
+    match &judged.understood {
+        Answer::Camera(_) => true,
+        Answer::Choice(_) => false,
+        Answer::Numbers { rows, columns, entries } => {
+            [*rows, *columns] == ask.shape() && entries.iter().all(Option::is_some) && matrix_kind(path(ask)).is_some()
+                || matches!(path(ask), "basis.u" | "basis.v" | "basis.n")
+                    && entries.len() == 3
+                    && entries.iter().all(Option::is_some)
+        }
+    }
+}
+
+/// What a matrix does, and whether it is the inverse.
+fn matrix_kind(path: &str) -> Option<(MatrixKind, bool)> {
+    Some(match path {
+        "view_matrix" => (MatrixKind::View, false),
+        "inverse_view_matrix" => (MatrixKind::View, true),
+        "projection_matrix" => (MatrixKind::Projection, false),
+        "inverse_projection_matrix" => (MatrixKind::Projection, true),
+        "view_projection_matrix" => (MatrixKind::ViewProjection, false),
+        "inverse_view_projection_matrix" => (MatrixKind::ViewProjection, true),
+        _ => return None,
+    })
+}
+
+/// The axis that was answered to another ask of the same exercise.
+fn answered_elsewhere(state: &State, exercise: &Exercise, wanted: &str) -> Option<DVec3> {
+    let ask = exercise.asks.iter().find(|ask| path(ask) == wanted)?;
+    vector(&state.exercises.checked.get(&ask.name)?.judged.understood)
+}
+
+fn vector(answer: &Answer) -> Option<DVec3> {
+    let Answer::Numbers { entries, .. } = answer else { return None };
+    let numbers: Option<Vec<f64>> = entries.iter().copied().collect();
+    numbers.filter(|numbers| numbers.len() == 3).map(|numbers| DVec3::from_slice(&numbers))
+}
+
+/// The right camera, and the one that an answer describes.
+fn described(
+    exercise: &Exercise,
+    ask: &Ask,
+    answer: &Answer,
+    other: impl Fn(&str) -> Option<DVec3>,
+) -> Option<(Parameters, Result<Camera, RecoveryError>)> {
+    let camera = |parameters: &Parameters| Camera::new(parameters).map_err(RecoveryError::from);
+    if let (Answer::Camera(parameters), Expected::Camera(_, model, _)) = (answer, ask.expected()) {
+        return Some((**model, camera(parameters)));
+    }
+    let right = figure::subject_of(exercise, ask).camera().ok()?;
+    let Answer::Numbers { entries, .. } = answer else { return None };
+    let (kind, matrix) = match matrix_kind(path(ask)) {
+        Some((kind, is_inverse)) => {
+            let numbers: Vec<f64> = entries.iter().copied().collect::<Option<_>>()?;
+            let matrix = DMat4::from_cols_array(&numbers.try_into().ok()?).transpose();
+            (kind, if is_inverse { matrix.inverse() } else { matrix })
+        }
+        None => {
+            let basis = right.basis();
+            let axis = |name: &str, right: DVec3| {
+                let own = vector(answer).filter(|_| path(ask) == name);
+                own.or_else(|| other(name)).unwrap_or(right)
+            };
+            let axes = [axis("basis.u", basis.u), axis("basis.v", basis.v), axis("basis.n", basis.n)];
+            let rotation = DMat3::from_cols(axes[0], axes[1], axes[2]).transpose();
+            let translation = -(rotation * right.position());
+            (MatrixKind::View, DMat4::from_translation(translation) * DMat4::from_mat3(rotation))
+        }
+    };
+    let found = recover(kind, matrix, Ndc::default(), right.parameters());
+    Some((*right.parameters(), found.and_then(|found| camera(&found.parameters))))
+}
+
+/// The steps that are open, set as mathematics, and why there is no camera.
+pub(super) fn steps(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask) {
+    let Sheet { t, exercise, .. } = sheet;
+    let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);
+    if let Some(Err(error)) = described.map(|described| &described.camera) {
+        complaint(ui, &format!("{}: {}", t.no_camera, dialects::recovery_error(t.lang, error)));
+    }
+    let Some(opened) = state.exercises.opened.get(&ask.name) else { return };
+    let way: Option<Arc<[Worked]>> = opened.way.clone();
+    for (k, step) in way.iter().flat_map(|way| way.iter()).take(opened.steps).enumerate() {
+        ui.push_id(("step", k), |ui| self::step(ui, state, sheet, exercise, step));
+    }
+}
+
+/// A step: what it is, its equation, and each row: symbol = formula = numbers = value.
+fn step(ui: &mut Ui, state: &State, sheet: Sheet<'_>, exercise: &Exercise, step: &Worked) {
+    let lang = sheet.t.lang;
+    ui.add_space(2.0);
+    prose::show(ui, &said::step_heading(lang, exercise, step));
+    let style = |notation| Style { notation, mark: lang.mark(), digits: state.settings.digits };
+    let lines = step.lines(style(Notation::Latex), true);
+    for (latex, text) in lines.into_iter().zip(step.lines(style(Notation::Text), true)) {
+        let both = |latex: String, text: String| Both { latex, text };
+        let said =
+            [both(latex.formula, text.formula), both(latex.numbers, text.numbers), both(latex.value, text.value)];
+        chain(ui, &both(latex.symbol, text.symbol), &said);
+    }
+}

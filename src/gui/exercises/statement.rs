@@ -1,0 +1,100 @@
+//! What is given, how it is read, and the figure.
+
+use eframe::egui::{self, CollapsingHeader, Image, RichText, TextEdit, Ui, vec2};
+
+use super::{Sheet, figure};
+use crate::exercises::Expected;
+use crate::gui::panels::complaint;
+use crate::gui::prose;
+use crate::gui::state::State;
+use crate::gui::tooltip::Explained;
+use crate::i18n::exercises as said;
+
+/// Shows what is given.
+pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
+    let Sheet { t, entry, exercise } = sheet;
+    ui.add(egui::Label::new(RichText::new(said::title(t.lang, entry.id)).heading().strong()).wrap());
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().interact_size.y = 0.0;
+        ui.label(RichText::new(entry.source).small().weak()).explained(crate::i18n::sources::with_titles(entry.source));
+        if entry.is_family {
+            ui.label(RichText::new(format!("{} {}", t.seed, exercise.seed)).small().weak()).explained(t.seed_hint);
+        }
+    });
+    ui.add_space(2.0);
+    prose::show(ui, &said::statement(t.lang, exercise).join("\n\n"));
+    target(ui, state, sheet);
+    let assumptions = said::assumptions(t.lang, exercise);
+    if !assumptions.is_empty() {
+        CollapsingHeader::new(t.how_it_is_read).id_salt("how it is read").default_open(true).show(ui, |ui| {
+            let list: Vec<String> = assumptions.iter().map(|text| format!("- {text}")).collect();
+            prose::show(ui, &list.join("\n"));
+        });
+    }
+    free(ui, state, sheet);
+    figures(ui, state, sheet);
+}
+
+/// The picture that is to be matched.
+fn target(ui: &mut Ui, state: &State, sheet: Sheet<'_>) {
+    let Sheet { t, entry, exercise } = sheet;
+    let wanted = exercise.asks.iter().find_map(|ask| match ask.expected() {
+        Expected::Camera(_, model, _) if entry.id == "match-picture" => Some(**model),
+        _ => None,
+    });
+    let Some(wanted) = wanted else { return };
+    if let Some(texture) = figure::target(ui, exercise, &wanted, (state.settings.theme, t.lang)) {
+        ui.add_space(4.0);
+        ui.label(RichText::new(t.target).small().weak());
+        let width = ui.available_width().min(320.0);
+        ui.add(Image::new(&texture).fit_to_exact_size(vec2(width, width * 0.75)).alt_text(t.target));
+    }
+}
+
+/// Numbers that the source leaves open.
+fn free(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
+    let Sheet { t, exercise, .. } = sheet;
+    if exercise.free.is_empty() {
+        return;
+    }
+    let typed = state.exercises.typed_now();
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(t.free_numbers).small().strong());
+        for (name, value) in &exercise.free {
+            ui.label(*name);
+            let text = typed.free.entry((*name).to_owned()).or_default();
+            let field = TextEdit::singleline(text).hint_text(said::number(t.lang.mark(), *value)).desired_width(56.0);
+            ui.add(field.id_salt(("free", *name))).explained(t.free_hint).accessible_name(*name);
+        }
+    });
+    let chosen = typed.chosen_numbers();
+    for (name, text) in &typed.free {
+        if !text.trim().is_empty() && !chosen.contains_key(name) {
+            complaint(ui, &format!("{name}: {}", t.free_wrong));
+        }
+    }
+}
+
+/// The buttons that put figures into the pictures. What is to be predicted is shown after the answer alone.
+fn figures(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
+    let Sheet { t, entry, exercise } = sheet;
+    let answered = exercise.asks.iter().all(|ask| state.exercises.checked.contains_key(&ask.name));
+    if entry.id == "predict-visible" && !answered {
+        ui.label(RichText::new(t.figure_later).weak());
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        if ui.button(t.show_figure).explained(t.show_figure_hint).clicked() {
+            state.show_figure_of_exercise(figure::given(exercise));
+        }
+        if exercise.subject.operations.is_empty() {
+            return;
+        }
+        let done = ui.button(t.do_operations).explained(t.do_operations_hint);
+        if done.clicked()
+            && let Ok(camera) = exercise.subject.camera()
+        {
+            state.show_figure_of_exercise(figure::with_camera(exercise, *camera.parameters()));
+        }
+    });
+}

@@ -1,0 +1,64 @@
+//! What was typed for exercises, a key for each: `"answers basis 3" = { u = ["1", "0", "0"] }`.
+
+use toml_edit::{Array, DocumentMut, InlineTable, Value};
+
+use crate::gui::state::{Chosen, State, Typed};
+
+/// With what the keys begin.
+const PREFIX: &str = "answers ";
+/// What is chosen for numbers that are left open begins with this; no name of what is asked does.
+const FREE: &str = "free ";
+/// All was answered rightly once.
+const SOLVED: &str = "is solved";
+
+/// As the file has an exercise for which nothing was typed: it stands for what was taken back.
+pub(super) const NOTHING: &str = "{}";
+
+/// Keys with their values as TOML.
+pub(super) fn values(state: &State) -> impl Iterator<Item = (String, String)> + '_ {
+    state.exercises.typed.iter().map(|(Chosen { id, seed }, typed)| {
+        let value = if typed.is_empty() { NOTHING.to_owned() } else { table(typed).to_string() };
+        (format!("{PREFIX}{id} {seed}"), value)
+    })
+}
+
+fn table(typed: &Typed) -> InlineTable {
+    let mut table = InlineTable::new();
+    for (name, fields) in typed.answers.iter().filter(|(_, fields)| fields.iter().any(|field| !field.is_empty())) {
+        table.insert(name, fields.iter().map(String::as_str).collect::<Array>().into());
+    }
+    for (name, text) in typed.free.iter().filter(|(_, text)| !text.is_empty()) {
+        table.insert(format!("{FREE}{name}"), text.as_str().into());
+    }
+    if typed.solved {
+        table.insert(SOLVED, true.into());
+    }
+    table
+}
+
+/// Takes up what was typed. What cannot be understood counts as nothing.
+pub(super) fn apply(document: &DocumentMut, state: &mut State) {
+    for (key, item) in document.iter() {
+        let chosen = key.strip_prefix(PREFIX).and_then(|chosen| chosen.rsplit_once(' '));
+        let chosen = chosen.and_then(|(id, seed)| Some(Chosen { id: id.to_owned(), seed: seed.parse().ok()? }));
+        if let (Some(chosen), Some(table)) = (chosen, item.as_inline_table()) {
+            state.exercises.typed.insert(chosen, typed(table));
+        }
+    }
+}
+
+fn typed(table: &InlineTable) -> Typed {
+    let mut typed = Typed::default();
+    for (name, value) in table {
+        match (name.strip_prefix(FREE), value) {
+            (Some(name), Value::String(text)) => drop(typed.free.insert(name.to_owned(), text.value().clone())),
+            (None, Value::Array(fields)) => {
+                let fields = fields.iter().filter_map(Value::as_str).map(str::to_owned).collect();
+                typed.answers.insert(name.to_owned(), fields);
+            }
+            (None, Value::Boolean(is)) if name == SOLVED => typed.solved = *is.value(),
+            _ => {}
+        }
+    }
+    typed
+}

@@ -1,0 +1,74 @@
+//! What the window says about exercises, besides the exercises themselves.
+
+use super::Lang;
+
+texts! {
+    search: "Search the exercises", "Procurar nos exercícios";
+    search_hint: "Words of the title, of the source or of the identifier. Enter opens the first", "Palavras do título, da fonte ou do identificador. Enter abre o primeiro";
+    none_found: "No exercise says that.", "Nenhum exercício diz isso.";
+    of_the_notes: "The notes' own", "Das notas de aula";
+    families: "Families: new numbers as often as you like", "Famílias: números novos quantas vezes quiser";
+    untouched: "untouched", "intocado";
+    begun: "begun", "começado";
+    solved: "solved", "resolvido";
+    practise_next: "Practise next", "Praticar o próximo";
+    practise_next_hint: "What is begun, else what is untouched; once all is solved, new numbers", "O que está começado, senão o que está intocado; quando tudo está resolvido, números novos";
+    new_numbers: "New numbers", "Números novos";
+    new_numbers_hint: "The same exercise with the numbers of the next seed; what was typed for these stays", "O mesmo exercício com os números da próxima semente; o que foi digitado para estes fica";
+    back: "Back to the list", "Voltar à lista";
+    seed: "seed", "semente";
+    seed_hint: "The numbers come from it: the same seed gives the same exercise, here and with `camera-lab exercise show`", "Dela vêm os números: a mesma semente dá o mesmo exercício, aqui e com `camera-lab exercise show`";
+    how_it_is_read: "How it is read", "Como se entende";
+    free_numbers: "Numbers left open", "Números deixados em aberto";
+    free_hint: "Choose your own; answers may also be formulas in it", "Escolha os seus; respostas também podem ser fórmulas nele";
+    free_wrong: "a number greater than 0", "um número maior que 0";
+    show_figure: "Show the figure", "Mostrar a figura";
+    show_figure_hint: "Puts the figure of the exercise into the pictures, with its points and their names. Undo (Ctrl+Z) brings your own figure back; saving asks for a file, so that yours stays as it is", "Põe a figura do exercício nas imagens, com seus pontos e nomes. Desfazer (Ctrl+Z) traz a sua figura de volta; salvar pergunta por um arquivo, e o seu fica como está";
+    figure_later: "The figure is shown once you have answered.", "A figura é mostrada depois que você responder.";
+    do_operations: "Do its operations", "Fazer as operações";
+    do_operations_hint: "Puts the camera as it is after the operations of the exercise into the pictures, as one step", "Põe nas imagens a câmera como fica depois das operações do exercício, num passo só";
+    target: "This picture is to be matched", "Esta é a imagem a reproduzir";
+    your_answer: "Your answer", "Sua resposta";
+    answer_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5. Ctrl+Enter checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5. Ctrl+Enter confere";
+    first_field_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5; or the whole answer in brackets: [a, b, c] or [[a, b], [c, d]]. Ctrl+Enter checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5; ou a resposta inteira entre colchetes: [a; b; c] ou [[a; b]; [c; d]]. Ctrl+Enter confere";
+    camera_hint: "position=[0, 0, 2]; projection=parallel; … as in a figure file; or take the camera that is set", "position=[0, 0, 2]; projection=parallel; … como num arquivo de figura; ou use a câmera que está ajustada";
+    take_camera: "Take the camera that is set", "Usar a câmera ajustada";
+    take_camera_hint: "The camera of the window becomes your answer", "A câmera da janela passa a ser sua resposta";
+    understood: "understood as", "entendido como";
+    check: "Check", "Conferir";
+    check_hint: "Judges this answer (Ctrl+Enter in one of its fields). What cannot be read costs nothing", "Julga esta resposta (Ctrl+Enter num de seus campos). O que não pode ser lido não custa nada";
+    right: "right", "certo";
+    wrong: "wrong", "errado";
+    right_read_as: "right, read as", "certo, entendido como";
+    changed_since: "This was said of the answer before; check again.", "Isto foi dito da resposta anterior; confira de novo.";
+    hint: "Hint", "Dica";
+    next_hint: "A hint", "Uma dica";
+    stronger_hint: "A stronger hint", "Uma dica mais forte";
+    hint_hint: "One at a time, weaker ones first", "Uma por vez, primeiro as mais fracas";
+    first_step: "A worked step", "Um passo resolvido";
+    next_step: "The next step", "O próximo passo";
+    step_hint: "The way to the answer with every number, step by step", "O caminho à resposta com cada número, passo a passo";
+    show_camera: "Show the camera of your answer", "Mostrar a câmera da sua resposta";
+    show_camera_hint: "Draws the camera that your answer describes beside the right one, in the world. Esc takes it away", "Desenha a câmera que sua resposta descreve ao lado da certa, no mundo. Esc a retira";
+    hide_camera: "Take the camera of your answer away", "Retirar a câmera da sua resposta";
+    no_camera: "No camera has this", "Nenhuma câmera tem isto";
+    all_right: "All of it is right.", "Tudo está certo.";
+}
+
+/// What a button does, for what is asked: screen readers hear which one of several it is.
+#[must_use]
+pub fn of_ask(what: &str, ask: &str) -> String {
+    format!("{what}: {ask}")
+}
+
+/// A field of a vector or a matrix; rows and columns from 0.
+#[must_use]
+pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: [usize; 2]) -> String {
+    let (i, j) = (row + 1, column + 1);
+    match (lang, rows, columns) {
+        (_, 1, 1) => ask.to_owned(),
+        (_, _, 1) => format!("{ask} {i}"),
+        (Lang::En, ..) => format!("{ask} row {i}, column {j}"),
+        (Lang::PtBr, ..) => format!("{ask} linha {i}, coluna {j}"),
+    }
+}

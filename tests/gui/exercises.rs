@@ -1,0 +1,292 @@
+//! The exercises: from reading to a right answer, with the mouse and with the keyboard alone.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use camera_lab::camera::Parameters;
+use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, entry};
+use camera_lab::gui::state::{Chosen, ExplainTab, Standing};
+use camera_lab::gui::{Start, State};
+use camera_lab::i18n::{Lang, exercise_window, exercises as said};
+use camera_lab::scene::Preset;
+use camera_lab::views::View;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+use super::window::Window;
+
+fn window(lang: Lang) -> Window {
+    let mut figure = camera_lab::gui::fresh();
+    figure.scene.preset = Preset::Empty;
+    figure.style.antialias = 1;
+    let mut state = State::new(Start { figure, file: None, lang, allow_files: false }).unwrap();
+    state.layout.maximized = Some(View::Image);
+    // So high that nothing has to be scrolled.
+    let mut window = Window::with_state(state, [800.0, 1900.0]);
+    window.run();
+    window
+}
+
+/// A window in which an exercise is worked on.
+fn working_on(id: &str, seed: u64, lang: Lang) -> Window {
+    let mut window = window(lang);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+    window.run();
+    window.app_mut().state.exercises.work_on(Chosen { id: id.to_owned(), seed });
+    window.run();
+    window
+}
+
+fn made(id: &str, seed: u64) -> (&'static Entry, Exercise) {
+    let entry = entry(id).unwrap();
+    (entry, entry.exercise(seed, &Free::new()))
+}
+
+/// The numbers of the right answer, as they may be typed.
+fn right(ask: &Ask) -> Vec<String> {
+    ask.expected().table().unwrap().entries.iter().map(|value| format!("{value:.9}")).collect()
+}
+
+/// Types into fields, which are found by their names.
+fn fill(window: &mut Window, ask: &str, columns: usize, texts: &[String]) {
+    for (k, text) in texts.iter().enumerate() {
+        let name = match (texts.len(), columns) {
+            (1, 1) => ask.to_owned(),
+            (_, 1) => format!("{ask} {}", k + 1),
+            _ => format!("{ask} row {}, column {}", k / columns + 1, k % columns + 1),
+        };
+        window.harness.get_by_role_and_label(Role::TextInput, &name).click();
+        window.run();
+        window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        window.harness.event(Event::Text(text.clone()));
+        window.run();
+    }
+}
+
+fn focused(window: &Window) -> Option<String> {
+    let node = window.harness.query_all_by(|node| node.is_focused()).next()?;
+    node.accesskit_node().label()
+}
+
+#[test]
+fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse() {
+    let mut window = window(Lang::En);
+    let own = window.state().document.figure().clone();
+    assert!(!window.state().shows_exercises(), "off at the start");
+    window.click("Exercises");
+    assert_eq!(window.state().explain.tab, ExplainTab::Exercises);
+    window.click("The view matrix, [0] §5.3.1, (5.7), untouched");
+    let (_, exercise) = made("view-matrix", 1);
+    let ask = &exercise.asks[0];
+    // −C in the last column, not turned into the VRC.
+    let mut wrong = right(ask);
+    let c = exercise.subject.figure.camera.position;
+    for (row, value) in c.to_array().into_iter().enumerate() {
+        wrong[4 * row + 3] = format!("{}", -value);
+    }
+    fill(&mut window, "M_v", 4, &wrong);
+    assert!(window.says("understood as"));
+    assert!(window.harness.query_by_label_contains("✗").is_none(), "nothing is judged before it is asked for");
+    window.click("Check: M_v");
+    assert!(window.says("✗ wrong"));
+    let checked = &window.state().exercises.checked["Mv"];
+    assert_eq!(checked.judged.diagnosis.as_ref().unwrap().mistakes[0].code(), "translation-not-rotated");
+    let diagnosis = said::diagnosis(Lang::En, checked.judged.diagnosis.as_ref().unwrap());
+    let begins: String = diagnosis.chars().take_while(|c| !"*_".contains(*c)).collect();
+    assert!(window.says(begins.trim()), "{begins}");
+    assert_eq!(window.state().exercises.standing("view-matrix"), Standing::Begun);
+
+    // The camera of the matrix stands beside the right one, until Escape.
+    window.click("Show the camera of your answer: M_v");
+    let described = window.state().exercises.described.clone().unwrap().camera.unwrap();
+    let right_camera = exercise.subject.camera().unwrap();
+    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera, "the right one is set");
+    assert!(described.position().distance(right_camera.position()) > 0.1);
+    window.key(Key::Escape);
+    window.key(Key::Escape);
+    assert!(window.state().exercises.described.is_none());
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.figure(), &own, "one step leads back to the own figure");
+
+    window.click("A hint: M_v");
+    window.click("A stronger hint: M_v");
+    assert!(window.harness.query_by_label("A hint: M_v").is_none());
+    window.click("A worked step: M_v");
+    assert!(window.says("‖") || window.says("n_x"), "a step of the way, set");
+    fill(&mut window, "M_v", 4, &right(ask));
+    window.click("Check: M_v");
+    assert!(window.says("✓ right") && window.says("All of it is right."));
+    assert_eq!(window.state().exercises.standing("view-matrix"), Standing::Solved);
+
+    window.click("Show the figure");
+    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
+    window.click("Back to the list");
+    assert_eq!(focused(&window).as_deref(), Some("The view matrix, [0] §5.3.1, (5.7), solved"));
+}
+
+#[test]
+fn the_same_with_the_keyboard_alone() {
+    let mut window = window(Lang::En);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+    window.run();
+    let tab_to = |window: &mut Window, name: &str| {
+        for _ in 0..200 {
+            if focused(window).as_deref() == Some(name) {
+                return;
+            }
+            window.key(Key::Tab);
+        }
+        panic!("{name} is not reached");
+    };
+    tab_to(&mut window, "Search the exercises");
+    window.harness.event(Event::Text("axes of a camera".to_owned()));
+    window.run();
+    window.key(Key::Enter);
+    let open = window.state().exercises.open.clone().unwrap();
+    let (_, exercise) = made(&open.id, open.seed);
+    assert_eq!(open.id, "basis");
+    let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();
+    let name = said::ask(Lang::En, &exercise, ask).replace("**", "");
+    let answer = right(ask);
+    // The other way round, then right.
+    for turn in [true, false] {
+        for (k, text) in answer.iter().enumerate() {
+            tab_to(&mut window, &format!("{name} {}", k + 1));
+            let text = if turn { format!("-({text})") } else { text.clone() };
+            window.harness.event(Event::Text(text));
+            window.run();
+        }
+        window.command_key(Key::Enter);
+        let judged = &window.state().exercises.checked["u"].judged;
+        assert_eq!(judged.right, !turn, "{:?}", judged.understood);
+        if turn {
+            let code = judged.diagnosis.as_ref().unwrap().mistakes[0].code();
+            assert!(["u-reversed", "sign", "n-reversed"].contains(&code), "{code}");
+            tab_to(&mut window, &format!("A hint: {name}"));
+            window.key(Key::Enter);
+            assert!(window.says("Hint:"));
+            tab_to(&mut window, &format!("Show the camera of your answer: {name}"));
+        }
+    }
+    tab_to(&mut window, "Show the figure");
+    window.key(Key::Space);
+    assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
+}
+
+#[test]
+fn what_cannot_be_read_costs_nothing_and_nothing_typed_is_lost() {
+    let mut window = working_on("view-matrix", 2, Lang::En);
+    fill(&mut window, "M_v", 4, &["1/sqrt(3".to_owned(), "0,5".to_owned(), "2/3".to_owned()]);
+    assert!(window.says("⚠"), "the message is at the field");
+    window.command_key(Key::Enter);
+    assert!(window.state().exercises.checked.is_empty());
+    let typed = window.state().exercises.typed.clone();
+    // Another exercise, another language, hidden, undone, a new figure: it is still there.
+    window.click("New numbers");
+    assert_eq!(window.state().exercises.open.as_ref().unwrap().seed, 3);
+    window.click("Back to the list");
+    window.command_key(Key::L);
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+    window.run();
+    assert!(!window.state().shows_exercises());
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+    window.run();
+    window.command_key(Key::Z);
+    window.app_mut().state.exercises.work_on(Chosen { id: "view-matrix".to_owned(), seed: 2 });
+    window.run();
+    assert_eq!(window.state().exercises.typed[&Chosen { id: "view-matrix".to_owned(), seed: 2 }].answers["Mv"][..3], {
+        let of = |window: &camera_lab::gui::state::Typed| window.answers["Mv"][..3].to_vec();
+        of(typed.values().next().unwrap())
+    });
+    let field = window.harness.get_by_role_and_label(Role::TextInput, "M_v linha 1, coluna 2");
+    assert_eq!(field.value().as_deref(), Some("0,5"));
+}
+
+#[test]
+fn a_whole_matrix_may_be_typed_into_the_first_field_and_half_of_one_counts_half() {
+    let mut window = working_on("view-matrix", 1, Lang::En);
+    let (_, exercise) = made("view-matrix", 1);
+    let numbers = right(&exercise.asks[0]);
+    let rows: Vec<String> = numbers.chunks(4).map(|row| format!("[{}]", row.join(", "))).collect();
+    fill(&mut window, "M_v", 4, &[format!("[{}]", rows.join(", "))]);
+    window.command_key(Key::Enter);
+    assert!(window.state().exercises.checked["Mv"].judged.right);
+    let half: Vec<String> = numbers[..8].to_vec();
+    let mut window = working_on("view-matrix", 1, Lang::En);
+    fill(&mut window, "M_v", 4, &half);
+    window.command_key(Key::Enter);
+    assert!(window.says("✗ wrong (8 of 16)"));
+}
+
+#[test]
+fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
+    let mut window = working_on("match-picture", 3, Lang::PtBr);
+    let t = exercise_window::texts(Lang::PtBr);
+    assert!(window.says(t.target));
+    window.click(t.show_figure);
+    window.click(t.take_camera);
+    window.command_key(Key::Enter);
+    assert!(!window.state().exercises.checked["camera"].judged.right, "where one begins");
+    let (_, exercise) = made("match-picture", 3);
+    let Expected::Camera(_, model, _) = exercise.asks[0].expected() else { panic!("a camera") };
+    let wanted: Parameters = **model;
+    window.app_mut().state.document.set_parameters(wanted);
+    window.run();
+    window.click(t.take_camera);
+    window.command_key(Key::Enter);
+    assert!(window.state().exercises.checked["camera"].judged.right);
+    assert!(window.says(&format!("✓ {}", t.right)));
+}
+
+#[test]
+fn what_is_to_be_predicted_is_shown_only_after_the_answer() {
+    let mut window = working_on("predict-visible", 4, Lang::En);
+    let t = exercise_window::texts(Lang::En);
+    assert!(window.says(t.figure_later) && window.harness.query_by_label(t.show_figure).is_none());
+    let (_, exercise) = made("predict-visible", 4);
+    let yes = said::choice(Lang::En, "yes");
+    for k in 0..exercise.asks.len() {
+        window.harness.get_all_by_role_and_label(Role::RadioButton, yes).nth(k).unwrap().click();
+        window.run();
+    }
+    window.command_key(Key::Enter);
+    window.click(t.show_figure);
+    let points = &window.state().document.figure().points;
+    assert_eq!(points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>(), ["P", "Q", "R"]);
+    assert_eq!(points[1].position, exercise.subject.points[1]);
+}
+
+#[test]
+fn all_exercises_are_shown_in_both_languages() {
+    let mut window = window(Lang::En);
+    window.click("Exercises");
+    for entry in camera_lab::exercises::entries() {
+        let seed = u64::from(entry.is_family);
+        window.app_mut().state.exercises.work_on(Chosen { id: entry.id.to_owned(), seed });
+        for _ in 0..2 {
+            window.command_key(Key::L);
+            let lang = window.state().settings.lang;
+            assert!(window.says(said::title(lang, entry.id)), "{}", entry.id);
+            assert!(window.says(exercise_window::texts(lang).check), "{}", entry.id);
+            let written = window.written();
+            assert!(!written.iter().any(|(text, _)| text.contains("**") || text.contains('{')), "{}", entry.id);
+        }
+    }
+}
+
+#[test]
+fn numbers_left_open_are_chosen_and_answers_may_depend_on_them() {
+    let mut window = working_on("0-5.2", 0, Lang::En);
+    let field = window.harness.get_by_role_and_label(Role::TextInput, "F");
+    field.click();
+    window.run();
+    window.harness.event(Event::Text("2".to_owned()));
+    window.run();
+    let free: Free = [("F".to_owned(), 2.0)].into();
+    let exercise = entry("0-5.2").unwrap().exercise(0, &free);
+    let ask = exercise.asks.iter().find(|ask| ask.name == "Mp").unwrap();
+    let name = said::ask(Lang::En, &exercise, ask).replace("**", "");
+    fill(&mut window, &name, 4, &right(ask));
+    window.command_key(Key::Enter);
+    assert!(window.state().exercises.checked["Mp"].judged.right);
+}
