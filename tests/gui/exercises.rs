@@ -262,11 +262,11 @@ fn all_exercises_are_shown_in_both_languages() {
     window.click("Exercises");
     for entry in camera_lab::exercises::entries() {
         let seed = u64::from(entry.is_family);
-        window.app_mut().state.exercises.work_on(Chosen { id: entry.id.to_owned(), seed });
+        window.app_mut().state.exercises.work_on(Chosen { id: entry.id.clone().into_owned(), seed });
         for _ in 0..2 {
             window.command_key(Key::L);
             let lang = window.state().settings.lang;
-            assert!(window.says(said::title(lang, entry.id)), "{}", entry.id);
+            assert!(window.says(said::title(lang, entry)), "{}", entry.id);
             assert!(window.says(exercise_window::texts(lang).check), "{}", entry.id);
             let written = window.written();
             assert!(!written.iter().any(|(text, _)| text.contains("**") || text.contains('{')), "{}", entry.id);

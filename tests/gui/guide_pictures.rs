@@ -79,7 +79,7 @@ fn wrong_view_matrix(state: &mut State) {
     }
     let fields: Vec<String> = numbers.iter().map(|x| format!("{}", (x * 1000.0).round() / 1000.0)).collect();
     let judged = check(entry, &exercise, ask, &joined(ask, &fields)).unwrap();
-    let chosen = Chosen { id: entry.id.to_owned(), seed: 1 };
+    let chosen = Chosen { id: entry.id.clone().into_owned(), seed: 1 };
     state.exercises.work_on(chosen.clone());
     let typed = Typed { answers: [(ask.name.clone(), fields.clone())].into(), ..Typed::default() };
     state.exercises.typed.insert(chosen, typed);

@@ -22,21 +22,21 @@ pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
 /// How many are solved.
 pub(super) fn count(ui: &mut Ui, state: &Exercises, lang: Lang) {
     let all = exercises::entries().count();
-    let solved = exercises::entries().filter(|entry| state.standing(entry.id) == Standing::Solved).count();
+    let solved = exercises::entries().filter(|entry| state.standing(&entry.id) == Standing::Solved).count();
     ui.label(RichText::new(format!("✓ {}", exercise_messages::score(lang, solved, all))).weak());
 }
 
 /// Those that say all the words.
 fn found<'a>(lang: Lang, wanted: &'a str) -> impl Iterator<Item = &'static Entry> + 'a {
     exercises::entries().filter(move |entry| {
-        let text = format!("{} {} {}", entry.id, entry.source, said::title(lang, entry.id)).to_lowercase();
+        let text = format!("{} {} {}", entry.id, entry.source, said::title(lang, entry)).to_lowercase();
         wanted.split_whitespace().all(|word| text.contains(&word.to_lowercase()))
     })
 }
 
 fn open(state: &mut Exercises, entry: &Entry) {
     let seed = state.seed_of(entry);
-    state.work_on(Chosen { id: entry.id.to_owned(), seed });
+    state.work_on(Chosen { id: entry.id.clone().into_owned(), seed });
 }
 
 /// Shows what is found, by groups.
@@ -66,12 +66,12 @@ pub(super) fn ui(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
 
 /// A row: how far it is, its title and its source; true where it is chosen.
 fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
-    let (sign, standing) = match state.standing(entry.id) {
+    let (sign, standing) = match state.standing(&entry.id) {
         Standing::Untouched => ("○", t.untouched),
         Standing::Begun => ("◐", t.begun),
         Standing::Solved => ("✓", t.solved),
     };
-    let title = said::title(t.lang, entry.id);
+    let title = said::title(t.lang, entry);
     let mut job = LayoutJob::default();
     let format = |style: TextStyle, color| TextFormat::simple(style.resolve(ui.style()), color);
     let visuals = ui.visuals();
@@ -81,7 +81,7 @@ fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
     let button = Button::selectable(false, job).truncate();
     let response = ui.with_layout(egui::Layout::top_down_justified(egui::Align::LEFT), |ui| ui.add(button)).inner;
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}, {}, {standing}", entry.source)));
-    if state.wants_focus.as_deref() == Some(entry.id) {
+    if state.wants_focus.as_deref() == Some(&*entry.id) {
         // A click elsewhere takes the keyboard away once more after its frame.
         if response.has_focus() {
             state.wants_focus = None;

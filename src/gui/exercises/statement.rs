@@ -13,7 +13,7 @@ use crate::i18n::exercises as said;
 /// Shows what is given.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     let Sheet { t, entry, exercise } = sheet;
-    ui.add(egui::Label::new(RichText::new(said::title(t.lang, entry.id)).heading().strong()).wrap());
+    ui.add(egui::Label::new(RichText::new(said::title(t.lang, entry)).heading().strong()).wrap());
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         ui.label(RichText::new(entry.source).small().weak()).explained(crate::i18n::sources::with_titles(entry.source));

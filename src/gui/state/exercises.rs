@@ -183,12 +183,12 @@ impl Exercises {
     #[must_use]
     pub fn next(&self) -> Option<Chosen> {
         let others = || exercises::entries().filter(|entry| self.open.as_ref().is_none_or(|open| open.id != entry.id));
-        let first = |wanted| others().find(|entry| self.standing(entry.id) == wanted);
+        let first = |wanted| others().find(|entry| self.standing(&entry.id) == wanted);
         if let Some(entry) = first(Standing::Begun).or_else(|| first(Standing::Untouched)) {
-            return Some(Chosen { id: entry.id.to_owned(), seed: self.seed_of(entry) });
+            return Some(Chosen { id: entry.id.clone().into_owned(), seed: self.seed_of(entry) });
         }
         let least = others().filter(|entry| entry.is_family).min_by_key(|entry| self.seed_of(entry))?;
-        Some(Chosen { id: least.id.to_owned(), seed: self.seed_of(least) + 1 })
+        Some(Chosen { id: least.id.clone().into_owned(), seed: self.seed_of(least) + 1 })
     }
 
     /// Notes that all that is asked is answered rightly, where it is.
@@ -250,14 +250,14 @@ mod tests {
     fn what_was_begun_is_practised_next_then_what_is_untouched_then_new_numbers() {
         let mut state = Exercises::default();
         let all: Vec<&Entry> = exercises::entries().collect();
-        assert_eq!(state.next().map(|next| next.id), Some(all[0].id.to_owned()));
+        assert_eq!(state.next().map(|next| next.id), Some(all[0].id.clone().into_owned()));
         let basis = Chosen { id: "basis".to_owned(), seed: 7 };
         state.typed.insert(basis.clone(), typed("1"));
         assert_eq!(state.next(), Some(basis.clone()));
         state.typed.insert(basis.clone(), typed(" "));
         assert_eq!(state.standing("basis"), Standing::Untouched);
         for entry in &all {
-            let chosen = Chosen { id: entry.id.to_owned(), seed: u64::from(entry.is_family) };
+            let chosen = Chosen { id: entry.id.clone().into_owned(), seed: u64::from(entry.is_family) };
             state.typed.insert(chosen, Typed { solved: true, ..typed("1") });
         }
         state.typed.insert(basis, Typed { solved: true, ..typed("1") });
