@@ -1,6 +1,6 @@
 //! What is given, how it is read, and the figure.
 
-use eframe::egui::{self, CollapsingHeader, Image, RichText, TextEdit, Ui, vec2};
+use eframe::egui::{self, Align2, CollapsingHeader, Image, RichText, TextEdit, Ui, vec2};
 
 use super::{Sheet, figure};
 use crate::exercises::Expected;
@@ -27,8 +27,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
     let assumptions = said::assumptions(t.lang, exercise);
     if !assumptions.is_empty() {
         CollapsingHeader::new(t.how_it_is_read).id_salt("how it is read").default_open(true).show(ui, |ui| {
-            let list: Vec<String> = assumptions.iter().map(|text| format!("- {text}")).collect();
-            prose::show(ui, &list.join("\n"));
+            // A list of the renderer begins a long item below its bullet.
+            assumptions.iter().for_each(|text| prose::show(ui, &format!("• {text}")));
         });
     }
     free(ui, state, sheet);
@@ -64,7 +64,9 @@ fn free(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
             ui.label(*name);
             let text = typed.free.entry((*name).to_owned()).or_default();
             let field = TextEdit::singleline(text).hint_text(said::number(t.lang.mark(), *value)).desired_width(56.0);
-            ui.add(field.id_salt(("free", *name))).explained(t.free_hint).accessible_name(*name);
+            ui.add(field.align(Align2::LEFT_CENTER).id_salt(("free", *name)))
+                .explained(t.free_hint)
+                .accessible_name(*name);
         }
     });
     let chosen = typed.chosen_numbers();
