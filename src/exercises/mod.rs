@@ -11,6 +11,7 @@ mod judge;
 mod mistake;
 pub mod notes;
 pub mod own;
+mod products;
 mod progress;
 mod subject;
 mod textbook;

@@ -494,3 +494,6 @@ fn corner(subject: &Arc<Subject>, setting: &Setting<'_>, k: usize) -> Worked {
     }
     step
 }
+
+#[cfg(test)]
+mod tests;

@@ -18,6 +18,7 @@ mod contract;
 mod depth_in_view;
 mod diagnose;
 mod diagnose_causes;
+mod exercise_mistakes;
 mod exercises;
 mod explain;
 mod explain_formulas;

@@ -161,7 +161,8 @@ fn predict_visible(seed: u64) -> Exercise {
             let clip = camera.clip_point(point);
             let rest = clip.w - clip.truncate().abs().max_element();
             // Not so near a plane that the eye could not tell.
-            (rest > 0.05 * clip.w.abs(), rest.abs() > 0.05 * clip.w.abs().max(1.0))
+            // In the plane of the eye there is no NDC, and nothing to tell.
+            (rest > 0.05 * clip.w.abs(), rest.abs() > 0.05 * clip.w.abs().max(1.0) && clip.w.abs() > 0.05)
         })
     };
     let mut points = vec![point_inside(&mut random, &parameters)];

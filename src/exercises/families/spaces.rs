@@ -4,6 +4,7 @@ use glam::{DMat3, DMat4, DVec3};
 
 use super::cameras::{about, camera, numbers, plain, small, subject};
 use crate::camera::{Parameters, Projection};
+use crate::exercises::products::{ENTRIES, multiplied};
 use crate::exercises::worked::{Worked, angle, named};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Slips, Table, notes};
 use crate::explain::{Formula, Function, over, times};
@@ -53,6 +54,14 @@ fn left_handed(seed: u64) -> Exercise {
             step = step.row(part(n_name, n[k]), over(part(vpn, normal[k]), norm));
             let taken = times([part(n_name, n[k]).into(), dot.into()]);
             step = step.row(part(v_name, v[k]), over(crate::explain::minus(part(vuv, view_up[k]), taken), rest));
+        }
+        // u = n × v, component by component.
+        for (k, name) in ["u_x", "u_y", "u_z"].into_iter().enumerate() {
+            let [a, b] = [(k + 1) % 3, (k + 2) % 3];
+            let (n_axis, v_axis) = (n, v);
+            let of =
+                |n: usize, v: usize| times([part(names[n][0], n_axis[n]).into(), part(names[v][2], v_axis[v]).into()]);
+            step = step.row(part(name, n.cross(v)[k]), crate::explain::minus(of(a, b), of(b, a)));
         }
         step
     };
@@ -152,9 +161,23 @@ fn order(seed: u64) -> Exercise {
     let step = Worked::new("order", "[4]")
         .row(named("cos α", r"\cos\alpha", cos), of(Function::Cosine))
         .row(named("sin α", r"\sin\alpha", sin), of(Function::Sine));
+    let step = {
+        let turn = rotation(axis, sin, cos);
+        let stretch = [("s_x", scale.x), ("s_y", scale.y), ("s_z", scale.z)].map(|(name, s)| named(name, name, s));
+        (0..3).fold(step, |step, row| {
+            let step = stretch.iter().enumerate().fold(step, |step, (column, s)| {
+                let (text, latex) = ENTRIES[row][column];
+                let r = turn.row(row)[column];
+                step.row(named(text, latex, r * s.value), times([named("r", "r", r).into(), (*s).into()]))
+            });
+            let (name, (text, latex)) = (["t_x", "t_y", "t_z"][row], ENTRIES[row][3]);
+            step.row(named(text, latex, by[row]), named(name, name, by[row]).into())
+        })
+    };
+    let moved = multiplied(product(Slips::NONE), &[point.extend(1.0)]);
     let matrix =
         Ask::computed("M", Kind::Matrix(4, 4), vec![step.clone()], move |slips| Some(Table::from(product(slips))));
-    let image = Ask::computed("P", Kind::Vector(3), vec![step], move |slips| {
+    let image = Ask::computed("P", Kind::Vector(3), vec![step, moved], move |slips| {
         Some(Table::from(product(slips).transform_point3(point)))
     });
     let first = Ask::choice("first", &["translate", "rotate", "scale"], 2, &[(0, Mistake::OrderReversed)], Vec::new());

@@ -7,6 +7,7 @@ use glam::{DMat4, DVec3, DVec4};
 use super::chosen;
 use crate::camera::{ImageSize, Parameters, Projection};
 use crate::exercises::given::{about, with_point};
+use crate::exercises::products::multiplied;
 use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Slip, Slips, Subject, Table, textbook};
 use crate::explain::{Formula, over};
@@ -138,10 +139,15 @@ pub(super) fn model_and_view(free: &Free) -> Exercise {
     let of = move || Birth { day, month, view_angle: 90.0, aspect: 1.0 };
     let model =
         Ask::computed("Mm", Kind::Matrix(4, 4), vec![model_step()], move |slips| Some(Table::from(of().model(slips))));
-    let world = matrix_of_points("world", vec![model_step()], move |slips| Some(of().world(slips)));
+    let placed = multiplied(birth.model(Slips::NONE), &birth.vertices().collect::<Vec<_>>());
+    let world = matrix_of_points("world", vec![model_step(), placed], move |slips| Some(of().world(slips)));
     let seen = {
         let subject = subject.clone();
-        matrix_of_points("view", worked(&subject, "view_matrix"), move |slips| {
+        let mut steps = worked(&subject, "view_matrix");
+        steps.extend(
+            matrix(&subject, "view_matrix", Slips::NONE).map(|view| multiplied(view, &of().world(Slips::NONE))),
+        );
+        matrix_of_points("view", steps, move |slips| {
             let view = matrix(&subject, "view_matrix", slips)?;
             Some(of().world(slips).into_iter().map(|vertex| view * vertex).collect())
         })
@@ -156,10 +162,11 @@ pub(super) fn projection(free: &Free) -> Exercise {
     let birth = Birth::new(free);
     let subject = birth.subject();
     let of = Birth { ..birth };
-    let steps = worked(&subject, "view_projection_matrix");
+    let mut steps = worked(&subject, "view_projection_matrix");
     let clip = {
         let subject = subject.clone();
         let world = of.world(Slips::NONE);
+        steps.extend(matrix(&subject, "view_projection_matrix", Slips::NONE).map(|all| multiplied(all, &world)));
         matrix_of_points("clip", steps, move |slips| {
             let (view, projection) =
                 (matrix(&subject, "view_matrix", slips)?, matrix(&subject, "projection_matrix", slips)?);
