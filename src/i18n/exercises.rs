@@ -113,10 +113,15 @@ pub fn diagnosis(lang: Lang, diagnosis: &Diagnosis) -> String {
     if let Some(own) = &diagnosis.own {
         return told(lang, &own.message).to_owned();
     }
-    let mut said: Vec<String> = diagnosis.mistakes.iter().map(|found| mistake(lang, *found)[0].to_owned()).collect();
+    // Beside another mistake not all other numbers are right.
+    let beside = diagnosis.mistakes.len() > 1;
+    let told = diagnosis.mistakes.iter().filter(|found| !beside || **found != Mistake::ArithmeticSlip);
+    let mut said: Vec<String> = told.map(|found| mistake(lang, *found)[0].to_owned()).collect();
     if let Some([row, column]) = diagnosis.entry {
         let (row, column) = (row + 1, column + 1);
         said.push(match lang {
+            Lang::En if beside => format!("Besides, the number in row {row}, column {column} is wrong."),
+            Lang::PtBr if beside => format!("Além disso, o número da linha {row}, coluna {column} está errado."),
             Lang::En => format!("It is the one in row {row}, column {column}."),
             Lang::PtBr => format!("É a da linha {row}, coluna {column}."),
         });

@@ -7,7 +7,8 @@ pub(super) use crate::exercises::given::{about, image, with_point};
 use crate::exercises::{Exercise, Subject};
 use crate::figure::Figure;
 use crate::numbers::random::Random;
-use crate::scene::Preset;
+use crate::scene::palette::{BLUE, ORANGE, TEAL};
+use crate::scene::{ObjectSpec, Preset, Shape};
 
 /// The numbers of a family for a seed.
 pub(in crate::exercises) fn numbers(family: &str, seed: u64) -> Random {
@@ -87,7 +88,9 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
         let n = to_viewer.normalize();
         let oblique = view_up.normalize().dot(n).abs();
         let has_length_1 = (view_up.cross(n).length() - 1.0).abs() < 0.05;
-        if (0.1..0.95).contains(&oblique) && !has_length_1 && parameters.position.length() > 1.0 {
+        // What it looks at is in its volume.
+        let seen = parameters.near < 0.7 * to_viewer.length() && parameters.far > 1.3 * to_viewer.length();
+        if (0.1..0.95).contains(&oblique) && !has_length_1 && seen && parameters.position.length() > 1.0 {
             return parameters;
         }
     }
@@ -98,11 +101,21 @@ pub(super) fn any_projection(random: &mut Random) -> Projection {
     random.one_of(&[Projection::Perspective, Projection::Parallel])
 }
 
-/// A camera in a scene.
+/// A camera before small things about PF: it never stands among them.
 pub(super) fn subject(camera: Parameters) -> Subject {
-    let mut figure = Figure::of_preset(Preset::House);
+    let mut figure = Figure::of_preset(Preset::Empty);
+    let (at, unit) = (camera.focal_point, (camera.position - camera.focal_point).length() / 16.0);
+    let thing = |name: &str, shape, by: [f64; 3]| {
+        let at = at + DVec3::from_array(by) * unit;
+        ObjectSpec::new(name, shape).at(at.x, at.y, at.z).scaled(unit, unit, unit)
+    };
+    figure.scene.objects = vec![
+        thing("cube", Shape::Box, [-2.0, 0.0, 0.0]).colored(BLUE),
+        thing("sphere", Shape::Sphere, [2.0, 0.0, 1.0]).colored(ORANGE),
+        thing("cone", Shape::Cone, [0.0, 1.0, -2.5]).colored(TEAL),
+    ];
     figure.camera = camera;
-    Subject { figure, ..Subject::default() }
+    with_image(Subject { figure, ..Subject::default() }, 768)
 }
 
 /// With an image whose sides have the aspect of the window, as far as whole pixels can.
