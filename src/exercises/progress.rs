@@ -33,10 +33,6 @@ pub struct Tried {
     pub last: Option<u64>,
     /// What its numbers come from now; what follows is about these.
     pub seed: u64,
-    /// The numbers that the notes leave open, as they were typed.
-    pub free: BTreeMap<String, String>,
-    /// What was typed last, by the names of the asks.
-    pub answers: BTreeMap<String, String>,
     /// How many hints and worked steps were opened, by the names of the asks.
     pub hints: BTreeMap<String, u32>,
     /// The asks that have been answered rightly.
@@ -132,20 +128,26 @@ impl Progress {
         self.exercises.is_empty() && self.mistakes.is_empty()
     }
 
-    /// What has been typed into the field of an ask; nothing is judged.
-    pub fn typed(&mut self, id: &str, ask: &str, text: &str) {
-        keep_text(&mut self.of(id).answers, ask, text);
-    }
-
-    /// A number that the notes leave open, as it was typed.
-    pub fn chosen(&mut self, id: &str, name: &str, text: &str) {
-        keep_text(&mut self.of(id).free, name, text);
-    }
-
-    /// How many hints and worked steps of an ask are open; as many as ever were count.
-    pub fn opened(&mut self, id: &str, ask: &str, hints: u32) {
+    /// How many hints and worked steps of an ask are open, with the numbers of a seed; as many as ever were count.
+    pub fn opened(&mut self, id: &str, seed: u64, ask: &str, hints: u32) {
+        if self.of(id).seed != seed {
+            self.begin(id, seed);
+        }
         let kept = self.of(id).hints.entry(ask.to_owned()).or_default();
         *kept = hints.max(*kept);
+    }
+
+    /// Other numbers were chosen where the notes leave them open: other answers are right now.
+    pub fn numbers_changed(&mut self, id: &str) {
+        if let Some(tried) = self.exercises.get_mut(id) {
+            tried.right.clear();
+        }
+    }
+
+    /// It was solved before anything else was kept of it.
+    pub fn was_solved(&mut self, id: &str) {
+        let kept = self.of(id);
+        kept.solved = kept.solved.max(1);
     }
 
     /// The exercise begins anew, with the numbers of a seed.
@@ -284,14 +286,6 @@ impl Exercise {
                 })
             }),
         })
-    }
-}
-
-fn keep_text(texts: &mut BTreeMap<String, String>, name: &str, text: &str) {
-    if text.is_empty() {
-        texts.remove(name);
-    } else {
-        texts.insert(name.to_owned(), text.to_owned());
     }
 }
 

@@ -18,7 +18,7 @@ use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use crate::foreign;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{canvas, scenes};
+use crate::i18n::{canvas, exercise_window, scenes};
 use crate::scene::edit::Children;
 
 /// Shows the question that is open, if any, and acts on the answer.
@@ -36,7 +36,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let modal = Modal::new(Id::unique("dialog").with(kind)).frame(frame).show(ctx, |ui| {
         let width = match &dialog {
-            Dialog::Help | Dialog::Delete { .. } => 520.0,
+            Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
             Dialog::Gallery => 1110.0,
             Dialog::Coach => coach::WIDTH,
@@ -108,6 +108,16 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 file_flow::begin(ctx, state, next);
             }
             Dialog::Delete { names, below } => ask_delete(ui, t, state, (names, below), first),
+            Dialog::DeleteProgress => {
+                let words = exercise_window::texts(state.settings.lang);
+                text(ui, words.delete_progress, words.delete_progress_text);
+                match buttons(ui, t.cancel, &[words.delete_progress], first.then_some(CANCEL)) {
+                    Pressed::Action(_) if state.exercises.file.is_some() => state.exercises.forgets = true,
+                    Pressed::Action(_) => state.exercises.forget(),
+                    Pressed::Cancel => {}
+                    Pressed::Nothing => state.file_flow.dialog = Some(Dialog::DeleteProgress),
+                }
+            }
         }
     });
     if modal.should_close() {
@@ -219,6 +229,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         Purpose::Open => (t.open_title, t.open_action),
         Purpose::Save(_) => (t.save_title, t.save_action),
         Purpose::Export(_) | Purpose::Film(_) => (t.export_title, t.save_action),
+        Purpose::Progress => (exercise_window::texts(state.settings.lang).export_title, t.save_action),
         Purpose::Folder => (crate::i18n::gallery::texts(state.settings.lang).choose, t.open_action),
         Purpose::Mesh(_) => {
             let t = scenes::texts(state.settings.lang);

@@ -21,7 +21,7 @@ use crate::export::format::PictureFormat;
 use crate::figure::{Figure, update};
 use crate::files::{self, Found};
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{explain, gallery, scenes};
+use crate::i18n::{exercise_window, explain, gallery, scenes};
 use crate::picture::FilmFormat;
 use crate::scene::Shape;
 
@@ -122,6 +122,11 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion
             ];
             FileQuestion { wanted: Wanted::NewFile, title: t.export_title, filters, name, folder }
         }
+        Purpose::Progress => {
+            let title = exercise_window::texts(state.settings.lang).export_title;
+            let filters = vec![("CSV".to_owned(), &["csv"][..])];
+            FileQuestion { wanted: Wanted::NewFile, title, filters, name, folder }
+        }
         Purpose::Folder => {
             let title = gallery::texts(state.settings.lang).choose;
             FileQuestion { wanted: Wanted::Folder, title, filters: Vec::new(), name: String::new(), folder }
@@ -147,6 +152,10 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
     match purpose {
         Purpose::Open | Purpose::Mesh(_) | Purpose::Folder => folder.display().to_string(),
         Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
+        Purpose::Progress => {
+            let name = exercise_window::texts(state.settings.lang).progress_file;
+            folder.join(name).display().to_string()
+        }
         Purpose::Film(decomposition) => {
             let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             folder.join(format!("{stem}-{}.gif", decomposition.name())).display().to_string()
@@ -165,6 +174,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
     let path = match &purpose {
         Purpose::Open | Purpose::Mesh(_) | Purpose::Folder => path,
         Purpose::Save(_) => with_ending(path, "toml"),
+        Purpose::Progress => with_ending(path, "csv"),
         Purpose::Export(_) if PictureFormat::of(&path).is_some() => path,
         Purpose::Export(export) => with_ending(path, export.format.ending()),
         Purpose::Film(_) if FilmFormat::of(&path).is_some() => path,
@@ -203,10 +213,17 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     match purpose {
         Purpose::Open => open(state, path),
         Purpose::Save(then) => write(ctx, state, path, then, agreed),
-        Purpose::Export(_) | Purpose::Film(_) if !agreed.read_only && files::is_read_only(path) => {
+        Purpose::Export(_) | Purpose::Film(_) | Purpose::Progress if !agreed.read_only && files::is_read_only(path) => {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
+        Purpose::Progress => {
+            let table = state.exercises.progress.to_csv();
+            match files::save(path, table.as_bytes(), agreed.overwrite()) {
+                Ok(()) => state.say(Message::Saved(path.to_owned())),
+                Err(error) => state.say(Message::File(path.to_owned(), error)),
+            }
+        }
         Purpose::Film(decomposition) => {
             let exporting = Exporting::film(
                 ctx,

@@ -159,3 +159,12 @@ pub fn why(lang: Lang, why: Why) -> String {
         (Lang::PtBr, Why::LongestAgo) => "Você já resolveu todos; este é o que você tentou há mais tempo.".to_owned(),
     }
 }
+
+/// What was kept of exercises is forgotten, and is in the file at `path` still.
+#[must_use]
+pub fn progress_deleted(lang: Lang, path: &str) -> String {
+    match lang {
+        Lang::En => format!("Progress is deleted; what it was is in {path}."),
+        Lang::PtBr => format!("O progresso foi apagado; o que era está em {path}."),
+    }
+}

@@ -12,7 +12,7 @@ texts! {
     begun: "begun", "começado";
     solved: "solved", "resolvido";
     practise_next: "Practise next", "Praticar o próximo";
-    practise_next_hint: "What is begun, else what is untouched; once all is solved, new numbers", "O que está começado, senão o que está intocado; quando tudo está resolvido, números novos";
+    practise_next_hint: "What shows the mistake that you made most often, else the first that is not solved, else the one tried longest ago; the reason is said", "O que mostra o erro que você mais cometeu, senão o primeiro não resolvido, senão o tentado há mais tempo; o motivo é dito";
     new_numbers: "New numbers", "Números novos";
     new_numbers_hint: "The same exercise with the numbers of the next seed; what was typed for these stays", "O mesmo exercício com os números da próxima semente; o que foi digitado para estes fica";
     back: "Back to the list", "Voltar à lista";
@@ -52,6 +52,19 @@ texts! {
     show_camera_hint: "Draws the camera that your answer describes beside the right one, in the world. Esc takes it away", "Desenha a câmera que sua resposta descreve ao lado da certa, no mundo. Esc a retira";
     hide_camera: "Take the camera of your answer away", "Retirar a câmera da sua resposta";
     no_camera: "No camera has this", "Nenhuma câmera tem isto";
+    progress: "Progress", "Progresso";
+    progress_kept_in: "Kept in this file, which you may read, copy or delete:", "Guardado neste arquivo, que você pode ler, copiar ou apagar:";
+    progress_not_kept: "Kept until the window closes.", "Guardado até a janela fechar.";
+    no_mistakes: "No known mistake so far.", "Nenhum erro conhecido até agora.";
+    mistakes: "Known mistakes, and how often", "Erros conhecidos, e quantas vezes";
+    mended: "Solved since without it", "Resolvido depois sem ele";
+    export_progress: "Export as CSV…", "Exportar como CSV…";
+    export_title: "Export progress", "Exportar o progresso";
+    export_progress_hint: "A table for spreadsheets: a row for each exercise and each known mistake", "Uma tabela para planilhas: uma linha por exercício e por erro conhecido";
+    progress_file: "progress.csv", "progresso.csv";
+    delete_progress: "Delete progress", "Apagar o progresso";
+    delete_progress_hint: "Asks first", "Pergunta antes";
+    delete_progress_text: "What you typed, what is solved, and the mistakes are forgotten. The file stays as progress.bak beside it until you delete progress again; to have it back, close the program and rename it to progress.toml.", "O que você digitou, o que está resolvido e os erros são esquecidos. O arquivo fica como progress.bak ao lado até você apagar o progresso de novo; para tê-lo de volta, feche o programa e renomeie-o para progress.toml.";
     all_right: "All of it is right.", "Tudo está certo.";
 }
 

@@ -68,6 +68,28 @@ pub fn preferences_not_written(lang: Lang, why: &str) -> String {
     }
 }
 
+/// What is kept of exercises cannot be understood; it is in the file at `path` now.
+#[must_use]
+pub fn progress_set_aside(lang: Lang, path: &str) -> String {
+    match lang {
+        Lang::En => {
+            format!("Your progress with exercises cannot be understood. It is kept in {path}; a new one is begun.")
+        }
+        Lang::PtBr => {
+            format!("Seu progresso nos exercícios não pode ser entendido. Está guardado em {path}; outro é começado.")
+        }
+    }
+}
+
+/// What is kept of exercises is not written down; `why` is a sentence with the name of the file.
+#[must_use]
+pub fn progress_not_written(lang: Lang, why: &str) -> String {
+    match lang {
+        Lang::En => format!("Progress with exercises is not remembered: {why}"),
+        Lang::PtBr => format!("O progresso nos exercícios não é lembrado: {why}"),
+    }
+}
+
 /// How long ago something was.
 #[must_use]
 pub fn ago(lang: Lang, age: Duration) -> String {

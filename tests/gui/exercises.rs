@@ -3,8 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::camera::Parameters;
-use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, entry};
-use camera_lab::gui::state::{Chosen, ExplainTab, Standing};
+use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, Stage, entry};
+use camera_lab::gui::state::{Chosen, ExplainTab};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::{Lang, exercise_window, exercises as said};
 use camera_lab::scene::Preset;
@@ -13,6 +13,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
+use super::files::Folder;
 use super::window::Window;
 
 fn window(lang: Lang) -> Window {
@@ -94,7 +95,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     let diagnosis = said::diagnosis(Lang::En, checked.judged.diagnosis.as_ref().unwrap());
     let begins: String = diagnosis.chars().take_while(|c| !"*_".contains(*c)).collect();
     assert!(window.says(begins.trim()), "{begins}");
-    assert_eq!(window.state().exercises.standing("view-matrix"), Standing::Begun);
+    assert_eq!(window.state().exercises.stage("view-matrix"), Stage::Begun);
 
     // The camera of the matrix stands beside the right one, until Escape.
     window.click("Show the camera of your answer: M_v");
@@ -116,7 +117,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     fill(&mut window, "M_v", 4, &right(ask));
     window.click("Check: M_v");
     assert!(window.says("✓ right") && window.says("All of it is right."));
-    assert_eq!(window.state().exercises.standing("view-matrix"), Standing::Solved);
+    assert_eq!(window.state().exercises.stage("view-matrix"), Stage::Solved);
 
     window.click("Show the figure");
     assert_eq!(window.state().document.figure().camera, exercise.subject.figure.camera);
@@ -289,4 +290,57 @@ fn numbers_left_open_are_chosen_and_answers_may_depend_on_them() {
     fill(&mut window, &name, 4, &right(ask));
     window.command_key(Key::Enter);
     assert!(window.state().exercises.checked["Mp"].judged.right);
+}
+
+#[test]
+fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
+    let folder = Folder::new("progress");
+    let mut window = working_on("view-matrix", 1, Lang::En);
+    window.app_mut().state.file_flow.native = false;
+    let ctx = window.harness.ctx.clone();
+    window.app_mut().keep_preferences(&ctx, &folder.file("config"), Some(Lang::En));
+    let (_, exercise) = made("view-matrix", 1);
+    let mut wrong = right(&exercise.asks[0]);
+    let c = exercise.subject.camera().unwrap().position();
+    for (row, value) in c.to_array().into_iter().enumerate() {
+        wrong[4 * row + 3] = format!("{}", -value);
+    }
+    fill(&mut window, "M_v", 4, &wrong);
+    window.click("Check: M_v");
+    window.click("A hint: M_v");
+    let tried = window.state().exercises.progress.tried("view-matrix").unwrap();
+    assert_eq!((tried.tries, tried.seed, tried.hints["Mv"]), (1, 1, 1));
+    // The same family with new numbers, because of the mistake; and the reason is said.
+    window.click("Practise next");
+    assert_eq!(window.state().exercises.open, Some(Chosen { id: "view-matrix".to_owned(), seed: 2 }));
+    assert!(window.says("It shows a mistake that you made once"));
+    window.command_key(Key::L);
+    assert!(window.says("Ele mostra um erro que você cometeu uma vez"));
+    window.command_key(Key::L);
+
+    window.click("Back to the list");
+    window.click("Progress");
+    assert!(window.says("progress.toml") && window.says("1 ×"));
+    window.click("Export as CSV…");
+    let table = folder.file("mine");
+    window.choose(&table);
+    let table = std::fs::read_to_string(table.with_extension("csv")).unwrap();
+    assert!(table.contains("mistake,translation-not-rotated,1,"), "{table}");
+
+    window.click("Delete progress…");
+    assert!(window.says("progress.bak"));
+    window.click("Cancel");
+    assert!(!window.state().exercises.progress.is_empty());
+    window.click("Delete progress…");
+    window.harness.get_by_role_and_label(Role::Button, "Delete progress").click();
+    window.run();
+    window.run();
+    assert!(window.state().exercises.progress.is_empty() && window.state().exercises.typed.is_empty());
+    assert!(
+        matches!(&window.state().message, Some(camera_lab::gui::state::Message::ProgressDeleted(_))),
+        "{:?}",
+        window.state().message
+    );
+    let kept = std::fs::read_to_string(folder.file("config").join("progress.bak")).unwrap();
+    assert!(kept.contains("translation-not-rotated"), "{kept}");
 }

@@ -9,7 +9,6 @@ fn answer(progress: &mut Progress, id: &str, seed: u64, ask: &str, text: &str, n
     let exercise = entry.exercise(seed, &Free::new());
     let found = exercise.asks.iter().find(|found| found.name == ask).unwrap();
     let judged = check(entry, &exercise, found, text).unwrap();
-    progress.typed(id, ask, text);
     progress.judged(&exercise, &judged, now);
     judged.right
 }
@@ -37,11 +36,9 @@ fn what_is_kept_is_the_same_after_it_was_written_and_read() {
     let mut progress = Progress::default();
     assert!(progress.is_empty() && progress.to_toml().is_empty());
     assert!(!answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1_000));
-    progress.opened("0-5.1", "parallel_direction", 2);
-    progress.opened("0-5.1", "parallel_direction", 1);
-    progress.chosen("0-5.1", "F", "1/2");
+    progress.opened("0-5.1", 0, "parallel_direction", 2);
+    progress.opened("0-5.1", 0, "parallel_direction", 1);
     progress.begin("basis", u64::MAX);
-    progress.typed("basis", "u", "[1, \"0\"");
     let text = progress.to_toml();
     let read = Progress::read(&text).unwrap();
     assert_eq!(read.exercises, progress.exercises);
@@ -49,9 +46,7 @@ fn what_is_kept_is_the_same_after_it_was_written_and_read() {
     assert_eq!(read.to_toml(), text);
     let tried = read.tried("0-5.1").unwrap();
     assert_eq!((tried.tries, tried.solved, tried.last), (1, 0, Some(1_000)));
-    assert_eq!(tried.answers["parallel_direction"], "[3/5, 4/5, 0]");
     assert_eq!(tried.hints["parallel_direction"], 2);
-    assert_eq!(tried.free["F"], "1/2");
     let made = read.mistakes().next().unwrap();
     assert_eq!((made.0, made.1.times, made.1.last, made.1.is_open), (Mistake::NReversed, 1, 1_000, true));
     assert_eq!(read.tried("basis").unwrap().seed, u64::MAX);
@@ -64,12 +59,12 @@ fn what_another_version_wrote_stays() {
                 [mistake.later-one]\ntimes = 7\n";
     let mut progress = Progress::read(text).unwrap();
     assert_eq!(progress.tried("mine of May").unwrap().tries, 1);
-    progress.typed("basis", "u", "?");
+    progress.opened("basis", 0, "u", 3);
     let written = progress.to_toml();
     for kept in ["# mine\nlater = 1", "later = [1]", "[exercise.\"mine of May\"]", "[mistake.later-one]\ntimes = 7"] {
         assert!(written.contains(kept), "{kept}: {written}");
     }
-    assert!(written.contains("answers = { u = \"?\" }"), "{written}");
+    assert!(written.contains("hints = { u = 3 }"), "{written}");
 }
 
 #[test]
@@ -111,10 +106,9 @@ fn what_is_solved_counts_once_for_each_seed() {
         solve(&mut progress, basis, seed, 1);
         assert_eq!(progress.tried("basis").unwrap().solved, solved, "{seed}");
     }
-    progress.typed("basis", "u", "1");
-    progress.begin("basis", 2);
+    progress.opened("basis", 2, "u", 1);
     let tried = progress.tried("basis").unwrap();
-    assert_eq!((tried.solved, tried.is_solved, tried.answers.len()), (2, false, 0));
+    assert_eq!((tried.solved, tried.is_solved, tried.right.len()), (2, false, 0));
     assert_eq!(tried.tries as usize, 4 * basis.exercise(0, &Free::new()).asks.len());
 }
 
@@ -150,8 +144,8 @@ fn it_becomes_a_table() {
     let mut progress = Progress::default();
     // 29 February 2024, 23:59:59.
     answer(&mut progress, "0-5.1", 0, "parallel_direction", "[3/5, 4/5, 0]", 1_709_251_199);
-    progress.opened("0-5.1", "parallel_direction", 2);
-    progress.typed("a, \"b\"", "x", "1");
+    progress.opened("0-5.1", 0, "parallel_direction", 2);
+    progress.begin("a, \"b\"", 0);
     let table = "kind,name,tries,solved,last,seed,hints,open\n\
                  exercise,0-5.1,1,0,2024-02-29T23:59:59Z,0,2,\n\
                  exercise,\"a, \"\"b\"\"\",0,0,,0,0,\n\

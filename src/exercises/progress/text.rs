@@ -132,8 +132,6 @@ impl Tried {
             solved: known(table, "solved", count)?.unwrap_or_default(),
             last: known(table, "last", long)?,
             seed: known(table, "seed", long)?.unwrap_or_default(),
-            free: known(table, "free", |item| by_name(item, text))?.unwrap_or_default(),
-            answers: known(table, "answers", |item| by_name(item, text))?.unwrap_or_default(),
             hints: known(table, "hints", |item| by_name(item, count))?.unwrap_or_default(),
             right: known(table, "right", names)?.unwrap_or_default(),
             mistakes: codes.iter().filter_map(|code| Mistake::of_code(code)).collect(),
@@ -146,8 +144,6 @@ impl Tried {
         set(table, "solved", (self.solved > 0).then(|| value(i64::from(self.solved))));
         set(table, "last", self.last.map(long_item));
         set(table, "seed", Some(long_item(self.seed)));
-        set(table, "free", inline(&self.free, |text| text.into()));
-        set(table, "answers", inline(&self.answers, |text| text.into()));
         set(table, "hints", inline(&self.hints, |count| i64::from(*count).into()));
         set(table, "right", list(self.right.iter().map(String::as_str)));
         set(table, "mistakes", list(self.mistakes.iter().map(|mistake| mistake.code())));

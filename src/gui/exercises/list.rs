@@ -3,8 +3,8 @@
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{self, Button, Key, RichText, Role, TextEdit, TextStyle, Ui, WidgetInfo};
 
-use crate::exercises::{self, Entry};
-use crate::gui::state::{Chosen, Exercises, Standing};
+use crate::exercises::{self, Entry, Stage};
+use crate::gui::state::{Chosen, Exercises};
 use crate::gui::tooltip::Explained;
 use crate::i18n::exercise_window::Texts;
 use crate::i18n::{Lang, exercise_messages, exercises as said};
@@ -22,7 +22,7 @@ pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
 /// How many are solved.
 pub(super) fn count(ui: &mut Ui, state: &Exercises, lang: Lang) {
     let all = exercises::entries().count();
-    let solved = exercises::entries().filter(|entry| state.standing(&entry.id) == Standing::Solved).count();
+    let solved = exercises::entries().filter(|entry| state.stage(&entry.id) == Stage::Solved).count();
     ui.label(RichText::new(format!("✓ {}", exercise_messages::score(lang, solved, all))).weak());
 }
 
@@ -66,10 +66,10 @@ pub(super) fn ui(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
 
 /// A row: how far it is, its title and its source; true where it is chosen.
 fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
-    let (sign, standing) = match state.standing(&entry.id) {
-        Standing::Untouched => ("○", t.untouched),
-        Standing::Begun => ("◐", t.begun),
-        Standing::Solved => ("✓", t.solved),
+    let (sign, stage) = match state.stage(&entry.id) {
+        Stage::Untouched => ("○", t.untouched),
+        Stage::Begun => ("◐", t.begun),
+        Stage::Solved => ("✓", t.solved),
     };
     let title = said::title(t.lang, entry);
     let mut job = LayoutJob::default();
@@ -80,7 +80,7 @@ fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
     job.append(&format!("  {}", entry.source), 0.0, format(TextStyle::Small, visuals.weak_text_color()));
     let button = Button::selectable(false, job).truncate();
     let response = ui.with_layout(egui::Layout::top_down_justified(egui::Align::LEFT), |ui| ui.add(button)).inner;
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}, {}, {standing}", entry.source)));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}, {}, {stage}", entry.source)));
     if state.wants_focus.as_deref() == Some(&*entry.id) {
         // A click elsewhere takes the keyboard away once more after its frame.
         if response.has_focus() {
@@ -91,5 +91,5 @@ fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
             ui.ctx().request_repaint();
         }
     }
-    response.explained(standing).clicked()
+    response.explained(stage).clicked()
 }

@@ -3,15 +3,21 @@
 mod answers;
 mod figure;
 mod list;
+mod progress;
 mod solution;
 mod statement;
 mod verdict;
 
+use std::sync::Arc;
+
 use eframe::egui::{self, Key, Modifiers, Ui};
 
-use super::state::{Checked, Chosen, State, joined};
+use super::prose;
+use super::state::{Checked, Chosen, Done, State, joined};
 use super::tooltip::Explained;
+use crate::clock;
 use crate::exercises::{self, Ask, Entry, Exercise};
+use crate::i18n::exercise_messages as messages;
 use crate::i18n::exercise_window::{self as words, Texts};
 
 /// The exercise that is worked on, and the words of the window.
@@ -35,9 +41,10 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
             state.exercises.leave();
         }
         if ui.button(t.practise_next).explained(t.practise_next_hint).clicked()
-            && let Some(next) = state.exercises.next()
+            && let Some((next, why)) = state.exercises.next()
         {
-            state.exercises.work_on(next);
+            state.exercises.work_on(next.clone());
+            state.exercises.why = Some((next, why));
         }
         if let (Some(chosen), Some(entry)) = (open, entry)
             && entry.is_family
@@ -49,13 +56,18 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
             list::count(ui, &state.exercises, t.lang);
         }
     });
+    let why = state.exercises.why.as_ref().filter(|(chosen, _)| state.exercises.open.as_ref() == Some(chosen));
+    if let Some((_, why)) = why {
+        prose::show(ui, &messages::why(t.lang, *why));
+    }
 }
 
 /// Shows the list, or the exercise that is worked on.
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     let Some((entry, exercise)) = state.exercises.exercise() else {
-        return list::ui(ui, t, &mut state.exercises);
+        list::ui(ui, t, &mut state.exercises);
+        return progress::ui(ui, t, state);
     };
     let sheet = Sheet { t, entry, exercise: &exercise };
     if state.exercises.described.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
@@ -103,6 +115,7 @@ fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
         // Hints on another mistake.
         state.exercises.opened.entry(ask.name.clone()).or_default().hints = 0;
     }
+    let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
+    state.exercises.note(done);
     state.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
-    state.exercises.note_solved(sheet.exercise);
 }

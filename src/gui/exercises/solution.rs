@@ -30,6 +30,7 @@ pub(super) fn buttons(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &As
             let opened = state.exercises.opened.entry(ask.name.clone()).or_default();
             opened.steps += 1;
             opened.way.get_or_insert_with(|| ask.steps().into());
+            state.exercises.note_opened(exercise, ask);
         }
     }
     camera_button(ui, state, sheet, ask, &name);

@@ -49,6 +49,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
             let button = ui.button(label).explained(t.hint_hint).accessible_name(words::of_ask(label, &name));
             if button.clicked() {
                 state.exercises.opened.entry(ask.name.clone()).or_default().hints += 1;
+                state.exercises.note_opened(exercise, ask);
             }
         }
         let helped = opened.hints >= hints.len();

@@ -33,7 +33,9 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
                             | News::NotWritten(..)
                             | News::NoSlot
                             | News::PreferencesSetAside(_)
-                            | News::PreferencesNotWritten(..) => {
+                            | News::PreferencesNotWritten(..)
+                            | News::ProgressSetAside(_)
+                            | News::ProgressNotWritten(..) => {
                                 RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color)
                             }
                         };

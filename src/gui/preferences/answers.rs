@@ -30,24 +30,29 @@ fn table(typed: &Typed) -> InlineTable {
     for (name, text) in typed.free.iter().filter(|(_, text)| !text.is_empty()) {
         table.insert(format!("{FREE}{name}"), text.as_str().into());
     }
-    if typed.solved {
-        table.insert(SOLVED, true.into());
-    }
     table
 }
 
-/// Takes up what was typed. What cannot be understood counts as nothing.
-pub(super) fn apply(document: &DocumentMut, state: &mut State) {
-    for (key, item) in document.iter() {
-        let chosen = key.strip_prefix(PREFIX).and_then(|chosen| chosen.rsplit_once(' '));
-        let chosen = chosen.and_then(|(id, seed)| Some(Chosen { id: id.to_owned(), seed: seed.parse().ok()? }));
-        if let (Some(chosen), Some(table)) = (chosen, item.as_inline_table()) {
-            state.exercises.typed.insert(chosen, typed(table));
-        }
-    }
+/// What was typed. What cannot be understood counts as nothing.
+pub(super) fn read(document: &DocumentMut) -> impl Iterator<Item = (Chosen, &InlineTable)> {
+    document.iter().filter_map(|(key, item)| {
+        let (id, seed) = key.strip_prefix(PREFIX)?.rsplit_once(' ')?;
+        Some((Chosen { id: id.to_owned(), seed: seed.parse().ok()? }, item.as_inline_table()?))
+    })
 }
 
-fn typed(table: &InlineTable) -> Typed {
+/// True where all was answered rightly once: files of preferences said so before there was one of progress.
+pub(super) fn is_solved(table: &InlineTable) -> bool {
+    table.get(SOLVED).and_then(Value::as_bool).unwrap_or_default()
+}
+
+/// Takes what was typed out of preferences, where it stood before there was a file of progress.
+pub(super) fn remove(document: &mut DocumentMut) {
+    document.retain(|key, _| !key.starts_with(PREFIX));
+}
+
+/// The fields of an exercise.
+pub(super) fn typed(table: &InlineTable) -> Typed {
     let mut typed = Typed::default();
     for (name, value) in table {
         match (name.strip_prefix(FREE), value) {
@@ -56,7 +61,6 @@ fn typed(table: &InlineTable) -> Typed {
                 let fields = fields.iter().filter_map(Value::as_str).map(str::to_owned).collect();
                 typed.answers.insert(name.to_owned(), fields);
             }
-            (None, Value::Boolean(is)) if name == SOLVED => typed.solved = *is.value(),
             _ => {}
         }
     }

@@ -1,25 +1,21 @@
 //! Where the preferences are kept, and how they get there.
 
 use std::collections::BTreeMap;
-use std::fs::{self, OpenOptions};
-use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use eframe::egui;
 use toml_edit::{Array, DocumentMut, Value};
 
-use super::answers::NOTHING;
-use super::{RECENT, apply, recent, values};
+use super::kept_file::{PATIENCE, locked, read};
+use super::progress::KeptProgress;
+use super::{RECENT, answers, apply, recent, values};
 use crate::clock;
 use crate::files::{self, FileError, Overwrite};
-use crate::gui::session::{News, aside};
+use crate::gui::session::News;
 use crate::gui::state::{State, merged};
 use crate::gui::worker::Worker;
 use crate::i18n::Lang;
-
-/// How long is waited for what is being written before the window closes.
-const PATIENCE: Duration = Duration::from_secs(5);
 
 /// What one window has changed.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +25,8 @@ struct Job {
     changed: BTreeMap<String, String>,
     /// The files that were opened in it, the latest first.
     opened: Vec<PathBuf>,
+    /// What was typed for exercises is in a file of its own now.
+    answers_moved: bool,
 }
 
 /// What came of it.
@@ -41,14 +39,17 @@ struct Written {
 }
 
 impl Job {
+    fn is_empty(&self) -> bool {
+        self.changed.is_empty() && self.opened.is_empty() && !self.answers_moved
+    }
+
     fn run(&self) -> Result<Written, FileError> {
-        let folder = self.file.parent().unwrap_or(Path::new(""));
-        fs::create_dir_all(folder).map_err(FileError::Write)?;
-        let lock = OpenOptions::new().create(true).truncate(false).write(true).open(self.file.with_extension("lock"));
-        // Where there are no locks, two windows that write in the same moment may lose a key.
-        let _lock = lock.map_err(FileError::Write)?.lock();
-        let (mut document, set_aside) = read(&self.file)?;
+        let _lock = locked(&self.file)?;
+        let (mut document, set_aside) = read(&self.file, document)?;
         let before = document.to_string();
+        if self.answers_moved {
+            answers::remove(&mut document);
+        }
         for (key, value) in &self.changed {
             if let Ok(value) = value.parse::<Value>() {
                 document[key.as_str()] = value.into();
@@ -68,18 +69,8 @@ impl Job {
     }
 }
 
-/// The file as it is, empty where there is none; what cannot be understood is set aside under another name.
-fn read(file: &Path) -> Result<(DocumentMut, Option<PathBuf>), FileError> {
-    let bytes = match files::read_file(file) {
-        Err(FileError::Read(error)) if error.kind() == io::ErrorKind::NotFound => return Ok(Default::default()),
-        bytes => bytes?,
-    };
-    if let Some(document) = String::from_utf8(bytes).ok().and_then(|text| text.parse().ok()) {
-        return Ok((document, None));
-    }
-    let aside = aside(file);
-    fs::rename(file, &aside).map_err(FileError::Write)?;
-    Ok((DocumentMut::new(), Some(aside)))
+fn document(text: &str) -> Option<DocumentMut> {
+    text.parse().ok()
 }
 
 /// The preferences of a window, and the file in which they are kept.
@@ -92,6 +83,9 @@ pub struct Preferences {
     asked: Option<Job>,
     news: Vec<News>,
     told: bool,
+    progress: KeptProgress,
+    /// What was typed for exercises stands in the file of preferences still.
+    has_answers: bool,
 }
 
 impl Preferences {
@@ -101,27 +95,32 @@ impl Preferences {
     pub fn begin(folder: &Path, state: &mut State, asked: Option<Lang>) -> Self {
         let file = folder.join("preferences.toml");
         let mut news = Vec::new();
-        match read(&file) {
+        let mut kept_before = DocumentMut::new();
+        match read(&file, document) {
             Ok((document, set_aside)) => {
                 apply(&document, state);
+                kept_before = document;
                 news.extend(set_aside.map(News::PreferencesSetAside));
             }
             Err(error) => news.push(News::Unreadable(file.clone(), error)),
         }
         state.settings.lang = asked.unwrap_or(state.settings.lang);
         let worker = Worker::new("preferences", clock::now, || Box::new(|job: Job, _| job.run()));
-        Self { file, worker, kept: values(state), asked: None, news, told: false }
+        let progress = KeptProgress::begin(folder, state, &kept_before);
+        let has_answers = answers::read(&kept_before).next().is_some();
+        Self { file, worker, kept: values(state), asked: None, news, told: false, progress, has_answers }
     }
 
     /// Writes down what has changed, beside the window's thread. What cannot be written is tried again with the next change.
     pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
+        self.progress.keep(ctx, state);
         self.take(state, Duration::ZERO);
         if self.worker.is_pending(0) {
             return;
         }
         let job = self.job(state);
         let is_new = self.asked.as_ref() != Some(&job);
-        if is_new && !(job.changed.is_empty() && job.opened.is_empty()) {
+        if is_new && !job.is_empty() {
             self.worker.ask(ctx, 0, job.clone());
             self.asked = Some(job);
         }
@@ -129,9 +128,10 @@ impl Preferences {
 
     /// Writes down what has not been yet, before the window closes.
     pub fn finish(&mut self, state: &mut State) {
+        self.progress.finish(state);
         self.take(state, PATIENCE);
         let job = self.job(state);
-        if !(job.changed.is_empty() && job.opened.is_empty()) {
+        if !job.is_empty() {
             // There is nobody left to be told.
             let _ = job.run();
         }
@@ -139,14 +139,17 @@ impl Preferences {
 
     /// What there is to say about them, each once.
     pub fn news(&mut self) -> Vec<News> {
-        std::mem::take(&mut self.news)
+        let mut news = std::mem::take(&mut self.news);
+        news.extend(self.progress.news());
+        news
     }
 
     /// What is not in the file yet.
     fn job(&self, state: &State) -> Job {
         let mut changed = values(state);
-        changed.retain(|key, value| self.kept.get(key).map_or(NOTHING, String::as_str) != value);
-        Job { file: self.file.clone(), changed, opened: state.recent.new.clone() }
+        changed.retain(|key, value| self.kept.get(key) != Some(value));
+        let answers_moved = self.has_answers && self.progress.is_written(state);
+        Job { file: self.file.clone(), changed, opened: state.recent.new.clone(), answers_moved }
     }
 
     /// Takes what came of writing.
@@ -154,7 +157,8 @@ impl Preferences {
         let [Some(done)] = self.worker.take(patience) else { return };
         match done.outcome {
             Some(Ok(Written { recent, set_aside })) => {
-                let Some(Job { changed, opened, .. }) = self.asked.take() else { return };
+                let Some(Job { changed, opened, answers_moved, .. }) = self.asked.take() else { return };
+                self.has_answers &= !answers_moved;
                 self.kept.extend(changed);
                 state.recent.new.retain(|path| !opened.contains(path));
                 state.recent.files = merged(&state.recent.new, &recent);
@@ -169,17 +173,19 @@ impl Preferences {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use std::fs;
 
     use super::*;
     use crate::appearance::Theme;
     use crate::gui::Start;
 
-    struct Folder(PathBuf);
+    pub(in crate::gui::preferences) struct Folder(pub(in crate::gui::preferences) PathBuf);
 
     impl Folder {
-        fn new(name: &str) -> Self {
+        pub(in crate::gui::preferences) fn new(name: &str) -> Self {
             let path = std::env::temp_dir().join(format!("camera-lab-preferences-{name}-{}", std::process::id()));
             let _ = fs::remove_dir_all(&path);
             Self(path)
@@ -189,7 +195,7 @@ mod tests {
             fs::read_to_string(self.0.join("preferences.toml")).unwrap_or_default()
         }
 
-        fn window(&self) -> (State, Preferences) {
+        pub(in crate::gui::preferences) fn window(&self) -> (State, Preferences) {
             let mut state = State::new(Start::default()).unwrap();
             let preferences = Preferences::begin(&self.0, &mut state, None);
             (state, preferences)

@@ -62,6 +62,10 @@ pub enum News {
     PreferencesSetAside(PathBuf),
     /// The preferences cannot be written to this file.
     PreferencesNotWritten(PathBuf, FileError),
+    /// What is kept of exercises cannot be understood, and is kept in this file.
+    ProgressSetAside(PathBuf),
+    /// What is kept of exercises cannot be written to this file.
+    ProgressNotWritten(PathBuf, FileError),
 }
 
 /// The sessions of this user: that of this window, and what others have left.

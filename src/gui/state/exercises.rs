@@ -1,10 +1,11 @@
 //! The tab of exercises: what is chosen, what was typed, and what became of it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::camera::{Camera, RecoveryError};
-use crate::exercises::{self, Ask, Entry, Exercise, Free, Judged, Kind, Worked};
+use crate::exercises::{self, Ask, Entry, Exercise, Free, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
 
 /// An exercise with the numbers of a seed.
@@ -16,17 +17,6 @@ pub struct Chosen {
     pub seed: u64,
 }
 
-/// How far an exercise is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Standing {
-    /// Nothing was typed.
-    Untouched,
-    /// Something was typed.
-    Begun,
-    /// All that is asked was answered rightly.
-    Solved,
-}
-
 /// What was typed for an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Typed {
@@ -34,16 +24,14 @@ pub struct Typed {
     pub answers: BTreeMap<String, Vec<String>>,
     /// Numbers that the source leaves open, by their names.
     pub free: BTreeMap<String, String>,
-    /// All that is asked was answered rightly once.
-    pub solved: bool,
 }
 
 impl Typed {
     /// True where nothing was typed.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        let all = self.answers.values().flatten().chain(self.free.values());
-        !self.solved && all.into_iter().all(|text| text.trim().is_empty())
+        let mut all = self.answers.values().flatten().chain(self.free.values());
+        all.all(|text| text.trim().is_empty())
     }
 
     /// The numbers that were chosen where the source leaves them open; what is not a number is left out.
@@ -51,6 +39,31 @@ impl Typed {
     pub fn chosen_numbers(&self) -> Free {
         let number = |text: &String| evaluate(text, Dimension::Number).ok().filter(|value| *value > 0.0);
         self.free.iter().filter_map(|(name, text)| Some((name.clone(), number(text)?))).collect()
+    }
+}
+
+/// What was done in a window; files are written by what was done, so that two windows lose nothing of each other.
+#[derive(Clone, Debug)]
+pub(in crate::gui) enum Done {
+    /// An answer was judged, at a time in seconds since the beginning of 1970.
+    Judged(Arc<Exercise>, Box<Judged>, u64),
+    /// So many hints and worked steps of what is asked are open.
+    Opened { id: String, seed: u64, ask: String, hints: u32 },
+    /// Other numbers were chosen where the notes leave them open.
+    NumbersChanged(String),
+    /// It was solved before there was a file of progress.
+    WasSolved(String),
+}
+
+impl Done {
+    /// Notes it.
+    pub(in crate::gui) fn note(&self, progress: &mut Progress) {
+        match self {
+            Self::Judged(exercise, judged, now) => progress.judged(exercise, judged, *now),
+            Self::Opened { id, seed, ask, hints } => progress.opened(id, *seed, ask, *hints),
+            Self::NumbersChanged(id) => progress.numbers_changed(id),
+            Self::WasSolved(id) => progress.was_solved(id),
+        }
     }
 }
 
@@ -102,6 +115,16 @@ pub struct Exercises {
     pub(in crate::gui) wants_focus: Option<String>,
     /// The statement is brought into sight.
     pub(in crate::gui) just_opened: bool,
+    /// What was done, in this window and others.
+    pub progress: Progress,
+    /// The file in which it is kept.
+    pub file: Option<PathBuf>,
+    /// What was done and is not in the file yet.
+    pub(in crate::gui) unwritten: Vec<Done>,
+    /// All of it is to be forgotten, and the file to be set aside.
+    pub(in crate::gui) forgets: bool,
+    /// Why an exercise was chosen to be practised next.
+    pub(in crate::gui) why: Option<(Chosen, Why)>,
     /// The exercise as it was made last.
     made: Option<(Chosen, Free, Arc<Exercise>)>,
 }
@@ -136,6 +159,7 @@ impl Exercises {
             if self.made.as_ref().is_some_and(|(of, ..)| *of == chosen) {
                 // With other numbers another answer is right.
                 self.checked.clear();
+                self.note(Done::NumbersChanged(chosen.id.clone()));
             }
             self.made = Some((chosen, free, Arc::new(exercise)));
         }
@@ -158,16 +182,12 @@ impl Exercises {
 
     /// How far an exercise or a family is: as far as the one of it that is farthest.
     #[must_use]
-    pub fn standing(&self, id: &str) -> Standing {
-        let of = self.typed.iter().filter(|(chosen, typed)| chosen.id == id && !typed.is_empty());
-        let (mut any, mut solved) = (false, false);
-        for (_, typed) in of {
-            (any, solved) = (true, solved || typed.solved);
-        }
-        match (solved, any) {
-            (true, _) => Standing::Solved,
-            (false, true) => Standing::Begun,
-            (false, false) => Standing::Untouched,
+    pub fn stage(&self, id: &str) -> Stage {
+        match self.progress.stage(id) {
+            Stage::Untouched if self.typed.iter().any(|(chosen, typed)| chosen.id == id && !typed.is_empty()) => {
+                Stage::Begun
+            }
+            stage => stage,
         }
     }
 
@@ -178,25 +198,42 @@ impl Exercises {
         seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or(u64::from(entry.is_family))
     }
 
-    /// What is practised next: what is begun, else what is untouched, in the order of the list; once all is solved, new numbers of the
-    /// families, those first that were practised least.
+    /// What is practised next, and why; not what is worked on already.
     #[must_use]
-    pub fn next(&self) -> Option<Chosen> {
-        let others = || exercises::entries().filter(|entry| self.open.as_ref().is_none_or(|open| open.id != entry.id));
-        let first = |wanted| others().find(|entry| self.standing(&entry.id) == wanted);
-        if let Some(entry) = first(Standing::Begun).or_else(|| first(Standing::Untouched)) {
-            return Some(Chosen { id: entry.id.clone().into_owned(), seed: self.seed_of(entry) });
-        }
-        let least = others().filter(|entry| entry.is_family).min_by_key(|entry| self.seed_of(entry))?;
-        Some(Chosen { id: least.id.clone().into_owned(), seed: self.seed_of(least) + 1 })
+    pub fn next(&self) -> Option<(Chosen, Why)> {
+        let all: Vec<&Entry> = exercises::entries().collect();
+        let next = self.next_of(&all).filter(|(chosen, _)| self.open.as_ref() != Some(chosen));
+        next.or_else(|| {
+            let is_open = |entry: &Entry| self.open.as_ref().is_some_and(|open| open.id == entry.id);
+            self.next_of(&all.iter().copied().filter(|entry| !is_open(entry)).collect::<Vec<_>>())
+        })
     }
 
-    /// Notes that all that is asked is answered rightly, where it is.
-    pub(in crate::gui) fn note_solved(&mut self, exercise: &Exercise) {
-        let right = |ask: &Ask| self.checked.get(&ask.name).is_some_and(|checked| checked.judged.right);
-        if exercise.asks.iter().all(right) {
-            self.typed_now().solved = true;
-        }
+    fn next_of(&self, entries: &[&Entry]) -> Option<(Chosen, Why)> {
+        let next = self.progress.practise_next(entries.iter().copied())?;
+        // Of what was not judged yet, what was typed is gone on with.
+        let begun = entries.iter().find(|entry| entry.id == next.id && self.progress.tried(&next.id).is_none());
+        let seed = begun.map_or(next.seed, |entry| self.seed_of(entry));
+        Some((Chosen { id: next.id, seed }, next.why))
+    }
+
+    /// Notes what was done, for this window and for the file.
+    pub(in crate::gui) fn note(&mut self, done: Done) {
+        done.note(&mut self.progress);
+        self.unwritten.push(done);
+    }
+
+    /// Notes how many hints and worked steps of what is asked are open.
+    pub(in crate::gui) fn note_opened(&mut self, exercise: &Exercise, ask: &Ask) {
+        let opened = self.opened.get(&ask.name).map_or(0, |opened| opened.hints + opened.steps);
+        let hints = u32::try_from(opened).unwrap_or(u32::MAX);
+        self.note(Done::Opened { id: exercise.id.clone(), seed: exercise.seed, ask: ask.name.clone(), hints });
+    }
+
+    /// Nothing is kept any more: neither what was done nor what was typed.
+    pub(in crate::gui) fn forget(&mut self) {
+        let Self { wanted, open, made, file, .. } = std::mem::take(self);
+        *self = Self { wanted, open, made, file, ..Self::default() };
     }
 
     /// The names of what is answered rightly.
@@ -247,22 +284,23 @@ mod tests {
     }
 
     #[test]
-    fn what_was_begun_is_practised_next_then_what_is_untouched_then_new_numbers() {
+    fn what_is_practised_next_is_not_what_is_worked_on_and_goes_on_with_what_was_typed() {
         let mut state = Exercises::default();
-        let all: Vec<&Entry> = exercises::entries().collect();
-        assert_eq!(state.next().map(|next| next.id), Some(all[0].id.clone().into_owned()));
-        let basis = Chosen { id: "basis".to_owned(), seed: 7 };
-        state.typed.insert(basis.clone(), typed("1"));
-        assert_eq!(state.next(), Some(basis.clone()));
-        state.typed.insert(basis.clone(), typed(" "));
-        assert_eq!(state.standing("basis"), Standing::Untouched);
-        for entry in &all {
-            let chosen = Chosen { id: entry.id.clone().into_owned(), seed: u64::from(entry.is_family) };
-            state.typed.insert(chosen, Typed { solved: true, ..typed("1") });
+        let next = |state: &Exercises| state.next().map(|(chosen, why)| (chosen.id, chosen.seed, why));
+        assert_eq!(next(&state), Some(("0-5.1".to_owned(), 0, Why::NotSolved)));
+        state.open = Some(Chosen { id: "0-5.1".to_owned(), seed: 0 });
+        assert_eq!(next(&state), Some(("0-5.2".to_owned(), 0, Why::NotSolved)));
+        state.open = None;
+        for entry in exercises::entries().filter(|entry| entry.id != "basis") {
+            state.note(Done::WasSolved(entry.id.clone().into_owned()));
         }
-        state.typed.insert(basis, Typed { solved: true, ..typed("1") });
-        let next = state.next();
-        assert!(next.is_some_and(|next| next.seed == 2 && next.id != "basis"));
+        state.typed.insert(Chosen { id: "basis".to_owned(), seed: 7 }, typed("1"));
+        assert_eq!(state.stage("basis"), Stage::Begun);
+        assert_eq!(next(&state), Some(("basis".to_owned(), 7, Why::NotSolved)));
+        state.typed.insert(Chosen { id: "basis".to_owned(), seed: 7 }, typed(" "));
+        assert_eq!((state.stage("basis"), state.stage("window")), (Stage::Untouched, Stage::Solved));
+        state.forget();
+        assert_eq!((state.stage("window"), state.unwritten.len()), (Stage::Untouched, 0));
     }
 
     #[test]

@@ -46,6 +46,8 @@ pub enum Purpose {
     Mesh(MeshFor),
     /// A folder, whose figures the gallery is to show.
     Folder,
+    /// To write what is kept of exercises, as a table for spreadsheets.
+    Progress,
 }
 
 /// What a mesh file is for.
@@ -121,6 +123,8 @@ pub enum Dialog {
         /// How many other objects hang on them.
         below: usize,
     },
+    /// Forget what is kept of exercises?
+    DeleteProgress,
 }
 
 /// What is going on with files.
@@ -169,9 +173,15 @@ impl FileFlow {
                 saves(purpose)
             }
             Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
-            Some(Dialog::Export(_) | Dialog::Help | Dialog::Coach | Dialog::Gallery | Dialog::Delete { .. }) | None => {
-                false
-            }
+            Some(
+                Dialog::Export(_)
+                | Dialog::Help
+                | Dialog::Coach
+                | Dialog::Gallery
+                | Dialog::Delete { .. }
+                | Dialog::DeleteProgress,
+            )
+            | None => false,
         };
         asked || self.may_close || self.asking.as_ref().is_some_and(|(purpose, _)| saves(purpose))
     }

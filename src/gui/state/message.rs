@@ -7,7 +7,7 @@ use crate::files::FileError;
 use crate::foreign;
 use crate::gui::export::ExportError;
 use crate::gui::session::News;
-use crate::i18n::{Lang, explain_point, faults, messages, scenes, sessions, window};
+use crate::i18n::{Lang, exercise_messages, explain_point, faults, messages, scenes, sessions, window};
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::TooMuch;
 use crate::scene::{Preset, SceneError};
@@ -67,6 +67,8 @@ pub enum Message {
     SelectedAlone,
     /// No more points can be followed.
     TooManyPoints,
+    /// What was kept of exercises is forgotten, and is in this file still.
+    ProgressDeleted(PathBuf),
 }
 
 /// Why no picture was written.
@@ -90,7 +92,8 @@ impl Message {
             | Self::Deleted { .. }
             | Self::LightDeleted(_)
             | Self::SelectedAlone
-            | Self::TooManyPoints => false,
+            | Self::TooManyPoints
+            | Self::ProgressDeleted(_) => false,
             Self::NotExported(_, NotExported(error)) => !matches!(error, ExportError::Cancelled),
             Self::File(..)
             | Self::NotOpened(..)
@@ -137,6 +140,7 @@ impl Message {
             }
             Self::LightDeleted(index) => format!("{} {} {}", scene.deleted, scene.light, index + 1),
             Self::SelectedAlone => scene.selected_alone.to_owned(),
+            Self::ProgressDeleted(path) => exercise_messages::progress_deleted(lang, &foreign::path(path)),
             Self::TooManyPoints => explain_point::texts(lang).too_many.to_owned(),
         };
         foreign::printable(text.trim())
@@ -162,6 +166,10 @@ pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
         News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &foreign::path(path)),
         News::PreferencesNotWritten(path, error) => {
             sessions::preferences_not_written(lang, &messages::file(lang, &foreign::path(path), error))
+        }
+        News::ProgressSetAside(path) => sessions::progress_set_aside(lang, &foreign::path(path)),
+        News::ProgressNotWritten(path, error) => {
+            sessions::progress_not_written(lang, &messages::file(lang, &foreign::path(path), error))
         }
     }
 }

@@ -1,0 +1,198 @@
+//! What was done with exercises, and what was typed for them: a file of its own beside the preferences, which can be read and deleted.
+//!
+//! A window writes what was done in it into what the file holds by then: of two windows nothing is lost.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui;
+use toml_edit::{DocumentMut, Value};
+
+use super::answers::{self, NOTHING};
+use super::kept_file::{PATIENCE, locked, read};
+use crate::clock;
+use crate::exercises::Progress;
+use crate::files::{self, FileError, Overwrite};
+use crate::gui::session::News;
+use crate::gui::state::{Done, Message, State};
+use crate::gui::worker::Worker;
+
+/// What one window has done.
+#[derive(Clone, Debug)]
+struct Job {
+    file: PathBuf,
+    /// What was typed: keys with their values as TOML.
+    changed: BTreeMap<String, String>,
+    done: Vec<Done>,
+}
+
+/// What came of it.
+#[derive(Debug)]
+struct Written {
+    /// What all windows have done.
+    progress: Progress,
+    /// Where the file went that could not be understood.
+    set_aside: Option<PathBuf>,
+}
+
+/// The file as its two readers understand it.
+fn understood(text: &str) -> Option<(DocumentMut, Progress)> {
+    Some((text.parse().ok()?, Progress::read(text).ok()?))
+}
+
+impl Job {
+    fn is_empty(&self) -> bool {
+        self.changed.is_empty() && self.done.is_empty()
+    }
+
+    /// What is done is only ever added.
+    fn is_same(&self, other: &Self) -> bool {
+        self.changed == other.changed && self.done.len() == other.done.len()
+    }
+
+    fn run(&self) -> Result<Written, FileError> {
+        let _lock = locked(&self.file)?;
+        let ((before, mut progress), set_aside) = read(&self.file, understood)?;
+        self.done.iter().for_each(|done| done.note(&mut progress));
+        let mut document: DocumentMut = progress.to_toml().parse().unwrap_or_default();
+        for (key, value) in &self.changed {
+            match value.parse::<Value>() {
+                Ok(_) if value == NOTHING => drop(document.remove(key)),
+                Ok(value) => document[key.as_str()] = value.into(),
+                Err(_) => {}
+            }
+        }
+        let text = document.to_string();
+        if text != before.to_string() {
+            files::save(&self.file, text.as_bytes(), Overwrite::Writable)?;
+        }
+        Ok(Written { progress, set_aside })
+    }
+}
+
+/// The file of progress, and what of this window is in it.
+pub(super) struct KeptProgress {
+    file: PathBuf,
+    worker: Worker<Job, Result<Written, FileError>>,
+    /// What was typed in this window, as it is in the file.
+    kept: BTreeMap<String, String>,
+    /// What is being written, or could not be.
+    asked: Option<Job>,
+    news: Vec<News>,
+    told: bool,
+}
+
+impl KeptProgress {
+    /// Takes up what the file in `folder` keeps, and what `preferences` kept before there was one.
+    pub(super) fn begin(folder: &Path, state: &mut State, preferences: &DocumentMut) -> Self {
+        let file = folder.join("progress.toml");
+        let mut news = Vec::new();
+        match read(&file, understood) {
+            Ok(((document, progress), set_aside)) => {
+                state.exercises.progress = progress;
+                let typed = answers::read(&document).map(|(chosen, table)| (chosen, answers::typed(table)));
+                state.exercises.typed.extend(typed);
+                news.extend(set_aside.map(News::ProgressSetAside));
+            }
+            Err(error) => news.push(News::Unreadable(file.clone(), error)),
+        }
+        let kept = answers::values(state).collect();
+        for (chosen, table) in answers::read(preferences) {
+            if answers::is_solved(table) {
+                state.exercises.note(Done::WasSolved(chosen.id.clone()));
+            }
+            state.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
+        }
+        state.exercises.file = Some(file.clone());
+        let worker = Worker::new("progress", clock::now, || Box::new(|job: Job, _| job.run()));
+        Self { file, worker, kept, asked: None, news, told: false }
+    }
+
+    /// Writes down what was done, beside the window's thread. What cannot be written is tried again with what is done next.
+    pub(super) fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
+        self.take(state, Duration::ZERO);
+        if std::mem::take(&mut state.exercises.forgets) {
+            self.forget(state);
+            ctx.request_repaint();
+        }
+        if self.worker.is_pending(0) {
+            return;
+        }
+        let job = self.job(state);
+        if !job.is_empty() && self.asked.as_ref().is_none_or(|asked| !asked.is_same(&job)) {
+            self.worker.ask(ctx, 0, job.clone());
+            self.asked = Some(job);
+        }
+    }
+
+    /// Writes down what has not been yet, before the window closes.
+    pub(super) fn finish(&mut self, state: &mut State) {
+        self.take(state, PATIENCE);
+        let job = self.job(state);
+        if !job.is_empty()
+            && let Ok(written) = job.run()
+        {
+            self.took(state, job, written);
+        }
+    }
+
+    /// True where all that was done is in the file.
+    pub(super) fn is_written(&self, state: &State) -> bool {
+        self.job(state).is_empty()
+    }
+
+    /// What there is to say about it, each once.
+    pub(super) fn news(&mut self) -> Vec<News> {
+        std::mem::take(&mut self.news)
+    }
+
+    /// What is not in the file yet.
+    fn job(&self, state: &State) -> Job {
+        let mut changed: BTreeMap<String, String> = answers::values(state).collect();
+        changed.retain(|key, value| self.kept.get(key).map_or(NOTHING, String::as_str) != value);
+        Job { file: self.file.clone(), changed, done: state.exercises.unwritten.clone() }
+    }
+
+    /// Takes what came of writing.
+    pub(super) fn take(&mut self, state: &mut State, patience: Duration) {
+        let [Some(done)] = self.worker.take(patience) else { return };
+        match done.outcome {
+            Some(Ok(written)) => {
+                if let Some(job) = self.asked.take() {
+                    self.took(state, job, written);
+                }
+            }
+            Some(Err(error)) if !std::mem::replace(&mut self.told, true) => {
+                self.news.push(News::ProgressNotWritten(self.file.clone(), error));
+            }
+            Some(Err(_)) | None => {}
+        }
+    }
+
+    fn took(&mut self, state: &mut State, job: Job, Written { progress, set_aside }: Written) {
+        self.kept.extend(job.changed);
+        let exercises = &mut state.exercises;
+        exercises.unwritten.drain(..job.done.len().min(exercises.unwritten.len()));
+        exercises.progress = progress;
+        exercises.unwritten.iter().for_each(|done| done.note(&mut exercises.progress));
+        self.news.extend(set_aside.map(News::ProgressSetAside));
+    }
+
+    /// Forgets all of it. The file stays under another name, until that is done once more.
+    fn forget(&mut self, state: &mut State) {
+        self.take(state, PATIENCE);
+        let aside = self.file.with_extension("bak");
+        let moved = locked(&self.file).and_then(|_lock| fs::rename(&self.file, &aside).map_err(FileError::Write));
+        match moved {
+            Err(FileError::Write(error)) if error.kind() == io::ErrorKind::NotFound => {}
+            Err(error) => return state.say(Message::File(self.file.clone(), error)),
+            Ok(()) => state.say(Message::ProgressDeleted(aside)),
+        }
+        state.exercises.forget();
+        self.kept.clear();
+        self.asked = None;
+    }
+}
