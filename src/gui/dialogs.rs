@@ -230,6 +230,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         Purpose::Save(_) => (t.save_title, t.save_action),
         Purpose::Export(_) | Purpose::Film(_) => (t.export_title, t.save_action),
         Purpose::Progress => (exercise_window::texts(state.settings.lang).export_title, t.save_action),
+        Purpose::Exercises => (exercise_window::texts(state.settings.lang).own_open, t.open_action),
         Purpose::Folder => (crate::i18n::gallery::texts(state.settings.lang).choose, t.open_action),
         Purpose::Mesh(_) => {
             let t = scenes::texts(state.settings.lang);
@@ -238,7 +239,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     };
     ui.heading(title);
     ui.add_space(6.0);
-    let is_folder = matches!(purpose, Purpose::Folder);
+    let is_folder = matches!(purpose, Purpose::Folder | Purpose::Exercises);
     ui.label(if is_folder { crate::i18n::gallery::texts(state.settings.lang).which_folder } else { t.path_text });
     let field = egui::TextEdit::singleline(&mut path).desired_width(f32::INFINITY).hint_text(t.path_hint);
     let response = ui.add(field).accessible_name(t.path_name);

@@ -127,8 +127,11 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion
             let filters = vec![("CSV".to_owned(), &["csv"][..])];
             FileQuestion { wanted: Wanted::NewFile, title, filters, name, folder }
         }
-        Purpose::Folder => {
-            let title = gallery::texts(state.settings.lang).choose;
+        Purpose::Folder | Purpose::Exercises => {
+            let title = match purpose {
+                Purpose::Folder => gallery::texts(state.settings.lang).choose,
+                _ => exercise_window::texts(state.settings.lang).own_open,
+            };
             FileQuestion { wanted: Wanted::Folder, title, filters: Vec::new(), name: String::new(), folder }
         }
         Purpose::Mesh(_) => {
@@ -150,7 +153,7 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
     let folder = state.document.folder().map(Path::to_owned).unwrap_or_default();
     let stem = state.document.name().map_or_else(|| PathBuf::from(t.untitled_file), PathBuf::from);
     match purpose {
-        Purpose::Open | Purpose::Mesh(_) | Purpose::Folder => folder.display().to_string(),
+        Purpose::Open | Purpose::Mesh(_) | Purpose::Folder | Purpose::Exercises => folder.display().to_string(),
         Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
         Purpose::Progress => {
             let name = exercise_window::texts(state.settings.lang).progress_file;
@@ -172,7 +175,7 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
 pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path: PathBuf) {
     let path = files::whole(&path);
     let path = match &purpose {
-        Purpose::Open | Purpose::Mesh(_) | Purpose::Folder => path,
+        Purpose::Open | Purpose::Mesh(_) | Purpose::Folder | Purpose::Exercises => path,
         Purpose::Save(_) => with_ending(path, "toml"),
         Purpose::Progress => with_ending(path, "csv"),
         Purpose::Export(_) if PictureFormat::of(&path).is_some() => path,
@@ -189,7 +192,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
         }
     }
     let own = state.document.path() == Some(&path);
-    let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_) | Purpose::Folder);
+    let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_) | Purpose::Folder | Purpose::Exercises);
     if !reads && !own && path.exists() {
         state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
@@ -235,6 +238,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
             state.file_flow.exporting.push(exporting);
             state.say(Message::Exporting);
         }
+        Purpose::Exercises => state.exercises.look_into(Some(path.to_owned())),
         Purpose::Folder => {
             state.gallery.look_into(path.to_owned());
             state.file_flow.dialog = Some(Dialog::Gallery);

@@ -52,6 +52,13 @@ texts! {
     show_camera_hint: "Draws the camera that your answer describes beside the right one, in the world. Esc takes it away", "Desenha a câmera que sua resposta descreve ao lado da certa, no mundo. Esc a retira";
     hide_camera: "Take the camera of your answer away", "Retirar a câmera da sua resposta";
     no_camera: "No camera has this", "Nenhuma câmera tem isto";
+    own_open: "Open a folder of exercises…", "Abrir uma pasta de exercícios…";
+    own_open_hint: "A lecturer's own exercises, one TOML file each; they stand below the others, and the folder is remembered", "Exercícios de um professor, um arquivo TOML para cada; ficam abaixo dos outros, e a pasta é lembrada";
+    own_again: "Read it again", "Ler de novo";
+    own_again_hint: "Its files may have changed since", "Seus arquivos podem ter mudado";
+    own_close: "Close the folder", "Fechar a pasta";
+    own_close_hint: "Its exercises leave the list; what was done with them is kept", "Seus exercícios saem da lista; o que foi feito com eles fica guardado";
+    own_none: "no exercises (files that end with .toml)", "sem exercícios (arquivos que terminam em .toml)";
     progress: "Progress", "Progresso";
     progress_kept_in: "Kept in this file, which you may read, copy or delete:", "Guardado neste arquivo, que você pode ler, copiar ou apagar:";
     progress_not_kept: "Kept until the window closes.", "Guardado até a janela fechar.";

@@ -344,3 +344,50 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     let kept = std::fs::read_to_string(folder.file("config").join("progress.bak")).unwrap();
     assert!(kept.contains("translation-not-rotated"), "{kept}");
 }
+
+#[test]
+fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told() {
+    let folder = Folder::new("own-exercises");
+    let lecture = folder.file("graphics course");
+    std::fs::create_dir_all(&lecture).unwrap();
+    let house = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises/house-view.toml");
+    std::fs::copy(house, lecture.join("house-view.toml")).unwrap();
+    std::fs::write(lecture.join("faulty.toml"), "id = \"faulty\"\ntitle = 3\n").unwrap();
+    let remembering = || {
+        let mut window = window(Lang::En);
+        window.app_mut().state.file_flow.native = false;
+        let ctx = window.harness.ctx.clone();
+        window.app_mut().keep_preferences(&ctx, &folder.file("config"), Some(Lang::En));
+        window.run();
+        if !window.state().shows_exercises() {
+            window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+            window.run();
+        }
+        window
+    };
+    let mut window = remembering();
+    window.click("Open a folder of exercises…");
+    window.choose(&lecture);
+    assert!(window.says("graphics course"), "the group has the folder's name");
+    let told: Vec<String> = window.written().into_iter().map(|(text, _)| text).collect();
+    let told = told.join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("faulty.toml") && told.contains("line 1: statement is missing"), "{told}");
+    let own = window.state().exercises.entry("house-view").unwrap().clone();
+    let title = said::title(Lang::En, &own).to_owned();
+    window.click(&format!("{title}, untouched"));
+    let exercise = own.exercise(0, &Free::new());
+    let ask = exercise.asks.iter().find(|ask| !ask.own_mistakes.is_empty()).unwrap();
+    let message = said::ask(Lang::En, &exercise, ask).replace("**", "");
+    assert!(window.harness.query_by_label(&format!("Check: {message}")).is_some(), "{message}");
+    eframe::App::on_exit(window.app_mut(), None);
+
+    // Remembered, and gone: said, and nothing else happens.
+    let next = remembering();
+    assert!(next.state().exercises.entry("house-view").is_some());
+    drop(next);
+    std::fs::remove_dir_all(&lecture).unwrap();
+    let mut gone = remembering();
+    assert!(gone.says("graphics course") && gone.state().exercises.entry("basis").is_some());
+    gone.click("Close the folder");
+    assert!(gone.state().exercises.own.is_none() && !gone.says("graphics course"));
+}

@@ -3,7 +3,8 @@
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{self, Button, Key, RichText, Role, TextEdit, TextStyle, Ui, WidgetInfo};
 
-use crate::exercises::{self, Entry, Stage};
+use crate::exercises::{Entry, Stage};
+use crate::foreign;
 use crate::gui::state::{Chosen, Exercises};
 use crate::gui::tooltip::Explained;
 use crate::i18n::exercise_window::Texts;
@@ -14,23 +15,23 @@ pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
     let field = TextEdit::singleline(&mut state.wanted).hint_text(t.search).desired_width(f32::INFINITY);
     let response = ui.add(field).explained(t.search_hint).accessible_name(t.search);
     if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
-        let first = found(t.lang, &state.wanted).next();
-        first.into_iter().for_each(|first| open(state, first));
+        let first = found(t.lang, state).next().cloned();
+        first.iter().for_each(|first| open(state, first));
     }
 }
 
 /// How many are solved.
 pub(super) fn count(ui: &mut Ui, state: &Exercises, lang: Lang) {
-    let all = exercises::entries().count();
-    let solved = exercises::entries().filter(|entry| state.stage(&entry.id) == Stage::Solved).count();
+    let all = state.entries().count();
+    let solved = state.entries().filter(|entry| state.stage(&entry.id) == Stage::Solved).count();
     ui.label(RichText::new(format!("✓ {}", exercise_messages::score(lang, solved, all))).weak());
 }
 
 /// Those that say all the words.
-fn found<'a>(lang: Lang, wanted: &'a str) -> impl Iterator<Item = &'static Entry> + 'a {
-    exercises::entries().filter(move |entry| {
+fn found(lang: Lang, state: &Exercises) -> impl Iterator<Item = &Entry> {
+    state.entries().filter(move |entry| {
         let text = format!("{} {} {}", entry.id, entry.source, said::title(lang, entry)).to_lowercase();
-        wanted.split_whitespace().all(|word| text.contains(&word.to_lowercase()))
+        state.wanted.split_whitespace().all(|word| text.contains(&word.to_lowercase()))
     })
 }
 
@@ -41,15 +42,21 @@ fn open(state: &mut Exercises, entry: &Entry) {
 
 /// Shows what is found, by groups.
 pub(super) fn ui(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
-    let wanted = state.wanted.clone();
+    let found: Vec<Entry> = found(t.lang, state).cloned().collect();
+    let own = state.own.as_ref().map(|own| own.folder.file_name().unwrap_or(own.folder.as_os_str()));
+    let own = own.map(|name| foreign::shown(&name.to_string_lossy())).unwrap_or_default();
     let mut group = None;
     let mut chosen = None;
     ui.spacing_mut().item_spacing.y = 1.0;
-    for entry in found(t.lang, &wanted) {
-        if group != Some(entry.is_family) {
-            group = Some(entry.is_family);
+    for entry in &found {
+        let heading = match (entry.texts(), entry.is_family) {
+            (Some(_), _) => own.as_str(),
+            (None, true) => t.families,
+            (None, false) => t.of_the_notes,
+        };
+        if group != Some(heading) {
+            group = Some(heading);
             ui.add_space(4.0);
-            let heading = if entry.is_family { t.families } else { t.of_the_notes };
             ui.label(RichText::new(heading).small().strong());
         }
         if row(ui, t, entry, state) {
@@ -80,7 +87,13 @@ fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
     job.append(&format!("  {}", entry.source), 0.0, format(TextStyle::Small, visuals.weak_text_color()));
     let button = Button::selectable(false, job).truncate();
     let response = ui.with_layout(egui::Layout::top_down_justified(egui::Align::LEFT), |ui| ui.add(button)).inner;
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}, {}, {stage}", entry.source)));
+    response.widget_info(|| {
+        WidgetInfo::labeled(
+            Role::Button,
+            true,
+            [title, entry.source, stage].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
+        )
+    });
     if state.wants_focus.as_deref() == Some(&*entry.id) {
         // A click elsewhere takes the keyboard away once more after its frame.
         if response.has_focus() {

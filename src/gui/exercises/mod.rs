@@ -3,6 +3,7 @@
 mod answers;
 mod figure;
 mod list;
+mod own;
 mod progress;
 mod solution;
 mod statement;
@@ -24,7 +25,7 @@ use crate::i18n::exercise_window::{self as words, Texts};
 #[derive(Clone, Copy)]
 struct Sheet<'a> {
     t: &'static Texts,
-    entry: &'static Entry,
+    entry: &'a Entry,
     exercise: &'a Exercise,
 }
 
@@ -36,7 +37,7 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
         list::search(ui, t, &mut state.exercises);
     }
     ui.horizontal_wrapped(|ui| {
-        let entry = open.as_ref().and_then(|chosen| exercises::entry(&chosen.id));
+        let is_family = open.as_ref().and_then(|chosen| state.exercises.entry(&chosen.id)).is_some_and(|e| e.is_family);
         if open.is_some() && ui.button(format!("◀ {}", t.back)).accessible_name(t.back).clicked() {
             state.exercises.leave();
         }
@@ -46,8 +47,8 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
             state.exercises.work_on(next.clone());
             state.exercises.why = Some((next, why));
         }
-        if let (Some(chosen), Some(entry)) = (open, entry)
-            && entry.is_family
+        if let Some(chosen) = open
+            && is_family
             && ui.button(t.new_numbers).explained(t.new_numbers_hint).clicked()
         {
             state.exercises.work_on(Chosen { seed: chosen.seed + 1, ..chosen });
@@ -67,9 +68,10 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     let Some((entry, exercise)) = state.exercises.exercise() else {
         list::ui(ui, t, &mut state.exercises);
+        own::ui(ui, t, state);
         return progress::ui(ui, t, state);
     };
-    let sheet = Sheet { t, entry, exercise: &exercise };
+    let sheet = Sheet { t, entry: &entry, exercise: &exercise };
     if state.exercises.described.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
         state.exercises.described = None;
     }

@@ -90,7 +90,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 30] = [
+const KEYS: [Key; 31] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -147,6 +147,15 @@ const KEYS: [Key; 30] = [
             if let Some(folder) = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute()) {
                 state.gallery.remember(folder);
             }
+        },
+    },
+    // Empty: none.
+    Key {
+        name: "exercise_folder",
+        of: |state| state.exercises.own.as_ref().and_then(|own| own.folder.to_str()).unwrap_or_default().into(),
+        apply: |state, value| {
+            let folder = value.as_str().map(PathBuf::from).filter(|folder| folder.is_absolute());
+            state.exercises.look_into(folder);
         },
     },
     key!("export_theme", one of THEMES, export.theme),
@@ -295,6 +304,7 @@ mod tests {
         changed.settings.conventions =
             Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
+        changed.exercises.look_into(Some(PathBuf::from("/exercises")));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
         let (theme, what, times, format) = (Theme::Light, Views::One(View::Image), Some(3), PictureFormat::WebP);
         changed.export = Export {

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::camera::{Camera, RecoveryError};
 use crate::exercises::{self, Ask, Entry, Exercise, Free, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
+use crate::files::{self, FileError, OwnExercises};
 
 /// An exercise with the numbers of a seed.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -96,6 +97,15 @@ pub struct Described {
     pub camera: Result<Box<Camera>, RecoveryError>,
 }
 
+/// A folder of a lecturer's own exercises, as it was when it was opened.
+#[derive(Debug)]
+pub struct OwnFolder {
+    /// Where it is.
+    pub folder: PathBuf,
+    /// What it holds, or why it cannot be read.
+    pub found: Result<OwnExercises, FileError>,
+}
+
 /// The tab of exercises.
 #[derive(Clone, Debug, Default)]
 pub struct Exercises {
@@ -123,6 +133,8 @@ pub struct Exercises {
     pub(in crate::gui) unwritten: Vec<Done>,
     /// All of it is to be forgotten, and the file to be set aside.
     pub(in crate::gui) forgets: bool,
+    /// The folder of a lecturer's own exercises.
+    pub own: Option<Arc<OwnFolder>>,
     /// Why an exercise was chosen to be practised next.
     pub(in crate::gui) why: Option<(Chosen, Why)>,
     /// The exercise as it was made last.
@@ -130,6 +142,28 @@ pub struct Exercises {
 }
 
 impl Exercises {
+    /// All exercises: those of the program, and after them a lecturer's own.
+    pub fn entries(&self) -> impl Iterator<Item = &Entry> {
+        let found = self.own.as_ref().and_then(|own| own.found.as_ref().ok());
+        exercises::with_own(found.map_or(&[], |found| &found.entries))
+    }
+
+    /// The exercise or family with an identifier.
+    #[must_use]
+    pub fn entry(&self, id: &str) -> Option<&Entry> {
+        self.entries().find(|entry| entry.id == id)
+    }
+
+    /// Reads a folder of a lecturer's own exercises; `None`: there is none any more.
+    pub fn look_into(&mut self, folder: Option<PathBuf>) {
+        self.own = folder.map(|folder| Arc::new(OwnFolder { found: files::read_exercises(&folder), folder }));
+        // A file that was read once more may say something else.
+        self.made = None;
+        if self.open.as_ref().is_some_and(|open| self.entry(&open.id).is_none()) {
+            self.leave();
+        }
+    }
+
     /// Works on an exercise; what was typed for it before is there again.
     pub fn work_on(&mut self, chosen: Chosen) {
         if self.open.as_ref() == Some(&chosen) {
@@ -149,9 +183,9 @@ impl Exercises {
     }
 
     /// The exercise that is worked on, with the numbers that were chosen for it.
-    pub(in crate::gui) fn exercise(&mut self) -> Option<(&'static Entry, Arc<Exercise>)> {
+    pub(in crate::gui) fn exercise(&mut self) -> Option<(Entry, Arc<Exercise>)> {
         let chosen = self.open.clone()?;
-        let entry = exercises::entry(&chosen.id)?;
+        let entry = self.entry(&chosen.id)?.clone();
         let free = self.typed.get(&chosen).map(Typed::chosen_numbers).unwrap_or_default();
         let is_made = matches!(&self.made, Some((of, numbers, _)) if *of == chosen && *numbers == free);
         if !is_made {
@@ -163,7 +197,8 @@ impl Exercises {
             }
             self.made = Some((chosen, free, Arc::new(exercise)));
         }
-        self.made.as_ref().map(|(_, _, exercise)| (entry, Arc::clone(exercise)))
+        let (_, _, exercise) = self.made.as_ref()?;
+        Some((entry, Arc::clone(exercise)))
     }
 
     /// The fields of what is asked, to be typed into.
@@ -201,7 +236,7 @@ impl Exercises {
     /// What is practised next, and why; not what is worked on already.
     #[must_use]
     pub fn next(&self) -> Option<(Chosen, Why)> {
-        let all: Vec<&Entry> = exercises::entries().collect();
+        let all: Vec<&Entry> = self.entries().collect();
         let next = self.next_of(&all).filter(|(chosen, _)| self.open.as_ref() != Some(chosen));
         next.or_else(|| {
             let is_open = |entry: &Entry| self.open.as_ref().is_some_and(|open| open.id == entry.id);
@@ -232,8 +267,8 @@ impl Exercises {
 
     /// Nothing is kept any more: neither what was done nor what was typed.
     pub(in crate::gui) fn forget(&mut self) {
-        let Self { wanted, open, made, file, .. } = std::mem::take(self);
-        *self = Self { wanted, open, made, file, ..Self::default() };
+        let Self { wanted, open, made, file, own, .. } = std::mem::take(self);
+        *self = Self { wanted, open, made, file, own, ..Self::default() };
     }
 
     /// The names of what is answered rightly.

@@ -48,6 +48,8 @@ pub enum Purpose {
     Folder,
     /// To write what is kept of exercises, as a table for spreadsheets.
     Progress,
+    /// A folder of a lecturer's own exercises.
+    Exercises,
 }
 
 /// What a mesh file is for.

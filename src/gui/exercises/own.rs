@@ -1,0 +1,43 @@
+//! The folder of a lecturer's own exercises: opened, looked into once more, closed, and what is wrong with its files.
+
+use eframe::egui::Ui;
+
+use crate::foreign;
+use crate::gui::file_flow;
+use crate::gui::panels::complaint;
+use crate::gui::state::{Purpose, State};
+use crate::gui::tooltip::Explained;
+use crate::i18n::exercise_window::Texts;
+use crate::i18n::messages;
+
+/// What stands below the list.
+pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+    ui.add_space(6.0);
+    if let Some(own) = state.exercises.own.clone() {
+        match &own.found {
+            Ok(found) if found.entries.is_empty() && found.faults.is_empty() => {
+                ui.label(format!("{}: {}", foreign::path(&own.folder), t.own_none));
+            }
+            Ok(found) => {
+                for (path, error) in &found.faults {
+                    complaint(ui, &foreign::printable(&messages::file(t.lang, &foreign::path(path), error)));
+                }
+            }
+            Err(error) => {
+                complaint(ui, &foreign::printable(&messages::file(t.lang, &foreign::path(&own.folder), error)));
+            }
+        }
+    }
+    ui.horizontal_wrapped(|ui| {
+        if ui.button(t.own_open).explained(t.own_open_hint).clicked() {
+            file_flow::ask(ui.ctx(), state, Purpose::Exercises);
+        }
+        let Some(own) = state.exercises.own.clone() else { return };
+        if ui.button(t.own_again).explained(t.own_again_hint).clicked() {
+            state.exercises.look_into(Some(own.folder.clone()));
+        }
+        if ui.button(t.own_close).explained(t.own_close_hint).clicked() {
+            state.exercises.look_into(None);
+        }
+    });
+}
