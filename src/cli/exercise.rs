@@ -208,7 +208,7 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
         if judged.iter().any(|(other, _)| other.name == ask.name) {
             return Err(Failure::BadInput(said::answered_twice(lang, name)));
         }
-        let verdict = exercises::check(&entry, &exercise, ask, answer)
+        let verdict = exercises::check(&entry, &exercise, ask, texts::typed_choice(ask, answer))
             .map_err(|error| Failure::BadInput(said::unreadable(lang, name, &texts::answer_error(lang, &error))))?;
         judged.push((ask, verdict));
     }
@@ -222,7 +222,7 @@ fn check(args: &CheckArgs, lang: Lang) -> Result<(), Failure> {
             "answers": judged.iter().map(|(ask, verdict)| verdict_value(written, &exercise, ask, verdict)).collect::<Vec<_>>(),
             "unanswered": unanswered,
         })),
-        TableFormat::Text => verdicts(written, &exercise, &judged, &unanswered),
+        TableFormat::Text => verdicts(written, &exercise, &judged, &unanswered, args.hints(lang)?),
     };
     print(text.as_bytes(), lang)?;
     if right { Ok(()) } else { Err(Failure::NotRight) }
@@ -253,7 +253,7 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
 }
 
 /// The same to read.
-fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswered: &[&str]) -> String {
+fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswered: &[&str], hints: usize) -> String {
     let t = said::texts(lang);
     let mut text = String::new();
     for (ask, verdict) in judged {
@@ -275,8 +275,8 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
         if let Some(diagnosis) = &verdict.diagnosis {
             let _ = writeln!(text, "  {}", plain(&texts::diagnosis(lang, diagnosis)));
         }
-        for hint in said::hints(lang, exercise, ask, verdict) {
-            let _ = writeln!(text, "  {}: {}", t.hint, plain(&hint));
+        for hint in said::hints(lang, exercise, ask, verdict).iter().take(hints) {
+            let _ = writeln!(text, "  {}: {}", t.hint, plain(hint));
         }
     }
     if !unanswered.is_empty() {

@@ -82,6 +82,9 @@ pub(super) struct CheckArgs {
     /// that is not known
     #[arg(long = "answer", value_name = "NAME=VALUE", allow_hyphen_values = true, required = true)]
     answers: Vec<String>,
+    /// How many hints the text gives for a wrong answer, 0 to 9; JSON has all
+    #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true)]
+    hints: String,
     /// Text to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
@@ -124,6 +127,11 @@ impl NumbersArgs {
 }
 
 impl CheckArgs {
+    pub(super) fn hints(&self, lang: Lang) -> Result<usize, Failure> {
+        let hints = self.hints.trim().parse().ok().filter(|hints| *hints <= 9);
+        hints.ok_or_else(|| Failure::BadInput(said::hints_range(lang, &self.hints)))
+    }
+
     /// Names and texts, in the order given.
     pub(super) fn answers(&self, lang: Lang) -> Result<Vec<(&str, &str)>, Failure> {
         let read = |text: &'_ String| -> Result<(usize, usize), Failure> {

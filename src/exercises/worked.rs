@@ -152,6 +152,23 @@ pub(super) fn worked(subject: &Subject, path: &str) -> Vec<Worked> {
     steps
 }
 
+/// The way to whether a point is inside: its clip coordinates, and how far inside of each plane it is.
+pub(super) fn inside(subject: &Subject, k: usize) -> Vec<Worked> {
+    let mut steps = worked(subject, &format!("points.{k}.clip"));
+    let (_, after) = operated(subject, |_| false);
+    let (Ok(camera), Some(point)) = (after.camera(), subject.points.get(k)) else { return steps };
+    let setting = setting(&camera, &after).with_point(*point);
+    let mut step = Worked { point: Some(*point), ..Worked::of("outcode", "[2]", &after) };
+    let planes = [("left", "right", Component::X), ("bottom", "top", Component::Y), ("near", "far", Component::Z)];
+    let w = || Formula::from(Symbol::Clip(Component::W));
+    for (low, high, along) in planes {
+        step.push(&setting, named(low, low, 0.0), plus(w(), Symbol::Clip(along)));
+        step.push(&setting, named(high, high, 0.0), explain::minus(w(), Symbol::Clip(along)));
+    }
+    steps.push(step);
+    steps
+}
+
 /// Whether an operation changes what stands at a path.
 fn matters(path: &[&str], operation: Operation) -> bool {
     let changes = operation.changes();

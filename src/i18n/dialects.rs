@@ -152,6 +152,9 @@ pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
     let number = |x: f64| lang.mark().number(x, 4);
     match (lang, error) {
         (_, RecoveryError::Camera(error)) => messages::camera(lang, error),
+        (Lang::En, RecoveryError::Length { row, length }) => {
+            format!("row {row} has the length {}; the rows of a view matrix are unit vectors", number(*length))
+        }
         (Lang::En, error) => error.to_string(),
         (Lang::PtBr, RecoveryError::NotFinite { row, column }) => {
             format!("o elemento {row},{column} não é um número finito")

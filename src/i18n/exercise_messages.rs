@@ -89,6 +89,16 @@ pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
     }
 }
 
+/// `--hints` that is not a number of hints.
+#[must_use]
+pub fn hints_range(lang: Lang, text: &str) -> String {
+    let text = shown(text);
+    match lang {
+        Lang::En => format!("--hints {text}: a whole number from 0 to 9 is expected"),
+        Lang::PtBr => format!("--hints {text}: esperava-se um número inteiro de 0 a 9"),
+    }
+}
+
 /// What is expected.
 #[must_use]
 pub const fn name_and_value(lang: Lang) -> &'static str {
@@ -118,7 +128,7 @@ pub fn hints(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -> Ve
         None => {
             let steps = exercises::steps(lang, exercise, ask, DIGITS);
             let first = steps.first().and_then(|step| step.lines().next()).map(str::to_owned);
-            exercises::hints_without_diagnosis(lang, &verdict.entries, first.as_deref())
+            exercises::hints_without_diagnosis(lang, verdict, first.as_deref())
         }
     }
 }

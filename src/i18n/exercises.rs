@@ -3,7 +3,8 @@
 use super::exercise_texts::texts;
 use super::{Lang, messages};
 use crate::exercises::{
-    Answer, AnswerError, Ask, Diagnosis, Entry, Exercise, Fact, Kind, Mistake, OwnTexts, Table, Told, Unit, Worked,
+    Answer, AnswerError, Ask, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Told, Unit,
+    Worked,
 };
 use crate::explain::{Notation, Style};
 use crate::expression::marked;
@@ -82,6 +83,15 @@ pub fn reading(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "readings", name)
 }
 
+/// The name of a choice that was typed by its name or by its word in either language; what was typed, where it is neither.
+#[must_use]
+pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
+    let Kind::Choice(choices) = &ask.kind else { return typed };
+    let wanted = typed.trim().to_lowercase();
+    let is_it = |name: &&String| [Lang::En, Lang::PtBr].iter().any(|lang| choice(*lang, name).to_lowercase() == wanted);
+    choices.iter().find(is_it).map_or(typed, String::as_str)
+}
+
 /// A choice.
 #[must_use]
 pub fn choice(lang: Lang, name: &str) -> &str {
@@ -141,11 +151,16 @@ pub fn hints(lang: Lang, diagnosis: &Diagnosis) -> Vec<&str> {
 
 /// The hints for a wrong answer that no known mistake explains: where it is wrong, and what the way there begins with.
 #[must_use]
-pub fn hints_without_diagnosis(lang: Lang, entries: &[Vec<bool>], first_step: Option<&str>) -> Vec<String> {
-    let all: usize = entries.iter().map(Vec::len).sum();
-    let right = entries.iter().flatten().filter(|is| **is).count();
+pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&str>) -> Vec<String> {
+    let all: usize = judged.entries.iter().map(Vec::len).sum();
+    let right = judged.entries.iter().flatten().filter(|is| **is).count();
     let mut hints = Vec::new();
-    if all > 1 {
+    if !judged.conditions.is_empty() {
+        hints.push(match lang {
+            Lang::En => format!("{right} of {all} conditions are fulfilled; begin with the first that is not."),
+            Lang::PtBr => format!("{right} de {all} condições são cumpridas; comece pela primeira que não é."),
+        });
+    } else if all > 1 {
         hints.push(match lang {
             Lang::En => format!("{right} of {all} numbers are right; look at the others once more."),
             Lang::PtBr => format!("{right} de {all} números estão certos; olhe os outros mais uma vez."),

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::cameras::{about, camera, numbers, point_inside, small, subject, with_point};
 use crate::camera::{Camera, Parameters, Projection};
+use crate::exercises::worked::inside as steps_inside;
 use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake};
 use crate::figure::Figure;
 use crate::scene::{ObjectSpec, Preset, Shape};
@@ -179,7 +180,7 @@ fn predict_visible(seed: u64) -> Exercise {
     let names = ["P", "Q", "R"];
     let asks = names.into_iter().zip(&points).enumerate().map(|(k, (name, point))| {
         let seen = is_inside(*point).is_some_and(|(inside, _)| inside);
-        let ask = Ask::choice(name, &["yes", "no"], usize::from(!seen), &[], Vec::new());
+        let ask = Ask::choice(name, &["yes", "no"], usize::from(!seen), &[], steps_inside(&subject, k));
         Ask { quantity: Some(format!("points.{k}.inside")), ..ask }
     });
     let facts: Vec<(&'static str, Fact)> =

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::cameras::{about, any_projection, camera, image, numbers, point_inside, subject, with_image, with_point};
 use crate::camera::{Camera, ImageSize, Projection, Viewport};
+use crate::exercises::worked::inside as steps_inside;
 use crate::exercises::{Ask, Entry, Exercise, Fact, Mistake, Subject, Unit};
 use crate::numbers::random::Random;
 
@@ -46,10 +47,10 @@ fn inside(seed: u64) -> Exercise {
     let subject = with_point(subject(parameters), point);
     let is_inside = Ask {
         quantity: Some("points.0.inside".to_owned()),
-        ..Ask::choice("inside", &["yes", "no"], usize::from(plane != 0), &[], Vec::new())
+        ..Ask::choice("inside", &["yes", "no"], usize::from(plane != 0), &[], steps_inside(&subject, 0))
     };
     let clip = Ask::quantity("clip", &subject, "points.0.clip");
-    let cut = Ask::choice("plane", &PLANES, plane, &opposite(plane, projection), Vec::new());
+    let cut = Ask::choice("plane", &PLANES, plane, &opposite(plane, projection), steps_inside(&subject, 0));
     let fact = self::point(&subject);
     let mut exercise = Exercise { asks: vec![clip, is_inside, cut], ..about(subject) };
     exercise.facts.push(fact);
