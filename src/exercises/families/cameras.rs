@@ -88,12 +88,17 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
         let n = to_viewer.normalize();
         let oblique = view_up.normalize().dot(n).abs();
         let has_length_1 = (view_up.cross(n).length() - 1.0).abs() < 0.05;
-        // What it looks at is in its volume.
-        let seen = parameters.near < 0.7 * to_viewer.length() && parameters.far > 1.3 * to_viewer.length();
-        if (0.1..0.95).contains(&oblique) && !has_length_1 && seen && parameters.position.length() > 1.0 {
-            return parameters;
+        if (0.1..0.95).contains(&oblique) && !has_length_1 && parameters.position.length() > 1.0 {
+            return seeing(parameters, to_viewer.length());
         }
     }
+}
+
+/// With what it looks at, at a distance, in its volume.
+fn seeing(parameters: Parameters, distance: f64) -> Parameters {
+    let near = if parameters.near < 0.7 * distance { parameters.near } else { 0.5 };
+    let far = if parameters.far > 1.3 * distance { parameters.far } else { 40.0 * near };
+    Parameters { near, far: far.max(10.0 * near), ..parameters }
 }
 
 /// One of the two projections.

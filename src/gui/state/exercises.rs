@@ -302,11 +302,21 @@ pub fn joined(ask: &Ask, fields: &[String]) -> String {
     }
 }
 
-/// True where the first field holds a whole list or matrix in brackets.
+/// True where the first field holds a whole list or matrix: in brackets, or a list of as many numbers as are asked for with nothing in the other
+/// fields. Two numbers may be one with a decimal comma.
 #[must_use]
 pub fn is_whole(ask: &Ask, fields: &[String]) -> bool {
     let first = fields.first().map_or("", |field| field.trim());
-    matches!(ask.kind, Kind::Vector(_) | Kind::Matrix(..)) && first.starts_with('[')
+    let alone = fields.iter().skip(1).all(|field| field.trim().is_empty());
+    let as_many = |rows: usize| {
+        let count = crate::expression::parts(first).count();
+        count == rows && (count > 2 || first.contains(';'))
+    };
+    match ask.kind {
+        Kind::Vector(rows) => first.starts_with('[') || (alone && as_many(rows)),
+        Kind::Matrix(..) => first.starts_with('['),
+        Kind::Number | Kind::Choice(_) | Kind::Camera => false,
+    }
 }
 
 #[cfg(test)]
@@ -316,6 +326,18 @@ mod tests {
     fn typed(text: &str) -> Typed {
         let answers = [("u".to_owned(), vec![text.to_owned()])].into();
         Typed { answers, ..Typed::default() }
+    }
+
+    #[test]
+    fn a_list_without_brackets_is_a_whole_vector() {
+        let exercise = exercises::entry("basis").map(|entry| entry.exercise(0, &Free::new()));
+        let ask = exercise.as_ref().and_then(|exercise| exercise.asks.first());
+        let whole = |first: &str, second: &str| {
+            let fields = [first, second, ""].map(str::to_owned);
+            ask.is_some_and(|ask| is_whole(ask, &fields))
+        };
+        assert!(whole("-3/7,6/7,2/7", "") && whole("0,5; 1; 2", "") && whole("[1, 2]", "3"));
+        assert!(!whole("0,5", "") && !whole("1,2,3", "4") && !whole("0,5;1", ""));
     }
 
     #[test]
