@@ -97,7 +97,18 @@ fn an_entry_that_has_the_keyboard_says_formula_numbers_and_value_and_lights_up_t
     assert_eq!(window.state().explain.matrices.entry, [2, 3]);
     window.key(Key::ArrowDown);
     assert_eq!(window.state().explain.matrices.entry, [3, 3]);
+    // At the border of the matrix the keyboard stays, and each press is one step.
+    window.key(Key::ArrowRight);
+    window.key(Key::ArrowDown);
+    assert_eq!(window.state().explain.matrices.entry, [3, 3]);
+    for (key, entry) in [(Key::ArrowLeft, [3, 2]), (Key::ArrowUp, [2, 2]), (Key::ArrowRight, [2, 3])] {
+        window.key(key);
+        assert_eq!(window.state().explain.matrices.entry, entry);
+    }
     window.harness.get_by_label_contains("M_p, linha 1, coluna 1").focus();
+    window.run();
+    window.key(Key::ArrowLeft);
+    assert_eq!(window.state().explain.matrices.entry, [0, 0]);
     window.run();
     window.harness.get_by_label("W = 8/3 ≈ 2,6667").focus();
     window.run();

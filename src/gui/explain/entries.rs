@@ -1,6 +1,9 @@
 //! The entries of a matrix as a grid, each a control of its own.
 
-use eframe::egui::{self, Color32, Id, Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    self, Color32, EventFilter, Id, Key, Modifiers, Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo,
+    pos2, vec2,
+};
 
 use crate::gui::mathematics::Formula;
 use crate::gui::noted::noted;
@@ -110,6 +113,9 @@ pub(super) fn show(
                     response.request_focus();
                     ui.scroll_to_rect(place, None);
                 }
+                if response.has_focus() {
+                    arrows(ui, [i, j]);
+                }
                 noted(&response, note);
                 if response.hovered() {
                     pointed.hovered = Some([i, j]);
@@ -126,6 +132,23 @@ pub(super) fn show(
         }
     });
     pointed
+}
+
+/// The arrow keys go from entry to entry, and stay within the matrix at its border.
+fn arrows(ui: &Ui, [i, j]: [usize; 2]) {
+    let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(entry_id(ui, i, j), filter));
+    // Taken, so that the entry that gets the keyboard does not go on with the same key.
+    let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    let step = |at: usize, back: Key, on: Key| match (pressed(back), pressed(on)) {
+        (true, false) => at.saturating_sub(1),
+        (false, true) => (at + 1).min(3),
+        _ => at,
+    };
+    let next = [step(i, Key::ArrowUp, Key::ArrowDown), step(j, Key::ArrowLeft, Key::ArrowRight)];
+    if next != [i, j] {
+        ui.memory_mut(|memory| memory.request_focus(entry_id(ui, next[0], next[1])));
+    }
 }
 
 fn entry_id(ui: &Ui, i: usize, j: usize) -> Id {
