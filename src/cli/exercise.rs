@@ -235,7 +235,7 @@ fn verdict_value(lang: Lang, exercise: &Exercise, ask: &Ask, verdict: &Judged) -
         json!({
             "code": codes.first().copied().unwrap_or("own"),
             "codes": codes,
-            "message": texts::diagnosis(lang, diagnosis),
+            "message": texts::diagnosis(lang, ask, verdict),
             "hints": hints,
         })
     });
@@ -272,8 +272,8 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
         for (condition, is) in verdict.conditions.iter().zip(&entries) {
             let _ = writeln!(text, "  {} {}", if *is { '✓' } else { '✗' }, texts::condition(lang, condition));
         }
-        if let Some(diagnosis) = &verdict.diagnosis {
-            let _ = writeln!(text, "  {}", plain(&texts::diagnosis(lang, diagnosis)));
+        if let Some(diagnosis) = texts::diagnosis(lang, ask, verdict) {
+            let _ = writeln!(text, "  {}", plain(&diagnosis));
         }
         for hint in said::hints(lang, exercise, ask, verdict).iter().take(hints) {
             let _ = writeln!(text, "  {}: {}", t.hint, plain(hint));

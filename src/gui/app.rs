@@ -322,8 +322,13 @@ impl App {
             Command::ParametersPanel => state.settings.panels_mut().toggle(Side::Left),
             Command::NumbersPanel => state.settings.panels_mut().toggle(Side::Right),
             Command::Explain => state.settings.panels_mut().toggle(Side::Explain),
-            Command::Exercises if state.shows_exercises() => state.settings.panels_mut().toggle(Side::Explain),
-            Command::Exercises => state.show_explanation(ExplainTab::Exercises),
+            Command::Exercises if state.shows_exercises() && state.exercises.was_called => {
+                state.settings.panels_mut().toggle(Side::Explain);
+            }
+            Command::Exercises => {
+                state.show_explanation(ExplainTab::Exercises);
+                state.exercises.call();
+            }
             Command::Tab(tab) => {
                 state.settings.tab = tab;
                 if !state.settings.panels().is_shown(Side::Left) {

@@ -92,3 +92,23 @@ pub fn field(lang: Lang, ask: &str, [rows, columns]: [usize; 2], [row, column]: 
         (Lang::PtBr, ..) => format!("{ask} linha {i}, coluna {j}"),
     }
 }
+
+/// An answer is not an axis: it is longer or shorter than 1.
+#[must_use]
+pub fn axis_length(lang: Lang, length: f64) -> String {
+    let length = lang.mark().number(length, 4);
+    match lang {
+        Lang::En => format!("your vector has the length {length}; an axis of a camera has the length 1"),
+        Lang::PtBr => format!("seu vetor tem comprimento {length}; um eixo de uma câmera tem comprimento 1"),
+    }
+}
+
+/// An answer is not an axis: its scalar product with **n** is not 0.
+#[must_use]
+pub fn axis_oblique(lang: Lang, product: f64) -> String {
+    let product = lang.mark().number(product, 4);
+    match lang {
+        Lang::En => format!("your vector is not perpendicular to n: their scalar product is {product}, not 0"),
+        Lang::PtBr => format!("seu vetor não é perpendicular a n: o produto escalar deles é {product}, não 0"),
+    }
+}

@@ -1,7 +1,7 @@
 //! What exercises say, in both languages. In the texts `{name}` stands for a fact of the exercise.
 
 use super::exercise_texts::texts;
-use super::{Lang, messages};
+use super::{Lang, figure_files, messages};
 use crate::exercises::{
     Answer, AnswerError, Ask, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Told, Unit,
     Worked,
@@ -117,11 +117,13 @@ pub fn mistake(lang: Lang, mistake: Mistake) -> [&'static str; 3] {
     std::array::from_fn(|_| parts.next().unwrap_or_default())
 }
 
-/// What a diagnosis says: the mistakes, one after the other, and where a single number is at fault.
+/// What the diagnosis of a wrong answer says: the mistakes, one after the other, and where a single number is at fault. `None`: nothing explains
+/// the answer.
 #[must_use]
-pub fn diagnosis(lang: Lang, diagnosis: &Diagnosis) -> String {
+pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
+    let diagnosis = judged.diagnosis.as_ref()?;
     if let Some(own) = &diagnosis.own {
-        return told(lang, &own.message).to_owned();
+        return Some(told(lang, &own.message).to_owned());
     }
     // Beside another mistake not all other numbers are right.
     let beside = diagnosis.mistakes.len() > 1;
@@ -136,7 +138,21 @@ pub fn diagnosis(lang: Lang, diagnosis: &Diagnosis) -> String {
             Lang::PtBr => format!("É a da linha {row}, coluna {column}."),
         });
     }
-    said.join(" ")
+    if let Answer::Numbers { rows, columns, .. } = judged.understood
+        && diagnosis.mistakes.contains(&Mistake::WrongShape)
+    {
+        let [asked, given] = [ask.shape(), [rows, columns]].map(shape);
+        said.push(match lang {
+            Lang::En => format!("{asked} are asked for, {given} were given."),
+            Lang::PtBr => format!("Pedem-se {asked}, foram dados {given}."),
+        });
+    }
+    Some(said.join(" "))
+}
+
+/// How many numbers: a vector's, or a matrix' by rows and columns.
+fn shape([rows, columns]: [usize; 2]) -> String {
+    if columns == 1 { rows.to_string() } else { format!("{rows} × {columns}") }
 }
 
 /// Its hints, weaker ones first.
@@ -300,7 +316,7 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
             };
             format!("{place}: {}: {}", marked(text, &error.span), messages::expression(lang, &error.problem))
         }
-        (_, AnswerError::Camera(error)) => messages::figure(lang, error),
+        (_, AnswerError::Camera(error)) => figure_files::without_line(lang, error),
         (Lang::En, AnswerError::Choice { given, choices }) => {
             format!("“{}” cannot be chosen; choose one of: {}", shown(given), list_of_choices(lang, choices))
         }

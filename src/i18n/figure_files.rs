@@ -12,15 +12,20 @@ use crate::foreign::shown;
 /// Why a text is not a figure: line, key, what was found, what is allowed.
 #[must_use]
 pub fn figure(lang: Lang, error: &FigureError) -> String {
-    let FigureError { line, key, problem } = error;
-    let what = self::problem(lang, problem);
     let line = match lang {
-        Lang::En => format!("line {line}"),
-        Lang::PtBr => format!("linha {line}"),
+        Lang::En => format!("line {}", error.line),
+        Lang::PtBr => format!("linha {}", error.line),
     };
+    format!("{line}: {}", without_line(lang, error))
+}
+
+/// The same of a text that stands in no file.
+pub(super) fn without_line(lang: Lang, error: &FigureError) -> String {
+    let FigureError { key, problem, .. } = error;
+    let what = self::problem(lang, problem);
     match problem {
         // These name the keys themselves.
-        Problem::Camera(_) => format!("{line}: [camera] {what}"),
+        Problem::Camera(_) => format!("[camera] {what}"),
         Problem::NotUtf8 { .. }
         | Problem::TooLarge { .. }
         | Problem::Syntax { .. }
@@ -32,7 +37,7 @@ pub fn figure(lang: Lang, error: &FigureError) -> String {
         | Problem::Missing { .. }
         | Problem::Scene { .. } => {
             let key = if key.is_empty() { String::new() } else { format!("{key} ") };
-            format!("{line}: {key}{what}")
+            format!("{key}{what}")
         }
     }
 }

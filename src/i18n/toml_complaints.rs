@@ -3,6 +3,7 @@
 texts! {
     string_values_must_be_quoted: "string values must be quoted", "textos precisam de aspas";
     unexpected_key_or_value: "unexpected key or value", "há algo a mais depois do valor";
+    invalid_unquoted_key: "invalid unquoted key", "uma chave só tem letras sem acento, algarismos, - e _";
     key_with_no_value: "key with no value", "chave sem valor";
     unclosed_array: "unclosed array", "falta fechar uma lista com ]";
     unclosed_table: "unclosed table", "falta fechar uma seção com ]";

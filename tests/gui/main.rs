@@ -11,6 +11,7 @@ mod commands;
 mod conventions;
 mod dialects;
 mod dialogs;
+mod exercise_answers;
 mod exercises;
 mod explain;
 mod explain_steps;

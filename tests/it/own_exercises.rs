@@ -34,7 +34,7 @@ fn the_examples_are_read_and_judged() {
         let exercise = entry.exercise(0, &Free::new());
         let ask = exercise.asks.iter().find(|ask| ask.name == name).unwrap();
         let judged = check(entry, &exercise, ask, answer).unwrap();
-        let said = judged.diagnosis.as_ref().map(|found| texts::diagnosis(Lang::PtBr, found)).unwrap_or_default();
+        let said = texts::diagnosis(Lang::PtBr, ask, &judged).unwrap_or_default();
         (judged.right, said)
     };
     assert_eq!(judged(1, "n", "[4/sqrt(17), 0, -1/sqrt(17)]"), (true, String::new()));

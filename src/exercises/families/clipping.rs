@@ -5,7 +5,7 @@ use glam::DVec4;
 use super::cameras::{numbers, plain, small};
 use crate::exercises::worked::{Worked, named};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Slip, Slips, Table};
-use crate::explain::{Formula, minus, over};
+use crate::explain::{Formula, minus, over, plus, times};
 use crate::numbers::random::Random;
 
 pub(super) const OUTCODES: Entry = Entry::family("outcodes", "[2]", |seed, _| outcodes(seed));
@@ -51,8 +51,8 @@ fn outcodes(seed: u64) -> Exercise {
             .into_iter()
             .zip(names)
             .zip(distance)
-            .fold(Worked::new("outcode", "[2]"), |step, (((along, plus), name), distance)| {
-                let formula = if plus { crate::explain::plus(w, along) } else { minus(w, along) };
+            .fold(Worked::new("outcode", "[2]"), |step, (((along, is_sum), name), distance)| {
+                let formula = if is_sum { plus(w, along) } else { minus(w, along) };
                 step.row(named(name, name, distance), formula)
             });
         Ask::computed(name, Kind::Vector(6), vec![step], move |slips| Some(Table::column(&code(slips)))).whole()
@@ -97,13 +97,32 @@ fn clip_segment(seed: u64) -> Exercise {
     let ask = |name: &str, k: usize| {
         Ask::computed(name, Kind::Number, vec![step.clone()], move |slips| ends(slips).map(|t| t[k].into()))
     };
-    let point = Ask::computed("P", Kind::Vector(4), vec![step.clone()], move |slips| {
+    let way = std::iter::once(step.clone()).chain(ends(Slips::NONE).map(|[from, _]| point_at(a, b, from))).collect();
+    let point = Ask::computed("P", Kind::Vector(4), way, move |slips| {
         let [from, _] = ends(slips)?;
         let (a, b) = if slips.has(Slip::OrderReversed) { (b, a) } else { (a, b) };
         Some(Table::from(a + (b - a) * from))
     });
     let asks = vec![ask("t_in", 0), ask("t_out", 1), point];
     Exercise { asks, facts: vec![("A", tuple(a)), ("B", tuple(b))], ..plain() }
+}
+
+/// The point of the segment at t.
+fn point_at(a: DVec4, b: DVec4, t: f64) -> Worked {
+    let names = [
+        [("P_x", "P_x"), ("A_x", "A_x"), ("B_x", "B_x")],
+        [("P_y", "P_y"), ("A_y", "A_y"), ("B_y", "B_y")],
+        [("P_z", "P_z"), ("A_z", "A_z"), ("B_z", "B_z")],
+        [("P_w", "P_w"), ("A_w", "A_w"), ("B_w", "B_w")],
+    ];
+    let (start, end) = (a.to_array(), b.to_array());
+    names.into_iter().enumerate().fold(Worked::new("at-t", "[2]"), |step, (k, [p, of_a, of_b])| {
+        let name = |(text, latex), value| named(text, latex, value);
+        let (from, to) = (name(of_a, start[k]), name(of_b, end[k]));
+        let t_in = named("t_in", r"t_{\mathrm{in}}", t);
+        let formula = plus(from, times([t_in.into(), minus(to, from)]));
+        step.row(name(p, start[k] + t * (end[k] - start[k])), formula)
+    })
 }
 
 /// Where each plane that separates the ends cuts.

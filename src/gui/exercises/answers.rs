@@ -55,7 +55,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     if !tolerance.is_empty() {
         ui.add(egui::Label::new(RichText::new(tolerance).small().weak()).wrap());
     }
-    let mut fields = state.exercises.fields(ask).clone();
+    let mut fields = state.exercises.fields(ask).to_vec();
     let reading = understood(sheet, ask, &fields);
     let broken = reading.as_ref().err().and_then(|unreadable| unreadable.field);
     let marks = marks(state, ask, &fields);
@@ -67,7 +67,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
             numbers(ui, sheet, ask, (&name, broken), &marks, &mut fields)
         }
     };
-    *state.exercises.fields(ask) = fields;
+    state.exercises.type_into(ask, fields);
     match &reading {
         Err(unreadable) => complaint(ui, &unreadable.why),
         Ok(Some(answer)) => show_understood(ui, t.lang, ask, answer),
@@ -90,10 +90,14 @@ fn marks(state: &State, ask: &Ask, fields: &[String]) -> Vec<Option<bool>> {
     let Some(checked) = state.exercises.checked.get(&ask.name) else { return none };
     let entries = &checked.judged.entries;
     let fits = entries.len() == rows && entries.iter().all(|row| row.len() == columns);
+    let is_same = |k: usize| fields.get(k) == checked.fields.get(k);
+    if is_whole(ask, fields) && is_same(0) {
+        // One field holds all of it.
+        return [vec![Some(checked.judged.right)], none].concat();
+    }
     if !fits || is_whole(ask, fields) || is_whole(ask, &checked.fields) {
         return none;
     }
-    let is_same = |k: usize| fields.get(k) == checked.fields.get(k);
     let typed = |k: usize| fields.get(k).is_some_and(|field| !field.trim().is_empty());
     entries.iter().flatten().enumerate().map(|(k, right)| Some(*right).filter(|_| is_same(k) && typed(k))).collect()
 }

@@ -14,6 +14,7 @@ use crate::i18n::{Lang, exercise_messages, exercises as said};
 pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
     let field = TextEdit::singleline(&mut state.wanted).hint_text(t.search).desired_width(f32::INFINITY);
     let response = ui.add(field).explained(t.search_hint).accessible_name(t.search);
+    state.answer_call(&response);
     if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
         let first = found(t.lang, state).next().cloned();
         first.iter().for_each(|first| open(state, first));
@@ -38,6 +39,7 @@ fn found(lang: Lang, state: &Exercises) -> impl Iterator<Item = &Entry> {
 fn open(state: &mut Exercises, entry: &Entry) {
     let seed = state.seed_of(entry);
     state.work_on(Chosen { id: entry.id.clone().into_owned(), seed });
+    state.calls_keyboard = true;
 }
 
 /// Shows what is found, by groups.

@@ -38,8 +38,12 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
     }
     ui.horizontal_wrapped(|ui| {
         let is_family = open.as_ref().and_then(|chosen| state.exercises.entry(&chosen.id)).is_some_and(|e| e.is_family);
-        if open.is_some() && ui.button(format!("◀ {}", t.back)).accessible_name(t.back).clicked() {
-            state.exercises.leave();
+        if open.is_some() {
+            let back = ui.button(format!("◀ {}", t.back)).accessible_name(t.back);
+            state.exercises.answer_call(&back);
+            if back.clicked() {
+                state.exercises.leave();
+            }
         }
         if ui.button(t.practise_next).explained(t.practise_next_hint).clicked()
             && let Some((next, why)) = state.exercises.next()
@@ -104,7 +108,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
 
 /// Judges what was typed, where it can be read.
 fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
-    let fields = state.exercises.fields(ask).clone();
+    let fields = state.exercises.fields(ask).to_vec();
     if answers::understood(sheet, ask, &fields).is_err() {
         return;
     }
@@ -119,5 +123,5 @@ fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     }
     let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
     state.exercises.note(done);
-    state.exercises.checked.insert(ask.name.clone(), Checked { fields, judged });
+    state.exercises.took(ask, Checked { fields, judged });
 }

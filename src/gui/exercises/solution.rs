@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui::Ui;
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat4, DVec3};
 
 use super::{Sheet, figure};
 use crate::camera::{Camera, MatrixKind, Ndc, Parameters, RecoveryError, recover};
@@ -12,9 +12,9 @@ use crate::explain::{Notation, Style};
 use crate::gui::mathematics::{Both, chain};
 use crate::gui::panels::complaint;
 use crate::gui::prose;
-use crate::gui::state::{Described, State};
+use crate::gui::state::{Described, NotCamera, State};
 use crate::gui::tooltip::Explained;
-use crate::i18n::{dialects, exercise_window as words, exercises as said};
+use crate::i18n::{Lang, dialects, exercise_window as words, exercises as said};
 
 /// The button of the next step, once hints are used up, and that of the camera that a wrong answer describes.
 pub(super) fn buttons(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, helped: bool) {
@@ -54,9 +54,7 @@ fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, na
     if !button.accessible_name(words::of_ask(t.show_camera, name)).clicked() {
         return;
     }
-    let answer = judged.understood.clone();
-    let others = |path: &str| answered_elsewhere(state, exercise, path);
-    let Some((right, camera)) = described(exercise, ask, &answer, others) else { return };
+    let Some((right, camera)) = described(exercise, ask, &judged.understood) else { return };
     let camera = camera.map(Box::new);
     if camera.is_ok() && *state.document.figure() != figure::with_camera(exercise, right) {
         state.show_figure_of_exercise(figure::with_camera(exercise, right));
@@ -99,51 +97,55 @@ fn matrix_kind(path: &str) -> Option<(MatrixKind, bool)> {
     })
 }
 
-/// The axis that was answered to another ask of the same exercise.
-fn answered_elsewhere(state: &State, exercise: &Exercise, wanted: &str) -> Option<DVec3> {
-    let ask = exercise.asks.iter().find(|ask| path(ask) == wanted)?;
-    vector(&state.exercises.checked.get(&ask.name)?.judged.understood)
-}
-
-fn vector(answer: &Answer) -> Option<DVec3> {
-    let Answer::Numbers { entries, .. } = answer else { return None };
-    let numbers: Option<Vec<f64>> = entries.iter().copied().collect();
-    numbers.filter(|numbers| numbers.len() == 3).map(|numbers| DVec3::from_slice(&numbers))
-}
-
 /// The right camera, and the one that an answer describes.
-fn described(
-    exercise: &Exercise,
-    ask: &Ask,
-    answer: &Answer,
-    other: impl Fn(&str) -> Option<DVec3>,
-) -> Option<(Parameters, Result<Camera, RecoveryError>)> {
-    let camera = |parameters: &Parameters| Camera::new(parameters).map_err(RecoveryError::from);
+fn described(exercise: &Exercise, ask: &Ask, answer: &Answer) -> Option<(Parameters, Result<Camera, NotCamera>)> {
+    let camera = |parameters: &Parameters| {
+        Camera::new(parameters).map_err(|error| NotCamera::Matrix(RecoveryError::from(error)))
+    };
     if let (Answer::Camera(parameters), Expected::Camera(_, model, _)) = (answer, ask.expected()) {
         return Some((**model, camera(parameters)));
     }
     let right = figure::subject_of(exercise, ask).camera().ok()?;
     let Answer::Numbers { entries, .. } = answer else { return None };
-    let (kind, matrix) = match matrix_kind(path(ask)) {
+    let numbers: Vec<f64> = entries.iter().copied().collect::<Option<_>>()?;
+    let found = match matrix_kind(path(ask)) {
         Some((kind, is_inverse)) => {
-            let numbers: Vec<f64> = entries.iter().copied().collect::<Option<_>>()?;
             let matrix = DMat4::from_cols_array(&numbers.try_into().ok()?).transpose();
-            (kind, if is_inverse { matrix.inverse() } else { matrix })
+            let matrix = if is_inverse { matrix.inverse() } else { matrix };
+            let found = recover(kind, matrix, Ndc::default(), right.parameters()).map_err(NotCamera::Matrix);
+            found.map(|found| found.parameters)
         }
-        None => {
-            let basis = right.basis();
-            let axis = |name: &str, right: DVec3| {
-                let own = vector(answer).filter(|_| path(ask) == name);
-                own.or_else(|| other(name)).unwrap_or(right)
-            };
-            let axes = [axis("basis.u", basis.u), axis("basis.v", basis.v), axis("basis.n", basis.n)];
-            let rotation = DMat3::from_cols(axes[0], axes[1], axes[2]).transpose();
-            let translation = -(rotation * right.position());
-            (MatrixKind::View, DMat4::from_translation(translation) * DMat4::from_mat3(rotation))
-        }
+        None => with_axis(&right, path(ask), DVec3::from_array(numbers.try_into().ok()?)),
     };
-    let found = recover(kind, matrix, Ndc::default(), right.parameters());
-    Some((*right.parameters(), found.and_then(|found| camera(&found.parameters))))
+    Some((*right.parameters(), found.and_then(|found| camera(&found))))
+}
+
+/// The camera at the same place that has an axis of an answer, and of the others as much as goes with it.
+fn with_axis(right: &Camera, path: &str, axis: DVec3) -> Result<Parameters, NotCamera> {
+    /// Of lengths and cosines: that of an answer of three digits.
+    const TOLERANCE: f64 = 2e-3;
+    let (parameters, n) = (*right.parameters(), right.basis().n);
+    if (axis.length() - 1.0).abs() > TOLERANCE {
+        return Err(NotCamera::Length(axis.length()));
+    }
+    if path == "basis.n" {
+        let distance = parameters.position.distance(parameters.focal_point);
+        return Ok(Parameters { focal_point: parameters.position - distance * axis, ..parameters });
+    }
+    if axis.dot(n).abs() > TOLERANCE {
+        return Err(NotCamera::Oblique(axis.dot(n)));
+    }
+    let view_up = if path == "basis.u" { n.cross(axis) } else { axis };
+    Ok(Parameters { view_up, ..parameters })
+}
+
+/// Why an answer describes no camera.
+fn not_camera(lang: Lang, why: &NotCamera) -> String {
+    match why {
+        NotCamera::Matrix(error) => dialects::recovery_error(lang, error),
+        NotCamera::Length(length) => words::axis_length(lang, *length),
+        NotCamera::Oblique(product) => words::axis_oblique(lang, *product),
+    }
 }
 
 /// The steps that are open, set as mathematics, and why there is no camera.
@@ -151,7 +153,7 @@ pub(super) fn steps(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask) {
     let Sheet { t, exercise, .. } = sheet;
     let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);
     if let Some(Err(error)) = described.map(|described| &described.camera) {
-        complaint(ui, &format!("{}: {}", t.no_camera, dialects::recovery_error(t.lang, error)));
+        complaint(ui, &format!("{}: {}", t.no_camera, not_camera(t.lang, error)));
     }
     let Some(opened) = state.exercises.opened.get(&ask.name) else { return };
     let way: Option<Arc<[Worked]>> = opened.way.clone();

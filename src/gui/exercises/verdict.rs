@@ -17,7 +17,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     let mut hints = Vec::new();
     if let Some(checked) = &checked {
         let judged = &checked.judged;
-        let is_old = *state.exercises.fields(ask) != checked.fields;
+        let is_old = *state.exercises.fields(ask) != *checked.fields;
         ui.scope(|ui| {
             if is_old {
                 ui.set_opacity(0.6);
@@ -29,8 +29,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
                 let text = format!("{sign} {}", said::condition(t.lang, condition));
                 ui.add(egui::Label::new(RichText::new(text).color(color(ui, *right))).wrap());
             }
-            if let Some(diagnosis) = judged.diagnosis.as_ref().filter(|_| !judged.right) {
-                prose::show(ui, &said::diagnosis(t.lang, diagnosis));
+            if let Some(diagnosis) = said::diagnosis(t.lang, ask, judged).filter(|_| !judged.right) {
+                prose::show(ui, &diagnosis);
             }
         });
         if is_old {

@@ -1,4 +1,4 @@
-//! What was typed for exercises, a key for each: `"answers basis 3" = { u = ["1", "0", "0"] }`.
+//! What was typed for exercises, a key for each: `"answers basis 3" = { u = ["1", "0", "0"], "is judged" = ["u"] }`.
 
 use toml_edit::{Array, DocumentMut, InlineTable, Value};
 
@@ -8,6 +8,8 @@ use crate::gui::state::{Chosen, State, Typed};
 const PREFIX: &str = "answers ";
 /// What is chosen for numbers that are left open begins with this; no name of what is asked does.
 const FREE: &str = "free ";
+/// What was judged as it was typed.
+const JUDGED: &str = "is judged";
 /// All was answered rightly once.
 const SOLVED: &str = "is solved";
 
@@ -29,6 +31,9 @@ fn table(typed: &Typed) -> InlineTable {
     }
     for (name, text) in typed.free.iter().filter(|(_, text)| !text.is_empty()) {
         table.insert(format!("{FREE}{name}"), text.as_str().into());
+    }
+    if !typed.judged.is_empty() {
+        table.insert(JUDGED, typed.judged.iter().map(String::as_str).collect::<Array>().into());
     }
     table
 }
@@ -57,9 +62,13 @@ pub(super) fn typed(table: &InlineTable) -> Typed {
     for (name, value) in table {
         match (name.strip_prefix(FREE), value) {
             (Some(name), Value::String(text)) => drop(typed.free.insert(name.to_owned(), text.value().clone())),
-            (None, Value::Array(fields)) => {
-                let fields = fields.iter().filter_map(Value::as_str).map(str::to_owned).collect();
-                typed.answers.insert(name.to_owned(), fields);
+            (None, Value::Array(texts)) => {
+                let texts = texts.iter().filter_map(Value::as_str).map(str::to_owned);
+                if name == JUDGED {
+                    typed.judged = texts.collect();
+                } else {
+                    typed.answers.insert(name.to_owned(), texts.collect());
+                }
             }
             _ => {}
         }

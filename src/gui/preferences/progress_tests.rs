@@ -17,7 +17,11 @@ fn basis() -> Chosen {
 
 fn typed(text: &str) -> Typed {
     let fields = [text, "", "0,5\n\"'"].map(str::to_owned).to_vec();
-    Typed { answers: [("u".to_owned(), fields)].into(), free: [("F".to_owned(), "2".to_owned())].into() }
+    Typed {
+        answers: [("u".to_owned(), fields)].into(),
+        free: [("F".to_owned(), "2".to_owned())].into(),
+        judged: ["u".to_owned()].into(),
+    }
 }
 
 /// n = −DOP with its sign lost, judged.

@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use eframe::egui;
+
 use crate::camera::{Camera, RecoveryError};
 use crate::exercises::{self, Ask, Entry, Exercise, Free, Judged, Kind, Progress, Stage, Why, Worked};
 use crate::expression::{Dimension, evaluate};
@@ -25,6 +27,8 @@ pub struct Typed {
     pub answers: BTreeMap<String, Vec<String>>,
     /// Numbers that the source leaves open, by their names.
     pub free: BTreeMap<String, String>,
+    /// The answers that were judged as they stand here, by the names of what is asked; what became of them is judged again, not kept.
+    pub judged: BTreeSet<String>,
 }
 
 impl Typed {
@@ -94,7 +98,18 @@ pub struct Described {
     /// The ask that was answered.
     pub ask: String,
     /// What it describes.
-    pub camera: Result<Box<Camera>, RecoveryError>,
+    pub camera: Result<Box<Camera>, NotCamera>,
+}
+
+/// Why an answer describes no camera.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NotCamera {
+    /// The entries of a matrix do not fit, or its camera is impossible.
+    Matrix(RecoveryError),
+    /// An axis has another length than 1.
+    Length(f64),
+    /// An axis is not perpendicular to n: their scalar product.
+    Oblique(f64),
 }
 
 /// A folder of a lecturer's own exercises, as it was when it was opened.
@@ -121,6 +136,10 @@ pub struct Exercises {
     pub opened: BTreeMap<String, Opened>,
     /// The camera of an answer that is shown beside the right one.
     pub described: Option<Described>,
+    /// They have been called in this window: that the panel stood open when it began does not count.
+    pub(in crate::gui) was_called: bool,
+    /// The keyboard goes to the first control: the field for words, or the way back to the list.
+    pub(in crate::gui) calls_keyboard: bool,
     /// Where the keyboard goes next in the list: an identifier.
     pub(in crate::gui) wants_focus: Option<String>,
     /// The statement is brought into sight.
@@ -159,8 +178,25 @@ impl Exercises {
         self.own = folder.map(|folder| Arc::new(OwnFolder { found: files::read_exercises(&folder), folder }));
         // A file that was read once more may say something else.
         self.made = None;
+        self.checked.clear();
         if self.open.as_ref().is_some_and(|open| self.entry(&open.id).is_none()) {
             self.leave();
+        }
+    }
+
+    /// Has the keyboard come to them.
+    pub(in crate::gui) const fn call(&mut self) {
+        (self.was_called, self.calls_keyboard) = (true, true);
+    }
+
+    /// Gives the keyboard to their first control, once it is called for.
+    pub(in crate::gui) fn answer_call(&mut self, first: &egui::Response) {
+        // A menu that closes takes the keyboard back after its frame.
+        if self.calls_keyboard && first.has_focus() {
+            self.calls_keyboard = false;
+        } else if self.calls_keyboard {
+            first.request_focus();
+            first.ctx.request_repaint();
         }
     }
 
@@ -170,6 +206,7 @@ impl Exercises {
             return;
         }
         self.open = Some(chosen);
+        self.made = None;
         self.checked.clear();
         self.opened.clear();
         self.described = None;
@@ -193,7 +230,11 @@ impl Exercises {
             if self.made.as_ref().is_some_and(|(of, ..)| *of == chosen) {
                 // With other numbers another answer is right.
                 self.checked.clear();
+                self.described = None;
+                self.typed_now().judged.clear();
                 self.note(Done::NumbersChanged(chosen.id.clone()));
+            } else {
+                self.judge_again(&entry, &exercise);
             }
             self.made = Some((chosen, free, Arc::new(exercise)));
         }
@@ -201,13 +242,50 @@ impl Exercises {
         Some((entry, Arc::clone(exercise)))
     }
 
-    /// The fields of what is asked, to be typed into.
-    pub(in crate::gui) fn fields(&mut self, ask: &Ask) -> &mut Vec<String> {
-        let chosen = self.open.clone().unwrap_or_default();
+    /// Judges what was judged before it was left, which is no new try.
+    fn judge_again(&mut self, entry: &Entry, exercise: &Exercise) {
+        for ask in &exercise.asks {
+            if !self.typed_now().judged.contains(&ask.name) {
+                continue;
+            }
+            let fields = self.fields(ask).to_vec();
+            // Another version, or a lecturer who has changed the exercise, may read it otherwise.
+            if let Ok(judged) = exercises::check(entry, exercise, ask, &joined(ask, &fields)) {
+                self.checked.insert(ask.name.clone(), Checked { fields, judged });
+            }
+        }
+    }
+
+    /// What was typed into the fields of what is asked.
+    pub(in crate::gui) fn fields(&mut self, ask: &Ask) -> &[String] {
         let [rows, columns] = ask.shape();
-        let fields = self.typed.entry(chosen).or_default().answers.entry(ask.name.clone()).or_default();
+        let fields = self.typed_now().answers.entry(ask.name.clone()).or_default();
         fields.resize(rows * columns, String::new());
         fields
+    }
+
+    /// Types into the fields of what is asked. What is typed is not judged yet, and describes no camera.
+    pub(in crate::gui) fn type_into(&mut self, ask: &Ask, fields: Vec<String>) {
+        if *self.fields(ask) == fields {
+            return;
+        }
+        let is_as_judged = self.checked.get(&ask.name).is_some_and(|checked| checked.fields == fields);
+        let typed = self.typed_now();
+        typed.answers.insert(ask.name.clone(), fields);
+        if is_as_judged {
+            typed.judged.insert(ask.name.clone());
+        } else {
+            typed.judged.remove(&ask.name);
+        }
+        if self.described.as_ref().is_some_and(|described| described.ask == ask.name) {
+            self.described = None;
+        }
+    }
+
+    /// Keeps what became of an answer, and that it was judged.
+    pub(in crate::gui) fn took(&mut self, ask: &Ask, checked: Checked) {
+        self.typed_now().judged.insert(ask.name.clone());
+        self.checked.insert(ask.name.clone(), checked);
     }
 
     /// What was typed for the exercise that is worked on.
@@ -230,7 +308,7 @@ impl Exercises {
     #[must_use]
     pub fn seed_of(&self, entry: &Entry) -> u64 {
         let seeds = self.typed.iter().filter(|(chosen, typed)| chosen.id == entry.id && !typed.is_empty());
-        seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or(u64::from(entry.is_family))
+        seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or_default()
     }
 
     /// What is practised next, and why; not what is worked on already.
@@ -267,8 +345,8 @@ impl Exercises {
 
     /// Nothing is kept any more: neither what was done nor what was typed.
     pub(in crate::gui) fn forget(&mut self) {
-        let Self { wanted, open, made, file, own, .. } = std::mem::take(self);
-        *self = Self { wanted, open, made, file, own, ..Self::default() };
+        let Self { wanted, open, made, file, own, was_called, .. } = std::mem::take(self);
+        *self = Self { wanted, open, made, file, own, was_called, ..Self::default() };
     }
 
     /// The names of what is answered rightly.
@@ -368,9 +446,12 @@ mod tests {
         let ask = exercise.iter().flat_map(|e| &e.asks).find(|ask| ask.kind == Kind::Matrix(4, 4));
         let Some(ask) = ask else { panic!("a matrix is asked for") };
         assert_eq!(joined(ask, state.fields(ask)), "");
-        state.fields(ask)[5] = "0,5".to_owned();
+        let mut fields = state.fields(ask).to_vec();
+        fields[5] = "0,5".to_owned();
+        state.type_into(ask, fields.clone());
         assert_eq!(joined(ask, state.fields(ask)), "[[?; ?; ?; ?]; [?; 0,5; ?; ?]; [?; ?; ?; ?]; [?; ?; ?; ?]]");
-        state.fields(ask)[0] = " [[1, 2], [3, 4]]".to_owned();
+        fields[0] = " [[1, 2], [3, 4]]".to_owned();
+        state.type_into(ask, fields);
         assert_eq!(joined(ask, state.fields(ask)), "[[1, 2], [3, 4]]");
     }
 }

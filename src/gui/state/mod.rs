@@ -37,7 +37,7 @@ pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
 pub(in crate::gui) use exercises::Done;
-pub use exercises::{Checked, Chosen, Described, Exercises, Opened, OwnFolder, Typed, is_whole, joined};
+pub use exercises::{Checked, Chosen, Described, Exercises, NotCamera, Opened, OwnFolder, Typed, is_whole, joined};
 pub use explain::{Explain, ExplainTab};
 pub use files::{AfterSave, Agreed, Changed, Dialog, FileFlow, MESH_ENDINGS, MeshFor, Purpose, Theirs};
 pub use follow::Follow;

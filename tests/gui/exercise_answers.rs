@@ -1,0 +1,209 @@
+//! Answers to exercises and what stays of them: judged again, told with their numbers, beside a file of one's own.
+
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use camera_lab::camera::Parameters;
+use camera_lab::exercises::Ask;
+use camera_lab::gui::state::Chosen;
+use camera_lab::i18n::{Lang, exercises as said};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use super::exercises::{fill, focused, made, right, window, window_of, working_on};
+use super::files::Folder;
+use super::window::Window;
+
+/// A window that keeps preferences and progress in a folder; the next one in the same folder is the program started again.
+fn keeping(folder: &Folder) -> Window {
+    // With room for panels on both sides.
+    let mut window = window_of(Lang::En, [1400.0, 1900.0]);
+    window.app_mut().state.file_flow.native = false;
+    let ctx = window.harness.ctx.clone();
+    window.app_mut().keep_preferences(&ctx, &folder.file("config"), Some(Lang::En));
+    window.run();
+    window
+}
+
+#[test]
+fn the_keyboard_comes_to_the_exercises_and_a_panel_that_stood_open_is_not_closed_by_the_first_call() {
+    let folder = Folder::new("called");
+    let call = |window: &mut Window| {
+        window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+        window.run();
+        (window.state().shows_exercises(), focused(window))
+    };
+    let search = Some("Search the exercises".to_owned());
+    let mut first = keeping(&folder);
+    assert_eq!(call(&mut first), (true, search.clone()));
+    eframe::App::on_exit(first.app_mut(), None);
+    let mut again = keeping(&folder);
+    assert!(again.state().shows_exercises(), "the panel is remembered");
+    assert_eq!(call(&mut again), (true, search.clone()));
+    again.harness.event(Event::Text("axes of a camera".to_owned()));
+    again.run();
+    again.key(Key::Enter);
+    assert_eq!(focused(&again).as_deref(), Some("Back to the list"));
+    assert!(!call(&mut again).0, "called once more they go");
+    assert_eq!(call(&mut again), (true, Some("Back to the list".to_owned())));
+}
+
+#[test]
+fn what_was_judged_is_judged_again_when_it_is_opened_again_and_is_no_new_try() {
+    let folder = Folder::new("judged-again");
+    let (_, exercise) = made("basis", 1);
+    let name_of = |name: &str| {
+        let ask = exercise.asks.iter().find(|ask| ask.name == name).unwrap();
+        (said::ask(Lang::En, &exercise, ask).replace("**", ""), right(ask))
+    };
+    let ((u, right_u), (n, right_n)) = (name_of("u"), name_of("n"));
+    let open = |window: &mut Window| {
+        window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
+        window.run();
+    };
+    let mut first = keeping(&folder);
+    first.click("Exercises");
+    open(&mut first);
+    fill(&mut first, &u, 1, &right_u.iter().map(|text| format!("-({text})")).collect::<Vec<_>>());
+    first.click(&format!("Check: {u}"));
+    fill(&mut first, &n, 1, &right_n);
+    first.click(&format!("Check: {n}"));
+    eframe::App::on_exit(first.app_mut(), None);
+
+    let mut again = keeping(&folder);
+    open(&mut again);
+    let exercises = &again.state().exercises;
+    assert_eq!(
+        exercises.checked.iter().map(|(ask, c)| (ask.as_str(), c.judged.right)).collect::<Vec<_>>(),
+        [("n", true), ("u", false)]
+    );
+    assert!(exercises.checked["u"].judged.diagnosis.is_some());
+    assert_eq!(exercises.progress.tried("basis").unwrap().tries, 2, "no new try");
+    // What was typed since is not judged before it is asked for.
+    fill(&mut again, &u, 1, &["1".to_owned(), "0".to_owned(), "0".to_owned()]);
+    eframe::App::on_exit(again.app_mut(), None);
+    let mut last = keeping(&folder);
+    open(&mut last);
+    assert_eq!(last.state().exercises.checked.keys().collect::<Vec<_>>(), ["n"]);
+}
+
+#[test]
+fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
+    let mut window = working_on("basis", 1, Lang::En);
+    let (_, exercise) = made("basis", 1);
+    let ask = |name: &str| exercise.asks.iter().find(|ask| ask.name == name).unwrap();
+    let name = |ask: &Ask| said::ask(Lang::En, &exercise, ask).replace("**", "");
+    let camera = exercise.subject.camera().unwrap();
+    let texts = |v: glam::DVec3| v.to_array().map(|x| format!("{x:.9}")).to_vec();
+    let answer = |window: &mut Window, axis: &str, v| {
+        let name = name(ask(axis));
+        fill(window, &name, 1, &texts(v));
+        window.click(&format!("Check: {name}"));
+        window.click(&format!("Show the camera of your answer: {name}"));
+        window.state().exercises.described.clone().unwrap().camera
+    };
+    let basis = camera.basis();
+    // Looking the other way, from the same place.
+    let turned = answer(&mut window, "n", -basis.n).unwrap();
+    assert!(turned.basis().n.distance(-basis.n) < 1e-6 && turned.position() == camera.position());
+    // On its head.
+    let turned = answer(&mut window, "u", -basis.u).unwrap();
+    assert!(turned.basis().u.distance(-basis.u) < 1e-6 && turned.basis().n.distance(basis.n) < 1e-6);
+    let u = name(ask("u"));
+    window.harness.get_by_role_and_label(Role::TextInput, &format!("{u} 1")).click();
+    window.run();
+    window.harness.event(Event::Text("1".to_owned()));
+    window.run();
+    assert!(window.state().exercises.described.is_none(), "another answer is another camera");
+    assert!(answer(&mut window, "u", 2.0 * basis.u).is_err());
+    assert!(window.says("your vector has the length 2; an axis of a camera has the length 1"));
+    assert!(answer(&mut window, "u", basis.n).is_err());
+    assert!(window.says("your vector is not perpendicular to n: their scalar product is 1, not 0"));
+}
+
+#[test]
+fn too_few_numbers_are_told_with_both_counts_and_a_whole_answer_is_marked_as_any() {
+    let mut window = working_on("basis", 1, Lang::En);
+    let (_, exercise) = made("basis", 1);
+    let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();
+    let name = said::ask(Lang::En, &exercise, ask).replace("**", "");
+    window.harness.get_by_role_and_label(Role::TextInput, &format!("{name} 1")).click();
+    window.run();
+    window.harness.event(Event::Text("[1, 2]".to_owned()));
+    window.run();
+    window.command_key(Key::Enter);
+    assert!(window.says("3 are asked for, 2 were given."));
+    let signs = |window: &Window, sign: &str| window.written().iter().filter(|(text, _)| text == sign).count();
+    assert_eq!((signs(&window, "✗"), signs(&window, "✓")), (1, 0));
+    window.command_key(Key::L);
+    assert!(window.says("Pedem-se 3, foram dados 2."));
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.harness.event(Event::Text(format!("[{}]", right(ask).join("; "))));
+    window.run();
+    window.command_key(Key::Enter);
+    assert_eq!((signs(&window, "✗"), signs(&window, "✓")), (0, 1));
+}
+
+#[test]
+fn a_lecturers_own_message_is_said_of_the_answer_that_was_expected() {
+    let lecture = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises");
+    let mut window = window(Lang::En);
+    window.app_mut().state.exercises.look_into(Some(lecture.into()));
+    window.click("Exercises");
+    window.app_mut().state.exercises.work_on(Chosen { id: "house-view".to_owned(), seed: 0 });
+    window.run();
+    let answer = ["3/13", "4/13", "12/13"].map(str::to_owned);
+    fill(&mut window, "n afterwards", 1, &answer);
+    window.click("Check: n afterwards");
+    assert!(window.says("✗ wrong") && window.says("before the azimuth."));
+    window.click("A hint: n afterwards");
+    assert!(window.says("Which of the two cameras is asked about?"));
+    window.command_key(Key::L);
+    assert!(window.says("de antes do azimute.") && window.says("De qual das duas câmeras se trata?"));
+}
+
+#[test]
+fn the_figure_of_an_exercise_leaves_the_file_of_ones_own_as_it_is() {
+    let folder = Folder::new("lent");
+    let file = folder.file("mine.toml");
+    let text = "# mine\n[camera]\nposition = [1, 2, 9] # from here\n";
+    std::fs::write(&file, text).unwrap();
+    let mut window = Window::opened(&file);
+    let own = window.state().document.figure().clone();
+    window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+    window.run();
+    window.click("Show the figure");
+    assert_ne!(window.state().document.figure(), &own);
+    // Saving asks for a file.
+    window.command_key(Key::S);
+    assert!(window.harness.query_by_role_and_label(Role::TextInput, "file").is_some());
+    window.choose(&folder.file("theirs.toml"));
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text);
+    assert!(std::fs::read_to_string(folder.file("theirs.toml")).unwrap().contains("[camera]"));
+}
+
+#[test]
+fn undoing_the_figure_of_an_exercise_leads_back_to_the_file_of_ones_own() {
+    let folder = Folder::new("lent-and-back");
+    let file = folder.file("mine.toml");
+    std::fs::write(&file, "# mine\n[camera]\nposition = [1, 2, 9] # from here\n").unwrap();
+    let mut window = Window::opened(&file);
+    window.app_mut().state.exercises.work_on(Chosen { id: "basis".to_owned(), seed: 1 });
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+    window.run();
+    window.click("Show the figure");
+    assert_eq!(window.state().document.path(), None);
+    window.key(Key::Escape);
+    window.command_key(Key::Z);
+    assert_eq!(window.state().document.path(), Some(&file));
+    let parameters = *window.state().document.camera().parameters();
+    window.app_mut().state.document.set_parameters(Parameters { near: 0.5, ..parameters });
+    window.run();
+    window.command_key(Key::S);
+    let saved = std::fs::read_to_string(&file).unwrap();
+    assert!(
+        saved.starts_with("# mine\n[camera]\nposition = [1, 2, 9] # from here\n") && saved.contains("near = 0.5"),
+        "{saved}"
+    );
+}
