@@ -1,5 +1,8 @@
 //! Hands the arguments to the command line, and opens the window when there is no subcommand.
 
+// A double click opens no console; what is printed goes through `camera-lab.com` (dist/windows/console.rs).
+#![cfg_attr(all(windows, feature = "gui"), windows_subsystem = "windows")]
+
 use std::process::ExitCode;
 
 use camera_lab::cli::{self, Asked};
@@ -8,6 +11,7 @@ fn main() -> ExitCode {
     match cli::run(std::env::args_os()) {
         Asked::Done(code) => code,
         Asked::Window(opening) => open(*opening),
+        Asked::NoWindow { status, message } => no_window(status, &message),
     }
 }
 
@@ -19,12 +23,21 @@ fn open(opening: cli::Opening) -> ExitCode {
     let cli::Opening { figure, file, allow_files, lang, asked_lang } = opening;
     match gui::run(Start { figure, file, lang, allow_files }, asked_lang) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(GuiError::NoWindow(why)) => cli::fail(1, &texts::no_window(lang, &why)),
-        Err(GuiError::Camera(error)) => cli::fail(2, &messages::camera(lang, &error)),
+        Err(GuiError::NoWindow(why)) => no_window(1, &texts::no_window(lang, &why)),
+        Err(GuiError::Camera(error)) => no_window(2, &messages::camera(lang, &error)),
     }
 }
 
 #[cfg(not(feature = "gui"))]
 fn open(opening: cli::Opening) -> ExitCode {
     cli::fail(1, &camera_lab::i18n::command_line::not_built_in(opening.lang))
+}
+
+/// Says why there is no window. Windows has no console for a program that was opened by a double click: there it is a box.
+fn no_window(status: u8, message: &str) -> ExitCode {
+    #[cfg(all(windows, feature = "gui"))]
+    if std::env::var_os("CAMERA_LAB_CONSOLE").is_none() {
+        camera_lab::gui::native::message_box(message);
+    }
+    cli::fail(status, message)
 }

@@ -52,6 +52,17 @@ pub(super) enum Command {
     Code(CodeArgs),
     /// Exercises: list and show them, judge answers, write sheets
     Exercise(ExerciseArgs),
+    /// Write the manual pages, and what completes commands in bash, zsh, fish and PowerShell
+    Manual(ManualArgs),
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ManualArgs {
+    /// The folder for them; it is made where there is none
+    pub(super) folder: PathBuf,
+    /// Language of messages
+    #[arg(long, value_enum)]
+    pub(super) lang: Option<LangArg>,
 }
 
 /// Without a command the window opens.

@@ -13,6 +13,7 @@ mod exercise;
 mod exercise_args;
 mod explain;
 mod inspect;
+mod manual;
 mod opening;
 mod progress;
 mod render;
@@ -58,6 +59,14 @@ pub enum Asked {
     Done(ExitCode),
     /// The window.
     Window(Box<Opening>),
+    /// The window, with what cannot be opened: its exit status, and what is to be said. Where a program has no console, a line on
+    /// standard error is not seen.
+    NoWindow {
+        /// The exit status.
+        status: u8,
+        /// Why.
+        message: String,
+    },
 }
 
 /// What the window is to open with.
@@ -90,8 +99,11 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> Asked {
             Some(Command::Code(args)) => code::run(&args, lang),
             Some(Command::Diagnose(args)) => diagnose::run(&args, lang),
             Some(Command::Exercise(args)) => exercise::run(&args, lang),
+            Some(Command::Manual(args)) => manual::run(&args, lang),
             None => match opening::opening(&line.window, lang) {
                 Ok(opening) => return Asked::Window(Box::new(opening)),
+                Err(Failure::BadInput(message)) => return Asked::NoWindow { status: 2, message },
+                Err(Failure::Failed(message)) => return Asked::NoWindow { status: 1, message },
                 Err(failure) => Err(failure),
             },
         },

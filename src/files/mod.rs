@@ -6,6 +6,7 @@ mod own_exercises;
 mod reach;
 mod save;
 mod shipped;
+mod windows_names;
 
 use std::fs::{self, File};
 use std::io::{self, Read as _};
@@ -40,6 +41,11 @@ pub enum FileError {
     /// Its path leads to another machine: opening it could send the user's name and password there.
     #[error("{}", ReadProblem::Network)]
     Network,
+    /// Windows keeps the name for a device or for something inside of a file.
+    #[error(
+        "has a name that Windows keeps for itself; allowed: names without \":\" other than CON, PRN, AUX, NUL, COM0 to COM9 and LPT0 to LPT9, whatever their ending"
+    )]
+    ReservedName,
     /// It is there and may not be written.
     #[error("is read-only and was left as it is; allowed: another name, or a file that may be written")]
     ReadOnly,
@@ -116,9 +122,7 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
 
 /// As [`read_file`], of at most so many bytes.
 fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-    if is_network(path) {
-        return Err(FileError::Network);
-    }
+    check_path(path)?;
     // Asked before it is opened: opening a pipe waits until somebody writes to it.
     let kind = fs::metadata(path).map_err(FileError::Read)?.file_type();
     if kind.is_dir() {
@@ -140,6 +144,14 @@ fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::with_capacity(usize::try_from(now.len()).unwrap_or_default());
     file.take(most + 1).read_to_end(&mut bytes).map_err(FileError::Read)?;
     if bytes.len() as u64 > most { Err(FileError::TooLarge) } else { Ok(bytes) }
+}
+
+/// Refuses what no file of this machine can be.
+fn check_path(path: &Path) -> Result<(), FileError> {
+    if is_network(path) {
+        return Err(FileError::Network);
+    }
+    if windows_names::is_reserved(path) { Err(FileError::ReservedName) } else { Ok(()) }
 }
 
 /// A path that means the same file from every folder; links in it stay.

@@ -108,6 +108,7 @@ impl FigureFiles {
             FileError::NotRegular => ReadProblem::NotRegular,
             FileError::Network => ReadProblem::Network,
             FileError::Read(error) | FileError::Write(error) => ReadProblem::system(&error),
+            FileError::ReservedName => ReadProblem::system(&ErrorKind::InvalidFilename.into()),
             FileError::Png(_) | FileError::Figure(_) | FileError::ReadOnly | FileError::TooManyExercises => {
                 ReadProblem::system(&ErrorKind::InvalidData.into())
             }

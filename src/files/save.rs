@@ -10,7 +10,8 @@ use std::io::{self, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::{FileError, is_network};
+use super::{FileError, check_path};
+use crate::scene::system_kind;
 
 /// What may be replaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,12 +28,10 @@ pub enum Overwrite {
 /// hard links, owner and group as far as the system allows. What an earlier run left behind when it was killed is removed.
 ///
 /// # Errors
-/// [`FileError::Write`] where the system refuses; [`FileError::ReadOnly`] as `overwrite` has it; [`FileError::Directory`] and
-/// [`FileError::Network`] for such paths.
+/// [`FileError::Write`] where the system refuses; [`FileError::ReadOnly`] as `overwrite` has it; [`FileError::Directory`],
+/// [`FileError::Network`] and [`FileError::ReservedName`] for such paths.
 pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileError> {
-    if is_network(path) {
-        return Err(FileError::Network);
-    }
+    check_path(path)?;
     let target = end_of_links(path).map_err(FileError::Write)?;
     let result = match fs::metadata(&target) {
         Ok(before) if before.is_dir() => return Err(FileError::Directory),
@@ -45,7 +44,7 @@ pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileE
             if may_not_be_written(&before, &writable) && overwrite == Overwrite::Writable {
                 return Err(FileError::ReadOnly);
             }
-            replace(&target, bytes, &before, writable.ok())
+            replace(&target, bytes, &before, writable)
         }
         Err(_) => Temporary::beside(&target).and_then(|temporary| temporary.fill(bytes)?.rename(&target)),
     };
@@ -84,23 +83,44 @@ fn end_of_links(path: &Path) -> io::Result<PathBuf> {
 }
 
 /// Replaces a regular file; `writable` is the file itself where the system lets it be written.
-fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: Option<File>) -> io::Result<()> {
-    match (Temporary::beside(target), writable) {
-        (Ok(temporary), writable) => {
-            let temporary = temporary.fill(bytes)?;
-            let same_owner = temporary.take_owner(before);
+fn replace(target: &Path, bytes: &[u8], before: &Metadata, writable: io::Result<File>) -> io::Result<()> {
+    let mut temporary = match (Temporary::beside(target), writable.is_ok()) {
+        (Ok(temporary), _) => temporary.fill(bytes)?,
+        (Err(_), true) => return write_in_place(writable?, target, bytes),
+        (Err(error), false) => return Err(error),
+    };
+    let same_owner = temporary.take_owner(before);
+    match writable {
+        // The copy beside it holds the new bytes until they are all there.
+        Ok(file) if has_other_names(before) || !same_owner => write_in_place(file, target, bytes),
+        writable => {
+            temporary.file.set_permissions(before.permissions())?;
+            let Err(error) = take_the_place(&mut temporary, target, before) else { return Ok(()) };
             match writable {
-                // The copy beside it holds the new bytes until they are all there.
-                Some(file) if has_other_names(before) || !same_owner => write_in_place(file, target, bytes),
-                _ => {
-                    temporary.file.set_permissions(before.permissions())?;
-                    temporary.rename(target)
-                }
+                // A folder where nobody may replace the files of others, or, on Windows, a program that has it open.
+                Ok(file) => write_in_place(file, target, bytes),
+                Err(why) if system_kind(why.kind(), why.raw_os_error()) == io::ErrorKind::ResourceBusy => Err(why),
+                Err(_) => Err(error),
             }
         }
-        (Err(_), Some(file)) => write_in_place(file, target, bytes),
-        (Err(error), None) => Err(error),
     }
+}
+
+/// Puts the new file in the place of the old one, which Windows wants to be writable for that.
+fn take_the_place(temporary: &mut Temporary, target: &Path, before: &Metadata) -> io::Result<()> {
+    #[cfg(windows)]
+    if before.permissions().readonly() {
+        let mut writable = before.permissions();
+        writable.set_readonly(false);
+        fs::set_permissions(target, writable)?;
+        return temporary.rename(target).inspect_err(|_| {
+            // The error that is told is the first one.
+            let _ = fs::set_permissions(target, before.permissions());
+        });
+    }
+    #[cfg(not(windows))]
+    let _ = before;
+    temporary.rename(target)
 }
 
 /// Writes over the old bytes, and puts them back where the new ones find no room; what cannot be read is not written over.
@@ -180,7 +200,7 @@ impl Temporary {
         true
     }
 
-    fn rename(mut self, target: &Path) -> io::Result<()> {
+    fn rename(&mut self, target: &Path) -> io::Result<()> {
         fs::rename(&self.path, target)?;
         self.renamed = true;
         sync_folder_of(target);

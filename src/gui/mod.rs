@@ -103,15 +103,15 @@ pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
     let restore = start.file.is_none() && start.figure == fresh();
     let state = State::new(start)?;
-    let options = eframe::NativeOptions {
-        viewport: eframe::egui::ViewportBuilder::default()
-            .with_title("Camera Lab")
-            .with_app_id("camera-lab")
-            .with_inner_size(DEFAULT_SIZE)
-            .with_min_inner_size([640.0, 400.0]),
-        system_font_fallback: false,
-        ..Default::default()
-    };
+    let mut viewport = eframe::egui::ViewportBuilder::default()
+        .with_title("Camera Lab")
+        .with_app_id("camera-lab")
+        .with_inner_size(DEFAULT_SIZE)
+        .with_min_inner_size([640.0, 400.0]);
+    if let Ok(icon) = eframe::icon_data::from_png_bytes(include_bytes!("../../dist/icon.png")) {
+        viewport = viewport.with_icon(icon);
+    }
+    let options = eframe::NativeOptions { viewport, system_font_fallback: false, ..Default::default() };
     eframe::run_native(
         "camera-lab",
         options,

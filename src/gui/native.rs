@@ -53,6 +53,16 @@ pub enum FileAnswer {
 /// What is chosen in a dialog, once it has been closed.
 type Chosen = Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>>;
 
+/// Shows a message in a box of the system, and waits until it is closed.
+#[cfg(windows)]
+pub fn message_box(message: &str) {
+    rfd::MessageDialog::new()
+        .set_title("Camera Lab")
+        .set_level(rfd::MessageLevel::Error)
+        .set_description(message)
+        .show();
+}
+
 /// A dialog that is open. Each has a thread of its own: one that never answers does not keep the next from being opened.
 #[derive(Debug)]
 pub(super) struct OpenFileDialog {

@@ -404,11 +404,11 @@ pub fn no_window(lang: Lang, why: &str) -> String {
     let reason = reason.join(" ");
     let why = reason.trim_end_matches('.');
     match lang {
-        Lang::En => {
-            format!("no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one")
-        }
+        Lang::En => format!(
+            "no window can be opened here ({why}); `camera-lab render FIGURE -o picture.png` draws without one, and the page camera-lab.html is the same window in a browser"
+        ),
         Lang::PtBr => format!(
-            "não é possível abrir uma janela aqui ({why}); `camera-lab render FIGURA -o imagem.png` desenha sem janela"
+            "não é possível abrir uma janela aqui ({why}); `camera-lab render FIGURA -o imagem.png` desenha sem janela, e a página camera-lab.html é a mesma janela em um navegador"
         ),
     }
 }

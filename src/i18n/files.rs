@@ -30,6 +30,9 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
         }
         (Lang::PtBr, FileError::NotRegular) => after_name(&ReadProblem::NotRegular),
         (Lang::PtBr, FileError::Network) => after_name(&ReadProblem::Network),
+        (Lang::PtBr, FileError::ReservedName) => format!(
+            "{name} tem um nome que o Windows reserva para si; permitido: nomes sem \":\" que não sejam CON, PRN, AUX, NUL, COM0 a COM9 e LPT0 a LPT9, seja qual for a extensão"
+        ),
         (Lang::PtBr, FileError::ReadOnly) => format!(
             "{name} é somente de leitura e ficou como estava; permitido: outro nome, ou um arquivo que possa ser gravado"
         ),

@@ -5,7 +5,7 @@ use std::io;
 
 use super::Lang;
 use crate::limits::MAX_SCENE_BYTES;
-use crate::scene::{NamedBy, ReadError, ReadProblem};
+use crate::scene::{NamedBy, ReadError, ReadProblem, system_kind};
 
 /// Why a file that a scene names cannot be read.
 pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
@@ -54,7 +54,7 @@ pub fn without_colors(lang: Lang, error: &ReadError) -> String {
 
 /// What the system said, in our words; where it is not usual, by its number.
 pub(super) fn system_in_portuguese(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
-    let words = match kind {
+    let words = match system_kind(kind, code) {
         io::ErrorKind::NotFound => "o arquivo ou diretório não existe",
         io::ErrorKind::PermissionDenied => "permissão negada",
         io::ErrorKind::IsADirectory => "é um diretório",

@@ -36,7 +36,7 @@ pub use import::MeshFiles;
 pub use mesh::Mesh;
 pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
 pub use presets::{Beyond, objects as preset_objects};
-pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, no_files, system_words};
+pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, no_files, system_kind, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
 pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape, ShapeData};
 

@@ -96,7 +96,7 @@ pub enum NamedBy {
 /// What a system says, in plain English; where it is not usual, by its number: its own sentence may be in any language.
 #[must_use]
 pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str> {
-    let words = match kind {
+    let words = match system_kind(kind, code) {
         io::ErrorKind::NotFound => "there is no such file or directory",
         io::ErrorKind::PermissionDenied => "permission denied",
         io::ErrorKind::IsADirectory => "it is a directory",
@@ -120,6 +120,13 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
         },
     };
     words.into()
+}
+
+/// The kind of an error of the system, also where the standard library knows none: Windows' files that another program keeps to
+/// itself (its errors 32 and 33).
+#[must_use]
+pub fn system_kind(kind: io::ErrorKind, code: Option<i32>) -> io::ErrorKind {
+    if cfg!(windows) && matches!(code, Some(32 | 33)) { io::ErrorKind::ResourceBusy } else { kind }
 }
 
 /// For scenes without files: a [`ReadFile`] that finds none.

@@ -1,0 +1,53 @@
+# What the scripts of this project share; read by them with `source`.
+
+step() { printf '\n== %s\n' "$*"; }
+fail() { printf 'FAILED: %s\n' "$*" >&2; exit 1; }
+
+# Installs what is missing of Debian's packages. On other systems they are named, so that the user can.
+install_packages() {
+    if ! command -v dpkg-query >/dev/null; then
+        printf 'needed here, by their names in Debian: %s\n' "$*"
+        return
+    fi
+    local missing=() package
+    for package in "$@"; do
+        dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+    done
+    if [ ${#missing[@]} -eq 0 ]; then
+        echo 'all there'
+        return
+    fi
+    local root=()
+    [ "$(id -u)" -eq 0 ] || root=(sudo)
+    "${root[@]}" apt-get update -q
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# cargo_for TARGET COMMAND [ARGUMENT...]: cargo for another system. With rustup's standard library where that is installed or can
+# be had; else with Debian's compiler, which brings its sources.
+cargo_for() {
+    local target=$1 command=$2
+    shift 2
+    export CARGO_TARGET_X86_64_PC_WINDOWS_GNU_LINKER=x86_64-w64-mingw32-gcc
+    if has_target "$target"; then
+        cargo "$command" --locked --target "$target" "$@"
+    else
+        install_packages rustc-web cargo-web rust-web-src
+        local panic=panic_unwind
+        if [[ $target = wasm32-* ]]; then
+            panic=panic_abort
+            # That compiler brings no linker for the browser.
+            install_packages lld
+            export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld
+        fi
+        env PATH=/usr/bin:/bin RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 \
+            /usr/bin/cargo "$command" --locked --target "$target" "-Zbuild-std=std,$panic" "$@"
+    fi
+}
+
+has_target() {
+    command -v rustup >/dev/null || return 1
+    rustup target list --installed 2>/dev/null | grep -qx "$1" && return
+    # Where there is no network it says so at once; a proxy that never answers is not waited for.
+    timeout 120 rustup target add "$1"
+}

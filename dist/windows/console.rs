@@ -1,0 +1,45 @@
+//! `camera-lab.com`: what a console of Windows runs where `camera-lab` is typed.
+//!
+//! `camera-lab.exe` is a program with a window and has no console, so that a double click opens none; what it printed would be
+//! lost. Consoles take an ending `.com` before `.exe`: this program runs the other one beside it and hands on its output, its
+//! errors and its exit status.
+
+use std::io::{self, Read, Write};
+use std::process::{Command, ExitCode, Stdio};
+use std::thread;
+
+fn main() -> ExitCode {
+    run().unwrap_or_else(|error| {
+        // Nothing is left to say it to where even this fails.
+        let _ = writeln!(io::stderr(), "camera-lab: camera-lab.exe, which belongs beside camera-lab.com: {error}");
+        ExitCode::from(1)
+    })
+}
+
+fn run() -> io::Result<ExitCode> {
+    let program = std::env::current_exe()?.with_file_name("camera-lab.exe");
+    let mut child = Command::new(program)
+        .args(std::env::args_os().skip(1))
+        // Somebody reads what is printed: no box is wanted.
+        .env("CAMERA_LAB_CONSOLE", "1")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()?;
+    let (output, errors) = (child.stdout.take(), child.stderr.take());
+    let output = thread::spawn(move || output.map(|from| hand_on(from, io::stdout().lock())));
+    let errors = thread::spawn(move || errors.map(|from| hand_on(from, io::stderr().lock())));
+    let status = child.wait()?;
+    // Its last words come before the console's next line.
+    let _ = (output.join(), errors.join());
+    Ok(ExitCode::from(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1)))
+}
+
+/// Copies until the other program ends or nobody reads any more; then that program's next write tells it so.
+fn hand_on(mut from: impl Read, mut to: impl Write) {
+    let mut buffer = [0; 1 << 14];
+    while let Ok(count @ 1..) = from.read(&mut buffer) {
+        if to.write_all(&buffer[..count]).and_then(|()| to.flush()).is_err() {
+            break;
+        }
+    }
+}
