@@ -30,6 +30,7 @@ mod hostile;
 mod image_pixels;
 mod inspect_report;
 mod layers;
+mod manual;
 mod meshes;
 mod meshes_gltf;
 mod meshes_obj;
