@@ -7,14 +7,23 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::exercise_args::{CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, SheetArgs, ShowArgs};
+use super::render::no_picture;
 use super::words::{LangArg, TableFormat};
 use super::{Failure, print};
+use crate::camera::Camera;
 use crate::exercises::{self, Ask, Entry, Exercise, Expected, Judged, Kind};
-use crate::figure::write::to_toml;
+use crate::export::format::PictureFormat;
+use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, FileError, Overwrite, OwnExercises};
 use crate::foreign;
-use crate::i18n::{Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages};
+use crate::i18n::{
+    Lang, command_line, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages, pictures,
+};
 use crate::inspect::json_text;
+use crate::picture::{self, Form, Sheet};
+use crate::progress::Progress;
+use crate::scene::no_files;
+use crate::views::{Request, SharedScene, Size, View, Views, scene_of};
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
@@ -92,6 +101,15 @@ fn find(id: &str, numbers: &NumbersArgs, lang: Lang) -> Result<(Entry, Exercise)
 fn show(args: &ShowArgs, lang: Lang) -> Result<(), Failure> {
     let (_, exercise) = find(&args.id, &args.numbers, lang)?;
     let written = written(args.numbers.lang);
+    if let Some(path) = &args.picture {
+        let name = foreign::path(path);
+        let figure = exercise.figure_to_match();
+        let figure = figure.ok_or_else(|| Failure::BadInput(said::no_picture(lang, &exercise.id)))?;
+        if PictureFormat::of(path) != Some(PictureFormat::Png) {
+            return Err(Failure::BadInput(said::picture_ending(lang, &name)));
+        }
+        save_picture(path, &figure, written, lang)?;
+    }
     let text = match args.format {
         TableFormat::Json => json_text(&described(written, &exercise, args.solution)),
         TableFormat::Text => to_read(written, &exercise, args.solution),
@@ -114,6 +132,7 @@ fn described(lang: Lang, exercise: &Exercise, with_solution: bool) -> Value {
         "ops": subject.operations.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "free": exercise.free.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect::<Map<_, _>>(),
         "asks": exercise.asks.iter().map(|ask| asked(lang, exercise, ask)).collect::<Vec<_>>(),
+        "picture": exercise.figure_to_match().map(|_| picture_command(exercise)),
     });
     if with_solution {
         let answers: Map<String, Value> =
@@ -191,6 +210,29 @@ fn to_read(lang: Lang, exercise: &Exercise, with_solution: bool) -> String {
         }
     }
     text
+}
+
+/// What writes the picture that is to be matched: a figure would give the answer away.
+fn picture_command(exercise: &Exercise) -> String {
+    format!("camera-lab exercise show {} --seed {} --picture OUT.png", exercise.id, exercise.seed)
+}
+
+/// Writes the picture of a figure, without the figure, which tells the camera.
+fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Result<(), Failure> {
+    const SIZE: Size = Size { width: 960, height: 720, scale: 2.0 };
+    const PNG: Form = Form { format: PictureFormat::Png, crop: false, dpi: Some(200.0) };
+    let name = foreign::path(path);
+    let failed = |why: String| Failure::Failed(format!("{name}: {why}"));
+    let camera = Camera::new(&figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
+    let scene = scene_of(figure, &mut no_files, &Progress::default());
+    let scene = SharedScene::new(scene.map_err(|error| failed(messages::scene(lang, &error)))?);
+    let request = Request::of(figure, View::Image, &camera, &scene, pictures::labels(written), SIZE);
+    let too_large = || Failure::BadInput(command_line::too_large(lang, SIZE.width.into(), SIZE.height.into()));
+    let sheet = Sheet::of(Views::One(View::Image), &request, &figure.observers, None).ok_or_else(too_large)?;
+    let file = picture::file(&sheet, PNG, "", &Progress::default());
+    let file = file.map_err(|error| no_picture(lang, &name, error, too_large()))?;
+    files::save(path, &file.bytes, Overwrite::Writable)
+        .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }
 
 /// Markdown without its marks.
@@ -285,17 +327,32 @@ fn verdicts(lang: Lang, exercise: &Exercise, judged: &[(&Ask, Judged)], unanswer
     text
 }
 
+/// The name of the picture of a sheet's exercise, beside the sheet: of letters that LaTeX takes as they are.
+fn beside(sheet: &Path, number: usize) -> String {
+    let stem = sheet.file_stem().unwrap_or_default().to_string_lossy();
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
+    format!("{}-{number}.png", stem.chars().map(plain).collect::<String>())
+}
+
 fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     let written = written(args.numbers.lang);
     let name = foreign::path(&args.output);
     let ids = args.ids.iter().map(|id| id.trim());
     let found: Vec<Exercise> =
         ids.map(|id| find(id, &args.numbers, lang).map(|(_, exercise)| exercise)).collect::<Result<_, _>>()?;
+    let picture = |number: usize| beside(&args.output, number);
     let text = match args.output.extension().and_then(|ending| ending.to_str()) {
-        Some(ending) if ending.eq_ignore_ascii_case("md") => sheet_of::markdown(written, &found, args.answers),
-        Some(ending) if ending.eq_ignore_ascii_case("tex") => sheet_of::latex(written, &found, args.answers),
+        Some(ending) if ending.eq_ignore_ascii_case("md") => {
+            sheet_of::markdown(written, &found, args.answers, &picture)
+        }
+        Some(ending) if ending.eq_ignore_ascii_case("tex") => sheet_of::latex(written, &found, args.answers, &picture),
         _ => return Err(Failure::BadInput(said::sheet_ending(lang, &name))),
     };
+    for (k, exercise) in found.iter().enumerate() {
+        if let Some(figure) = exercise.figure_to_match() {
+            save_picture(&args.output.with_file_name(picture(k + 1)), &figure, written, lang)?;
+        }
+    }
     files::save(&args.output, text.as_bytes(), Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }

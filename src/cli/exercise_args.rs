@@ -70,6 +70,9 @@ pub(super) struct ShowArgs {
     /// Text to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
+    /// Where the picture goes that is to be matched, of an exercise that has one: a .png
+    #[arg(long, value_name = "OUT.png")]
+    pub(super) picture: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -100,7 +103,7 @@ pub(super) struct SheetArgs {
     /// With the answers and the way to them
     #[arg(long)]
     pub(super) answers: bool,
-    /// The file to write: .md or .tex
+    /// The file to write: .md or .tex; pictures that are to be matched go beside it, as OUT-1.png where the first exercise has one
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: PathBuf,
 }

@@ -11,6 +11,7 @@ use super::value::Table;
 use super::worked::{Worked, worked};
 use crate::camera::{Camera, Parameters};
 use crate::explain::{Notation, Style};
+use crate::figure::Figure;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 
 /// An exercise with its numbers.
@@ -35,6 +36,17 @@ pub struct Exercise {
 }
 
 impl Exercise {
+    /// The figure by the camera that is to be found, where its picture is what is given.
+    #[must_use]
+    pub fn figure_to_match(&self) -> Option<Figure> {
+        let shows = self.id == "match-picture";
+        let wanted = self.asks.iter().filter(|_| shows).find_map(|ask| match ask.expected() {
+            Expected::Camera(_, model, _) => Some(**model),
+            Expected::Quantity(..) | Expected::Computed(..) | Expected::Choice(..) => None,
+        });
+        wanted.map(|camera| Figure { camera, ..self.subject.figure.clone() })
+    }
+
     /// For each ask the steps of its way that did not stand in the way to an ask before it.
     #[must_use]
     pub fn new_steps(&self) -> Vec<Vec<Worked>> {

@@ -97,7 +97,9 @@ pub fn encode(
     encoder.set_depth(BitDepth::Eight);
     encoder.set_compression(Compression::Balanced);
     encoder.set_pixel_dims(dpi.and_then(density));
-    encoder.add_itxt_chunk(KEYWORD.to_owned(), figure.to_owned()).map_err(error)?;
+    if !figure.is_empty() {
+        encoder.add_itxt_chunk(KEYWORD.to_owned(), figure.to_owned()).map_err(error)?;
+    }
     if let Some(said) = said {
         encoder.add_itxt_chunk(DESCRIPTION.to_owned(), said.to_owned()).map_err(error)?;
     }

@@ -19,6 +19,7 @@ texts! {
     exercises: "Exercises", "Exercícios";
     name: "Name", "Nome";
     date: "Date", "Data";
+    target: "This picture is to be matched", "Esta é a imagem a reproduzir";
 }
 
 /// An identifier that no exercise has.
@@ -148,6 +149,24 @@ pub fn sheet_ending(lang: Lang, path: &str) -> String {
     match lang {
         Lang::En => format!("{path}: a sheet ends with .md or .tex"),
         Lang::PtBr => format!("{path}: uma folha termina com .md ou .tex"),
+    }
+}
+
+/// A picture of an exercise that gives none.
+#[must_use]
+pub fn no_picture(lang: Lang, id: &str) -> String {
+    match lang {
+        Lang::En => format!("--picture: {id} has no picture that is to be matched"),
+        Lang::PtBr => format!("--picture: {id} não tem imagem a reproduzir"),
+    }
+}
+
+/// A picture with an ending that cannot be written.
+#[must_use]
+pub fn picture_ending(lang: Lang, path: &str) -> String {
+    match lang {
+        Lang::En => format!("--picture {path}: the picture ends with .png"),
+        Lang::PtBr => format!("--picture {path}: a imagem termina em .png"),
     }
 }
 

@@ -7,15 +7,21 @@ use crate::explain::{Line, Notation, Style};
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
 
+/// The name of the file with the picture of an exercise that has one, by its number from 1.
+pub type PictureOf<'a> = &'a dyn Fn(usize) -> String;
+
 /// A sheet in Markdown.
 #[must_use]
-pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
+pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
     let mut text = format!("# {}\n\n{}: ____________________  {}: ____________\n", t.exercises, t.name, t.date);
     for (number, exercise) in sheet.iter().enumerate() {
         text.push_str(&format!("\n## {}. {}\n\n", number + 1, exercises::exercise_title(lang, exercise)));
         for paragraph in exercises::statement(lang, exercise) {
             text.push_str(&format!("{}\n\n", set(&paragraph)));
+        }
+        if exercise.figure_to_match().is_some() {
+            text.push_str(&format!("![{}]({})\n\n", t.target, picture(number + 1)));
         }
         for assumption in exercises::assumptions(lang, exercise) {
             text.push_str(&format!("> {}\n>\n", set(&assumption)));
@@ -43,17 +49,19 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
     text
 }
 
-/// A sheet in LaTeX, which compiles with nothing but amsmath.
+/// A sheet in LaTeX, which compiles with nothing but amsmath, and graphicx where it has pictures.
 #[must_use]
-pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
+pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
     let babel = match lang {
         Lang::En => "english",
         Lang::PtBr => "brazil",
     };
+    let has_pictures = sheet.iter().any(|exercise| exercise.figure_to_match().is_some());
+    let graphics = if has_pictures { "\\usepackage{graphicx}\n" } else { "" };
     let mut text = format!(
         "\\documentclass[a4paper,11pt]{{article}}\n\\usepackage[T1]{{fontenc}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[{babel}]{{babel}}\n\
-         \\usepackage{{amsmath}}\n\\usepackage[margin=2cm]{{geometry}}\n\\allowdisplaybreaks\n\\begin{{document}}\n\\section*{{{}}}\n\
+         \\usepackage{{amsmath}}\n{graphics}\\usepackage[margin=2cm]{{geometry}}\n\\allowdisplaybreaks\n\\begin{{document}}\n\\section*{{{}}}\n\
          \\noindent {}: \\underline{{\\hspace{{6cm}}}}\\quad {}: \\underline{{\\hspace{{3cm}}}}\n",
         t.exercises, t.name, t.date
     );
@@ -62,6 +70,10 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool) -> String {
         text.push_str(&format!("\n\\subsection*{{{}. {title}}}\n", number + 1));
         for paragraph in exercises::statement(lang, exercise) {
             text.push_str(&format!("{}\n\n", of_markdown(&paragraph)));
+        }
+        if exercise.figure_to_match().is_some() {
+            let file = picture(number + 1);
+            text.push_str(&format!("\\begin{{center}}\\includegraphics[width=8cm]{{{file}}}\\end{{center}}\n\n"));
         }
         let assumptions = exercises::assumptions(lang, exercise);
         if !assumptions.is_empty() {

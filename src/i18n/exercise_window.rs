@@ -27,13 +27,13 @@ texts! {
     figure_later: "The figure is shown once you have answered.", "A figura é mostrada depois que você responder.";
     do_operations: "Do its operations", "Fazer as operações";
     do_operations_hint: "Puts the camera as it is after the operations of the exercise into the pictures, as one step", "Põe nas imagens a câmera como fica depois das operações do exercício, num passo só";
-    target: "This picture is to be matched", "Esta é a imagem a reproduzir";
     your_answer: "Your answer", "Sua resposta";
-    answer_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5. Ctrl+Enter checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5. Ctrl+Enter confere";
-    first_field_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5; or the whole answer in brackets: [a, b, c] or [[a, b], [c, d]]. Ctrl+Enter checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5; ou a resposta inteira entre colchetes: [a; b; c] ou [[a; b]; [c; d]]. Ctrl+Enter confere";
+    answer_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5. Enter goes on to what is empty, and then checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5. Enter segue para o que está vazio, e depois confere";
+    first_field_hint: "A number or an expression: 1/sqrt(3), 2/3, 45°, 0,5; or the whole answer in brackets: [a, b, c] or [[a, b], [c, d]]. Enter goes on to what is empty, and then checks", "Um número ou uma expressão: 1/sqrt(3), 2/3, 45°, 0,5; ou a resposta inteira entre colchetes: [a; b; c] ou [[a; b]; [c; d]]. Enter segue para o que está vazio, e depois confere";
     camera_hint: "position=[0, 0, 2]; projection=parallel; … as in a figure file; or take the camera that is set", "position=[0, 0, 2]; projection=parallel; … como num arquivo de figura; ou use a câmera que está ajustada";
     take_camera: "Take the camera that is set", "Usar a câmera ajustada";
     take_camera_hint: "The camera of the window becomes your answer", "A câmera da janela passa a ser sua resposta";
+    other_figure: "The pictures show another figure; “Show the figure”, above, puts this exercise's there.", "As imagens mostram outra figura; “Mostrar a figura”, acima, põe ali a deste exercício.";
     understood: "understood as", "entendido como";
     check: "Check", "Conferir";
     check_hint: "Judges this answer (Ctrl+Enter in one of its fields). What cannot be read costs nothing", "Julga esta resposta (Ctrl+Enter num de seus campos). O que não pode ser lido não custa nada";

@@ -274,6 +274,7 @@ fn rays_of_exercise_51(scene: &mut Scene, colors: &SceneColors) {
     scene.lines.push(Line { points: vec![p, parallel], style: style(BLUE, Dash::Solid, true) });
     let perspective = c + 2.2 * (p - c);
     scene.lines.push(Line { points: vec![c, perspective], style: style(VERMILION, Dash::Dashed, true) });
+    scene.texts.extend([(parallel, BLUE), (perspective, VERMILION)].map(|(end, color)| point_name(end, "D_R", color)));
 }
 
 /// `[0]` exercise 5.2: C = (7, 0, 0), PF = (1, 1, 1), VUP = (1, 0, 0): the camera lies on its side. A cube about PF, marked on

@@ -207,3 +207,22 @@ fn undoing_the_figure_of_an_exercise_leads_back_to_the_file_of_ones_own() {
         "{saved}"
     );
 }
+
+#[test]
+fn enter_goes_on_to_what_is_empty_and_then_checks() {
+    let mut window = working_on("basis", 1, Lang::En);
+    let (_, exercise) = made("basis", 1);
+    let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();
+    let name = said::ask(Lang::En, &exercise, ask).replace("**", "");
+    window.harness.get_by_role_and_label(Role::TextInput, &format!("{name} 1")).click();
+    window.run();
+    for (k, text) in right(ask).into_iter().enumerate() {
+        assert_eq!(focused(&window), Some(format!("{name} {}", k + 1)));
+        assert!(window.state().exercises.checked.is_empty());
+        window.harness.event(Event::Text(text));
+        window.run();
+        window.key(Key::Enter);
+    }
+    assert!(window.state().exercises.checked["u"].judged.right);
+    assert_eq!(focused(&window), Some(format!("{name} 3")), "the keyboard stays");
+}

@@ -6,7 +6,7 @@ use camera_lab::camera::Parameters;
 use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, Stage, entry};
 use camera_lab::gui::state::{Chosen, ExplainTab};
 use camera_lab::gui::{Start, State};
-use camera_lab::i18n::{Lang, exercise_window, exercises as said};
+use camera_lab::i18n::{Lang, exercise_messages, exercise_window, exercises as said};
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
 use eframe::egui::accesskit::Role;
@@ -227,8 +227,10 @@ fn a_whole_matrix_may_be_typed_into_the_first_field_and_half_of_one_counts_half(
 fn the_camera_of_the_window_is_an_answer_and_the_picture_to_match_is_shown() {
     let mut window = working_on("match-picture", 3, Lang::PtBr);
     let t = exercise_window::texts(Lang::PtBr);
-    assert!(window.says(t.target));
+    assert!(window.says(exercise_messages::texts(Lang::PtBr).target));
+    assert!(window.says("As imagens mostram outra figura"));
     window.click(t.show_figure);
+    assert!(!window.says("As imagens mostram outra figura"));
     window.click(t.take_camera);
     window.command_key(Key::Enter);
     assert!(!window.state().exercises.checked["camera"].judged.right, "where one begins");

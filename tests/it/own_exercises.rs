@@ -179,3 +179,26 @@ fn the_command_line_takes_a_folder() {
     assert!(message.contains("bad.toml") && message.contains("title"), "{message}");
     bench.run(&["exercise", "show", "house-view"]).refused(2);
 }
+
+/// The picture that is to be matched goes beside a sheet; a figure in it would tell the camera.
+#[test]
+fn a_picture_to_be_matched_goes_beside_its_sheet_and_keeps_its_camera_to_itself() {
+    let bench = Bench::new("exercise-pictures");
+    let exercise = |arguments: &[&str]| bench.run(&[&["exercise"], arguments].concat());
+    for (name, says) in [("a sheet.md", "(a-sheet-2.png)"), ("b.tex", "{b-2.png}")] {
+        exercise(&["sheet", "--ids", "basis,match-picture", "--seed", "3", "-o", name]).done();
+        let text = String::from_utf8(bench.read(name)).unwrap();
+        assert_eq!(text.matches(says).count(), 1, "{text}");
+    }
+    let picture = bench.read("a-sheet-2.png");
+    assert_eq!(picture, bench.read("b-2.png"));
+    let shown =
+        exercise(&["show", "match-picture", "--seed", "3", "--picture", "shown.png", "--format", "json"]).json();
+    assert_eq!(shown["picture"], "camera-lab exercise show match-picture --seed 3 --picture OUT.png");
+    assert_eq!(bench.read("shown.png"), picture);
+    exercise(&["show", "match-picture", "--seed", "4", "--picture", "other.png"]).done();
+    assert_ne!(bench.read("other.png"), picture);
+    bench.run(&["inspect", "shown.png"]).refused(2);
+    exercise(&["show", "basis", "--picture", "none.png"]).refused(2);
+    assert!(exercise(&["show", "basis", "--format", "json"]).json()["picture"].is_null());
+}

@@ -2,7 +2,9 @@
 
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{self, Align2, Color32, RichText, ScrollArea, Stroke, StrokeKind, TextEdit, TextStyle, Ui, vec2};
+use eframe::egui::{
+    self, Align2, Color32, Key, RichText, ScrollArea, Stroke, StrokeKind, TextEdit, TextStyle, Ui, vec2,
+};
 
 use super::{Sheet, check};
 use crate::exercises::{Answer, Ask, Kind, Unit, read_answer};
@@ -60,27 +62,50 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     let broken = reading.as_ref().err().and_then(|unreadable| unreadable.field);
     let marks = marks(state, ask, &fields);
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
-    let mut in_focus = match &ask.kind {
-        Kind::Choice(choices) => choice(ui, t.lang, choices, &mut fields[0]),
-        Kind::Camera => camera(ui, state, sheet, ask, &mut fields[0]),
+    let mut typing = match &ask.kind {
+        Kind::Choice(choices) => Typing { in_focus: choice(ui, t.lang, choices, &mut fields[0]), is_done: false },
+        Kind::Camera => Typing { in_focus: camera(ui, state, sheet, ask, &mut fields[0]), is_done: false },
         Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => {
             numbers(ui, sheet, ask, (&name, broken), &marks, &mut fields)
         }
     };
     state.exercises.type_into(ask, fields);
-    match &reading {
+    in_kept_room(ui, ask, |ui| match &reading {
         Err(unreadable) => complaint(ui, &unreadable.why),
         Ok(Some(answer)) => show_understood(ui, t.lang, ask, answer),
         Ok(None) => {}
-    }
+    });
     let can = matches!(reading, Ok(Some(_)));
     let button = ui.add_enabled(can, egui::Button::new(t.check)).explained(t.check_hint);
     let button = button.explained_disabled(t.check_hint).accessible_name(words::of_ask(t.check, &name));
-    in_focus |= button.has_focus();
-    if button.clicked() {
+    typing.in_focus |= button.has_focus();
+    if button.clicked() || (can && typing.is_done) {
         check(state, sheet, ask);
     }
-    in_focus
+    typing.in_focus
+}
+
+/// What is done in the fields of an answer.
+#[derive(Clone, Copy, Default)]
+struct Typing {
+    /// One of them has the keyboard.
+    in_focus: bool,
+    /// Enter was pressed, and none is empty.
+    is_done: bool,
+}
+
+/// What is said of an answer while it is typed, in room for all that was said of it before: what is below does not jump with every key.
+fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
+    let id = ui.scope_id().with("room for what is said");
+    let line = ui.text_style_height(&TextStyle::Body);
+    let least = if matches!(ask.kind, Kind::Choice(_) | Kind::Camera) { 0.0 } else { line };
+    let kept = ui.data(|data| data.get_temp(id)).unwrap_or(least);
+    let needed = ui.scope(say).response.rect.height();
+    if needed < kept {
+        ui.add_space(kept - needed);
+    } else {
+        ui.data_mut(|data| data.insert_temp(id, needed));
+    }
 }
 
 /// Which fields are right, where they are as they were when they were judged.
@@ -119,7 +144,7 @@ fn numbers(
     (name, broken): (&str, Option<usize>),
     marks: &[Option<bool>],
     fields: &mut [String],
-) -> bool {
+) -> Typing {
     /// Between fields, in points.
     const GAP: f32 = 4.0;
     let t = sheet.t;
@@ -130,7 +155,8 @@ fn numbers(
     #[expect(clippy::cast_precision_loss, reason = "a handful of columns")]
     let share = (ui.available_width() - GAP * (per_line - 1) as f32) / per_line as f32;
     let width = share.floor().clamp(44.0, if per_line == 1 { 200.0 } else { 120.0 });
-    let mut in_focus = false;
+    let mut typing = Typing::default();
+    let mut shown = Vec::new();
     let lines = fields.chunks_mut(per_line.max(1)).enumerate();
     for (i, line) in lines {
         ui.horizontal(|ui| {
@@ -145,7 +171,7 @@ fn numbers(
                 }
                 let mark = marks.get(k).copied().flatten();
                 let edit = TextEdit::singleline(text).id_salt(k).desired_width(wide).align(Align2::LEFT_CENTER);
-                let response = ui.add(edit.char_limit(crate::limits::MAX_ANSWER));
+                let response = ui.add(edit.char_limit(crate::limits::MAX_ANSWER).return_key(None));
                 select_on_arrival(ui, &response, text);
                 let hint = if first { t.first_field_hint } else { t.answer_hint };
                 let sign = match mark {
@@ -159,11 +185,18 @@ fn numbers(
                 if let Some(right) = wrong {
                     sign_field(ui, response.rect, right, broken == Some(k));
                 }
-                in_focus |= response.has_focus();
+                typing.in_focus |= response.has_focus();
+                shown.push(response);
             }
         });
     }
-    in_focus
+    let goes_on = typing.in_focus && ui.input(|input| input.key_pressed(Key::Enter) && input.modifiers.is_none());
+    match fields.iter().position(|field| !whole && field.trim().is_empty()).and_then(|empty| shown.get(empty)) {
+        Some(empty) if goes_on => empty.request_focus(),
+        Some(_) => {}
+        None => typing.is_done = goes_on,
+    }
+    typing
 }
 
 /// Whoever comes with Tab types over what is there, as in the fields of parameters.
@@ -216,6 +249,9 @@ fn choice(ui: &mut Ui, lang: Lang, choices: &[String], text: &mut String) -> boo
 /// A camera as text, and the button that takes the one of the window.
 fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> bool {
     let t = sheet.t;
+    if state.document.figure().scene != sheet.exercise.subject.figure.scene {
+        ui.add(egui::Label::new(RichText::new(t.other_figure).weak()).wrap());
+    }
     if ui.button(t.take_camera).explained(t.take_camera_hint).clicked() {
         let set = Answer::Camera(Box::new(*state.document.camera().parameters()));
         *text = said::understood(t.lang, ask, &set);
@@ -251,7 +287,13 @@ fn as_latex(lang: Lang, ask: &Ask, columns: usize, entries: &[Option<f64>]) -> S
     if entries.len() == 1 {
         return entries.iter().map(number).collect();
     }
-    let row = |row: &[Option<f64>]| row.iter().map(number).collect::<Vec<_>>().join(" & ");
-    let rows: Vec<String> = entries.chunks(columns.max(1)).map(row).collect();
-    format!(r"\begin{{bmatrix}} {} \end{{bmatrix}}", rows.join(r" \\ "))
+    let (mut rows, mut end) = (String::new(), "");
+    for row in entries.chunks(columns.max(1)) {
+        let row = row.iter().map(number).collect::<Vec<_>>().join(" & ");
+        rows.push_str(end);
+        rows.push_str(&row);
+        // A gap counts from the line of the letters: one that keeps fractions apart is wide below numbers.
+        end = if row.contains(r"\frac") { r" \\[11pt] " } else { r" \\ " };
+    }
+    format!(r"\begin{{bmatrix}} {rows} \end{{bmatrix}}").replace(r"\frac", r"\dfrac")
 }

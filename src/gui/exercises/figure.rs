@@ -56,10 +56,8 @@ pub(super) fn subject_of<'a>(exercise: &'a Exercise, ask: &'a Ask) -> &'a Subjec
 #[derive(Default)]
 struct Drawn(Option<(Figure, Lang, TextureHandle)>);
 
-/// The image of the exercise's scene by the camera that is to be found; drawn once.
-pub(super) fn target(ui: &Ui, exercise: &Exercise, wanted: &Parameters, look: (Theme, Lang)) -> Option<TextureHandle> {
-    let (theme, lang) = look;
-    let mut figure = with_camera(exercise, *wanted);
+/// The image of the figure by the camera that is to be found; drawn once.
+pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) -> Option<TextureHandle> {
     figure.style.theme = theme;
     let drawn = ui.data_mut(|data| {
         Arc::clone(data.get_temp_mut_or_default::<Arc<Mutex<Drawn>>>(Id::unique("picture to be matched")))

@@ -3,12 +3,11 @@
 use eframe::egui::{self, Align2, CollapsingHeader, Image, RichText, TextEdit, Ui, vec2};
 
 use super::{Sheet, figure};
-use crate::exercises::Expected;
 use crate::gui::panels::complaint;
 use crate::gui::prose;
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
-use crate::i18n::exercises as said;
+use crate::i18n::{exercise_messages as messages, exercises as said};
 
 /// Shows what is given.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
@@ -37,17 +36,14 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
 
 /// The picture that is to be matched.
 fn target(ui: &mut Ui, state: &State, sheet: Sheet<'_>) {
-    let Sheet { t, entry, exercise } = sheet;
-    let wanted = exercise.asks.iter().find_map(|ask| match ask.expected() {
-        Expected::Camera(_, model, _) if entry.id == "match-picture" => Some(**model),
-        _ => None,
-    });
-    let Some(wanted) = wanted else { return };
-    if let Some(texture) = figure::target(ui, exercise, &wanted, (state.settings.theme, t.lang)) {
+    let Sheet { t, exercise, .. } = sheet;
+    let Some(wanted) = exercise.figure_to_match() else { return };
+    if let Some(texture) = figure::target(ui, wanted, (state.settings.theme, t.lang)) {
         ui.add_space(4.0);
-        ui.label(RichText::new(t.target).small().weak());
+        let name = messages::texts(t.lang).target;
+        ui.label(RichText::new(name).small().weak());
         let width = ui.available_width().min(320.0);
-        ui.add(Image::new(&texture).fit_to_exact_size(vec2(width, width * 0.75)).alt_text(t.target));
+        ui.add(Image::new(&texture).fit_to_exact_size(vec2(width, width * 0.75)).alt_text(name));
     }
 }
 
