@@ -300,7 +300,8 @@ fn has_signs_of(ask: &Ask, given: &[f64], right: &Table) -> bool {
     given.iter().zip(&right.entries).all(|(given, right)| ask.accepts(Some(given.abs()), right.abs()))
 }
 
-/// What is wrong is near: rounded to fewer than three digits, or all of it within a hundredth.
+/// What is wrong is near: rounded to fewer than three digits or decimals, or all of it within a hundredth. Nobody rounds 0.23 to 0: whole numbers below 1
+/// are a guess.
 fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
     if ask.whole {
         return false;
@@ -309,7 +310,7 @@ fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
     let several = wrong().count() > 1;
     let cut = |given: f64, right: f64| {
         let to_digits = (1..=2).any(|digits| (given - rounded(right, digits)).abs() <= 1e-9 * right.abs());
-        let to_decimals = [1.0, 10.0, 100.0].iter().any(|unit| ((right * unit).round() / unit - given).abs() <= 1e-9);
+        let to_decimals = [10.0, 100.0].iter().any(|unit| ((right * unit).round() / unit - given).abs() <= 1e-9);
         // One number that is 0 may be anything; among others that are rounded it is rounded too.
         to_digits || (to_decimals && (given != 0.0 || several))
     };

@@ -175,6 +175,8 @@ fn the_figure_of_an_exercise_leaves_the_file_of_ones_own_as_it_is() {
     window.run();
     window.click("Show the figure");
     assert_ne!(window.state().document.figure(), &own);
+    let scene = &window.state().document.figure().scene;
+    assert!(!scene.objects.is_empty() && window.state().tree.names(scene).is_empty(), "nothing is selected");
     // Saving asks for a file.
     window.command_key(Key::S);
     assert!(window.harness.query_by_role_and_label(Role::TextInput, "file").is_some());

@@ -431,13 +431,13 @@ impl State {
 
     /// Puts the figure of an exercise into the pictures, as one step that can be undone. The user's own stays in its file.
     pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
-        let before = self.document.figure().scene.clone();
         self.operations.motion = None;
         let image = figure.image;
         self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
         let shown = self.document.lend(figure);
         self.say_camera_error(shown);
-        self.tree.follow(&before, &self.document.figure().scene);
+        // Its objects are to be seen, without frames and handles.
+        self.tree = SceneTree::default();
         self.observer_change = Some(ObserverChange::Fit);
     }
 
