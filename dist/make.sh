@@ -16,7 +16,7 @@ cd "$(dirname "$0")/.."
 source dist/tools.sh
 
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
-export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target/dist}
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 # The time of the last change to the sources, not of the build.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date -r CHANGELOG.md +%s)}
 export SOURCE_DATE_EPOCH
@@ -68,8 +68,8 @@ make_tar() {
 make_deb() {
     command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' cargo install cargo-deb --locked
     build_program
-    # What is packed is named by Cargo.toml as in the folder that cargo takes without being told otherwise.
-    ln -sfn "$manual" target/manual
+    # Cargo.toml names what is packed as it lies in the folder that cargo takes without being told otherwise.
+    [ "$manual" -ef target/manual ] || { mkdir -p target && ln -sfn "$manual" target/manual; }
     cargo deb --locked --no-build --no-strip --output "$out/"
 }
 
