@@ -30,10 +30,9 @@ make_windows() {
     x86_64-w64-mingw32-windres --include-dir dist/windows -D "VERSION=\\\"$version\\\"" -D "NUMBERS=$numbers" \
         dist/windows/camera-lab.rc -O coff -o "$resource"
     # The linker would write the time of the build into the program.
-    local unchanging=(-C link-arg=-Wl,--no-insert-timestamp)
+    local unchanging=(-C link-arg=-Wl,--no-insert-timestamp -C strip=symbols)
     cargo_for "$target" rustc --release --bin camera-lab -- -C "link-arg=$resource" "${unchanging[@]}"
-    cargo_for "$target" rustc --release --bin camera-lab-console --no-default-features --features windows-console \
-        -- "${unchanging[@]}"
+    cargo_for "$target" rustc --release --manifest-path dist/windows/console/Cargo.toml -- "${unchanging[@]}"
     cp "$CARGO_TARGET_DIR/$target/release/camera-lab.exe" "$out/camera-lab.exe"
     cp "$CARGO_TARGET_DIR/$target/release/camera-lab-console.exe" "$out/camera-lab.com"
 }

@@ -1,6 +1,6 @@
 //! Hands the arguments to the command line, and opens the window when there is no subcommand.
 
-// A double click opens no console; what is printed goes through `camera-lab.com` (dist/windows/console.rs).
+// A double click opens no console; what is printed goes through `camera-lab.com` (dist/windows/console).
 #![cfg_attr(all(windows, feature = "gui"), windows_subsystem = "windows")]
 
 use std::process::ExitCode;
