@@ -24,7 +24,13 @@ use crate::views::{View, Views};
 
 /// An interactive laboratory for the virtual camera of computer graphics.
 #[derive(Debug, Parser)]
-#[command(name = "camera-lab", version, propagate_version = true, args_conflicts_with_subcommands = true)]
+#[command(
+    name = "camera-lab",
+    bin_name = "camera-lab",
+    version,
+    propagate_version = true,
+    args_conflicts_with_subcommands = true
+)]
 pub(super) struct CommandLine {
     #[command(subcommand)]
     pub(super) command: Option<Command>,
