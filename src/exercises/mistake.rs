@@ -215,6 +215,10 @@ slips! {
     Transposed = Transposed;
     /// The inverse, in what a family asks.
     Inverted = Inverse;
+    /// The axes are the columns of M_v, beside −R C.
+    AxesAsColumnsAlone = Transposed;
+    /// The axes are the columns of M_v, also where they are multiplied by −C.
+    AxesAsColumns = Transposed;
 }
 
 impl Slip {

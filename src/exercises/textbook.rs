@@ -2,7 +2,7 @@
 //!
 //! What is right comes from the camera itself ([`Subject::value`]); this chain is only asked for what comes out when something is done wrong.
 
-use glam::{DMat4, DVec2, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
 use super::mistake::{Slip, Slips};
 use super::subject::Subject;
@@ -288,10 +288,13 @@ fn window_number(window: &ViewWindow, name: &str) -> Option<f64> {
 
 /// M_v, `[0]` (5.7).
 pub(super) fn view_matrix([u, v, n]: [DVec3; 3], position: DVec3, slips: Slips) -> DMat4 {
-    let turned = DVec3::new(u.dot(position), v.dot(position), n.dot(position));
+    let rows = DMat3::from_cols(u, v, n).transpose();
+    let turned = if slips.has(Slip::AxesAsColumns) { rows.transpose() * position } else { rows * position };
     let last = if slips.any(&[Slip::TranslationNotRotated, Slip::PositionAsItIs]) { position } else { turned };
     let last = if slips.any(&[Slip::PositionNotNegated, Slip::PositionAsItIs]) { last } else { -last };
-    DMat4::from_cols(u.extend(last.x), v.extend(last.y), n.extend(last.z), DVec4::W).transpose()
+    let as_columns = slips.any(&[Slip::AxesAsColumns, Slip::AxesAsColumnsAlone]);
+    let rotation = if as_columns { rows.transpose() } else { rows };
+    DMat4::from_mat3_translation(rotation, last)
 }
 
 /// M_p, `[0]` (5.13) to (5.16).

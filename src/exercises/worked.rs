@@ -81,9 +81,9 @@ impl Worked {
             None => setting,
         };
         let Style { notation, mark, digits } = style;
-        let symbols = explain::Writer { notation, numbers: None };
+        let symbols = explain::Writer { notation, mark, numbers: None };
         let numbers =
-            explain::Writer { notation, numbers: Some(explain::Numbers { setting: &setting, mark, digits, exact }) };
+            explain::Writer { notation, mark, numbers: Some(explain::Numbers { setting: &setting, digits, exact }) };
         let line = |row: &Row| Line {
             symbol: symbols.write(&row.symbol),
             formula: symbols.write(&row.formula),

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::{Matrix, MatrixFormula, Notation, Setting, Writer};
 use crate::camera::{Camera, Projection, ViewWindow};
-use crate::numbers::exact;
+use crate::numbers::{DecimalMark, exact};
 
 /// A library, or a language.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -280,7 +280,7 @@ fn num_py(camera: &Camera) -> String {
 
 fn latex(setting: &Setting<'_>) -> String {
     let mut text = String::new();
-    let plain = Writer { notation: Notation::Latex, numbers: None };
+    let plain = Writer { notation: Notation::Latex, mark: DecimalMark::Point, numbers: None };
     for matrix in [Matrix::View, Matrix::Projection] {
         let formulas = MatrixFormula::new(matrix, setting);
         let numbers = setting.matrix(matrix);

@@ -18,8 +18,6 @@ pub enum Notation {
 pub struct Numbers<'a> {
     /// What gives them.
     pub setting: &'a Setting<'a>,
-    /// The decimal mark.
-    pub mark: DecimalMark,
     /// Significant digits.
     pub digits: usize,
     /// 1/√3 for 0.57735 where a number is a fraction or a root.
@@ -31,6 +29,8 @@ pub struct Numbers<'a> {
 pub struct Writer<'a> {
     /// As text or LaTeX.
     pub notation: Notation,
+    /// The decimal mark, also of the numbers that stand among symbols: the 0.5 of i + 0.5.
+    pub mark: DecimalMark,
     /// Numbers instead of symbols.
     pub numbers: Option<Numbers<'a>>,
 }
@@ -54,9 +54,8 @@ impl Writer<'_> {
     /// A number, as this writer writes them; the minus is a true one in text.
     #[must_use]
     pub fn number(&self, value: f64) -> String {
-        let (mark, digits, exact) = self
-            .numbers
-            .map_or((DecimalMark::Point, 6, false), |numbers| (numbers.mark, numbers.digits, numbers.exact));
+        let mark = self.mark;
+        let (digits, exact) = self.numbers.map_or((6, false), |numbers| (numbers.digits, numbers.exact));
         let form = exact.then(|| exact_form(value)).flatten();
         match (self.notation, form) {
             (Notation::Text, Some(form)) => form.text(),
@@ -156,7 +155,7 @@ impl Writer<'_> {
         if !is_angle {
             return (text, strength);
         }
-        let degrees = numbers.mark.number(value, numbers.digits);
+        let degrees = self.mark.number(value, numbers.digits);
         let text =
             if self.is_latex() { format!(r"{}^{{\circ}}", latex_number(&degrees)) } else { format!("{degrees}°") };
         (text, strength)

@@ -33,8 +33,8 @@ impl Step {
     pub fn lines(&self, setting: &Setting<'_>, style: Style) -> Vec<Line> {
         let setting = &self.setting(setting);
         let Style { notation, mark, digits } = style;
-        let symbols = Writer { notation, numbers: None };
-        let numbers = Writer { notation, numbers: Some(Numbers { setting, mark, digits, exact: false }) };
+        let symbols = Writer { notation, mark, numbers: None };
+        let numbers = Writer { notation, mark, numbers: Some(Numbers { setting, digits, exact: false }) };
         let rows = self.symbols.iter().zip(&self.formulas).zip(&self.output);
         rows.map(|((symbol, formula), value)| Line {
             symbol: symbols.write(&Formula::Symbol(*symbol)),

@@ -236,24 +236,32 @@ pub(super) struct Both {
     pub(super) text: String,
 }
 
-/// name = formula = numbers = value, each once.
+/// name = formula = numbers = value, each once, as many of them in a line as it has room for.
 pub(super) fn chain(ui: &mut Ui, name: &Both, said: &[Both]) {
     /// The type size, in points.
     const CHAIN: f32 = 14.0;
-    let mut last = name;
-    for (i, next) in said.iter().enumerate() {
-        if i > 0 && next.text == last.text {
+    let (mut last, mut line, mut is_first) = (name, name.clone(), true);
+    let mut lines = Vec::new();
+    for next in said {
+        if !is_first && next.text == last.text {
             continue;
         }
-        let (latex, text) = if std::ptr::eq(last, name) {
-            (format!("{} = {}", name.latex, next.latex), format!("{} = {}", name.text, next.text))
+        let longer =
+            Both { latex: format!("{} = {}", line.latex, next.latex), text: format!("{} = {}", line.text, next.text) };
+        let fits = Formula::new(ui, &longer.latex, &longer.text, CHAIN).size().x <= ui.available_width();
+        if is_first || fits {
+            line = longer;
         } else {
-            (format!(r"\quad = {}", next.latex), format!("= {}", next.text))
-        };
+            let begun = Both { latex: format!(r"\quad = {}", next.latex), text: format!("= {}", next.text) };
+            lines.push(std::mem::replace(&mut line, begun));
+        }
+        (last, is_first) = (next, false);
+    }
+    lines.push(line);
+    for (i, Both { latex, text }) in lines.iter().enumerate() {
         egui::ScrollArea::horizontal().id_salt(("chain", &name.text, i)).show(ui, |ui| {
-            show(ui, &latex, &text, CHAIN);
+            show(ui, latex, text, CHAIN);
         });
-        last = next;
     }
 }
 

@@ -19,7 +19,7 @@ fn with_symbols(markdown: &str) -> String {
             set.push_str(part);
             continue;
         }
-        for word in part.split_inclusive(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
+        for word in with_tuples_kept(part).split_inclusive(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
             let end = word.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(word.len());
             let (symbol, rest) = word.split_at(end);
             match symbol.split_once('_') {
@@ -33,6 +33,27 @@ fn with_symbols(markdown: &str) -> String {
         }
     }
     set
+}
+
+/// A tuple stays in one line: no space in (1; −1; 2) is where a line may end.
+fn with_tuples_kept(text: &str) -> String {
+    /// Characters: a longer one may be wider than a narrow panel.
+    const LONGEST: usize = 30;
+    let (mut set, mut rest) = (String::with_capacity(text.len()), text);
+    while let Some((before, from)) = rest.split_once('(') {
+        set.push_str(before);
+        set.push('(');
+        rest = from;
+        let Some(end) = from.find(['(', ')']).filter(|end| from[*end..].starts_with(')')) else { continue };
+        let (inner, after) = from.split_at(end);
+        let separator = if inner.contains("; ") { "; " } else { ", " };
+        let is_tuple = inner.contains(separator)
+            && inner.chars().count() <= LONGEST
+            && inner.split(separator).all(|item| !item.contains(' '));
+        set.push_str(&if is_tuple { inner.replace(' ', "\u{a0}") } else { inner.to_owned() });
+        rest = after;
+    }
+    set + rest
 }
 
 /// Shows a text.
@@ -59,7 +80,17 @@ pub(super) fn show(ui: &mut Ui, markdown: &str) {
 
 #[cfg(test)]
 mod tests {
-    use super::with_symbols;
+    use super::{with_symbols, with_tuples_kept};
+
+    #[test]
+    fn a_tuple_is_not_broken_and_words_in_brackets_are() {
+        let kept = "PF = (1;\u{a0}−1;\u{a0}1/2) e $(1, 2)$";
+        assert_eq!(with_symbols("PF = (1; −1; 1/2) e $(1, 2)$"), kept);
+        assert_eq!(with_tuples_kept("at (0.5, 2), (x, y)"), "at (0.5,\u{a0}2), (x,\u{a0}y)");
+        for text in ["(as it is, or not)", "(5.2), (5.3)", "f(a; (1; b c))", "an open (1, 2"] {
+            assert_eq!(with_tuples_kept(text), text);
+        }
+    }
 
     #[test]
     fn symbols_are_set_and_nothing_else() {

@@ -19,6 +19,7 @@ texts! {
     exercises: "Exercises", "Exercícios";
     name: "Name", "Nome";
     date: "Date", "Data";
+    seed: "seed", "semente";
     target: "This picture is to be matched", "Esta é a imagem a reproduzir";
 }
 

@@ -30,7 +30,7 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pic
             let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
             text.push_str(&format!("\n**{letter})** {} — *{kind}*\n", set(&asked)));
         }
-        text.push_str(&format!("\n<small>{}, seed {}</small>\n", exercise.id, exercise.seed));
+        text.push_str(&format!("\n<small>{}, {} {}</small>\n", exercise.id, t.seed, exercise.seed));
         if with_answers {
             text.push_str(&format!("\n### {}\n", t.answers));
             let style = Style { notation: Notation::Latex, mark: lang.mark(), digits: DIGITS };
@@ -89,7 +89,7 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pictur
             text.push_str(&format!("\\item {} \\emph{{({})}}\n", of_markdown(&asked), escaped(&kind)));
         }
         text.push_str("\\end{enumerate}\n");
-        text.push_str(&format!("{{\\footnotesize {}, seed {}}}\n", escaped(&exercise.id), exercise.seed));
+        text.push_str(&format!("{{\\footnotesize {}, {} {}}}\n", escaped(&exercise.id), t.seed, exercise.seed));
         if with_answers {
             text.push_str(&format!("\n\\paragraph{{{}}}\n\\begin{{enumerate}}\n", t.answers));
             for (ask, steps) in exercise.asks.iter().zip(exercise.new_steps()) {
@@ -124,15 +124,8 @@ fn latex_answer(lang: Lang, exercise: &Exercise, ask: &Ask, steps: &[Worked]) ->
     let style = Style { notation: Notation::Latex, mark: lang.mark(), digits: DIGITS };
     let mut text = match ask.expected().table() {
         Some(table) if ask.shape()[1] > 1 => {
-            let number = |value: &f64| {
-                crate::numbers::exact_form(*value).map_or_else(
-                    || lang.mark().number(*value, DIGITS).replace('−', "-").replace(',', "{,}"),
-                    |form| form.latex(),
-                )
-            };
-            let rows: Vec<String> =
-                table.rows().map(|row| row.iter().map(number).collect::<Vec<_>>().join(" & ")).collect();
-            format!("\\[\\begin{{bmatrix}} {} \\end{{bmatrix}}\\]\n", rows.join(" \\\\ "))
+            let entries: Vec<Option<f64>> = table.entries.iter().copied().map(Some).collect();
+            format!("\\[{}\\]\n", exercises::table_latex(lang.mark(), ask.unit, table.columns, &entries))
         }
         _ => format!("{}\n", escaped(&answer(lang, ask))),
     };

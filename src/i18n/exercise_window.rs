@@ -16,7 +16,6 @@ texts! {
     new_numbers: "New numbers", "Números novos";
     new_numbers_hint: "The same exercise with the numbers of the next seed; what was typed for these stays", "O mesmo exercício com os números da próxima semente; o que foi digitado para estes fica";
     back: "Back to the list", "Voltar à lista";
-    seed: "seed", "semente";
     seed_hint: "The numbers come from it: the same seed gives the same exercise, here and with `camera-lab exercise show`", "Dela vêm os números: a mesma semente dá o mesmo exercício, aqui e com `camera-lab exercise show`";
     how_it_is_read: "How it is read", "Como se entende";
     free_numbers: "Numbers left open", "Números deixados em aberto";

@@ -391,6 +391,29 @@ pub fn matrix(mark: DecimalMark, table: &Table) -> String {
     format!("[{}]", table.rows().map(row).collect::<Vec<_>>().join(mark.separator()))
 }
 
+/// A number, or a matrix, in LaTeX; a vector is a column. `None` is what is missing.
+#[must_use]
+pub fn table_latex(mark: DecimalMark, unit: Unit, columns: usize, entries: &[Option<f64>]) -> String {
+    let unit = if unit == Unit::Degrees { r"^\circ" } else { "" };
+    let decimal = |value: f64| mark.number(value, 6).replace('−', "-").replace(',', "{,}");
+    let number = |entry: &Option<f64>| {
+        let set = |value: f64| exact_form(value).map_or_else(|| decimal(value), |form| form.latex());
+        entry.map_or_else(|| "?".to_owned(), |value| format!("{}{unit}", set(value)))
+    };
+    if entries.len() == 1 {
+        return entries.iter().map(number).collect();
+    }
+    let (mut rows, mut end) = (String::new(), "");
+    for row in entries.chunks(columns.max(1)) {
+        let row = row.iter().map(number).collect::<Vec<_>>().join(" & ");
+        rows.push_str(end);
+        rows.push_str(&row);
+        // A gap counts from the line of the letters: one that keeps fractions apart is wide below numbers.
+        end = if row.contains(r"\frac") { r" \\[11pt] " } else { r" \\ " };
+    }
+    format!(r"\begin{{bmatrix}} {rows} \end{{bmatrix}}").replace(r"\frac", r"\dfrac")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

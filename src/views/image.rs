@@ -68,6 +68,10 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
                 .drawing,
         );
     }
+    if request.overlays.bare {
+        // What it is painted on has the texts of the scene itself.
+        drawn.drawing.labels.clear();
+    }
     let mut rows = revealed.rows;
     if let Some(share) = request.begun {
         let [count, all] = begun::first(&mut drawn.drawing, share);

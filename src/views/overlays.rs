@@ -31,7 +31,7 @@ pub struct Overlays {
     pub placed: Vec<Placed>,
     /// A triangle that is followed step by step, in all three pictures.
     pub stepped: Option<Arc<Stepped>>,
-    /// Without legends: the picture is painted on something.
+    /// Without texts and legends: the picture is painted on something.
     pub bare: bool,
     /// Without ground: what is behind the picture shows through.
     pub transparent: bool,

@@ -228,3 +228,32 @@ fn enter_goes_on_to_what_is_empty_and_then_checks() {
     assert!(window.state().exercises.checked["u"].judged.right);
     assert_eq!(focused(&window), Some(format!("{name} 3")), "the keyboard stays");
 }
+
+#[test]
+fn the_next_help_keeps_the_keyboard_and_comes_into_sight() {
+    /// Higher than a verdict, lower than the way.
+    const HEIGHT: f32 = 720.0;
+    let mut window = working_on("basis", 1, Lang::En);
+    window.harness.set_size(eframe::egui::vec2(1280.0, HEIGHT));
+    window.run();
+    let (_, exercise) = made("basis", 1);
+    let ask = exercise.asks.iter().find(|ask| ask.name == "u").unwrap();
+    let name = said::ask(Lang::En, &exercise, ask).replace("**", "");
+    let wrong: Vec<String> = right(ask).iter().map(|text| format!("-({text})")).collect();
+    fill(&mut window, &name, 1, &wrong);
+    window.key(Key::Enter);
+    for _ in 0..2 {
+        window.key(Key::Tab);
+    }
+    let helps = ["A hint", "A stronger hint", "A worked step", "The next step"].map(|help| format!("{help}: {name}"));
+    let mut pressed = Vec::new();
+    while let Some(help) = focused(&window).filter(|label| helps.contains(label)) {
+        let place = window.harness.get_by_role_and_label(Role::Button, &help).rect();
+        assert!(place.min.y > 0.0 && place.max.y < HEIGHT, "{help} is at {place:?} after {pressed:?}");
+        pressed.push(help);
+        window.key(Key::Enter);
+    }
+    assert!(pressed.len() > 3 && helps.iter().all(|help| pressed.contains(help)), "{pressed:?}");
+    assert_eq!(window.state().exercises.opened["u"].steps, ask.steps().len());
+    assert_eq!(focused(&window), Some(format!("{name} 1")), "after the last step the keyboard is at the answer");
+}

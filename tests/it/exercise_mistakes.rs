@@ -103,6 +103,22 @@ fn each_mistake_gets_its_code() {
 }
 
 #[test]
+fn axes_in_the_columns_of_the_view_matrix_are_told() {
+    let columns = |x: &str, y: &str, z: &str| {
+        format!("[[2/√13, -3/√182, 3/√14, {x}], [0, 13/√182, 1/√14, {y}], [-3/√13, -2/√182, 2/√14, {z}], [0, 0, 0, 1]]")
+    };
+    let cases: [(String, &[&str]); 3] = [
+        (columns("-1/√13", "-5/√182", "-9/√14"), &["transposed"]),
+        (columns("-4/√13 + 3/√182 - 3/√14", "-13/√182 - 1/√14", "6/√13 + 2/√182 - 2/√14"), &["transposed"]),
+        (columns("-2", "-1", "-1"), &["translation-not-rotated", "transposed"]),
+    ];
+    for (answer, expected) in &cases {
+        let judged = judge("view-matrix", 1, "Mv", answer);
+        assert!(!judged.right && codes(&judged) == *expected, "{answer}: {expected:?}, not {:?}", judged.diagnosis);
+    }
+}
+
+#[test]
 fn two_mistakes_together_are_told_both() {
     // W = H/A with H = 2 F tan θ.
     assert_eq!(codes(&judge("window", 1, "W", "tan(40°)/1.25")), ["whole-angle", "aspect-inverted"]);

@@ -50,8 +50,9 @@ fn assert_every_entry(setting: &Setting<'_>, read_back: bool) {
                 let what = || format!("{} [{row}][{column}] {formula:?}", matrix.text());
                 assert!((value - expected).abs() <= slack, "{}: {value} is not {expected}", what());
                 if read_back {
-                    let numbers = Numbers { setting, mark: DecimalMark::Point, digits: EXACT_DIGITS, exact: false };
-                    let text = Writer { notation: Notation::Text, numbers: Some(numbers) }.write(formula);
+                    let numbers = Numbers { setting, digits: EXACT_DIGITS, exact: false };
+                    let mark = DecimalMark::Point;
+                    let text = Writer { notation: Notation::Text, mark, numbers: Some(numbers) }.write(formula);
                     let again = evaluated(&text);
                     assert!((again - expected).abs() <= slack, "{}: {text} = {again}, not {expected}", what());
                 }
@@ -64,8 +65,8 @@ fn assert_every_entry(setting: &Setting<'_>, read_back: bool) {
 fn said(camera: &Camera, matrix: Matrix, row: usize, column: usize) -> [String; 3] {
     let setting = Setting::new(camera.notes_clip_space(), IMAGE, None);
     let formula = MatrixFormula::new(matrix, &setting).entry(row, column).clone();
-    let numbers = Numbers { setting: &setting, mark: DecimalMark::Point, digits: 5, exact: true };
-    let write = |notation, numbers| Writer { notation, numbers }.write(&formula);
+    let numbers = Numbers { setting: &setting, digits: 5, exact: true };
+    let write = |notation, numbers| Writer { notation, mark: DecimalMark::Point, numbers }.write(&formula);
     [write(Notation::Text, None), write(Notation::Text, Some(numbers)), write(Notation::Latex, None)]
 }
 

@@ -10,7 +10,7 @@ use crate::exercises::given::{about, with_point};
 use crate::exercises::products::multiplied;
 use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Slip, Slips, Subject, Table, textbook};
-use crate::explain::{Formula, over};
+use crate::explain::{over, times};
 use crate::figure::Figure;
 use crate::scene::{ObjectSpec, Preset, Shape};
 
@@ -102,8 +102,10 @@ pub(super) fn vertices(free: &Free) -> Exercise {
     let birth = Birth::new(free);
     let (day, month) = (birth.day, birth.month);
     let local: Vec<DVec4> = birth.vertices().collect();
-    let number = |name: &str, text: &'static str, value: f64| {
-        let step = Worked::new("scaled", "[1]").row(named(text, text, value), plus_one(text, value));
+    let number = |name: &str, [symbol, factor]: [&'static str; 2], value: f64| {
+        // The pyramid has side 1 and height 1 before.
+        let scaled = times([named(factor, factor, value).into(), 1.0.into()]);
+        let step = Worked::new("scaled", "[1]").row(named(symbol, symbol, value), scaled);
         Ask::computed(name, Kind::Number, vec![step], move |slips| {
             // The other number of the two.
             let wrong = if value.to_bits() == day.to_bits() { month } else { day };
@@ -112,14 +114,10 @@ pub(super) fn vertices(free: &Free) -> Exercise {
     };
     let asks = vec![
         matrix_of_points("local", Vec::new(), move |_| Some(local.clone())),
-        number("side", "M", month),
-        number("height", "D", day),
+        number("side", ["a", "M"], month),
+        number("height", ["h", "D"], day),
     ];
     Exercise { asks, ..birth.exercise(&["D", "M"]) }
-}
-
-fn plus_one(text: &'static str, value: f64) -> Formula {
-    crate::explain::times([named(text, text, value).into(), named("1", "1", 1.0).into()])
 }
 
 /// II: M_m with the vertices in the world, M_v with the vertices before the camera.

@@ -15,7 +15,6 @@ use crate::gui::prose;
 use crate::gui::state::{State, is_whole, joined};
 use crate::gui::tooltip::Explained;
 use crate::i18n::{Lang, exercise_window as words, exercises as said, messages};
-use crate::numbers::exact_form;
 
 /// The type size of what was understood, in points.
 const SIZE: f32 = 13.0;
@@ -63,13 +62,16 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
     let marks = marks(state, ask, &fields);
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
     let mut typing = match &ask.kind {
-        Kind::Choice(choices) => Typing { in_focus: choice(ui, t.lang, choices, &mut fields[0]), is_done: false },
-        Kind::Camera => Typing { in_focus: camera(ui, state, sheet, ask, &mut fields[0]), is_done: false },
+        Kind::Choice(choices) => choice(ui, t.lang, choices, &mut fields[0]),
+        Kind::Camera => camera(ui, state, sheet, ask, &mut fields[0]),
         Kind::Number | Kind::Vector(_) | Kind::Matrix(..) => {
             numbers(ui, sheet, ask, (&name, broken), &marks, &mut fields)
         }
     };
     state.exercises.type_into(ask, fields);
+    if let Some(first) = &typing.first {
+        state.exercises.give_focus(&ask.name, first);
+    }
     in_kept_room(ui, ask, |ui| match &reading {
         Err(unreadable) => complaint(ui, &unreadable.why),
         Ok(Some(answer)) => show_understood(ui, t.lang, ask, answer),
@@ -86,8 +88,10 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) ->
 }
 
 /// What is done in the fields of an answer.
-#[derive(Clone, Copy, Default)]
+#[derive(Default)]
 struct Typing {
+    /// The first of them.
+    first: Option<egui::Response>,
     /// One of them has the keyboard.
     in_focus: bool,
     /// Enter was pressed, and none is empty.
@@ -196,6 +200,7 @@ fn numbers(
         Some(_) => {}
         None => typing.is_done = goes_on,
     }
+    typing.first = shown.into_iter().next();
     typing
 }
 
@@ -232,22 +237,23 @@ fn sign_field(ui: &Ui, rect: egui::Rect, right: bool, broken: bool) {
 }
 
 /// One of several; chosen by name, so that it is the same in every language.
-fn choice(ui: &mut Ui, lang: Lang, choices: &[String], text: &mut String) -> bool {
-    let mut in_focus = false;
+fn choice(ui: &mut Ui, lang: Lang, choices: &[String], text: &mut String) -> Typing {
+    let mut typing = Typing::default();
     ui.horizontal_wrapped(|ui| {
         for name in choices {
             let response = ui.radio(text == name, said::choice(lang, name));
-            in_focus |= response.has_focus();
+            typing.in_focus |= response.has_focus();
             if response.clicked() {
                 text.clone_from(name);
             }
+            typing.first.get_or_insert(response);
         }
     });
-    in_focus
+    typing
 }
 
 /// A camera as text, and the button that takes the one of the window.
-fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> bool {
+fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut String) -> Typing {
     let t = sheet.t;
     if state.document.figure().scene != sheet.exercise.subject.figure.scene {
         ui.add(egui::Label::new(RichText::new(t.other_figure).weak()).wrap());
@@ -259,7 +265,7 @@ fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut St
     let field = TextEdit::multiline(text).id_salt("camera").desired_rows(2).desired_width(f32::INFINITY);
     let field = field.font(TextStyle::Monospace).hint_text(t.camera_hint).char_limit(crate::limits::MAX_ANSWER);
     let response = ui.add(field).accessible_name(t.your_answer);
-    response.has_focus()
+    Typing { in_focus: response.has_focus(), is_done: false, first: Some(response) }
 }
 
 /// What was understood, set as mathematics.
@@ -267,33 +273,11 @@ fn show_understood(ui: &mut Ui, lang: Lang, ask: &Ask, answer: &Answer) {
     let Answer::Numbers { columns, entries, .. } = answer else { return };
     let t = words::texts(lang);
     let text = said::understood(lang, ask, answer);
-    let latex = as_latex(lang, ask, *columns, entries);
+    let latex = said::table_latex(lang.mark(), ask.unit, *columns, entries);
     ScrollArea::horizontal().id_salt("understood").show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.label(RichText::new(t.understood).small().weak());
             mathematics::show(ui, &latex, &text, SIZE);
         });
     });
-}
-
-/// A number, or a matrix; a vector is a column.
-fn as_latex(lang: Lang, ask: &Ask, columns: usize, entries: &[Option<f64>]) -> String {
-    let unit = if ask.unit == Unit::Degrees { r"^\circ" } else { "" };
-    let decimal = |value: f64| lang.mark().number(value, 6).replace('−', "-").replace(',', "{,}");
-    let number = |entry: &Option<f64>| {
-        let set = |value: f64| exact_form(value).map_or_else(|| decimal(value), |form| form.latex());
-        entry.map_or_else(|| "?".to_owned(), |value| format!("{}{unit}", set(value)))
-    };
-    if entries.len() == 1 {
-        return entries.iter().map(number).collect();
-    }
-    let (mut rows, mut end) = (String::new(), "");
-    for row in entries.chunks(columns.max(1)) {
-        let row = row.iter().map(number).collect::<Vec<_>>().join(" & ");
-        rows.push_str(end);
-        rows.push_str(&row);
-        // A gap counts from the line of the letters: one that keeps fractions apart is wide below numbers.
-        end = if row.contains(r"\frac") { r" \\[11pt] " } else { r" \\ " };
-    }
-    format!(r"\begin{{bmatrix}} {rows} \end{{bmatrix}}").replace(r"\frac", r"\dfrac")
 }

@@ -96,15 +96,6 @@ fn row(ui: &mut Ui, t: &Texts, entry: &Entry, state: &mut Exercises) -> bool {
             [title, entry.source, stage].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
         )
     });
-    if state.wants_focus.as_deref() == Some(&*entry.id) {
-        // A click elsewhere takes the keyboard away once more after its frame.
-        if response.has_focus() {
-            state.wants_focus = None;
-        } else {
-            response.request_focus();
-            response.scroll_to_me(Some(egui::Align::Center));
-            ui.ctx().request_repaint();
-        }
-    }
+    state.give_focus(&entry.id, &response);
     response.explained(stage).clicked()
 }

@@ -85,6 +85,10 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         ui.scroll_to_rect(egui::Rect::from_min_size(top, egui::Vec2::ZERO), Some(egui::Align::TOP));
     }
     let chosen = state.exercises.open.clone();
+    let just_said = state.exercises.take_said();
+    if just_said.is_some() {
+        ui.ctx().request_repaint();
+    }
     ui.push_id(chosen, |ui| {
         statement::ui(ui, state, sheet);
         let mut in_focus = None;
@@ -94,12 +98,13 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
                 if answers::ui(ui, state, sheet, ask) {
                     in_focus = Some(ask);
                 }
-                verdict::ui(ui, state, sheet, ask);
+                verdict::ui(ui, state, sheet, ask, just_said.as_ref() == Some(&ask.name));
             });
         }
         if all_wanted {
             let wanted = in_focus.map_or_else(|| exercise.asks.iter().collect(), |ask| vec![ask]);
-            wanted.into_iter().for_each(|ask| check(state, sheet, ask));
+            // The first is what comes into sight.
+            wanted.into_iter().rev().for_each(|ask| check(state, sheet, ask));
         }
         verdict::all(ui, state, sheet);
         ui.add_space(12.0);
@@ -124,4 +129,5 @@ fn check(state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     let done = Done::Judged(Arc::new(sheet.exercise.clone()), Box::new(judged.clone()), clock::seconds_since_1970());
     state.exercises.note(done);
     state.exercises.took(ask, Checked { fields, judged });
+    state.exercises.say(ask);
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::Ui;
+use eframe::egui::{Id, Rect, Response, Ui, UiBuilder};
 use glam::{DMat4, DVec3};
 
 use super::{Sheet, figure};
@@ -16,32 +16,48 @@ use crate::gui::state::{Described, NotCamera, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::{Lang, dialects, exercise_window as words, exercises as said};
 
-/// The button of the next step, once hints are used up, and that of the camera that a wrong answer describes.
-pub(super) fn buttons(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, helped: bool) {
+/// The button of the next help. It keeps the keyboard, whatever is said above it: it is known by `id`, and not by its place.
+pub(super) fn help_button(ui: &mut Ui, id: Id, (label, hint, name): (&str, &'static str, &str)) -> Response {
+    let own = UiBuilder::new().scope_id(id.with("help"));
+    let button = ui.scope_builder(own, |ui| ui.button(label)).inner;
+    button.explained(hint).accessible_name(words::of_ask(label, name))
+}
+
+/// The button of the next step.
+pub(super) fn step_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, id: Id) {
     let Sheet { t, exercise, .. } = sheet;
     let name = said::ask(t.lang, exercise, ask).replace("**", "");
     let opened = state.exercises.opened.get(&ask.name).cloned().unwrap_or_default();
     let has_way = !matches!(ask.expected(), Expected::Camera(..));
     let rest = opened.way.as_ref().is_none_or(|way| opened.steps < way.len());
-    if helped && has_way && rest {
-        let label = if opened.steps == 0 { t.first_step } else { t.next_step };
-        let button = ui.button(label).explained(t.step_hint).accessible_name(words::of_ask(label, &name));
-        if button.clicked() {
-            let opened = state.exercises.opened.entry(ask.name.clone()).or_default();
-            opened.steps += 1;
-            opened.way.get_or_insert_with(|| ask.steps().into());
-            state.exercises.note_opened(exercise, ask);
-        }
+    if !has_way || !rest {
+        return;
     }
-    camera_button(ui, state, sheet, ask, &name);
+    let label = if opened.steps == 0 { t.first_step } else { t.next_step };
+    let button = help_button(ui, id, (label, t.step_hint, &name));
+    if button.clicked() {
+        let opened = state.exercises.opened.entry(ask.name.clone()).or_default();
+        opened.steps += 1;
+        let way = opened.way.get_or_insert_with(|| ask.steps().into());
+        if button.has_focus() && opened.steps >= way.len() {
+            // There is no next one: the keyboard is back at the answer.
+            state.exercises.wants_focus = Some(ask.name.clone());
+        }
+        state.exercises.note_opened(exercise, ask);
+        state.exercises.say(ask);
+    }
 }
 
 /// Shows the camera that a wrong answer describes, beside the right one; or takes it away.
-fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, name: &str) {
+pub(super) fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, id: Id) {
     let Sheet { t, exercise, .. } = sheet;
+    let name = said::ask(t.lang, exercise, ask).replace("**", "");
+    let shows = |ui: &mut Ui, label: &str| {
+        let own = UiBuilder::new().scope_id(id.with("camera"));
+        ui.scope_builder(own, |ui| ui.button(label)).inner.accessible_name(words::of_ask(label, &name))
+    };
     if state.exercises.described.as_ref().is_some_and(|described| described.ask == ask.name) {
-        let button = ui.button(t.hide_camera).accessible_name(words::of_ask(t.hide_camera, name));
-        if button.clicked() {
+        if shows(ui, t.hide_camera).clicked() {
             state.exercises.described = None;
         }
         return;
@@ -50,8 +66,7 @@ fn camera_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, na
     if judged.right || !describes_camera(ask, judged) {
         return;
     }
-    let button = ui.button(t.show_camera).explained(t.show_camera_hint);
-    if !button.accessible_name(words::of_ask(t.show_camera, name)).clicked() {
+    if !shows(ui, t.show_camera).explained(t.show_camera_hint).clicked() {
         return;
     }
     let Some((right, camera)) = described(exercise, ask, &judged.understood) else { return };
@@ -148,18 +163,20 @@ fn not_camera(lang: Lang, why: &NotCamera) -> String {
     }
 }
 
-/// The steps that are open, set as mathematics, and why there is no camera.
-pub(super) fn steps(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask) {
+/// The steps that are open, set as mathematics, and why there is no camera; where the last of the steps stands.
+pub(super) fn steps(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask) -> Option<Rect> {
     let Sheet { t, exercise, .. } = sheet;
     let described = state.exercises.described.as_ref().filter(|described| described.ask == ask.name);
     if let Some(Err(error)) = described.map(|described| &described.camera) {
         complaint(ui, &format!("{}: {}", t.no_camera, not_camera(t.lang, error)));
     }
-    let Some(opened) = state.exercises.opened.get(&ask.name) else { return };
+    let opened = state.exercises.opened.get(&ask.name)?;
     let way: Option<Arc<[Worked]>> = opened.way.clone();
+    let mut last = None;
     for (k, step) in way.iter().flat_map(|way| way.iter()).take(opened.steps).enumerate() {
-        ui.push_id(("step", k), |ui| self::step(ui, state, sheet, exercise, step));
+        last = Some(ui.push_id(("step", k), |ui| self::step(ui, state, sheet, exercise, step)).response.rect);
     }
+    last
 }
 
 /// A step: what it is, its equation, and each row: symbol = formula = numbers = value.

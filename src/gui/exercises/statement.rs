@@ -17,7 +17,8 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
         ui.spacing_mut().interact_size.y = 0.0;
         ui.label(RichText::new(entry.source).small().weak()).explained(crate::i18n::sources::with_titles(entry.source));
         if entry.is_family {
-            ui.label(RichText::new(format!("{} {}", t.seed, exercise.seed)).small().weak()).explained(t.seed_hint);
+            let seed = format!("{} {}", messages::texts(t.lang).seed, exercise.seed);
+            ui.label(RichText::new(seed).small().weak()).explained(t.seed_hint);
         }
     });
     ui.add_space(2.0);

@@ -7,12 +7,12 @@ use super::{Sheet, solution};
 use crate::exercises::Ask;
 use crate::gui::prose;
 use crate::gui::state::State;
-use crate::gui::tooltip::Explained;
-use crate::i18n::{exercise_messages as messages, exercise_window as words, exercises as said};
+use crate::i18n::{exercise_messages as messages, exercises as said};
 
-/// Shows what was said of an answer, and what helps.
-pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
+/// Shows what was said of an answer, and what helps; what was `just_said` is brought into sight.
+pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, just_said: bool) {
     let Sheet { t, exercise, .. } = sheet;
+    let top = ui.cursor().top();
     let checked = state.exercises.checked.get(&ask.name).cloned();
     let mut hints = Vec::new();
     if let Some(checked) = &checked {
@@ -42,20 +42,32 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask) {
     for hint in hints.iter().take(opened.hints) {
         prose::show(ui, &format!("**{}:** {hint}", t.hint));
     }
-    let name = said::ask(t.lang, exercise, ask).replace("**", "");
+    let newest = solution::steps(ui, state, sheet, ask).map_or(top, |step| step.top());
+    let id = ui.scope_id();
     ui.horizontal_wrapped(|ui| {
         if opened.hints < hints.len() {
-            let label = if opened.hints == 0 { t.next_hint } else { t.stronger_hint };
-            let button = ui.button(label).explained(t.hint_hint).accessible_name(words::of_ask(label, &name));
-            if button.clicked() {
-                state.exercises.opened.entry(ask.name.clone()).or_default().hints += 1;
-                state.exercises.note_opened(exercise, ask);
-            }
+            hint_button(ui, state, sheet, ask, (id, opened.hints));
+        } else {
+            solution::step_button(ui, state, sheet, ask, id);
         }
-        let helped = opened.hints >= hints.len();
-        solution::buttons(ui, state, sheet, ask, helped);
+        solution::camera_button(ui, state, sheet, ask, id);
     });
-    solution::steps(ui, state, sheet, ask);
+    if just_said {
+        let said = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), newest..=ui.min_rect().bottom());
+        let too_high = said.height() > ui.clip_rect().height();
+        ui.scroll_to_rect(said, too_high.then_some(egui::Align::TOP));
+    }
+}
+
+fn hint_button(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>, ask: &Ask, (id, open): (egui::Id, usize)) {
+    let Sheet { t, exercise, .. } = sheet;
+    let name = said::ask(t.lang, exercise, ask).replace("**", "");
+    let label = if open == 0 { t.next_hint } else { t.stronger_hint };
+    if solution::help_button(ui, id, (label, t.hint_hint, &name)).clicked() {
+        state.exercises.opened.entry(ask.name.clone()).or_default().hints += 1;
+        state.exercises.note_opened(exercise, ask);
+        state.exercises.say(ask);
+    }
 }
 
 /// Right or wrong, how much of it, and in which reading.

@@ -26,7 +26,7 @@ pub(super) struct Writing<'a> {
 impl Writing<'_> {
     fn writer(&self, notation: Notation, numbers: bool, exact: bool) -> Writer<'_> {
         let (setting, mark, digits) = (self.setting, self.lang.mark(), self.digits);
-        Writer { notation, numbers: numbers.then_some(Numbers { setting, mark, digits, exact }) }
+        Writer { notation, mark, numbers: numbers.then_some(Numbers { setting, digits, exact }) }
     }
 
     fn both(&self, numbers: bool, exact: bool, write: impl Fn(&Writer<'_>) -> String) -> Both {

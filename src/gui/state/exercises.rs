@@ -140,8 +140,10 @@ pub struct Exercises {
     pub(in crate::gui) was_called: bool,
     /// The keyboard goes to the first control: the field for words, or the way back to the list.
     pub(in crate::gui) calls_keyboard: bool,
-    /// Where the keyboard goes next in the list: an identifier.
+    /// Where the keyboard goes next: in the list to an identifier, in an exercise to the answer of what has this name.
     pub(in crate::gui) wants_focus: Option<String>,
+    /// What is asked, where something was said of it just now: that is brought into sight, in so many frames.
+    pub(in crate::gui) just_said: Option<(String, u8)>,
     /// The statement is brought into sight.
     pub(in crate::gui) just_opened: bool,
     /// What was done, in this window and others.
@@ -200,6 +202,37 @@ impl Exercises {
         }
     }
 
+    /// Something was said of what is asked.
+    pub(in crate::gui) fn say(&mut self, ask: &Ask) {
+        /// It is laid out in one frame, and known with its height in the next.
+        const FRAMES: u8 = 2;
+        self.just_said = Some((ask.name.clone(), FRAMES));
+    }
+
+    /// The name of what something was said of just now.
+    pub(in crate::gui) fn take_said(&mut self) -> Option<String> {
+        let (name, frames) = self.just_said.take()?;
+        if frames > 1 {
+            self.just_said = Some((name.clone(), frames - 1));
+        }
+        Some(name)
+    }
+
+    /// Gives the keyboard to what is wanted by its name.
+    pub(in crate::gui) fn give_focus(&mut self, name: &str, response: &egui::Response) {
+        if self.wants_focus.as_deref() != Some(name) {
+            return;
+        }
+        // A click elsewhere takes the keyboard away once more after its frame.
+        if response.has_focus() {
+            self.wants_focus = None;
+        } else {
+            response.request_focus();
+            response.scroll_to_me(Some(egui::Align::Center));
+            response.ctx.request_repaint();
+        }
+    }
+
     /// Works on an exercise; what was typed for it before is there again.
     pub fn work_on(&mut self, chosen: Chosen) {
         if self.open.as_ref() == Some(&chosen) {
@@ -210,6 +243,7 @@ impl Exercises {
         self.checked.clear();
         self.opened.clear();
         self.described = None;
+        self.wants_focus = None;
         self.just_opened = true;
     }
 
