@@ -1,7 +1,9 @@
 //! The clock of the two shells. The library is handed a clock, and takes no time of its own.
 
 use std::sync::OnceLock;
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
+
+use web_time::{Instant, SystemTime, UNIX_EPOCH};
 
 /// The seconds since the beginning of 1970 (UTC); 0 where the clock of the machine is before that.
 #[must_use]

@@ -41,6 +41,7 @@ pub mod pipeline;
 pub mod progress;
 pub mod raster;
 pub mod scene;
+pub mod share;
 mod simd;
 pub mod text;
 pub mod views;

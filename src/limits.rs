@@ -36,6 +36,9 @@ pub const MAX_NAMED_POINTS: usize = 32;
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;
 
+/// The longest link to a figure: browsers take more, but mail, chat and learning platforms cut what is longer.
+pub const MAX_LINK_CHARACTERS: usize = 8000;
+
 /// The longest file of any kind in bytes: more than any picture or mesh that can be shown.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
 

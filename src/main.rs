@@ -1,43 +1,57 @@
-//! Hands the arguments to the command line, and opens the window when there is no subcommand.
+//! Hands the arguments to the command line, and opens the window when there is no subcommand. In a browser there is the window alone.
 
 // A double click opens no console; what is printed goes through `camera-lab.com` (dist/windows/console).
 #![cfg_attr(all(windows, feature = "gui"), windows_subsystem = "windows")]
 
-use std::process::ExitCode;
-
-use camera_lab::cli::{self, Asked};
-
-fn main() -> ExitCode {
-    match cli::run(std::env::args_os()) {
-        Asked::Done(code) => code,
-        Asked::Window(opening) => open(*opening),
-        Asked::NoWindow { status, message } => no_window(status, &message),
-    }
+#[cfg(target_arch = "wasm32")]
+fn main() {
+    #[cfg(feature = "gui")]
+    camera_lab::gui::web::run();
 }
 
-#[cfg(feature = "gui")]
-fn open(opening: cli::Opening) -> ExitCode {
-    use camera_lab::gui::{self, GuiError, Start};
-    use camera_lab::i18n::{command_line as texts, messages};
-
-    let cli::Opening { figure, file, allow_files, lang, asked_lang } = opening;
-    match gui::run(Start { figure, file, lang, allow_files }, asked_lang) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(GuiError::NoWindow(why)) => no_window(1, &texts::no_window(lang, &why)),
-        Err(GuiError::Camera(error)) => no_window(2, &messages::camera(lang, &error)),
-    }
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    system::main()
 }
 
-#[cfg(not(feature = "gui"))]
-fn open(opening: cli::Opening) -> ExitCode {
-    cli::fail(1, &camera_lab::i18n::command_line::not_built_in(opening.lang))
-}
+#[cfg(not(target_arch = "wasm32"))]
+mod system {
+    use std::process::ExitCode;
 
-/// Says why there is no window. Windows has no console for a program that was opened by a double click: there it is a box.
-fn no_window(status: u8, message: &str) -> ExitCode {
-    #[cfg(all(windows, feature = "gui"))]
-    if std::env::var_os("CAMERA_LAB_CONSOLE").is_none() {
-        camera_lab::gui::native::message_box(message);
+    use camera_lab::cli::{self, Asked};
+
+    pub(super) fn main() -> ExitCode {
+        match cli::run(std::env::args_os()) {
+            Asked::Done(code) => code,
+            Asked::Window(opening) => open(*opening),
+            Asked::NoWindow { status, message } => no_window(status, &message),
+        }
     }
-    cli::fail(status, message)
+
+    #[cfg(feature = "gui")]
+    fn open(opening: cli::Opening) -> ExitCode {
+        use camera_lab::gui::{self, GuiError, Start};
+        use camera_lab::i18n::{command_line as texts, messages};
+
+        let cli::Opening { figure, file, allow_files, lang, asked_lang } = opening;
+        match gui::run(Start { figure, file, lang, allow_files }, asked_lang) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(GuiError::NoWindow(why)) => no_window(1, &texts::no_window(lang, &why)),
+            Err(GuiError::Camera(error)) => no_window(2, &messages::camera(lang, &error)),
+        }
+    }
+
+    #[cfg(not(feature = "gui"))]
+    fn open(opening: cli::Opening) -> ExitCode {
+        cli::fail(1, &camera_lab::i18n::command_line::not_built_in(opening.lang))
+    }
+
+    /// Says why there is no window. Windows has no console for a program that was opened by a double click: there it is a box.
+    fn no_window(status: u8, message: &str) -> ExitCode {
+        #[cfg(all(windows, feature = "gui"))]
+        if std::env::var_os("CAMERA_LAB_CONSOLE").is_none() {
+            camera_lab::gui::native::message_box(message);
+        }
+        cli::fail(status, message)
+    }
 }

@@ -1,26 +1,37 @@
 //! The file system, for both shells: opening a figure, saving so that nothing is lost.
 
+pub mod disk;
 mod look;
 mod mesh_paths;
 mod own_exercises;
 mod reach;
+#[cfg(not(target_arch = "wasm32"))]
 mod save;
 mod shipped;
 mod windows_names;
 
+#[cfg(not(target_arch = "wasm32"))]
 use std::fs::{self, File};
-use std::io::{self, Read as _};
+use std::io;
+#[cfg(not(target_arch = "wasm32"))]
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use crate::export::png::{self, PngError};
 use crate::figure::{Figure, FigureError, read};
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
 use crate::scene::{ReadProblem, system_words};
+use crate::share::{self, ShareError};
+#[cfg(target_arch = "wasm32")]
+use disk::read_at_most;
+#[cfg(target_arch = "wasm32")]
+pub use disk::{is_read_only, save};
 pub use look::{Found, Stamp, look};
 pub use mesh_paths::{for_folder, named_in_figure};
 pub use own_exercises::{OwnExercises, read_exercises};
 pub use reach::{FigureFiles, Reach};
-pub use save::{Overwrite, is_read_only, save};
+#[cfg(not(target_arch = "wasm32"))]
+pub use save::{is_read_only, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure};
 
 /// Why a file cannot be used. Displayed, it stands after the name of the file.
@@ -61,6 +72,18 @@ pub enum FileError {
     /// A figure file with a fault.
     #[error(transparent)]
     Figure(#[from] FigureError),
+    /// A link that holds no figure.
+    #[error(transparent)]
+    Link(#[from] ShareError),
+}
+
+/// What may be replaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overwrite {
+    /// A file that may be written; another one is [`FileError::ReadOnly`].
+    Writable,
+    /// Also a read-only file: the user was asked. It stays read-only.
+    ReadOnlyToo,
 }
 
 /// A figure and the text that it was read from, which [`update`](crate::figure::update) wants.
@@ -70,7 +93,7 @@ pub struct Opened {
     pub figure: Figure,
     /// The text of the figure file.
     pub text: String,
-    /// True where the text came out of a picture: saving must not replace the picture by it.
+    /// True where the text came out of a picture or a link: saving must not replace the picture by it.
     pub from_picture: bool,
 }
 
@@ -89,15 +112,20 @@ impl Opened {
     /// The figure, and the file with this path that it came from.
     #[must_use]
     pub fn at(self, path: &Path) -> (Figure, SourceFile) {
-        (self.figure, SourceFile { path: whole(path), text: self.text, is_picture: self.from_picture })
+        // A link has no folder: what a figure in it names lies nowhere.
+        let path = if share::link_of(path).is_some() { PathBuf::new() } else { whole(path) };
+        (self.figure, SourceFile { path, text: self.text, is_picture: self.from_picture })
     }
 }
 
-/// Opens a figure file, or a PNG that holds one.
+/// Opens a figure file, a PNG that holds one, or a link that does.
 ///
 /// # Errors
 /// [`FileError`]; for a figure file with a fault it names the line.
 pub fn open_figure(path: &Path) -> Result<Opened, FileError> {
+    if let Some(text) = share::link_of(path).and_then(share::text_in) {
+        return Ok(Opened { from_picture: true, ..figure_from(&text?)? });
+    }
     figure_from(&read_file(path)?)
 }
 
@@ -121,6 +149,7 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
 }
 
 /// As [`read_file`], of at most so many bytes.
+#[cfg(not(target_arch = "wasm32"))]
 fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     check_path(path)?;
     // Asked before it is opened: opening a pipe waits until somebody writes to it.

@@ -1,11 +1,10 @@
 //! What a figure may make the program read: which files, and how much of them.
 
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
 use super::shipped::shipped_file;
-use super::{FileError, is_network, read_at_most};
+use super::{FileError, disk, is_network, read_at_most};
 use crate::foreign;
 use crate::limits::MAX_SCENE_BYTES;
 use crate::scene::{NamedBy, ReadError, ReadProblem, Wanted};
@@ -109,9 +108,11 @@ impl FigureFiles {
             FileError::Network => ReadProblem::Network,
             FileError::Read(error) | FileError::Write(error) => ReadProblem::system(&error),
             FileError::ReservedName => ReadProblem::system(&ErrorKind::InvalidFilename.into()),
-            FileError::Png(_) | FileError::Figure(_) | FileError::ReadOnly | FileError::TooManyExercises => {
-                ReadProblem::system(&ErrorKind::InvalidData.into())
-            }
+            FileError::Png(_)
+            | FileError::Figure(_)
+            | FileError::Link(_)
+            | FileError::ReadOnly
+            | FileError::TooManyExercises => ReadProblem::system(&ErrorKind::InvalidData.into()),
         })?;
         self.left = self.left.saturating_sub(bytes.len());
         Ok(bytes)
@@ -143,8 +144,8 @@ fn inside(folder: &Path, path: &Path) -> Result<PathBuf, Elsewhere> {
     }
     // `""` is the folder where the program runs.
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let folder = fs::canonicalize(folder).map_err(Elsewhere::System)?;
-    let path = fs::canonicalize(path).map_err(Elsewhere::System)?;
+    let folder = disk::canonical(folder).map_err(Elsewhere::System)?;
+    let path = disk::canonical(path).map_err(Elsewhere::System)?;
     if path.starts_with(&folder) { Ok(path) } else { Err(Elsewhere::Outside) }
 }
 
@@ -169,6 +170,8 @@ fn lexically_inside(folder: &Path, path: &Path) -> bool {
 #[cfg(test)]
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use std::fs;
 
     use super::*;
     use crate::files::testing::Directory;

@@ -10,17 +10,8 @@ use std::io::{self, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::{FileError, check_path};
+use super::{FileError, Overwrite, check_path};
 use crate::scene::system_kind;
-
-/// What may be replaced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Overwrite {
-    /// A file that may be written; another one is [`FileError::ReadOnly`].
-    Writable,
-    /// Also a read-only file: the user was asked. It stays read-only.
-    ReadOnlyToo,
-}
 
 /// Saves `bytes` under `path`.
 ///

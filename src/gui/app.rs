@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use eframe::egui::{self, ViewportCommand};
 
+use super::asked::Asked;
 use super::canvas::Canvas;
 use super::command::Command;
 use super::document::Document;
@@ -64,10 +65,26 @@ impl App {
         app
     }
 
-    /// Remembers preferences in `folder` from now on, and sets the window up as they say; in the language that was `asked` for.
-    pub fn keep_preferences(&mut self, ctx: &egui::Context, folder: &Path, asked: Option<Lang>) {
+    /// Remembers preferences in `folder` from now on, and sets the window up as they say, and as it was `asked` for.
+    pub fn keep_preferences(&mut self, ctx: &egui::Context, folder: &Path, asked: Asked) {
         self.preferences = Some(Preferences::begin(folder, &mut self.state, asked));
         self.apply_settings(ctx);
+    }
+
+    /// Goes on as the system wants it now, where the user has not chosen otherwise.
+    #[cfg(target_arch = "wasm32")]
+    pub(in crate::gui) fn follow_system(&mut self, theme: Theme, reduce_motion: bool) {
+        if let Some(preferences) = &mut self.preferences {
+            preferences.follow(&mut self.state, "theme", |state| state.settings.theme = theme);
+            let reduce = |state: &mut State| state.settings.reduce_motion = reduce_motion;
+            preferences.follow(&mut self.state, "reduce_motion", reduce);
+        }
+    }
+
+    /// What stands in the title of the window.
+    #[cfg(target_arch = "wasm32")]
+    pub(in crate::gui) fn title(&self) -> &str {
+        &self.title
     }
 
     /// Writes the session down in `folder` from now on. With `restore`, takes up what a window left that did not close.
@@ -151,11 +168,13 @@ impl App {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         }
         let t = window::texts(self.state.settings.lang);
-        let bar = egui::Panel::top("menu").show(ui, |ui| {
-            focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
-            menu::bar(ui, &self.state)
+        let bar = (!self.state.settings.bare).then(|| {
+            egui::Panel::top("menu").show(ui, |ui| {
+                focus::region(ui, ui.max_rect(), Region::Bar, t.region_bar);
+                menu::bar(ui, &self.state)
+            })
         });
-        let bar = bar.inner;
+        let bar = bar.and_then(|bar| bar.inner);
         self.recovery(ui);
         panels::session_news::bar(ui, &mut self.state);
         panels::changed_file::bar(ui, &mut self.state);
@@ -239,10 +258,7 @@ impl App {
         let typing = ctx.text_edit_focused();
         let mut shortcuts: Vec<_> = Command::all()
             .filter(|command| !(typing && command.is_for_text_too()) && command.is_enabled(&self.state))
-            .flat_map(|command| {
-                [Some(command.shortcut()), command.second_shortcut()].map(|keys| Some((keys?, command)))
-            })
-            .flatten()
+            .flat_map(|command| command.keys(&self.state).map(move |keys| (keys, command)))
             .collect();
         if self.state.settings.presentation && !typing && !ctx.any_popup_open() {
             shortcuts.extend(presentation::KEYS);
@@ -284,6 +300,7 @@ impl App {
                 state.export.ndc = state.settings.conventions.ndc;
                 state.file_flow.dialog = Some(Dialog::Export(state.export));
             }
+            Command::CopyLink => state.file_flow.dialog = Some(Dialog::Link),
             Command::Quit => file_flow::begin(ctx, state, AfterSave::Quit),
             Command::Undo => state.undo(),
             Command::Redo => state.redo(),

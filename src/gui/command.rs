@@ -4,8 +4,8 @@ use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 
 use super::state::{ObserverChange, Side, State, Tab};
 use crate::appearance::Theme;
-use crate::i18n::canvas;
 use crate::i18n::window::Texts;
+use crate::i18n::{canvas, sharing};
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
@@ -26,6 +26,8 @@ pub enum Command {
     SaveAs,
     /// Asks for a picture file and writes it.
     Export,
+    /// The figure as a link to the clipboard.
+    CopyLink,
     /// Closes the window.
     Quit,
     /// One step back.
@@ -103,8 +105,17 @@ const COMMAND_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 impl Command {
     /// The menu of files.
-    pub const FILE: [Self; 8] =
-        [Self::New, Self::Gallery, Self::Open, Self::Recent, Self::Save, Self::SaveAs, Self::Export, Self::Quit];
+    pub const FILE: [Self; 9] = [
+        Self::New,
+        Self::Gallery,
+        Self::Open,
+        Self::Recent,
+        Self::Save,
+        Self::SaveAs,
+        Self::Export,
+        Self::CopyLink,
+        Self::Quit,
+    ];
     /// The menu of changes.
     pub const EDIT: [Self; 4] = [Self::Undo, Self::Redo, Self::Reset, Self::CopyNumbers];
     /// The menu of what is shown.
@@ -201,6 +212,7 @@ impl Command {
             Self::Save => (t.save, t.save_hint),
             Self::SaveAs => (t.save_as, t.save_as_hint),
             Self::Export => (t.export, t.export_hint),
+            Self::CopyLink => (sharing::texts(t.lang).copy_link, sharing::texts(t.lang).copy_link_hint),
             Self::Quit => (t.quit, t.quit_hint),
             Self::Undo => (t.undo, t.undo_hint),
             Self::Redo => (t.redo, t.redo_hint),
@@ -261,6 +273,7 @@ impl Command {
             Self::Save => (Modifiers::COMMAND, Key::S),
             Self::SaveAs => (COMMAND_SHIFT, Key::S),
             Self::Export => (Modifiers::COMMAND, Key::E),
+            Self::CopyLink => (Modifiers::COMMAND, Key::K),
             Self::Quit => (Modifiers::COMMAND, Key::Q),
             Self::Undo => (Modifiers::COMMAND, Key::Z),
             Self::Redo => (COMMAND_SHIFT, Key::Z),
@@ -329,6 +342,7 @@ impl Command {
             | Self::Save
             | Self::SaveAs
             | Self::Export
+            | Self::CopyLink
             | Self::Quit
             | Self::Undo
             | Self::Reset
@@ -365,6 +379,45 @@ impl Command {
         }
     }
 
+    /// The keys that call it in this window: a page in a browser has to leave some to the browser.
+    pub fn keys(self, state: &State) -> impl Iterator<Item = KeyboardShortcut> {
+        let keys = [Some(self.shortcut()), self.second_shortcut()].into_iter().flatten();
+        keys.filter(move |_| self.is_there(state) && !(state.in_browser && self.has_keys_of_browsers()))
+    }
+
+    /// True for keys that call a command in a page of a browser.
+    #[must_use]
+    pub fn any_has_in_browser(key: Key, modifiers: Modifiers) -> bool {
+        Self::all().filter(|command| !command.has_keys_of_browsers()).any(|command| {
+            let keys = [Some(command.shortcut()), command.second_shortcut()].into_iter().flatten();
+            keys.into_iter().any(|keys| keys.logical_key == key && modifiers.matches_exact(keys.modifiers))
+        })
+    }
+
+    /// False for what a window of this kind has not.
+    #[must_use]
+    pub fn is_there(self, state: &State) -> bool {
+        // A page has no files that it could open again by itself, and is closed by the browser.
+        !(state.in_browser && matches!(self, Self::Recent | Self::Quit))
+    }
+
+    /// True where its keys do something that people want of every browser: a new window or tab, the address, reloading, zooming, other tabs.
+    fn has_keys_of_browsers(self) -> bool {
+        matches!(
+            self,
+            Self::New
+                | Self::Theme
+                | Self::Language
+                | Self::Reset
+                | Self::ZoomIn
+                | Self::ZoomOut
+                | Self::ZoomReset
+                | Self::NextFigure
+                | Self::PreviousFigure
+                | Self::Tab(Tab::Camera)
+        )
+    }
+
     /// False where it would do nothing.
     #[must_use]
     pub fn is_enabled(self, state: &State) -> bool {
@@ -383,6 +436,7 @@ impl Command {
             | Self::Save
             | Self::SaveAs
             | Self::Export
+            | Self::CopyLink
             | Self::Quit
             | Self::CopyNumbers
             | Self::Language
@@ -444,6 +498,7 @@ impl Command {
             | Self::Save
             | Self::SaveAs
             | Self::Export
+            | Self::CopyLink
             | Self::Quit
             | Self::Undo
             | Self::Redo

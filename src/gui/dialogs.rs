@@ -13,12 +13,13 @@ use super::comparison::{Comparison, Whose};
 use super::export_dialog;
 use super::file_flow;
 use super::gallery::{self, Chosen, Source};
+use super::link_dialog;
 use super::panels::{complaint, scene};
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use crate::foreign;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
-use crate::i18n::{canvas, exercise_window, scenes};
+use crate::i18n::{canvas, exercise_window, scenes, sharing};
 use crate::scene::edit::Children;
 
 /// Shows the question that is open, if any, and acts on the answer.
@@ -36,7 +37,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
     let frame = egui::Frame::popup(&ctx.global_style()).inner_margin(14.0);
     let modal = Modal::new(Id::unique("dialog").with(kind)).frame(frame).show(ctx, |ui| {
         let width = match &dialog {
-            Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress => 520.0,
+            Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link => 520.0,
             Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
             Dialog::Gallery => 1110.0,
             Dialog::Coach => coach::WIDTH,
@@ -89,6 +90,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 }
             }
             Dialog::Help => help(ui, t, state, first),
+            Dialog::Link => link_dialog::show(ui, t, state, first),
             Dialog::Coach => coach::show(ui, t, state, first),
             Dialog::Gallery => {
                 state.file_flow.dialog = Some(Dialog::Gallery);
@@ -240,8 +242,14 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     ui.heading(title);
     ui.add_space(6.0);
     let is_folder = matches!(purpose, Purpose::Folder | Purpose::Exercises);
-    ui.label(if is_folder { crate::i18n::gallery::texts(state.settings.lang).which_folder } else { t.path_text });
-    let field = egui::TextEdit::singleline(&mut path).desired_width(f32::INFINITY).hint_text(t.path_hint);
+    let words = sharing::texts(state.settings.lang);
+    let (which, hint) = match (is_folder, state.in_browser) {
+        (true, _) => (crate::i18n::gallery::texts(state.settings.lang).which_folder, t.path_hint),
+        (false, true) => (words.name_text, words.name_hint),
+        (false, false) => (t.path_text, t.path_hint),
+    };
+    ui.label(which);
+    let field = egui::TextEdit::singleline(&mut path).desired_width(f32::INFINITY).hint_text(hint);
     let response = ui.add(field).accessible_name(t.path_name);
     if first {
         response.request_focus();
@@ -292,14 +300,23 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         for (name, text) in keys {
             ui.label(format!("{name}: {text}"));
         }
+        if state.in_browser {
+            let words = sharing::texts(state.settings.lang);
+            title(ui, words.help_touch);
+            ui.label(words.help_touch_text);
+        }
         title(ui, t.help_numbers);
         ui.label(t.help_numbers_text);
         title(ui, t.help_commands);
+        if state.in_browser {
+            ui.label(sharing::texts(state.settings.lang).keys_of_browser);
+        }
         ui.spacing_mut().interact_size.y = 0.0;
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
-            for command in Command::all() {
-                let keys = [Some(command.shortcut()), command.second_shortcut()].into_iter().flatten();
-                ui.monospace(keys.map(|keys| ui.ctx().format_shortcut(&keys)).collect::<Vec<_>>().join(", "));
+            for command in Command::all().filter(|command| command.is_there(state)) {
+                ui.monospace(
+                    command.keys(state).map(|keys| ui.ctx().format_shortcut(&keys)).collect::<Vec<_>>().join(", "),
+                );
                 ui.label(command.label(t)).explained(command.hint(t));
                 ui.end_row();
             }

@@ -19,11 +19,12 @@ use super::state::{
 };
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, update};
-use crate::files::{self, Found};
+use crate::files::{self, Found, disk};
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{exercise_window, explain, gallery, scenes};
 use crate::picture::FilmFormat;
 use crate::scene::Shape;
+use crate::share;
 
 /// Does what comes `next`, after asking about changes that would be lost.
 pub fn begin(ctx: &egui::Context, state: &mut State, next: AfterSave) {
@@ -70,16 +71,23 @@ pub fn close(ctx: &egui::Context, state: &mut State) {
 
 /// Saves to the figure's own file; asks for one where there is none.
 pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
-    match state.document.path().cloned() {
+    let t = window::texts(state.settings.lang);
+    let named = || state.in_browser.then(|| PathBuf::from(proposal(t, state, &Purpose::Save(None))));
+    match state.document.path().cloned().or_else(named) {
         Some(path) => write(ctx, state, &path, then, Agreed::default()),
         None => ask(ctx, state, Purpose::Save(then)),
     }
 }
 
-/// Asks for a file: with the dialog of the system, or with a field where it has none.
+/// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no places where files go:
+/// there, only the name of a figure is asked for.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     let t = window::texts(state.settings.lang);
-    if state.file_flow.native {
+    let writes = matches!(purpose, Purpose::Save(_) | Purpose::Export(_) | Purpose::Film(_) | Purpose::Progress);
+    if state.in_browser && writes && !matches!(purpose, Purpose::Save(_)) {
+        let path = PathBuf::from(proposal(t, state, &purpose));
+        chosen(ctx, state, purpose, path);
+    } else if state.file_flow.native && !(state.in_browser && writes) {
         let question = question(t, state, &purpose);
         state.file_flow.asking = Some((purpose, OpenFileDialog::start(ctx, question)));
     } else {
@@ -193,7 +201,7 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
     }
     let own = state.document.path() == Some(&path);
     let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_) | Purpose::Folder | Purpose::Exercises);
-    if !reads && !own && path.exists() {
+    if !reads && !own && disk::exists(&path) {
         state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
         confirmed(ctx, state, purpose, &path, Agreed::default());
@@ -223,7 +231,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Progress => {
             let table = state.exercises.progress.to_csv();
             match files::save(path, table.as_bytes(), agreed.overwrite()) {
-                Ok(()) => state.say(Message::Saved(path.to_owned())),
+                Ok(()) => say_saved(state, path.to_owned()),
                 Err(error) => state.say(Message::File(path.to_owned(), error)),
             }
         }
@@ -283,8 +291,12 @@ fn open(state: &mut State, path: &Path) {
             match Document::new(figure, Some(file)) {
                 Ok(document) => {
                     state.take_over(document);
-                    state.recent.add(&files::whole(path));
-                    state.say(Message::Opened(path.to_owned()));
+                    if share::link_of(path).is_some() {
+                        state.say(Message::LinkOpened);
+                    } else {
+                        state.recent.add(&files::whole(path));
+                        state.say(Message::Opened(path.to_owned()));
+                    }
                 }
                 Err(error) => state.say(Message::NotOpened(path.to_owned(), error)),
             }
@@ -361,13 +373,18 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
             state.recent.add(path);
             state.file_flow.theirs = None;
             state.file_flow.decided = None;
-            state.say(Message::Saved(path.to_owned()));
+            say_saved(state, path.to_owned());
             if let Some(then) = then {
                 go_on(ctx, state, then);
             }
         }
         Err(error) => state.say(Message::File(path.to_owned(), error)),
     }
+}
+
+/// Says that a file has been written: to where it was wanted, or into the hands of a browser.
+fn say_saved(state: &mut State, path: PathBuf) {
+    state.say(if state.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
 }
 
 /// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was restored.
@@ -404,15 +421,10 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
         state.kept.append(&mut state.given_up);
     }
     watch(ctx, state);
+    let given = std::mem::take(&mut state.file_flow.given).into_iter().next();
     let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| files::whole(file.path())));
-    if let Some(path) = dropped {
-        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        if MESH_ENDINGS.contains(&ending.as_str()) {
-            mesh(state, MeshFor::New, &path);
-            state.settings.tab = Tab::Scene;
-        } else {
-            begin(ctx, state, AfterSave::OpenPath(path));
-        }
+    if let Some(path) = given.or(dropped) {
+        take_file(ctx, state, path);
     }
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         state.document.commit();
@@ -425,13 +437,32 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     }
 }
 
+/// Opens what was dropped: a figure, or a mesh, which comes into the scene.
+fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    if !MESH_ENDINGS.contains(&ending.as_str()) {
+        return begin(ctx, state, AfterSave::OpenPath(path));
+    }
+    let is_this = |shape: &Shape| matches!(shape, Shape::Mesh { path: named } if Path::new(named).file_name() == path.file_name());
+    let mut shapes = state.document.figure().scene.objects.iter().filter_map(|object| object.shape.as_ref());
+    if state.in_browser && shapes.any(is_this) {
+        // The scene names it, and had to do without it.
+        return state.scene_cache.read_again();
+    }
+    mesh(state, MeshFor::New, &path);
+    state.settings.tab = Tab::Scene;
+}
+
 /// Tells what came of the pictures that were being written. A window that waits for them closes with the last one, unless one has
 /// failed: that would be told to nobody.
 fn take_exports(ctx: &egui::Context, state: &mut State) {
     let mut failed = false;
     for (path, result) in state.file_flow.exported() {
         let message = match result {
-            Ok(None) => Message::Saved(path),
+            Ok(None) => {
+                say_saved(state, path);
+                continue;
+            }
             Ok(Some(too_much)) => Message::SavedOtherwise(path, too_much),
             Err(error) => {
                 failed |= !matches!(error, ExportError::Cancelled);

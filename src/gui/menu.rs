@@ -26,7 +26,7 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         for (title, commands) in menus {
             ui.menu_button(title, |ui| {
                 ui.set_min_width(220.0);
-                for (place, command) in commands.iter().enumerate() {
+                for (place, command) in commands.iter().filter(|command| command.is_there(state)).enumerate() {
                     if place > 0 && is_first_of_group(*command) {
                         ui.separator();
                     }
@@ -96,22 +96,27 @@ fn is_first_of_group(command: Command) -> bool {
 }
 
 fn item(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command) -> bool {
-    let keys = ui.ctx().format_shortcut(&command.shortcut());
+    let keys = keys(ui, state, command);
     let mark = match command.is_on(state) {
         Some(true) => "✔ ",
         Some(false) => "    ",
         None => "",
     };
-    let button = Button::new(format!("{mark}{}", command.label(t))).shortcut_text(keys);
+    let button = Button::new(format!("{mark}{}", command.label(t))).shortcut_text(keys.unwrap_or_default());
     ui.add_enabled(command.is_enabled(state), button)
         .explained(command.hint(t))
         .explained_disabled(command.hint_disabled(t))
         .clicked()
 }
 
+/// The keys of a command as they are written, if it has any here.
+fn keys(ui: &egui::Ui, state: &State, command: Command) -> Option<String> {
+    command.keys(state).next().map(|keys| ui.ctx().format_shortcut(&keys))
+}
+
 fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &str) -> bool {
-    let keys = ui.ctx().format_shortcut(&command.shortcut());
-    let hint = format!("{} ({keys})\n{}", command.label(t), command.hint(t));
+    let keys = keys(ui, state, command).map(|keys| format!(" ({keys})"));
+    let hint = format!("{}{}\n{}", command.label(t), keys.unwrap_or_default(), command.hint(t));
     let button = Button::selectable(command.is_on(state).unwrap_or(false), sign);
     ui.add_enabled(command.is_enabled(state), button)
         .explained(&hint)

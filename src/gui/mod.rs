@@ -12,6 +12,7 @@
 
 mod answers;
 pub mod app;
+pub mod asked;
 pub mod canvas;
 mod coach;
 pub mod command;
@@ -31,6 +32,7 @@ mod held_key;
 mod highlight;
 mod history;
 mod key_order;
+mod link_dialog;
 mod mathematics;
 pub mod menu;
 mod motion;
@@ -52,6 +54,8 @@ pub mod state;
 pub mod theme;
 mod tooltip;
 mod watch;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
 mod worker;
 
 use crate::figure::Figure;
@@ -59,6 +63,7 @@ use crate::files::SourceFile;
 use crate::i18n::Lang;
 use crate::scene::Preset;
 pub use app::App;
+pub use asked::Asked;
 pub use state::State;
 
 /// What the window opens with.
@@ -100,6 +105,7 @@ pub const DEFAULT_SIZE: [f32; 2] = [1240.0, 640.0];
 ///
 /// # Errors
 /// [`GuiError::NoWindow`] where there is no display or no usable OpenGL.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
     let restore = start.file.is_none() && start.figure == fresh();
     let state = State::new(start)?;
@@ -118,6 +124,7 @@ pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
         Box::new(move |context| {
             let mut app = App::new(&context.egui_ctx, state);
             if let Some(folders) = directories::ProjectDirs::from("", "", "camera-lab") {
+                let asked = Asked { lang: asked, ..Asked::default() };
                 app.keep_preferences(&context.egui_ctx, folders.config_dir(), asked);
                 app.keep_session(folders.data_dir(), restore);
             }

@@ -16,20 +16,78 @@ pub(super) type Work<Job, Outcome> = Box<dyn FnMut(Job, &Progress) -> Outcome>;
 /// Every slot that waits gets the same share of the time: a light job is not as late as a heavy one, and none starves.
 pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     shared: Arc<Shared<Job, Outcome, SLOTS>>,
-    place: Place<Job, Outcome>,
+    place: Place<Job, Outcome, SLOTS>,
     name: &'static str,
     make: fn() -> Work<Job, Outcome>,
     clock: fn() -> Duration,
 }
 
 /// Where the work is done.
-enum Place<Job, Outcome> {
+enum Place<Job, Outcome, const SLOTS: usize> {
     /// Nothing has been asked for.
     Nowhere,
     /// On a thread.
     Thread,
-    /// In the frame.
-    Here(Work<Job, Outcome>),
+    /// In the frames.
+    Here(Here<Job, Outcome, SLOTS>),
+}
+
+/// What does the jobs where there are no threads: in the frames, some of them in each.
+struct Here<Job, Outcome, const SLOTS: usize> {
+    work: Work<Job, Outcome>,
+    /// What is asked for the next frame.
+    ctx: egui::Context,
+    shares: Shares<SLOTS>,
+    /// What the last job of each slot took.
+    took: [Duration; SLOTS],
+    /// The slot whose job takes long, and of which that has been told in a frame.
+    told: Option<usize>,
+}
+
+/// In a frame no further job is begun after this time: what people see moves on in between.
+const SLICE: Duration = Duration::from_millis(30);
+
+/// Before a job that is expected to take so long there is a frame that tells it.
+const LONG: Duration = Duration::from_millis(500);
+
+impl<Job, Outcome, const SLOTS: usize> Here<Job, Outcome, SLOTS> {
+    fn new(ctx: &egui::Context, work: Work<Job, Outcome>) -> Self {
+        let took = [Duration::ZERO; SLOTS];
+        Self { work, ctx: ctx.clone(), shares: Shares::default(), took, told: None }
+    }
+
+    /// Does some of the jobs that wait, and asks for another frame where some are left.
+    fn go_on(
+        &mut self,
+        shared: &Shared<Job, Outcome, SLOTS>,
+        make: fn() -> Work<Job, Outcome>,
+        clock: fn() -> Duration,
+    ) {
+        let begin = clock();
+        let mut mailbox = shared.mailbox();
+        while let Some(slot) = self.shares.next(std::array::from_fn(|slot| mailbox.wanted[slot].is_some())) {
+            let is_told = self.told.take() == Some(slot);
+            if self.took[slot] >= LONG && !is_told {
+                self.told = Some(slot);
+                break;
+            }
+            let Some(job) = mailbox.wanted[slot].take() else { break };
+            shared.progress.begin_anew();
+            if std::mem::take(&mut mailbox.cancelled[slot]) {
+                shared.progress.cancel();
+            }
+            let done = carry_out(&mut self.work, job, &shared.progress, make, clock);
+            self.shares.book(slot, done.time);
+            self.took[slot] = done.time;
+            mailbox.finished[slot] = Some(done);
+            if clock().saturating_sub(begin) >= SLICE {
+                break;
+            }
+        }
+        if mailbox.any_pending() {
+            self.ctx.request_repaint();
+        }
+    }
 }
 
 /// A job that has been done.
@@ -44,7 +102,7 @@ pub(super) struct Done<Outcome> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Running {
     pub(super) slot: usize,
-    /// For how long.
+    /// For how long; in the frames, how long the last one took.
     pub(super) time: Duration,
     /// What is being done for it, and which share of that is done, where that is known.
     pub(super) now: Option<(Doing, Option<f32>)>,
@@ -108,19 +166,19 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
 
     /// Does the jobs in the frame, as where there are no threads.
     #[cfg(test)]
-    pub(super) fn without_thread(mut self) -> Self {
-        self.place = Place::Here((self.make)());
+    pub(super) fn without_thread(mut self, ctx: &egui::Context) -> Self {
+        self.place = Place::Here(Here::new(ctx, (self.make)()));
         self
     }
 
     /// Asks for a job; `ctx` is asked for a frame when it is done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
         if matches!(self.place, Place::Nowhere) {
-            let (shared, ctx, make, clock) = (Arc::clone(&self.shared), ctx.clone(), self.make, self.clock);
+            let (shared, wake, make, clock) = (Arc::clone(&self.shared), ctx.clone(), self.make, self.clock);
             let thread = std::thread::Builder::new().name(self.name.to_owned());
-            self.place = match thread.spawn(move || work(&shared, &ctx, make, clock)) {
+            self.place = match thread.spawn(move || work(&shared, &wake, make, clock)) {
                 Ok(_) => Place::Thread,
-                Err(_) => Place::Here(make()),
+                Err(_) => Place::Here(Here::new(ctx, make())),
             };
         }
         let mut mailbox = self.shared.mailbox();
@@ -139,8 +197,11 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         self.shared.mailbox().is_pending(slot)
     }
 
-    /// The job that is being done, if any.
+    /// The job that is being done, if any; in the frames, the one that is going to take long.
     pub(super) fn running(&self) -> Option<Running> {
+        if let Place::Here(here) = &self.place {
+            return here.told.map(|slot| Running { slot, time: here.took[slot], now: None });
+        }
         let (slot, since) = self.shared.mailbox().busy?;
         Some(Running { slot, time: (self.clock)().saturating_sub(since), now: self.shared.progress.now() })
     }
@@ -169,13 +230,10 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
                 };
                 mailbox.waited_for = false;
             }
-            Place::Here(work) => {
-                for slot in 0..SLOTS {
-                    if let Some(job) = mailbox.wanted[slot].take() {
-                        let progress = &self.shared.progress;
-                        mailbox.finished[slot] = Some(carry_out(work, job, progress, self.make, self.clock));
-                    }
-                }
+            Place::Here(here) => {
+                drop(mailbox);
+                here.go_on(&self.shared, self.make, self.clock);
+                mailbox = self.shared.mailbox();
             }
         }
         std::array::from_fn(|slot| mailbox.finished[slot].take())
@@ -291,7 +349,7 @@ mod tests {
     use super::*;
     use crate::clock;
 
-    const LONG: Duration = Duration::from_secs(60);
+    const MINUTE: Duration = Duration::from_secs(60);
 
     /// Doubles numbers, counts them, and panics at 0.
     fn doubling<const SLOTS: usize>() -> Worker<u32, (u32, u32), SLOTS> {
@@ -307,13 +365,13 @@ mod tests {
 
     fn one<const SLOTS: usize>(worker: &mut Worker<u32, (u32, u32), SLOTS>, n: u32) -> Option<(u32, u32)> {
         worker.ask(&egui::Context::default(), 0, n);
-        let [done, ..] = worker.take(LONG).map(|done| done.unwrap().outcome)[..] else { panic!("a slot") };
+        let [done, ..] = worker.take(MINUTE).map(|done| done.unwrap().outcome)[..] else { panic!("a slot") };
         done
     }
 
     #[test]
     fn a_panic_resets_what_does_the_work_on_a_thread_and_in_the_frame() {
-        for mut worker in [doubling::<1>(), doubling::<1>().without_thread()] {
+        for mut worker in [doubling::<1>(), doubling::<1>().without_thread(&egui::Context::default())] {
             assert_eq!(one(&mut worker, 4), Some((8, 1)));
             assert_eq!(one(&mut worker, 5), Some((10, 2)));
             assert_eq!(one(&mut worker, 0), None);
@@ -325,7 +383,7 @@ mod tests {
     #[test]
     fn in_the_frame_each_slot_has_its_latest_job_done_when_it_is_taken() {
         let ctx = egui::Context::default();
-        let mut worker = doubling::<3>().without_thread();
+        let mut worker = doubling::<3>().without_thread(&ctx);
         worker.ask(&ctx, 2, 1);
         worker.ask(&ctx, 0, 2);
         worker.ask(&ctx, 2, 3);
@@ -333,6 +391,39 @@ mod tests {
         let done = worker.take(Duration::ZERO).map(|done| done.and_then(|done| done.outcome));
         assert_eq!(done, [Some((4, 1)), None, Some((6, 2))]);
         assert!(worker.take(Duration::ZERO).iter().all(Option::is_none));
+    }
+
+    #[test]
+    fn in_the_frames_heavy_jobs_are_told_before_and_others_come_in_between() {
+        static NOW: Mutex<Duration> = Mutex::new(Duration::ZERO);
+        let ctx = egui::Context::default();
+        // Each job takes as many milliseconds as it is told.
+        let mut worker: Worker<u64, u64, 3> = Worker::new(
+            "waiting",
+            || *NOW.lock().unwrap(),
+            || {
+                Box::new(|job, _| {
+                    *NOW.lock().unwrap() += Duration::from_millis(job);
+                    job
+                })
+            },
+        )
+        .without_thread(&ctx);
+        let mut frame = |asked: &[(usize, u64)]| {
+            asked.iter().for_each(|(slot, job)| worker.ask(&ctx, *slot, *job));
+            let done = worker.take(Duration::ZERO).map(|done| done.and_then(|done| done.outcome));
+            (done, worker.running().map(|running| (running.slot, running.time)))
+        };
+        // Light ones at once, as many as there is time for.
+        assert_eq!(frame(&[(0, 10), (1, 25), (2, 10)]), ([Some(10), Some(25), None], None));
+        assert_eq!(frame(&[]), ([None, None, Some(10)], None));
+        // Nobody knows that this one takes long.
+        assert_eq!(frame(&[(2, 700)]), ([None, None, Some(700)], None));
+        // Now it is known, and what is light comes before.
+        assert_eq!(frame(&[(2, 800), (0, 40)]), ([Some(40), None, None], None));
+        assert_eq!(frame(&[]), ([None; 3], Some((2, Duration::from_millis(700)))));
+        assert_eq!(frame(&[]), ([None, None, Some(800)], None));
+        assert_eq!(frame(&[]), ([None; 3], None));
     }
 
     #[test]
@@ -349,15 +440,15 @@ mod tests {
         worker.ask(&ctx, 0, true);
         worker.ask(&ctx, 1, true);
         let start = clock::now();
-        while worker.running().is_none() && clock::now() - start < LONG {
+        while worker.running().is_none() && clock::now() - start < MINUTE {
             std::thread::yield_now();
         }
         assert!(worker.running().is_some());
         worker.cancel();
-        let given_up = worker.take(LONG).map(|done| done.unwrap().outcome);
+        let given_up = worker.take(MINUTE).map(|done| done.unwrap().outcome);
         assert_eq!(given_up, [Some(true), Some(true)]);
         worker.ask(&ctx, 0, false);
-        assert_eq!(worker.take(LONG)[0].as_ref().unwrap().outcome, Some(false));
+        assert_eq!(worker.take(MINUTE)[0].as_ref().unwrap().outcome, Some(false));
         assert_eq!(worker.running(), None);
     }
 
@@ -370,7 +461,7 @@ mod tests {
         let mut worker = doubling::<1>();
         worker.ask(&ctx, 0, 1);
         let start = clock::now();
-        while *called.lock().unwrap() == 0 && clock::now() - start < LONG {
+        while *called.lock().unwrap() == 0 && clock::now() - start < MINUTE {
             std::thread::yield_now();
         }
         assert_eq!(*called.lock().unwrap(), 1);

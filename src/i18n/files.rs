@@ -5,8 +5,9 @@ use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
 use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
-use crate::limits::{MAX_FILE_BYTES, MAX_OWN_EXERCISES};
+use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
 use crate::scene::ReadProblem;
+use crate::share::ShareError;
 
 /// Why the file called `name` cannot be used.
 #[must_use]
@@ -15,6 +16,8 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
     match (lang, error) {
         (_, FileError::Png(error)) => format!("{name}: {}", png(lang, error)),
         (_, FileError::Figure(error)) => format!("{name}, {}", figure(lang, error)),
+        // A link is long, and says nothing to people.
+        (_, FileError::Link(error)) => link(lang, *error),
         (Lang::En, error) => format!("{name} {error}"),
         (Lang::PtBr, FileError::Read(error)) => after_name(&ReadProblem::system(error)),
         (Lang::PtBr, FileError::Write(error)) => {
@@ -36,6 +39,23 @@ pub fn file(lang: Lang, name: &str, error: &FileError) -> String {
         (Lang::PtBr, FileError::ReadOnly) => format!(
             "{name} é somente de leitura e ficou como estava; permitido: outro nome, ou um arquivo que possa ser gravado"
         ),
+    }
+}
+
+/// Why there is no link to a figure, or no figure in a link.
+#[must_use]
+pub fn link(lang: Lang, error: ShareError) -> String {
+    match (lang, error) {
+        (Lang::En, error) => error.to_string(),
+        (Lang::PtBr, ShareError::TooLong(length)) => format!(
+            "o link desta figura teria {length} caracteres; permitido: no máximo {MAX_LINK_CHARACTERS}, que programas de e-mail e de conversa entregam inteiros. Salve a figura, e envie o arquivo"
+        ),
+        (Lang::PtBr, ShareError::Damaged) => {
+            "o link não contém uma figura inteira: uma parte falta ou foi mudada no caminho".to_owned()
+        }
+        (Lang::PtBr, ShareError::TooLarge) => {
+            format!("a figura no link é longa demais; permitido: no máximo {MAX_FIGURE_BYTES} bytes")
+        }
     }
 }
 

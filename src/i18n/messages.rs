@@ -3,7 +3,7 @@
 pub use super::cameras::{camera, inspect, no_way_back, operation, warning};
 pub use super::expressions::{expression, not_whole, outside};
 pub use super::figure_files::figure;
-pub use super::files::{encoder, file, png};
+pub use super::files::{encoder, file, link, png};
 pub use super::meshes::notice as mesh_notice;
 pub use super::progress::too_much;
 pub use super::scene_errors::scene;

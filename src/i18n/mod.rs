@@ -65,6 +65,7 @@ pub mod reasons;
 mod scene_errors;
 pub mod scenes;
 pub mod sessions;
+pub mod sharing;
 pub mod sources;
 pub mod stages;
 pub mod toml_complaints;
@@ -98,7 +99,7 @@ impl Lang {
 
 #[cfg(test)]
 mod tests {
-    use super::{Lang, canvas, coach, conventions, exercise_window, order, pictures, reasons, scenes};
+    use super::{Lang, canvas, coach, conventions, exercise_window, order, pictures, reasons, scenes, sharing};
 
     /// The words of the window itself have a test of their own, in the window.
     #[test]
@@ -119,7 +120,21 @@ mod tests {
         check(conventions::texts(Lang::En).entries(), conventions::texts(Lang::PtBr).entries());
         check(pictures::texts(Lang::En).entries(), pictures::texts(Lang::PtBr).entries());
         check(reasons::texts(Lang::En).entries(), reasons::texts(Lang::PtBr).entries());
+        check(sharing::texts(Lang::En).entries(), sharing::texts(Lang::PtBr).entries());
         check(scenes::texts(Lang::En).entries(), scenes::texts(Lang::PtBr).entries());
-        assert_eq!(same, ["strip", "space_ndc", "space_pixel", "space_viewport", "outcode", "infinite", "shape_cone"]);
+        assert_eq!(
+            same,
+            [
+                "strip",
+                "space_ndc",
+                "space_pixel",
+                "space_viewport",
+                "outcode",
+                "infinite",
+                "address_hint",
+                "link",
+                "shape_cone"
+            ]
+        );
     }
 }

@@ -72,6 +72,9 @@ pub(super) fn system_in_portuguese(kind: io::ErrorKind, code: Option<i32>) -> Co
         io::ErrorKind::TimedOut => "demorou demais",
         io::ErrorKind::UnexpectedEof | io::ErrorKind::WriteZero => "terminou antes do fim",
         io::ErrorKind::InvalidData => "contém o que não deve",
+        io::ErrorKind::Unsupported => {
+            "uma página no navegador não vê pastas; escolha o arquivo nela, ou solte-o sobre a página"
+        }
         _ => match code {
             Some(code) => return format!("o sistema recusa, com o erro {code}").into(),
             None => "o sistema recusa",

@@ -114,6 +114,10 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
         io::ErrorKind::TimedOut => "it took too long",
         io::ErrorKind::UnexpectedEof | io::ErrorKind::WriteZero => "it ended early",
         io::ErrorKind::InvalidData => "it holds what it must not",
+        // Nothing else but a page of a browser has no files at all.
+        io::ErrorKind::Unsupported => {
+            "a page in a browser can't look into folders; choose the file there, or drop it on the page"
+        }
         _ => match code {
             Some(code) => return format!("the system refuses, with its error {code}").into(),
             None => "the system refuses",

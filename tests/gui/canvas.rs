@@ -14,7 +14,8 @@ use camera_lab::scene::Preset;
 use camera_lab::views::handles::handles;
 use camera_lab::views::{Handle, Request, Size, View};
 use eframe::egui::{
-    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, vec2,
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Rect, TouchDeviceId, TouchId,
+    TouchPhase, Vec2, vec2,
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -346,4 +347,64 @@ fn pictures_are_arranged_as_asked() {
     let (world, canonical, image) = (place(&h, WORLD), place(&h, CANONICAL), place(&h, IMAGE));
     assert!(canonical.top() > world.bottom() && image.top() == canonical.top() && image.left() > canonical.right());
     assert!(world.width() > canonical.width() + image.width());
+}
+
+/// A finger as a browser tells it: the first one is a pointer too.
+fn finger(harness: &Harness<Stage>, id: u64, phase: TouchPhase, pos: Pos2) {
+    if id == 0 {
+        match phase {
+            TouchPhase::Start => harness.event(press(pos, true)),
+            TouchPhase::Move => harness.event(Event::PointerMoved(pos)),
+            TouchPhase::End | TouchPhase::Cancel => harness.event(press(pos, false)),
+        }
+    }
+    harness.event(Event::Touch { device_id: TouchDeviceId(0), id: TouchId(id), phase, pos, force: None });
+}
+
+fn press(pos: Pos2, pressed: bool) -> Event {
+    Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE }
+}
+
+#[test]
+fn one_finger_turns_a_picture_and_two_move_and_zoom_it() {
+    let mut harness = stage(|_| {});
+    let center = place(&harness, WORLD).center() + vec2(-90.0, 60.0);
+    // One.
+    finger(&harness, 0, TouchPhase::Start, center);
+    harness.step();
+    finger(&harness, 0, TouchPhase::Move, center + vec2(40.0, 0.0));
+    harness.step();
+    let turned = world_observer(&harness);
+    assert_eq!((turned.azimuth, turned.distance), (80.0, observer().distance));
+    // The second comes while the first has moved: what that did is taken back.
+    finger(&harness, 1, TouchPhase::Start, center + vec2(60.0, 0.0));
+    harness.step();
+    finger(&harness, 0, TouchPhase::Move, center + vec2(40.0, 1.0));
+    harness.step();
+    let back = world_observer(&harness);
+    assert_eq!(back.azimuth, observer().azimuth);
+    // Apart, twice as far.
+    finger(&harness, 0, TouchPhase::Move, center + vec2(30.0, 1.0));
+    finger(&harness, 1, TouchPhase::Move, center + vec2(70.0, 1.0));
+    harness.step();
+    harness.step();
+    let zoomed = world_observer(&harness);
+    assert!(zoomed.distance < 0.6 * back.distance, "{} {}", zoomed.distance, back.distance);
+    assert_eq!(zoomed.azimuth, back.azimuth);
+    // Together, to the side.
+    finger(&harness, 0, TouchPhase::Move, center + vec2(50.0, 1.0));
+    finger(&harness, 1, TouchPhase::Move, center + vec2(90.0, 1.0));
+    harness.step();
+    harness.step();
+    let moved = world_observer(&harness);
+    assert!((moved.distance / zoomed.distance - 1.0).abs() < 1e-3);
+    assert!(moved.target.distance(zoomed.target) > 0.1 && moved.azimuth == zoomed.azimuth);
+    // Lifting one does not begin to turn again.
+    finger(&harness, 1, TouchPhase::End, center + vec2(90.0, 1.0));
+    harness.step();
+    finger(&harness, 0, TouchPhase::Move, center + vec2(80.0, 1.0));
+    harness.step();
+    assert_eq!(world_observer(&harness).azimuth, moved.azimuth);
+    finger(&harness, 0, TouchPhase::End, center + vec2(80.0, 1.0));
+    harness.step();
 }

@@ -2,6 +2,7 @@
 
 use camera_lab::appearance::Theme;
 use camera_lab::figure::WorldLook;
+use camera_lab::gui::Asked;
 use camera_lab::gui::command::Command;
 use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
@@ -209,7 +210,7 @@ fn what_is_changed_is_remembered_for_the_next_window() {
     let remembering = || {
         let mut window = Window::new(Lang::En);
         let ctx = window.harness.ctx.clone();
-        window.app_mut().keep_preferences(&ctx, &folder.file("config"), None);
+        window.app_mut().keep_preferences(&ctx, &folder.file("config"), Asked::default());
         window.run();
         window
     };

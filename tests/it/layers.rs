@@ -32,7 +32,8 @@ const TABLE: &[(&str, &[&str])] = &[
     ("inspect", &["camera", "figure"]),
     ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "numbers", "text"]),
     ("export", &["drawing", "raster", "inspect", "text"]),
-    ("files", &["figure", "export", "scene", "exercises", "numbers"]),
+    ("share", &[]),
+    ("files", &["figure", "export", "scene", "exercises", "numbers", "share"]),
     ("clock", &[]),
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
     ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
@@ -56,6 +57,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "numerics",
             "explain",
             "exercises",
+            "share",
         ],
     ),
     ("cli", EVERYTHING),
@@ -82,6 +84,7 @@ const EVERYTHING: &[&str] = &[
     "files",
     "clock",
     "picture",
+    "share",
     "i18n",
 ];
 
@@ -97,7 +100,9 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("ratex_layout", &["gui"]),
     ("ratex_parser", &["gui"]),
     ("ratex_types", &["gui"]),
-    ("miniz_oxide", &["export"]),
+    ("base64", &["scene", "share"]),
+    ("js_sys", &["gui"]),
+    ("miniz_oxide", &["export", "share"]),
     ("pdf_writer", &["export"]),
     ("plotters", &["export"]),
     ("plotters_backend", &["export"]),
@@ -106,6 +111,8 @@ const LIBRARIES: &[(&str, &[&str])] = &[
     ("fearless_simd", &["simd"]),
     ("gif", &["export"]),
     ("skrifa", &["text"]),
+    ("wasm_bindgen", &["gui"]),
+    ("web_sys", &["gui"]),
     ("tiny_skia", &["raster", "export", "files", "picture"]),
 ];
 

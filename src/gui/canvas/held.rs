@@ -160,7 +160,7 @@ impl Canvas {
     }
 
     /// Puts back what was there before the press.
-    fn give_up(&mut self, state: &mut State) {
+    pub(super) fn give_up(&mut self, state: &mut State) {
         match self.drag.take() {
             None => {}
             Some(Drag::Orbit { pressed, view }) => {

@@ -51,8 +51,10 @@ impl Canvas {
         self.overlays.hot = None;
         for pane in panes {
             self.focus(ui, state, pane);
-            self.drag(ui, state, pane);
-            self.wheel(ui, state, pane);
+            if !self.fingers(ui, state, pane) {
+                self.drag(ui, state, pane);
+                self.wheel(ui, state, pane);
+            }
             if self.drag.is_none() && pane.response.hovered() && !ui.input(|i| i.pointer.any_down()) {
                 hovered = self.hover(ui, state, pane, &mut status, texts);
             }

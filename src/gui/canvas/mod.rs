@@ -20,6 +20,7 @@ mod status;
 mod strip;
 mod texture;
 mod title;
+mod touch;
 mod vertex_name;
 
 use std::time::Duration;
@@ -101,6 +102,8 @@ pub struct Canvas {
     pinned_before: Option<Probe>,
     /// What the arrow keys move the probe over, and in which picture.
     probing: Option<(View, Probing)>,
+    /// Where each picture is on the screen, in points.
+    places: [Option<Rect>; 3],
 }
 
 impl Default for Canvas {
@@ -128,6 +131,7 @@ impl Default for Canvas {
             vertex_names: VertexNames::default(),
             pinned_before: None,
             probing: None,
+            places: [None; 3],
         }
     }
 }
@@ -144,6 +148,12 @@ impl Canvas {
     #[must_use]
     pub fn drawn(&self) -> [u64; 3] {
         self.rendering.drawn()
+    }
+
+    /// Where each picture is on the screen, in points, in the order of [`View::ALL`].
+    #[must_use]
+    pub fn places(&self) -> [Option<Rect>; 3] {
+        self.places
     }
 
     /// A picture as it is now, seen from where it is seen in this frame, with the overlays that it shows.
@@ -205,7 +215,9 @@ impl Canvas {
         self.overlays.stepped.clone_from(&state.explain.triangle.shown);
         self.overlays.gizmo = Movable::selected(state).map(|movable| movable.gizmo);
         let panes = self.panes(ui, pictures, state, texts);
+        self.places = [None; 3];
         for pane in &panes {
+            self.places[pane.view.index()] = Some(pane.rect.rect);
             state.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
             state.screen_scale = pane.rect.size.scale;
         }

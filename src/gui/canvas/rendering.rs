@@ -270,9 +270,10 @@ mod tests {
 
     #[test]
     fn where_there_are_no_threads_pictures_are_drawn_in_the_frame() {
-        let worker = Worker::new("pictures", clock::now, work).without_thread();
+        let ctx = egui::Context::default();
+        let worker = Worker::new("pictures", clock::now, work).without_thread(&ctx);
         let mut rendering = Rendering { worker, ..Rendering::default() };
-        rendering.ask(&egui::Context::default(), job(25));
+        rendering.ask(&ctx, job(25));
         let rendered = rendering.collect(Duration::ZERO);
         assert_eq!(rendered[2].as_ref().unwrap().as_ref().unwrap().tiles.size, [25, 25]);
     }

@@ -12,6 +12,9 @@ use crate::i18n::messages;
 
 /// What stands below the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
+    if state.in_browser {
+        return;
+    }
     ui.add_space(6.0);
     if let Some(own) = state.exercises.own.clone() {
         match &own.found {

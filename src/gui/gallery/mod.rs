@@ -43,6 +43,8 @@ const MOST_FILES: usize = 300;
 pub struct Gallery {
     /// The part that is shown.
     pub part: Part,
+    /// There are no files to be shown, as in a page of a browser.
+    pub examples_alone: bool,
     /// The figure that is chosen, by its place in each part.
     chosen: [usize; 3],
     /// The chosen card gets the keyboard once there are cards.
@@ -82,6 +84,7 @@ impl Default for Gallery {
     fn default() -> Self {
         Self {
             part: Part::default(),
+            examples_alone: cfg!(target_arch = "wasm32"),
             chosen: [0; 3],
             wants_focus: false,
             recent: Vec::new(),

@@ -47,7 +47,10 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
     ui.horizontal(|ui| {
         ui.heading(t.gallery);
         ui.add_space(12.0);
-        parts(ui, t, &mut gallery.part);
+        // A page in a browser has no folders.
+        if !gallery.examples_alone {
+            parts(ui, t, &mut gallery.part);
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if gallery.part == Part::Folder && ui.button(t.choose).clicked() {
                 asked = Some(Chosen::Folder);

@@ -1,7 +1,10 @@
 //! The list of what windows have left that did not close, until the user has decided.
 
+use std::time::{Duration, UNIX_EPOCH};
+
 use eframe::egui::{self, Align, Label, Layout, RichText, ScrollArea};
 
+use crate::clock;
 use crate::foreign;
 use crate::gui::focus::with_room_before;
 use crate::gui::session::LeftOver;
@@ -61,7 +64,9 @@ pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision
 fn described(lang: Lang, left: &LeftOver) -> String {
     let t = window::texts(lang);
     let name = left.path.as_deref().map_or_else(|| t.untitled.to_owned(), foreign::path);
-    let age = left.written.and_then(|written| written.elapsed().ok()).map(|age| format!(" · {}", ago(lang, age)));
+    let now = UNIX_EPOCH.checked_add(Duration::from_secs(clock::seconds_since_1970()));
+    let age = now.zip(left.written).map(|(now, written)| now.duration_since(written).unwrap_or_default());
+    let age = age.map(|age| format!(" · {}", ago(lang, age)));
     let fatal = if left.did_not_survive { format!(" · ⚠ {}", t.did_not_survive) } else { String::new() };
     format!("{name}{}{fatal}", age.unwrap_or_default())
 }

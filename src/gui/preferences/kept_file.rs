@@ -1,10 +1,10 @@
 //! A file that several windows write, whole or not at all.
 
-use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError};
 use crate::gui::session::aside;
 
@@ -24,16 +24,13 @@ pub(super) fn read<T: Default>(
         return Ok((document, None));
     }
     let aside = aside(file);
-    fs::rename(file, &aside).map_err(FileError::Write)?;
+    disk::rename(file, &aside).map_err(FileError::Write)?;
     Ok((T::default(), Some(aside)))
 }
 
 /// Keeps other windows from writing the file as long as what it gives lives. The folder is made where there is none.
-pub(super) fn locked(file: &Path) -> Result<File, FileError> {
-    fs::create_dir_all(file.parent().unwrap_or(Path::new(""))).map_err(FileError::Write)?;
-    let lock = OpenOptions::new().create(true).truncate(false).write(true).open(file.with_extension("lock"));
-    let lock = lock.map_err(FileError::Write)?;
+pub(super) fn locked(file: &Path) -> Result<Lock, FileError> {
+    disk::create_folder(file.parent().unwrap_or(Path::new(""))).map_err(FileError::Write)?;
     // Where there are no locks, two windows that write in the same moment may lose a key.
-    let _ = lock.lock();
-    Ok(lock)
+    disk::lock(&file.with_extension("lock")).map_err(FileError::Write)
 }

@@ -26,7 +26,7 @@ use crate::views::{Arrangement, View, Views};
 pub use store::Preferences;
 
 /// The languages, by the names that `--lang` has for them.
-const LANGUAGES: Words<Lang> = &[("en", Lang::En), ("pt-BR", Lang::PtBr)];
+pub(in crate::gui) const LANGUAGES: Words<Lang> = &[("en", Lang::En), ("pt-BR", Lang::PtBr)];
 
 /// How several pictures share the room.
 const LAYOUTS: Words<Option<Arrangement>> = &[
@@ -90,7 +90,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 31] = [
+const KEYS: [Key; 32] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -148,6 +148,12 @@ const KEYS: [Key; 31] = [
                 state.gallery.remember(folder);
             }
         },
+    },
+    // Empty: not known.
+    Key {
+        name: "page_address",
+        of: |state| state.page_address.as_str().into(),
+        apply: |state, value| put(&mut state.page_address, value.as_str().map(str::to_owned)),
     },
     // Empty: none.
     Key {
@@ -304,6 +310,7 @@ mod tests {
         changed.settings.conventions =
             Conventions { ndc, compared: Some(compared), row_vectors: true, left_handed: true };
         changed.gallery.remember(PathBuf::from("/lectures"));
+        changed.page_address = "https://example.org/lab/".to_owned();
         changed.exercises.look_into(Some(PathBuf::from("/exercises")));
         let paper = Paper { size: [12.0, 7.5], dpi: 600.0, letters: 11.0, lines: Some(0.75) };
         let (theme, what, times, format) = (Theme::Light, Views::One(View::Image), Some(3), PictureFormat::WebP);

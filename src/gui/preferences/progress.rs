@@ -3,7 +3,6 @@
 //! A window writes what was done in it into what the file holds by then: of two windows nothing is lost.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -15,7 +14,7 @@ use super::answers::{self, NOTHING};
 use super::kept_file::{PATIENCE, locked, read};
 use crate::clock;
 use crate::exercises::Progress;
-use crate::files::{self, FileError, Overwrite};
+use crate::files::{self, FileError, Overwrite, disk};
 use crate::gui::session::News;
 use crate::gui::state::{Done, Message, State};
 use crate::gui::worker::Worker;
@@ -185,7 +184,7 @@ impl KeptProgress {
     fn forget(&mut self, state: &mut State) {
         self.take(state, PATIENCE);
         let aside = self.file.with_extension("bak");
-        let moved = locked(&self.file).and_then(|_lock| fs::rename(&self.file, &aside).map_err(FileError::Write));
+        let moved = locked(&self.file).and_then(|_lock| disk::rename(&self.file, &aside).map_err(FileError::Write));
         match moved {
             Err(FileError::Write(error)) if error.kind() == io::ErrorKind::NotFound => {}
             Err(error) => return state.say(Message::File(self.file.clone(), error)),

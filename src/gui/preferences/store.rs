@@ -1,6 +1,6 @@
 //! Where the preferences are kept, and how they get there.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -12,10 +12,10 @@ use super::progress::KeptProgress;
 use super::{RECENT, answers, apply, recent, values};
 use crate::clock;
 use crate::files::{self, FileError, Overwrite};
+use crate::gui::asked::Asked;
 use crate::gui::session::News;
 use crate::gui::state::{State, merged};
 use crate::gui::worker::Worker;
-use crate::i18n::Lang;
 
 /// What one window has changed.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +79,8 @@ pub struct Preferences {
     worker: Worker<Job, Result<Written, FileError>>,
     /// The keys of this window as they are in the file, or were when it was read.
     kept: BTreeMap<String, String>,
+    /// The keys that stand in the file.
+    remembered: BTreeSet<String>,
     /// What is being written, or could not be.
     asked: Option<Job>,
     news: Vec<News>,
@@ -89,10 +91,9 @@ pub struct Preferences {
 }
 
 impl Preferences {
-    /// Sets a window up as the file in `folder` says. A language that was `asked` for is that of this window, and is not
-    /// remembered.
+    /// Sets a window up as the file in `folder` says. What was `asked` for is that of this window, and is not remembered.
     #[must_use]
-    pub fn begin(folder: &Path, state: &mut State, asked: Option<Lang>) -> Self {
+    pub fn begin(folder: &Path, state: &mut State, asked: Asked) -> Self {
         let file = folder.join("preferences.toml");
         let mut news = Vec::new();
         let mut kept_before = DocumentMut::new();
@@ -104,11 +105,26 @@ impl Preferences {
             }
             Err(error) => news.push(News::Unreadable(file.clone(), error)),
         }
-        state.settings.lang = asked.unwrap_or(state.settings.lang);
+        asked.apply(state);
         let worker = Worker::new("preferences", clock::now, || Box::new(|job: Job, _| job.run()));
         let progress = KeptProgress::begin(folder, state, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();
-        Self { file, worker, kept: values(state), asked: None, news, told: false, progress, has_answers }
+        let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
+        let kept = values(state);
+        Self { file, worker, kept, remembered, asked: None, news, told: false, progress, has_answers }
+    }
+
+    /// Sets a key as the system wants it, unless the user has chosen otherwise; that is not remembered.
+    #[cfg(any(test, target_arch = "wasm32"))]
+    pub(in crate::gui) fn follow(&mut self, state: &mut State, key: &str, set: impl FnOnce(&mut State)) {
+        let is_as_it_was = |values: &BTreeMap<String, String>| values.get(key) == self.kept.get(key);
+        if self.remembered.contains(key) || !is_as_it_was(&values(state)) {
+            return;
+        }
+        set(state);
+        if let Some(value) = values(state).remove(key) {
+            self.kept.insert(key.to_owned(), value);
+        }
     }
 
     /// Writes down what has changed, beside the window's thread. What cannot be written is tried again with the next change.
@@ -159,6 +175,7 @@ impl Preferences {
             Some(Ok(Written { recent, set_aside })) => {
                 let Some(Job { changed, opened, answers_moved, .. }) = self.asked.take() else { return };
                 self.has_answers &= !answers_moved;
+                self.remembered.extend(changed.keys().cloned());
                 self.kept.extend(changed);
                 state.recent.new.retain(|path| !opened.contains(path));
                 state.recent.files = merged(&state.recent.new, &recent);
@@ -181,6 +198,7 @@ pub(super) mod tests {
     use super::*;
     use crate::appearance::Theme;
     use crate::gui::Start;
+    use crate::i18n::Lang;
 
     pub(in crate::gui::preferences) struct Folder(pub(in crate::gui::preferences) PathBuf);
 
@@ -197,7 +215,7 @@ pub(super) mod tests {
 
         pub(in crate::gui::preferences) fn window(&self) -> (State, Preferences) {
             let mut state = State::new(Start::default()).unwrap();
-            let preferences = Preferences::begin(&self.0, &mut state, None);
+            let preferences = Preferences::begin(&self.0, &mut state, Asked::default());
             (state, preferences)
         }
     }
@@ -268,10 +286,30 @@ pub(super) mod tests {
     fn a_language_that_was_asked_for_is_not_remembered() {
         let folder = Folder::new("language");
         let mut state = State::new(Start::default()).unwrap();
-        let mut preferences = Preferences::begin(&folder.0, &mut state, Some(Lang::PtBr));
+        let asked = Asked { lang: Some(Lang::PtBr), ..Asked::default() };
+        let mut preferences = Preferences::begin(&folder.0, &mut state, asked);
         assert_eq!(state.settings.lang, Lang::PtBr);
         preferences.finish(&mut state);
         assert_eq!(folder.text(), "");
+    }
+
+    #[test]
+    fn what_the_system_wants_counts_until_the_user_has_chosen_and_is_not_remembered() {
+        let folder = Folder::new("follow");
+        let (mut state, mut preferences) = folder.window();
+        let follow = |preferences: &mut Preferences, state: &mut State, theme| {
+            preferences.follow(state, "theme", |state| state.settings.theme = theme);
+            keep(preferences, state);
+            state.settings.theme
+        };
+        assert_eq!(follow(&mut preferences, &mut state, Theme::Dark), Theme::Dark);
+        assert_eq!(folder.text(), "");
+        assert_eq!(follow(&mut preferences, &mut state, Theme::Light), Theme::Light);
+        state.settings.theme = Theme::Dark;
+        assert_eq!(follow(&mut preferences, &mut state, Theme::Light), Theme::Dark);
+        assert_eq!(folder.text(), "theme = \"dark\"\n");
+        let (mut next, mut preferences) = folder.window();
+        assert_eq!(follow(&mut preferences, &mut next, Theme::Light), Theme::Dark);
     }
 
     #[test]

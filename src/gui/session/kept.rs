@@ -1,12 +1,11 @@
 //! What is written down of a window: its figure with the changes, and the file that it belongs to.
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use crate::figure::{Figure, read, update};
-use crate::files::SourceFile;
+use crate::files::{SourceFile, disk};
 use crate::gui::document::Document;
 use crate::gui::fresh;
 
@@ -15,12 +14,18 @@ use crate::gui::fresh;
 #[serde(untagged)]
 enum KeptPath {
     Text(String),
-    Other(OsString),
+    // A browser knows no other names than texts.
+    #[cfg(not(target_arch = "wasm32"))]
+    Other(std::ffi::OsString),
 }
 
 impl From<&Path> for KeptPath {
     fn from(path: &Path) -> Self {
-        path.to_str().map_or_else(|| Self::Other(path.as_os_str().to_owned()), |text| Self::Text(text.to_owned()))
+        match path.to_str() {
+            #[cfg(not(target_arch = "wasm32"))]
+            None => Self::Other(path.as_os_str().to_owned()),
+            text => Self::Text(text.unwrap_or_default().to_owned()),
+        }
     }
 }
 
@@ -29,9 +34,10 @@ impl KeptPath {
     fn whole(&self) -> Option<PathBuf> {
         let path = match self {
             Self::Text(text) => PathBuf::from(text),
+            #[cfg(not(target_arch = "wasm32"))]
             Self::Other(text) => PathBuf::from(text),
         };
-        Some(path).filter(|path| path.is_absolute())
+        Some(path).filter(|path| disk::is_whole(path))
     }
 }
 

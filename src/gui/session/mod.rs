@@ -8,7 +8,6 @@
 mod kept;
 mod writer;
 
-use std::fs::{self, File, OpenOptions};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
@@ -17,13 +16,19 @@ use eframe::egui;
 use super::document::Document;
 use super::gallery::Source;
 use crate::clock;
+use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
 use crate::limits::MAX_SESSIONS;
 use kept::{Kept, Restored};
 use writer::Writer;
 
 /// A figure that the window has shown for so long does not keep the program from starting.
-const SURVIVED: Duration = Duration::from_secs(60);
+const SURVIVED: Duration = if cfg!(target_arch = "wasm32") {
+    // A page is often loaded anew, and what ends it comes at once.
+    Duration::from_secs(2)
+} else {
+    Duration::from_secs(60)
+};
 
 /// After so long writing is tried again.
 const RETRY: Duration = Duration::from_secs(5);
@@ -129,7 +134,7 @@ impl Sessions {
     pub fn discard(&mut self, slot: usize) {
         self.left.retain(|left| left.slot != slot);
         if self.lock(slot).is_some() {
-            let _ = fs::remove_file(self.file(slot));
+            let _ = disk::remove(&self.file(slot));
         }
         // There may be a slot for this window now.
         if self.own.is_none() {
@@ -194,21 +199,18 @@ impl Sessions {
     }
 
     /// The lock of a slot, unless a window has it.
-    fn lock(&self, slot: usize) -> Option<File> {
-        let path = self.folder.join(format!("session-{slot}.lock"));
-        let lock = OpenOptions::new().create(true).truncate(false).write(true).open(path).ok()?;
-        lock.try_lock().ok()?;
-        Some(lock)
+    fn lock(&self, slot: usize) -> Option<Lock> {
+        disk::try_lock(&self.folder.join(format!("session-{slot}.lock")))
     }
 
     fn look(&mut self) {
         for slot in 0..MAX_SESSIONS {
             let file = self.file(slot);
             // Without a file the slot is not even touched.
-            if !file.exists() || self.lock(slot).is_none() {
+            if !disk::exists(&file) || self.lock(slot).is_none() {
                 continue;
             }
-            let written = fs::metadata(&file).and_then(|meta| meta.modified()).ok();
+            let written = disk::written(&file);
             let kept = match files::read_file(&file) {
                 Ok(bytes) => Kept::read(&bytes),
                 Err(error) => {
@@ -228,12 +230,12 @@ impl Sessions {
 
     /// Takes the first slot in which nothing is left.
     fn take_slot(&mut self) {
-        if let Err(error) = fs::create_dir_all(&self.folder) {
+        if let Err(error) = disk::create_folder(&self.folder) {
             return self.fail(FileError::Write(error));
         }
         for slot in 0..MAX_SESSIONS {
             let file = self.file(slot);
-            if !file.exists()
+            if !disk::exists(&file)
                 && let Some(lock) = self.lock(slot)
             {
                 self.own = Some(Writer::new(file, lock));
@@ -261,7 +263,7 @@ impl Sessions {
     /// Makes what is left in a slot the session of this window. Without being `asked` for, only where that can be noted first.
     fn take_up(&mut self, slot: usize, asked: bool) -> Option<Document> {
         let file = self.file(slot);
-        let lock = self.lock(slot).filter(|_| file.exists());
+        let lock = self.lock(slot).filter(|_| disk::exists(&file));
         let Some(lock) = lock else {
             self.left.retain(|left| left.slot != slot);
             self.news.push(News::Taken);
@@ -290,7 +292,7 @@ impl Sessions {
             News::Restored
         } else {
             let aside = aside(&file);
-            match fs::write(&aside, &bytes) {
+            match disk::write(&aside, &bytes) {
                 Ok(()) => News::RestoredInPart(unknown, aside),
                 Err(error) => News::NotWritten(aside, FileError::Write(error)),
             }
@@ -305,7 +307,7 @@ impl Sessions {
 
     fn put_aside(&mut self, file: &Path) {
         let aside = aside(file);
-        self.news.push(match fs::rename(file, &aside) {
+        self.news.push(match disk::rename(file, &aside) {
             Ok(()) => News::Damaged(aside),
             Err(_) => News::Damaged(file.to_owned()),
         });
@@ -317,7 +319,7 @@ pub(in crate::gui) fn aside(file: &Path) -> PathBuf {
     let first = file.with_extension("damaged");
     let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let others = (1_u32..).map(|number| file.with_file_name(format!("{stem}-{number}.damaged")));
-    std::iter::once(first.clone()).chain(others).find(|path| !path.exists()).unwrap_or(first)
+    std::iter::once(first.clone()).chain(others).find(|path| !disk::exists(path)).unwrap_or(first)
 }
 
 #[cfg(test)]

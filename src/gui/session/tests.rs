@@ -1,5 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail")]
 
+use std::fs;
+
 use super::*;
 use crate::files::SourceFile;
 

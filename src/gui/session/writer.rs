@@ -1,7 +1,6 @@
 //! Writes a window's figure down, beside the window's thread.
 
-use std::fs::{self, File};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -10,6 +9,7 @@ use eframe::egui;
 use super::kept::{Kept, Place};
 use crate::clock;
 use crate::figure::Figure;
+use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
 use crate::gui::document::Document;
 use crate::gui::worker::Worker;
@@ -40,13 +40,13 @@ struct Job {
     file: PathBuf,
     note: Option<Note>,
     /// The slot belongs to this window until the job is done, also where the window is gone before.
-    _lock: Arc<File>,
+    _lock: Arc<Lock>,
 }
 
 impl Job {
     fn run(self) -> Result<(), FileError> {
         let Some(Note { place, source, figure, restoring }) = self.note else {
-            return remove(&self.file).map_err(FileError::Write);
+            return disk::remove(&self.file).map_err(FileError::Write);
         };
         let kept = Kept::new(&place, source, &figure, restoring);
         let text = serde_json::to_vec(&kept).map_err(|error| FileError::Write(error.into()))?;
@@ -54,25 +54,24 @@ impl Job {
     }
 }
 
-fn remove(file: &Path) -> std::io::Result<()> {
-    match fs::remove_file(file) {
-        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
-    }
+/// True for what would be lost: changes, and in a browser, which reads no file again by itself, also what was opened.
+fn is_worth_keeping(document: &Document) -> bool {
+    document.is_changed()
+        || (cfg!(target_arch = "wasm32") && (document.name().is_some() || !document.source().is_empty()))
 }
 
 /// The slot of this window, and what is written there.
 #[derive(Debug)]
 pub(super) struct Writer {
     file: PathBuf,
-    lock: Arc<File>,
+    lock: Arc<Lock>,
     worker: Worker<Job, Result<(), FileError>>,
     /// What was asked for last; `None` before anything was.
     asked: Option<Option<Note>>,
 }
 
 impl Writer {
-    pub(super) fn new(file: PathBuf, lock: File) -> Self {
+    pub(super) fn new(file: PathBuf, lock: Lock) -> Self {
         let worker = Worker::new("session", clock::now, || Box::new(|job: Job, _| job.run()));
         Self { file, lock: Arc::new(lock), worker, asked: None }
     }
@@ -80,15 +79,15 @@ impl Writer {
     /// True where what was asked for last is still what is wanted.
     pub(super) fn is_up_to_date(&self, document: &Document, restoring: bool) -> bool {
         match &self.asked {
-            Some(Some(note)) => document.is_changed() && note.is_of(document, restoring),
-            Some(None) => !document.is_changed(),
+            Some(Some(note)) => is_worth_keeping(document) && note.is_of(document, restoring),
+            Some(None) => !is_worth_keeping(document),
             None => false,
         }
     }
 
     /// Writes the document down; where nothing would be lost with it, removes what was written down before.
     pub(super) fn ask(&mut self, ctx: &egui::Context, document: &Document, restoring: bool) {
-        let note = document.is_changed().then(|| Note {
+        let note = is_worth_keeping(document).then(|| Note {
             place: Place::of(document),
             source: document.source().to_owned(),
             figure: document.figure().clone(),
@@ -116,6 +115,6 @@ impl Writer {
     pub(super) fn forget(mut self) {
         self.worker.take(PATIENCE);
         // The window closes, or goes on with another slot: nothing more can be done.
-        let _ = remove(&self.file);
+        let _ = disk::remove(&self.file);
     }
 }

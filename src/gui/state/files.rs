@@ -127,6 +127,8 @@ pub enum Dialog {
     },
     /// Forget what is kept of exercises?
     DeleteProgress,
+    /// The figure as a link.
+    Link,
 }
 
 /// What is going on with files.
@@ -151,6 +153,8 @@ pub struct FileFlow {
     /// The figure's file is to be looked at in the next frame.
     pub(in crate::gui) look: bool,
     pub(in crate::gui) watch: Watch,
+    /// Files that were given to a page, to be opened: the first of them in the next frame.
+    pub(in crate::gui) given: Vec<PathBuf>,
     pub(in crate::gui) asking: Option<(Purpose, OpenFileDialog)>,
     pub(in crate::gui) exporting: Vec<Exporting>,
     /// What the export dialog shows while it is open.
@@ -181,7 +185,8 @@ impl FileFlow {
                 | Dialog::Coach
                 | Dialog::Gallery
                 | Dialog::Delete { .. }
-                | Dialog::DeleteProgress,
+                | Dialog::DeleteProgress
+                | Dialog::Link,
             )
             | None => false,
         };

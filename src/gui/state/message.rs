@@ -7,7 +7,7 @@ use crate::files::FileError;
 use crate::foreign;
 use crate::gui::export::ExportError;
 use crate::gui::session::News;
-use crate::i18n::{Lang, exercise_messages, explain_point, faults, messages, scenes, sessions, window};
+use crate::i18n::{Lang, exercise_messages, explain_point, faults, messages, scenes, sessions, sharing, window};
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::TooMuch;
 use crate::scene::{Preset, SceneError};
@@ -32,6 +32,12 @@ pub enum Message {
     Opened(PathBuf),
     /// This file has been written.
     Saved(PathBuf),
+    /// This file was handed to the browser.
+    Downloaded(PathBuf),
+    /// A link with so many characters is in the clipboard.
+    LinkCopied(usize),
+    /// The figure of a link is shown.
+    LinkOpened,
     /// This file cannot be read or written.
     File(PathBuf, FileError),
     /// The camera of the figure in this file is impossible.
@@ -86,6 +92,9 @@ impl Message {
             | Self::LastFigure
             | Self::Opened(_)
             | Self::Saved(_)
+            | Self::Downloaded(_)
+            | Self::LinkCopied(_)
+            | Self::LinkOpened
             | Self::Exporting
             | Self::WrittenOut(_)
             | Self::Shear
@@ -121,6 +130,11 @@ impl Message {
             Self::LastFigure => t.last_figure.to_owned(),
             Self::Opened(path) => format!("{} {}", t.opened, foreign::path(path)),
             Self::Saved(path) => format!("{} {}", t.saved, foreign::path(path)),
+            Self::Downloaded(path) => format!("{} {}", sharing::texts(lang).downloaded, foreign::path(path)),
+            Self::LinkCopied(characters) => {
+                format!("{} {characters} {}", sharing::texts(lang).copied, sharing::texts(lang).characters)
+            }
+            Self::LinkOpened => sharing::texts(lang).opened.to_owned(),
             Self::File(path, error) => messages::file(lang, &foreign::path(path), error),
             Self::NotOpened(path, error) => format!("{}: {}", foreign::path(path), messages::camera(lang, error)),
             Self::Camera(error) => faults::camera_error(lang, error),
@@ -151,6 +165,8 @@ impl Message {
 pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
     let t = window::texts(lang);
     match news {
+        // Nothing has gone wrong where a page was left.
+        News::Restored if cfg!(target_arch = "wasm32") => sharing::texts(lang).restored.to_owned(),
         News::Restored => t.restored.to_owned(),
         News::RestoredInPart(keys, path) => {
             let keys: Vec<String> = keys.iter().map(|key| foreign::shown(key)).collect();

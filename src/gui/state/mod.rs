@@ -97,6 +97,8 @@ pub struct Settings {
     pub theme: Theme,
     /// What would move is at its end at once.
     pub reduce_motion: bool,
+    /// The pictures alone, without menus: a figure in somebody's page.
+    pub bare: bool,
 }
 
 impl Settings {
@@ -141,6 +143,12 @@ pub struct State {
     pub picture_sizes: [[u32; 2]; 3],
     /// Pixels for one unit of stroke width in the pictures; written by the pictures.
     pub screen_scale: f32,
+    /// The window is a page in a browser: there are no folders, and no window to be closed.
+    pub in_browser: bool,
+    /// The address of that page, where others can open it too.
+    pub own_address: Option<String>,
+    /// Where a page with this program lies that links lead to, as the user has it.
+    pub page_address: String,
     /// What was said last at the bottom of the window.
     pub message: Option<Message>,
     /// When the message was first shown, in seconds; `None`: not yet.
@@ -220,7 +228,11 @@ impl State {
                 digits: 5,
                 theme: Theme::default(),
                 reduce_motion: false,
+                bare: false,
             },
+            in_browser: cfg!(target_arch = "wasm32"),
+            own_address: None,
+            page_address: String::new(),
             layout: Layout::default(),
             views: ViewHistory::default(),
             tree: SceneTree::default(),

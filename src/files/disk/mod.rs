@@ -1,0 +1,17 @@
+//! The one door to what a window keeps and what people choose: the file system of the machine, or, in a page of a browser, what the
+//! page has been given and keeps.
+
+#[cfg(any(test, target_arch = "wasm32"))]
+pub mod page;
+#[cfg(not(target_arch = "wasm32"))]
+mod system;
+
+#[cfg(target_arch = "wasm32")]
+pub(in crate::files) use page::read_at_most;
+#[cfg(target_arch = "wasm32")]
+pub use page::{
+    Lock, canonical, create_folder, exists, is_read_only, is_whole, lock, remove, rename, save, try_lock, write,
+    written,
+};
+#[cfg(not(target_arch = "wasm32"))]
+pub use system::{Lock, canonical, create_folder, exists, is_whole, lock, remove, rename, try_lock, write, written};

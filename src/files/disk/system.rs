@@ -1,0 +1,94 @@
+//! The file system of the machine. Reading and saving are in [`files`](crate::files) itself.
+
+use std::fs::{self, File, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+/// What keeps other windows from what it was taken for, as long as it lives; the system takes it away when the program ends,
+/// however it ends.
+#[derive(Debug)]
+pub struct Lock(#[expect(dead_code, reason = "it is what it keeps open")] File);
+
+/// The lock in this file, unless another window has it.
+#[must_use]
+pub fn try_lock(path: &Path) -> Option<Lock> {
+    let file = open(path).ok()?;
+    file.try_lock().ok()?;
+    Some(Lock(file))
+}
+
+/// The lock in this file; waits while another window has it. Where there are no locks, it keeps nobody away.
+///
+/// # Errors
+/// Where the file cannot be made.
+pub fn lock(path: &Path) -> io::Result<Lock> {
+    let file = open(path)?;
+    let _ = file.lock();
+    Ok(Lock(file))
+}
+
+fn open(path: &Path) -> io::Result<File> {
+    OpenOptions::new().create(true).truncate(false).write(true).open(path)
+}
+
+/// True where there is something with this name.
+#[must_use]
+pub fn exists(path: &Path) -> bool {
+    path.exists()
+}
+
+/// When a file was written last, where the system knows.
+#[must_use]
+pub fn written(path: &Path) -> Option<SystemTime> {
+    fs::metadata(path).and_then(|meta| meta.modified()).ok()
+}
+
+/// Gives a file another name.
+///
+/// # Errors
+/// Where the system refuses.
+pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    fs::rename(from, to)
+}
+
+/// Removes a file; where there is none, that is all right.
+///
+/// # Errors
+/// Where the system refuses.
+pub fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file of the program's own.
+///
+/// # Errors
+/// Where the system refuses.
+pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    fs::write(path, bytes)
+}
+
+/// Makes a folder, and those that it lies in.
+///
+/// # Errors
+/// Where the system refuses.
+pub fn create_folder(path: &Path) -> io::Result<()> {
+    fs::create_dir_all(path)
+}
+
+/// The path without links and `..`.
+///
+/// # Errors
+/// Where the system finds nothing.
+pub fn canonical(path: &Path) -> io::Result<PathBuf> {
+    fs::canonicalize(path)
+}
+
+/// True for a path that means the same file from every folder.
+#[must_use]
+pub fn is_whole(path: &Path) -> bool {
+    path.is_absolute()
+}

@@ -1,0 +1,105 @@
+//! What is asked of one window, and is not remembered: by the command line, or by the address of a page
+//! (`?view=image&panels=none&lang=pt-BR&theme=dark`), as lecture notes do that show a figure inside of a page.
+
+use percent_encoding::percent_decode_str;
+
+use super::preferences::LANGUAGES;
+use super::state::State;
+use crate::appearance::Theme;
+use crate::figure::words::{self, THEMES};
+use crate::i18n::Lang;
+use crate::views::{View, Views};
+
+/// What is asked of one window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// The language.
+    pub lang: Option<Lang>,
+    /// The ground of the window and its pictures.
+    pub theme: Option<Theme>,
+    /// The pictures that are shown.
+    pub views: Option<Views>,
+    /// The pictures alone: neither panels nor menus.
+    pub bare: bool,
+}
+
+impl Asked {
+    /// What stands in an address after the `?`; and what there cannot be understood, word for word.
+    #[must_use]
+    pub fn of_query(query: &str) -> (Self, Vec<String>) {
+        let mut asked = Self::default();
+        let mut unknown = Vec::new();
+        for pair in query.trim_start_matches('?').split('&').filter(|pair| !pair.is_empty()) {
+            let (key, value) = pair.split_once('=').unwrap_or((pair, ""));
+            let value = percent_decode_str(value).decode_utf8_lossy();
+            let is_known = match key {
+                "lang" => put(&mut asked.lang, words::value(LANGUAGES, &value)),
+                "theme" => put(&mut asked.theme, words::value(THEMES, &value)),
+                "view" => put(&mut asked.views, Views::CHOICES.into_iter().find(|views| views.name() == value)),
+                "panels" => {
+                    asked.bare = value == "none";
+                    asked.bare
+                }
+                _ => false,
+            };
+            if !is_known {
+                unknown.push(pair.to_owned());
+            }
+        }
+        (asked, unknown)
+    }
+
+    /// Sets a window up so.
+    pub fn apply(self, state: &mut State) {
+        let settings = &mut state.settings;
+        settings.lang = self.lang.unwrap_or(settings.lang);
+        settings.theme = self.theme.unwrap_or(settings.theme);
+        if self.bare {
+            settings.bare = true;
+            settings.panels.wanted = [false; 3];
+            state.layout.strip = false;
+        }
+        match self.views {
+            Some(Views::One(view)) => state.layout.shown = View::ALL.map(|other| other == view),
+            Some(Views::All) => state.layout.shown = [true; 3],
+            None => {}
+        }
+    }
+}
+
+/// True where there is a value.
+fn put<T>(place: &mut Option<T>, value: Option<T>) -> bool {
+    let is_known = value.is_some();
+    *place = value.or(place.take());
+    is_known
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+    use crate::gui::Start;
+
+    #[test]
+    fn an_address_says_what_is_shown_and_what_it_does_not_know_is_told() {
+        let (asked, unknown) = Asked::of_query("?view=image&panels=none&lang=pt-BR&theme=dark");
+        assert_eq!(unknown, [""; 0]);
+        let all = Asked {
+            lang: Some(Lang::PtBr),
+            theme: Some(Theme::Dark),
+            views: Some(Views::One(View::Image)),
+            bare: true,
+        };
+        assert_eq!(asked, all);
+        let mut state = State::new(Start::default()).unwrap();
+        asked.apply(&mut state);
+        assert_eq!((state.layout.shown, state.settings.panels.wanted), ([false, false, true], [false; 3]));
+        assert_eq!((state.settings.lang, state.settings.theme, state.settings.bare), (Lang::PtBr, Theme::Dark, true));
+
+        let (asked, unknown) = Asked::of_query("view=side&panels=some&lang=%70t-BR&theme=&utm_source=x&view=all");
+        assert_eq!(unknown, ["view=side", "panels=some", "theme=", "utm_source=x"]);
+        assert_eq!(asked, Asked { lang: Some(Lang::PtBr), views: Some(Views::All), ..Asked::default() });
+        assert_eq!(Asked::of_query(""), Default::default());
+    }
+}

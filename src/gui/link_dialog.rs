@@ -1,0 +1,81 @@
+//! The figure as a link: what it is, where it leads, and how long it is.
+
+use eframe::egui::{self, RichText};
+
+use super::answers::{Pressed, buttons};
+use super::file_flow;
+use super::panels::complaint;
+use super::state::{Dialog, Message, State};
+use crate::figure::Figure;
+use crate::files::SHIPPED;
+use crate::foreign;
+use crate::i18n::window::Texts;
+use crate::i18n::{messages, sharing};
+use crate::limits::MAX_LINK_CHARACTERS;
+use crate::scene::Shape;
+use crate::share;
+
+/// Shows the dialog; `first`: it has just been opened.
+pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool) {
+    let words = sharing::texts(state.settings.lang);
+    ui.heading(words.title);
+    ui.add_space(6.0);
+    ui.label(words.text);
+    ui.add_space(6.0);
+    let address = address(ui, words, state);
+    ui.add_space(6.0);
+    let link = share::link(&address, &file_flow::text_to_save(state));
+    match &link {
+        Ok(link) => {
+            // Where the clipboard is out of reach, it can be taken from here.
+            let mut shown = link.as_str();
+            let field = egui::TextEdit::singleline(&mut shown).desired_width(f32::INFINITY);
+            ui.add(field.font(egui::TextStyle::Monospace)).accessible_name(words.link);
+            let length = format!("{} / {MAX_LINK_CHARACTERS} {}", link.len(), words.characters);
+            ui.label(RichText::new(length).small().weak());
+        }
+        Err(error) => complaint(ui, &messages::link(state.settings.lang, *error)),
+    }
+    let own = own_files(state.document.figure());
+    if !own.is_empty() {
+        complaint(ui, &format!("{} {}", words.own_files, foreign::within(&own.join(", "), 200)));
+    }
+    ui.add_space(10.0);
+    let actions: &[&str] = if link.is_ok() { &[words.copy] } else { &[] };
+    match buttons(ui, t.cancel, actions, first.then_some(0)) {
+        Pressed::Action(_) => {
+            if let Ok(link) = link {
+                let length = link.len();
+                ui.ctx().copy_text(link);
+                state.say(Message::LinkCopied(length));
+            }
+        }
+        Pressed::Cancel => {}
+        Pressed::Nothing => state.file_flow.dialog = Some(Dialog::Link),
+    }
+}
+
+/// The address that the link begins with: that of the page itself, else the one that the user knows.
+fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State) -> String {
+    if let Some(own) = &state.own_address {
+        ui.label(format!("{}: {}", words.address, foreign::shown(own)));
+        return own.clone();
+    }
+    let label = ui.label(words.address);
+    let address = &mut state.page_address;
+    let field = egui::TextEdit::singleline(address).desired_width(f32::INFINITY).hint_text(words.address_hint);
+    ui.add(field).labelled_by(label.id);
+    *address = address.split('#').next().unwrap_or_default().trim().to_owned();
+    ui.label(RichText::new(if address.is_empty() { words.no_address } else { words.address_text }).weak());
+    address.clone()
+}
+
+/// The files that a figure names and that are not part of the program.
+fn own_files(figure: &Figure) -> Vec<String> {
+    let shapes = figure.scene.objects.iter().filter_map(|object| object.shape.as_ref());
+    let paths = shapes.filter_map(|shape| match shape {
+        Shape::Mesh { path } if !path.starts_with(SHIPPED) => Some(foreign::path_text(path)),
+        _ => None,
+    });
+    paths.collect()
+}

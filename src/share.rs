@@ -1,0 +1,132 @@
+//! A figure in a link: its text, packed, in what stands after the `#` of an address.
+//!
+//! A browser keeps that part for itself: it is not sent to the machine that the page comes from.
+
+use std::path::Path;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use miniz_oxide::deflate::compress_to_vec_zlib;
+use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
+
+use crate::limits::{MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS};
+
+/// What stands in an address before the figure.
+const KEY: &str = "#figure=";
+
+/// As small as it gets: a figure is packed in a moment.
+const LEVEL: u8 = 10;
+
+/// Why there is no link to a figure, or no figure in a link. Displayed, it is a sentence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ShareError {
+    /// The link would have more characters than are passed on whole.
+    #[error(
+        "the link to this figure would have {0} characters; allowed: at most {MAX_LINK_CHARACTERS}, which mail and chat programs pass on whole. Save the figure, and send the file"
+    )]
+    TooLong(usize),
+    /// A part of the link is missing, or was changed.
+    #[error("the link does not hold a whole figure: a part of it is missing or was changed on the way")]
+    Damaged,
+    /// Unpacked, the figure is longer than any.
+    #[error("the figure in the link is too long; allowed: at most {MAX_FIGURE_BYTES} bytes")]
+    TooLarge,
+}
+
+/// The link to the figure with this text. `address` is that of the page which opens it; empty: what stands after the address alone.
+///
+/// # Errors
+/// [`ShareError::TooLong`].
+pub fn link(address: &str, text: &str) -> Result<String, ShareError> {
+    let address = address.split('#').next().unwrap_or_default();
+    let link = format!("{address}{KEY}{}", URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(text.as_bytes(), LEVEL)));
+    if link.len() > MAX_LINK_CHARACTERS { Err(ShareError::TooLong(link.len())) } else { Ok(link) }
+}
+
+/// The text of the figure that is in a link, or in its part from the `#` on; `None` where there is none in it.
+#[must_use]
+pub fn text_in(link: &str) -> Option<Result<Vec<u8>, ShareError>> {
+    let (_, packed) = link.split_once(KEY)?;
+    // What a mail program or a person has added at the end.
+    let packed = packed.trim_end_matches(['=', '.', ',', ')', '>', '"', '\'']).trim();
+    Some(unpacked(packed))
+}
+
+fn unpacked(packed: &str) -> Result<Vec<u8>, ShareError> {
+    // Nothing that long packs a figure that may be read; base64 takes four characters for three bytes.
+    if packed.len() / 4 > MAX_FIGURE_BYTES / 3 {
+        return Err(ShareError::TooLarge);
+    }
+    let packed = URL_SAFE_NO_PAD.decode(packed).map_err(|_| ShareError::Damaged)?;
+    decompress_to_vec_zlib_with_limit(&packed, MAX_FIGURE_BYTES).map_err(|error| match error.status {
+        TINFLStatus::HasMoreOutput => ShareError::TooLarge,
+        _ => ShareError::Damaged,
+    })
+}
+
+/// The link that stands where a path is expected; `None` for paths.
+#[must_use]
+pub fn link_of(path: &Path) -> Option<&str> {
+    path.to_str().filter(|text| text.contains(KEY))
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+
+    const TEXT: &str = "# Ângulo θ\n[camera]\nnear = 0.5\n";
+
+    #[test]
+    fn what_is_put_into_a_link_comes_out_again_and_needs_no_quoting() {
+        for address in
+            ["", "https://example.org/lab/", "https://example.org/lab/?view=image&lang=pt-BR", "file:///a%20b.html"]
+        {
+            let link = link(address, TEXT).unwrap();
+            assert!(link.starts_with(&format!("{address}#figure=")), "{link}");
+            let figure = link.rsplit('=').next().unwrap();
+            assert!(figure.bytes().all(|c| c.is_ascii_alphanumeric() || c == b'-' || c == b'_'), "{figure}");
+            assert_eq!(text_in(&link), Some(Ok(TEXT.as_bytes().to_vec())));
+            // As it arrives in a sentence.
+            assert_eq!(text_in(&format!("{link}.")), Some(Ok(TEXT.as_bytes().to_vec())));
+        }
+        // A link to another figure is replaced, not continued.
+        let again = link(&link("https://example.org/", TEXT).unwrap(), "[camera]\n").unwrap();
+        assert_eq!(text_in(&again), Some(Ok(b"[camera]\n".to_vec())));
+        assert_eq!((text_in("https://example.org/#part"), text_in("")), (None, None));
+        assert_eq!(link_of(Path::new("figures/a#b.toml")), None);
+    }
+
+    #[test]
+    fn any_part_that_is_lost_or_changed_is_noticed() {
+        let link = link("", TEXT).unwrap();
+        for end in KEY.len()..link.len() {
+            assert_eq!(text_in(&link[..end]), Some(Err(ShareError::Damaged)), "{end}");
+        }
+        for at in KEY.len()..link.len() - 1 {
+            let other = if &link[at..=at] == "A" { "B" } else { "A" };
+            let changed = format!("{}{other}{}", &link[..at], &link[at + 1..]);
+            assert_eq!(text_in(&changed), Some(Err(ShareError::Damaged)), "{at}");
+        }
+    }
+
+    #[test]
+    fn what_is_too_long_is_said_and_a_small_link_cannot_hold_a_huge_text() {
+        // What does not pack: the digits of a simple generator.
+        let mut state = 1_u32;
+        let digits: String = (0..20_000)
+            .map(|_| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                char::from(b'0' + u8::try_from((state >> 24) % 10).unwrap())
+            })
+            .collect();
+        let Err(ShareError::TooLong(length)) = link("", &digits) else { panic!("too long") };
+        assert!(length > MAX_LINK_CHARACTERS);
+        assert!(ShareError::TooLong(length).to_string().contains(&length.to_string()));
+        let bomb = "a".repeat(MAX_FIGURE_BYTES + 1);
+        let packed = URL_SAFE_NO_PAD.encode(compress_to_vec_zlib(bomb.as_bytes(), LEVEL));
+        assert_eq!(text_in(&format!("{KEY}{packed}")), Some(Err(ShareError::TooLarge)));
+        assert_eq!(text_in(&format!("{KEY}{}", "A".repeat(2 * MAX_FIGURE_BYTES))), Some(Err(ShareError::TooLarge)));
+    }
+}
