@@ -4,68 +4,36 @@
 #
 #   bash dist/web.sh OUT
 #
-# With rustup: rustup target add wasm32-unknown-unknown. On Debian, Debian's own compiler for the browser is used where that target is
-# not there; as root, the packages that are missing are installed. Besides, only python3 is needed.
+# With rustup's target wasm32-unknown-unknown where it can be had; on Debian else with Debian's own compiler, installed here. Besides,
+# python3 is needed.
 set -euo pipefail
-[ $# -eq 1 ] || { echo "usage: bash dist/web.sh OUT" >&2; exit 2; }
+[ $# -eq 1 ] || { sed -n '2,8s/^# \?//p' "$0" >&2; exit 2; }
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
-folder=${CARGO_TARGET_DIR:-target}/web
+source dist/tools.sh
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target/dist}
+web=$CARGO_TARGET_DIR/web
+target=wasm32-unknown-unknown
 
-install_packages() {
-    local missing=() package root=()
-    for package in "$@"; do
-        dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
-    done
-    [ ${#missing[@]} -gt 0 ] || return 0
-    [ "$(id -u)" -eq 0 ] || root=(sudo)
-    "${root[@]}" apt-get update -q
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
-}
-
-# What links programs for the browser: that of the toolchain, else Debian's.
-linker() {
-    local found
-    found=$(find "$(rustc --print sysroot 2>/dev/null || echo /nowhere)" -name rust-lld -type f 2>/dev/null | head -n 1)
-    if [ -z "$found" ]; then
-        command -v wasm-ld >/dev/null || install_packages lld >&2
-        found=$(command -v wasm-ld)
-    fi
-    echo "$found"
-}
-
-build() {
-    local arguments=(build --locked --profile web --bin camera-lab --target wasm32-unknown-unknown --target-dir "$folder")
-    if rustup target list --installed 2>/dev/null | grep -q wasm32-unknown-unknown; then
-        cargo "${arguments[@]}"
-    else
-        install_packages rustc-web cargo-web rust-web-src
-        CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$(linker)
-        export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER
-        env PATH=/usr/bin:/bin RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 \
-            /usr/bin/cargo "${arguments[@]}" -Zbuild-std=std,panic_abort
-    fi
-}
-
-# Writes the JavaScript between the program and the browser; it has to be of the version that the program was built with.
+# Writes the JavaScript between the program and the browser: its version has to be that of the library that the program was built with.
 bindings() {
-    local version bindgen=$folder/tools/bin/wasm-bindgen
+    local version bindgen=$CARGO_TARGET_DIR/tools/bin/wasm-bindgen kind
     version=$(sed -n '/^name = "wasm-bindgen"$/{n;s/version = "\(.*\)"/\1/p}' Cargo.lock)
     if [ "$(wasm-bindgen --version 2>/dev/null)" = "wasm-bindgen $version" ]; then
         bindgen=wasm-bindgen
     elif [ "$("$bindgen" --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
-        cargo install wasm-bindgen-cli --version "$version" --root "$folder/tools" --target-dir "$folder/tools/target"
-        rm -rf "$folder/tools/target"
+        CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' \
+            cargo install wasm-bindgen-cli --version "$version" --root "$CARGO_TARGET_DIR/tools"
     fi
-    local program=$folder/wasm32-unknown-unknown/web/camera-lab.wasm target
-    for target in web no-modules; do
-        rm -rf "${folder:?}/$target"
-        "$bindgen" --target "$target" --no-typescript --remove-name-section --remove-producers-section \
-            --out-dir "$folder/$target" --out-name camera-lab "$program"
+    for kind in web no-modules; do
+        rm -rf "${web:?}/$kind"
+        "$bindgen" --target "$kind" --no-typescript --remove-name-section --remove-producers-section \
+            --out-dir "$web/$kind" --out-name camera-lab "$CARGO_TARGET_DIR/$target/web/camera-lab.wasm"
     done
 }
 
-build
+install_packages python3
+cargo_for "$target" build --profile web --bin camera-lab
 bindings
-python3 dist/web/assemble.py "$folder" "$out"
+python3 dist/web/assemble.py "$web" "$out"

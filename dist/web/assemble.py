@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 # What people download at most, compressed as web servers do it.
-MOST_BYTES = 2_500_000
+MOST_BYTES = 5_000_000
 
 # Loaded from the server that the page is on, and from nowhere else.
 SERVED_POLICY = (

@@ -3,12 +3,14 @@
 
 use percent_encoding::percent_decode_str;
 
-use super::preferences::LANGUAGES;
 use super::state::State;
 use crate::appearance::Theme;
-use crate::figure::words::{self, THEMES};
+use crate::figure::words::{self, THEMES, Words};
 use crate::i18n::Lang;
 use crate::views::{View, Views};
+
+/// The languages, by the names that `--lang` has for them.
+pub(in crate::gui) const LANGUAGES: Words<Lang> = &[("en", Lang::En), ("pt-BR", Lang::PtBr)];
 
 /// What is asked of one window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,12 +1,14 @@
 //! What a dialog for files is asked, and what it answers: that of the system, or that of a browser.
 
+#[cfg(target_arch = "wasm32")]
+mod page;
 #[cfg(not(target_arch = "wasm32"))]
 mod system;
 
 use std::path::PathBuf;
 
 #[cfg(target_arch = "wasm32")]
-pub(super) use super::web::OpenFileDialog;
+pub(super) use page::{OpenFileDialog, read};
 #[cfg(not(target_arch = "wasm32"))]
 pub(super) use system::OpenFileDialog;
 

@@ -13,7 +13,7 @@ use crate::text::runs;
 pub fn install_fonts(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::default();
     let faces: [(&str, &'static [u8], FontFamily); 2] = [
-        ("DejaVu Sans", include_bytes!("../../assets/fonts/DejaVuSans.ttf"), FontFamily::Proportional),
+        ("DejaVu Sans", crate::text::FONT_BYTES, FontFamily::Proportional),
         ("DejaVu Sans Mono", include_bytes!("../../assets/fonts/DejaVuSansMono.ttf"), FontFamily::Monospace),
     ];
     for (name, bytes, family) in faces {

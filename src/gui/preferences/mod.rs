@@ -15,18 +15,15 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Value};
 
+use super::asked::LANGUAGES;
 use super::export::{DPI, LETTERS, LINES, SIDE_CM};
 use super::state::{ExplainTab, State};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
 use crate::figure::words::{self, THEMES, Words};
-use crate::i18n::Lang;
 use crate::numbers::EXACT_DIGITS;
 use crate::views::{Arrangement, View, Views};
 pub use store::Preferences;
-
-/// The languages, by the names that `--lang` has for them.
-pub(in crate::gui) const LANGUAGES: Words<Lang> = &[("en", Lang::En), ("pt-BR", Lang::PtBr)];
 
 /// How several pictures share the room.
 const LAYOUTS: Words<Option<Arrangement>> = &[
@@ -286,6 +283,7 @@ mod tests {
     use crate::gui::Start;
     use crate::gui::export::{Export, Paper};
     use crate::gui::state::Conventions;
+    use crate::i18n::Lang;
 
     fn state() -> State {
         State::new(Start::default()).unwrap()

@@ -9,7 +9,7 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::closure::Closure;
 use web_sys::Window;
 
-use super::{ARRIVED, Page, dialog};
+use super::{Page, arrive};
 use crate::files::disk::page;
 use crate::gui::file_flow;
 use crate::share;
@@ -26,8 +26,7 @@ pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> 
     let open = Closure::<dyn Fn(String)>::new(|text: String| {
         let path = PathBuf::from("figure.toml");
         page::give(path.clone(), text.into_bytes());
-        ARRIVED.with_borrow_mut(|arrived| arrived.push(path));
-        dialog::wake();
+        arrive(path);
     });
     Reflect::set(&lab, &"open".into(), &open.into_js_value())?;
     let of = runner.clone();

@@ -3,11 +3,9 @@
 //! | file | purpose |
 //! | --- | --- |
 //! | [`store`] | what the page keeps, hands over, and locks |
-//! | [`dialog`] | files that are chosen or dropped |
 //! | [`interface`] | what other pages may ask of this one: `window.cameraLab` |
 //! | [`keys`] | keys that are the program's and not the browser's |
 
-mod dialog;
 mod interface;
 mod keys;
 mod store;
@@ -21,14 +19,14 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{HtmlCanvasElement, Window};
 
-use super::{App, Asked, GuiError, Start, State, fresh};
+use super::state::MESH_ENDINGS;
+use super::{App, Asked, GuiError, Start, State, fresh, native};
 use crate::appearance::Theme;
 use crate::figure::Figure;
 use crate::files::disk::page::KEPT;
 use crate::files::{self, SourceFile};
 use crate::i18n::Lang;
 use crate::share;
-pub(super) use dialog::OpenFileDialog;
 
 /// The identifier of the canvas that the page has for the window.
 const CANVAS: &str = "camera-lab";
@@ -36,6 +34,28 @@ const CANVAS: &str = "camera-lab";
 thread_local! {
     /// Files that have been read, and links that have been followed, since the last frame.
     static ARRIVED: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
+    /// What is woken then.
+    static WAKE: RefCell<Option<egui::Context>> = const { RefCell::new(None) };
+}
+
+/// Has a file or a link opened in the next frame.
+fn arrive(path: PathBuf) {
+    ARRIVED.with_borrow_mut(|arrived| arrived.push(path));
+    WAKE.with_borrow(|ctx| ctx.iter().for_each(egui::Context::request_repaint));
+}
+
+/// Of files that come together, first what the others are for: a figure, else a mesh.
+fn figures_first(mut paths: Vec<PathBuf>) -> Vec<PathBuf> {
+    paths.sort_by_key(|path| {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        match ending.as_str() {
+            _ if share::link_of(path).is_some() => 0,
+            "toml" | "png" => 1,
+            mesh if MESH_ENDINGS.contains(&mesh) => 2,
+            _ => 3,
+        }
+    });
+    paths
 }
 
 fn window() -> Option<Window> {
@@ -76,7 +96,7 @@ async fn start() -> Result<(), JsValue> {
     // The page's own decision: what it does with a fragment that changes while it is shown.
     let followed = Closure::<dyn FnMut()>::new(|| {
         if let Some(link) = linked() {
-            ARRIVED.with_borrow_mut(|arrived| arrived.push(link));
+            arrive(link);
         }
     });
     window.add_event_listener_with_callback("hashchange", followed.as_ref().unchecked_ref())?;
@@ -151,7 +171,7 @@ impl Page {
         if let Some(error) = fault {
             app.state.say(super::state::Message::File(PathBuf::new(), error));
         }
-        dialog::listen_to(ctx);
+        WAKE.set(Some(ctx.clone()));
         Ok(Self { app, title: String::new(), system, full_screen: false, told: false })
     }
 
@@ -197,7 +217,7 @@ fn own_address(location: &web_sys::Location) -> Option<String> {
 impl eframe::App for Page {
     fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
         let arrived = ARRIVED.with_borrow_mut(std::mem::take);
-        self.app.state.file_flow.given.extend(dialog::figures_first(arrived));
+        self.app.state.file_flow.given.extend(figures_first(arrived));
         let system = system();
         if system != self.system {
             self.system = system;
@@ -214,7 +234,7 @@ impl eframe::App for Page {
     fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut egui::RawInput) {
         for file in std::mem::take(&mut input.dropped_files) {
             if let Some(file) = file.web_file() {
-                dialog::read(file.clone(), |path| ARRIVED.with_borrow_mut(|arrived| arrived.push(path)));
+                native::read(ctx, file.clone(), arrive);
             }
         }
         eframe::App::raw_input_hook(&mut self.app, ctx, input);
