@@ -108,7 +108,8 @@ async fn start() -> Result<(), JsValue> {
 /// The link that the page was called by, where it holds a figure and this page has not opened it before.
 fn linked() -> Option<PathBuf> {
     let fragment = window()?.location().hash().ok()?;
-    share::text_in(&fragment)?;
+    // What is wrong with it is said where it is opened.
+    let _ = share::text_in(&fragment)?;
     store::is_new_here(&fragment).then(|| PathBuf::from(fragment))
 }
 
