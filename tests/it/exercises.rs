@@ -15,9 +15,13 @@ fn seeds() -> u64 {
 }
 
 /// Every exercise, families with many seeds.
-fn all(mut visit: impl FnMut(&'static Entry, &Exercise)) {
+fn all(visit: impl FnMut(&'static Entry, &Exercise)) {
+    all_of(seeds(), visit);
+}
+
+fn all_of(seeds: u64, mut visit: impl FnMut(&'static Entry, &Exercise)) {
     for entry in entries() {
-        for seed in 0..if entry.is_family { seeds() } else { 1 } {
+        for seed in 0..if entry.is_family { seeds } else { 1 } {
             visit(entry, &entry.exercise(seed, &Free::new()));
         }
     }
@@ -78,13 +82,18 @@ fn no_right_answer_is_refused() {
 
 #[test]
 fn the_quantity_is_what_inspect_says() {
-    all(|entry, exercise| {
+    // Few of the cameras that make it hard are among the first; it costs little.
+    all_of(10 * seeds(), |entry, exercise| {
         for ask in &exercise.asks {
             let Some(quantity) = &ask.quantity else { continue };
             let inspected = exercise.subject.value(quantity).unwrap_or_else(|| panic!("{} {quantity}", entry.id));
             match ask.expected().table() {
                 Some(right) => assert_eq!(right, inspected, "{} {}", entry.id, ask.name),
-                None => assert_eq!(inspected.entries, [f64::from(u8::from(right_word(ask).unwrap() == "yes"))]),
+                None => {
+                    let word = right_word(ask).unwrap();
+                    let context = format!("{} seed {} {}", entry.id, exercise.seed, ask.name);
+                    assert_eq!(inspected.entries, [f64::from(u8::from(word == "yes"))], "{context}");
+                }
             }
         }
     });

@@ -157,20 +157,28 @@ fn predict_visible(seed: u64) -> Exercise {
     let mut random = numbers("predict-visible", seed);
     let projection = super::cameras::any_projection(&mut random);
     let parameters = camera(&mut random, projection);
-    let is_inside = |point: DVec3| {
-        Camera::new(&parameters).ok().map(|camera| {
-            let clip = camera.clip_point(point);
+    let clip = |point: DVec3| Camera::new(&parameters).ok().map(|camera| camera.clip_point(point));
+    let is_seen = |point: DVec3| clip(point).is_some_and(|clip| clip.truncate().abs().max_element() <= clip.w);
+    // Not so near a plane that the eye could not tell; in the plane of the eye there is no NDC, and nothing to tell.
+    let is_clear = |point: DVec3| {
+        clip(point).is_some_and(|clip| {
             let rest = clip.w - clip.truncate().abs().max_element();
-            // Not so near a plane that the eye could not tell.
-            // In the plane of the eye there is no NDC, and nothing to tell.
-            (rest > 0.05 * clip.w.abs(), rest.abs() > 0.05 * clip.w.abs().max(1.0) && clip.w.abs() > 0.05)
+            rest.abs() > 0.05 * clip.w.abs().max(1.0) && clip.w.abs() > 0.05
         })
     };
-    let mut points = vec![point_inside(&mut random, &parameters)];
+    // One is seen in any case; of a camera that has no point so clear, the last that was tried.
+    let mut first = point_inside(&mut random, &parameters);
+    for _ in 0..100 {
+        if is_clear(first) {
+            break;
+        }
+        first = point_inside(&mut random, &parameters);
+    }
+    let mut points = vec![first];
     while points.len() < 3 {
         let point =
             parameters.focal_point + DVec3::new(small(&mut random, 8), small(&mut random, 8), small(&mut random, 8));
-        if is_inside(point).is_some_and(|(_, clear)| clear) && !points.contains(&point) {
+        if is_clear(point) && !points.contains(&point) {
             points.push(point);
         }
     }
@@ -179,8 +187,7 @@ fn predict_visible(seed: u64) -> Exercise {
     let subject = points.iter().fold(subject(parameters), |subject, point| with_point(subject, *point));
     let names = ["P", "Q", "R"];
     let asks = names.into_iter().zip(&points).enumerate().map(|(k, (name, point))| {
-        let seen = is_inside(*point).is_some_and(|(inside, _)| inside);
-        let ask = Ask::choice(name, &["yes", "no"], usize::from(!seen), &[], steps_inside(&subject, k));
+        let ask = Ask::choice(name, &["yes", "no"], usize::from(!is_seen(*point)), &[], steps_inside(&subject, k));
         Ask { quantity: Some(format!("points.{k}.inside")), ..ask }
     });
     let facts: Vec<(&'static str, Fact)> =

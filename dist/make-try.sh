@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# Makes what people without Rust can use:  bash dist/make.sh windows|web|deb|tar|macos|all OUT
+#   windows  camera-lab.exe, and camera-lab.com for consoles
+#   web      index.html with its files, and camera-lab.html, one file that opens from disk
+#   deb      a package for Debian and its kin
+#   tar      the program for Linux, with its manual, icon and completions
+#   macos    Camera Lab.app (on a Mac)
+#   all      windows, web, deb and tar, with SHA256SUMS
+# On Debian it installs what it needs (as root, or by sudo); elsewhere it names what is missing. The same sources give the same bytes.
+set -euo pipefail
+usage() { sed -n '2,9s/^# //p' "$0" >&2; exit 2; }
+[ $# -eq 2 ] || usage
+mkdir -p "$2"
+out=$(cd "$2" && pwd)
+cd "$(dirname "$0")/.."
+source dist/tools.sh
+
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
+# The time of the last change to the sources, not of the build.
+SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date -r CHANGELOG.md +%s)}
+export SOURCE_DATE_EPOCH
+# Where the sources lie is not to be read in the program.
+
+
+make_windows() {
+    install_packages gcc gcc-mingw-w64-x86-64 binutils-mingw-w64-x86-64
+    local target=x86_64-pc-windows-gnu resource=$CARGO_TARGET_DIR/camera-lab-resource.o numbers=${version//./,},0
+    mkdir -p "$CARGO_TARGET_DIR"
+    x86_64-w64-mingw32-windres --include-dir dist/windows -D "VERSION=\\\"$version\\\"" -D "NUMBERS=$numbers" \
+        dist/windows/camera-lab.rc -O coff -o "$resource"
+    # The linker would write the time of the build into the program.
+    local unchanging=(-C link-arg=-Wl,--no-insert-timestamp -C strip=symbols)
+    cargo_for "$target" rustc --release --bin camera-lab -- -C "link-arg=$resource" "${unchanging[@]}"
+    cargo_for "$target" rustc --release --manifest-path dist/windows/console/Cargo.toml -- "${unchanging[@]}"
+    cp "$CARGO_TARGET_DIR/$target/release/camera-lab.exe" "$out/camera-lab.exe"
+    cp "$CARGO_TARGET_DIR/$target/release/camera-lab-console.exe" "$out/camera-lab.com"
+}
+
+make_web() {
+    bash dist/web.sh "$out"
+}
+
+# The program for this machine, once for all packages.
+build_program() {
+    cargo build --locked --release
+    program=$CARGO_TARGET_DIR/release/camera-lab
+    manual=$CARGO_TARGET_DIR/manual
+    rm -rf "$manual"
+    "$program" manual "$manual"
+}
+
+make_tar() {
+    build_program
+    local name=camera-lab-$version-$(uname -m)-linux folder
+    folder=$(mktemp -d)
+    mkdir -p "$folder/$name"
+    cp "$program" README.md CHANGELOG.md LICENSE-* THIRD-PARTY.md dist/icon.svg dist/linux/camera-lab.desktop dist/linux/camera-lab.xml "$folder/$name"
+    cp -r "$manual" "$folder/$name/manual"
+    mkdir "$folder/$name/docs"
+    cp -r docs/guide.* docs/images "$folder/$name/docs"
+    tar --sort=name --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX --mtime="@$SOURCE_DATE_EPOCH" \
+        -C "$folder" -cf - "$name" | gzip -9n >"$out/$name.tar.gz"
+    rm -rf "$folder"
+}
+
+make_deb() {
+    command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' cargo install cargo-deb --locked
+    build_program
+    # Cargo.toml names what is packed as it lies in the folder that cargo takes without being told otherwise.
+    [ "$manual" -ef target/manual ] || { mkdir -p target && ln -sfn "$manual" target/manual; }
+    cargo deb --locked --no-build --no-strip --output "$out/"
+}
+
+make_macos() {
+    [ "$(uname -s)" = Darwin ] || fail 'the bundle for macOS is made on a Mac: its linker is needed'
+    build_program
+    local contents="$out/Camera Lab.app/Contents"
+    mkdir -p "$contents/MacOS" "$contents/Resources"
+    cp "$program" "$contents/MacOS/camera-lab"
+    cp dist/icon.icns LICENSE-* THIRD-PARTY.md "$contents/Resources"
+    sed "s/@VERSION@/$version/g" dist/macos/Info.plist >"$contents/Info.plist"
+}
+
+make_all() {
+    make_windows
+    make_web
+    make_tar
+    make_deb
+    (cd "$out" && find . -type f ! -name SHA256SUMS | sort | xargs -d '\n' sha256sum >SHA256SUMS)
+}
+
+case $1 in
+    windows | web | deb | tar | macos | all) "make_$1" ;;
+    *) usage ;;
+esac
+ls -l "$out"
