@@ -12,7 +12,7 @@ mkdir -p "$1"
 out=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
 source dist/tools.sh
-export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target/dist}
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 web=$CARGO_TARGET_DIR/web
 target=wasm32-unknown-unknown
 
