@@ -58,7 +58,7 @@ make_tar() {
     cp "$program" README.md CHANGELOG.md LICENSE-* THIRD-PARTY.md dist/icon.svg dist/linux/camera-lab.desktop dist/linux/camera-lab.xml "$folder/$name"
     cp -r "$manual" "$folder/$name/manual"
     mkdir "$folder/$name/docs"
-    cp -r docs/guide.* docs/images "$folder/$name/docs"
+    cp -r docs/*.md docs/images "$folder/$name/docs"
     tar --sort=name --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX --mtime="@$SOURCE_DATE_EPOCH" \
         -C "$folder" -cf - "$name" | gzip -9n >"$out/$name.tar.gz"
     rm -rf "$folder"

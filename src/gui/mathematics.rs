@@ -236,8 +236,17 @@ pub(super) struct Both {
     pub(super) text: String,
 }
 
-/// name = formula = numbers = value, each once, as many of them in a line as it has room for.
-pub(super) fn chain(ui: &mut Ui, name: &Both, said: &[Both]) {
+/// How the links of a [`chain`] stand.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Links {
+    /// Each below the other, so that formula, numbers and value are found where they always are.
+    Below,
+    /// As many in a line as it has room for: many chains stand one after the other.
+    Dense,
+}
+
+/// name = formula = numbers = value, each once.
+pub(super) fn chain(ui: &mut Ui, name: &Both, said: &[Both], links: Links) {
     /// The type size, in points.
     const CHAIN: f32 = 14.0;
     let (mut last, mut line, mut is_first) = (name, name.clone(), true);
@@ -248,8 +257,8 @@ pub(super) fn chain(ui: &mut Ui, name: &Both, said: &[Both]) {
         }
         let longer =
             Both { latex: format!("{} = {}", line.latex, next.latex), text: format!("{} = {}", line.text, next.text) };
-        let fits = Formula::new(ui, &longer.latex, &longer.text, CHAIN).size().x <= ui.available_width();
-        if is_first || fits {
+        let fits = || Formula::new(ui, &longer.latex, &longer.text, CHAIN).size().x <= ui.available_width();
+        if is_first || (links == Links::Dense && fits()) {
             line = longer;
         } else {
             let begun = Both { latex: format!(r"\quad = {}", next.latex), text: format!("= {}", next.text) };

@@ -9,7 +9,7 @@ use super::{Sheet, figure};
 use crate::camera::{Camera, MatrixKind, Ndc, Parameters, RecoveryError, recover};
 use crate::exercises::{Answer, Ask, Exercise, Expected, Judged, Worked};
 use crate::explain::{Notation, Style};
-use crate::gui::mathematics::{Both, chain};
+use crate::gui::mathematics::{Both, Links, chain};
 use crate::gui::panels::complaint;
 use crate::gui::prose;
 use crate::gui::state::{Described, NotCamera, State};
@@ -190,6 +190,6 @@ fn step(ui: &mut Ui, state: &State, sheet: Sheet<'_>, exercise: &Exercise, step:
         let both = |latex: String, text: String| Both { latex, text };
         let said =
             [both(latex.formula, text.formula), both(latex.numbers, text.numbers), both(latex.value, text.value)];
-        chain(ui, &both(latex.symbol, text.symbol), &said);
+        chain(ui, &both(latex.symbol, text.symbol), &said, Links::Dense);
     }
 }

@@ -4,7 +4,7 @@ use eframe::egui::{self, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::measures;
 use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Writer, definition};
-use crate::gui::mathematics::{Both, Formula as Typeset, chain};
+use crate::gui::mathematics::{Both, Formula as Typeset, Links, chain};
 use crate::gui::noted::noted;
 use crate::gui::state::Matrices;
 use crate::i18n::explain::{self as words, Texts};
@@ -80,7 +80,7 @@ pub(super) fn show(
     state: &mut Matrices,
 ) -> Option<Symbol> {
     let said = [writing.formula(formula), writing.numbers(formula), writing.whole_value(value)];
-    chain(ui, name, &said);
+    chain(ui, name, &said, Links::Below);
     let symbols = formula.symbols();
     if symbols.is_empty() {
         ui.label(RichText::new(words::texts(writing.lang).constant).weak());
@@ -99,7 +99,7 @@ pub(super) fn show(
 /// A term of a sum: formula = numbers = value.
 pub(super) fn term(ui: &mut Ui, writing: Writing<'_>, term: &Formula, value: f64) {
     let (formula, numbers) = (writing.formula(term), writing.both(true, false, |writer| writer.write(term)));
-    chain(ui, &formula, &[numbers, writing.whole_value(value)]);
+    chain(ui, &formula, &[numbers, writing.whole_value(value)], Links::Below);
 }
 
 /// A symbol = what it is made of = numbers = value.
@@ -108,9 +108,9 @@ pub(super) fn of_symbol(ui: &mut Ui, writing: Writing<'_>, symbol: Symbol) {
     let value = writing.symbol_value(symbol);
     ui.push_id(symbol, |ui| match definition(symbol, writing.setting) {
         Some(Definition { formula, .. }) => {
-            chain(ui, &name, &[writing.formula(&formula), writing.numbers(&formula), value]);
+            chain(ui, &name, &[writing.formula(&formula), writing.numbers(&formula), value], Links::Below);
         }
-        None => chain(ui, &name, &[value]),
+        None => chain(ui, &name, &[value], Links::Below),
     });
 }
 
