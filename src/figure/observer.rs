@@ -7,6 +7,8 @@ use crate::geometry::{Aabb, Angle};
 
 /// The observer's vertical view angle: narrow, so that the picture's own perspective does not compete with the one it shows.
 pub const VIEW_ANGLE: Angle = Angle::from_degrees(28.0);
+/// Half of [`VIEW_ANGLE`].
+pub const HALF_VIEW_ANGLE: Angle = Angle::from_degrees(VIEW_ANGLE.degrees() / 2.0);
 
 /// How many times the observer's distance a depth range may be in parallel projection, where depth is linear and kept in
 /// `f32`: beyond it, faces that touch would flicker.
@@ -90,7 +92,7 @@ impl Observer {
 
     /// What the picture's height spans at the target.
     fn height_at_target(&self) -> f64 {
-        2.0 * self.distance * (VIEW_ANGLE.radians() / 2.0).tan()
+        2.0 * self.distance * HALF_VIEW_ANGLE.tan()
     }
 
     /// The camera of this observer. Its clipping planes enclose `bounds` as far as a depth buffer in `f32` bears it.

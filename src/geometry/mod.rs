@@ -44,6 +44,13 @@ impl Angle {
         let (sine, cosine) = double_double::sin_cos_degrees(self.degrees);
         (sine.value(), cosine.value())
     }
+
+    /// The tangent: sine by cosine.
+    #[must_use]
+    pub fn tan(self) -> f64 {
+        let (sine, cosine) = self.sin_cos();
+        sine / cosine
+    }
 }
 
 impl std::ops::Neg for Angle {

@@ -95,7 +95,11 @@ impl Format {
             Self::Fixed24 => growing(fixed(normal(), 24)),
             Self::Float => growing(i64::from(normal().max(0.0).to_bits())),
             Self::FloatReversed | Self::Own => order(range.stored(z, true).max(0.0)),
-            #[expect(clippy::cast_possible_truncation, reason = "single precision is what is studied")]
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::disallowed_methods,
+                reason = "single precision is what is studied"
+            )]
             Self::Logarithmic => fixed((z as f32).ln() / (range.far as f32).ln(), 24),
         }
     }

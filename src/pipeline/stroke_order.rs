@@ -11,6 +11,8 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
+use glam::DVec2;
+
 use super::stroke_runs::{KEPT, LISTED, Run, SQUARE, Steps, runs_within};
 use super::too_much::TooMuch;
 use super::transform::single;
@@ -229,7 +231,7 @@ fn extent(radius: f64, other: f64) -> f64 {
 }
 
 fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
-    (p[0] - q[0]).hypot(p[1] - q[1])
+    DVec2::new(p[0], p[1]).distance(DVec2::new(q[0], q[1]))
 }
 
 /// The segments of runs, and their arrow heads.
@@ -243,7 +245,7 @@ fn segments(all: &[Painted], drawing: &Drawing) -> Vec<Segment> {
         for pair in painted.run.points.windows(2) {
             let (from, to) = (pair[0].map(f64::from), pair[1].map(f64::from));
             let along: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
-            let length = along[0].hypot(along[1]);
+            let length = DVec2::new(along[0], along[1]).length();
             segments.push(Segment { run: k, layer, from, along, arc, length, radius, width });
             arc += length;
         }

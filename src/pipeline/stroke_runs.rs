@@ -6,6 +6,8 @@
 
 use std::ops::Range;
 
+use glam::DVec2;
+
 use super::too_much::TooMuch;
 use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
@@ -170,7 +172,7 @@ impl Segment {
     fn new(from: [f32; 3], to: [f32; 3]) -> Self {
         let (from, to) = (from.map(f64::from), to.map(f64::from));
         let along = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
-        Self { from, along, length: along[0].hypot(along[1]) }
+        Self { from, along, length: DVec2::new(along[0], along[1]).length() }
     }
 
     /// The point at a share of the way.
@@ -338,7 +340,7 @@ impl Face {
         let ([x, y, _], [dx, dy, dz]) = (segment.from, segment.along);
         for [a, b, c] in self.edges {
             // Along the border, which two faces may share, both hide: else neither would.
-            keep(a * x + b * y + c, a * dx + b * dy, BORDER * a.hypot(b));
+            keep(a * x + b * y + c, a * dx + b * dy, BORDER * DVec2::new(a, b).length());
         }
         let [px, py, _] = self.depth;
         keep(self.nearer_by(segment.from), px * dx + py * dy - dz, 0.0);
@@ -354,7 +356,7 @@ impl Face {
     /// True where it is before a place; also on its border, which two faces may share.
     fn is_before(&self, place: [f64; 3]) -> bool {
         let [x, y, _] = place;
-        let inside = |[a, b, c]: [f64; 3]| a * x + b * y + c >= BORDER * a.hypot(b);
+        let inside = |[a, b, c]: [f64; 3]| a * x + b * y + c >= BORDER * DVec2::new(a, b).length();
         self.edges.into_iter().all(inside) && self.nearer_by(place) > 0.0
     }
 }

@@ -7,6 +7,8 @@
 
 use std::ops::Range;
 
+use glam::DVec2;
+
 use crate::appearance::Rgba;
 use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 
@@ -91,7 +93,7 @@ impl Coverage {
     /// in part.
     pub(super) fn capsule(&mut self, a: Point, b: Point, radius: f32) {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let length = dx.hypot(dy);
+        let length = length(dx, dy);
         let reach = radius + 0.5;
         if !(length.is_finite() && reach > 0.5) {
             return;
@@ -129,7 +131,7 @@ impl Coverage {
         }
         let edges = [(a, b), (b, c), (c, a)].map(|(p, q)| {
             let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-            let scale = area.signum() / dx.hypot(dy);
+            let scale = area.signum() / length(dx, dy);
             (p, dx * scale, dy * scale)
         });
         let low = |k: usize| a[k].min(b[k]).min(c[k]) - 0.5;
@@ -248,6 +250,12 @@ fn number(k: usize) -> u32 {
 }
 
 /// The share of a pixel that a stroke of this half width covers, `distance` from its middle line.
+/// The length of a way, rounded once.
+#[expect(clippy::cast_possible_truncation, reason = "rounded to the precision of pixels")]
+pub(super) fn length(dx: f32, dy: f32) -> f32 {
+    DVec2::new(f64::from(dx), f64::from(dy)).length() as f32
+}
+
 fn overlap(distance: f32, radius: f32) -> f32 {
     (radius.min(distance + 0.5) - (-radius).max(distance - 0.5)).clamp(0.0, 1.0)
 }
@@ -307,10 +315,12 @@ mod tests {
     }
 
     #[test]
+    #[expect(clippy::cast_possible_truncation, reason = "single precision is what is drawn with")]
     fn a_stroke_covers_its_area_at_any_angle() {
         for degrees in [0.0_f32, 10.0, 30.0, 45.0, 77.0, 90.0] {
             let mut coverage = mask(100, 0..100);
-            let (s, c) = degrees.to_radians().sin_cos();
+            let (s, c) = f64::from(degrees).to_radians().sin_cos();
+            let [s, c] = [s, c].map(|x| x as f32);
             coverage.flat([50.3 - 40.0 * c, 50.1 - 40.0 * s], [50.3 + 40.0 * c, 50.1 + 40.0 * s], 1.25);
             let area = coverage.shares().iter().map(|&s| f64::from(s) / 255.0).sum::<f64>();
             let exact = 80.0 * 2.5 + std::f64::consts::PI * 1.25 * 1.25;

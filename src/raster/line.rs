@@ -12,7 +12,7 @@ use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::{Drawing, StrokeSet};
 use crate::progress::{Doing, Progress};
 
-use super::coverage::{Coverage, LayerDepth, Point};
+use super::coverage::{Coverage, LayerDepth, Point, length};
 use super::depth::DepthBuffer;
 
 /// Distance of the points of a stroke that are held against the depth buffer, in pixels.
@@ -189,7 +189,7 @@ impl Polyline {
         let mut arc = 0.0;
         self.arcs.push(arc);
         for pair in points.windows(2) {
-            arc += (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+            arc += length(pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]);
             self.arcs.push(arc);
         }
         arc

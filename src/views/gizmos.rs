@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Shading, Style};
+use crate::geometry::Angle;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, PointMark, Scene, Text};
 
 use super::screen::Screen;
@@ -171,8 +172,8 @@ fn add_loft(mesh: &mut Mesh, from: &[DVec3], to: &[DVec3]) {
 
 /// A circle about `center` in the plane of two vectors as long as its radius.
 pub(super) fn circle(center: DVec3, a: DVec3, b: DVec3, corners: u32) -> Vec<DVec3> {
-    let angle = |i: u32| f64::from(i) * std::f64::consts::TAU / f64::from(corners);
-    (0..corners).map(|i| center + a * angle(i).cos() + b * angle(i).sin()).collect()
+    let turn = |i: u32| Angle::from_degrees(360.0 * f64::from(i) / f64::from(corners)).sin_cos();
+    (0..corners).map(turn).map(|(sin, cos)| center + a * cos + b * sin).collect()
 }
 
 /// The body of a film camera in its VRC: the lens opens at the origin (C) towards −z (the scene), the two reels on top show

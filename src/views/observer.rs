@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::Basis;
 use crate::figure::Observer;
-use crate::figure::observer::VIEW_ANGLE;
+use crate::figure::observer::HALF_VIEW_ANGLE;
 use crate::geometry::Aabb;
 
 use super::Size;
@@ -136,7 +136,7 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
     let least = if least > 0.0 { least } else { 1e-9 };
     let target = bounds.center();
     let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, roll, parallel }.axes();
-    let tan = (VIEW_ANGLE.radians() / 2.0).tan();
+    let tan = HALF_VIEW_ANGLE.tan();
     let filled = fill(size);
     // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t · depth),
     // after `[0]` Eq. (5.9); opposite sides then meet in the eye.

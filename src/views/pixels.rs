@@ -21,8 +21,9 @@ const LETTERS: f32 = 14.0;
 const SCREEN: [f32; 2] = [1920.0, 1080.0];
 
 /// How much letters and strokes grow with the side of a picture (`side`, in units of stroke width).
+#[expect(clippy::cast_possible_truncation, reason = "0.8 … 1.6")]
 fn growth(side: f32) -> f32 {
-    (side / 480.0).powf(0.4).clamp(0.8, 1.6)
+    (f64::from(side) / 480.0).powf(0.4).clamp(0.8, 1.6) as f32
 }
 
 impl Size {

@@ -83,7 +83,7 @@ fn exact_runs_look_as_the_depth_buffer_shows_strokes() {
         for (k, ((a, b), c)) in tested.pixels().iter().zip(exact.pixels()).zip(bare.pixels()).enumerate() {
             ink += usize::from(a != c);
             let (x, y) = ((k % 320) as f32 + 0.5, (k / 320) as f32 + 0.5);
-            let at_an_end = || ends.iter().any(|end| (end[0] - x).hypot(end[1] - y) < NEAR);
+            let at_an_end = || ends.iter().any(|end| (end[0] - x).powi(2) + (end[1] - y).powi(2) < NEAR * NEAR);
             apart += usize::from(a.red().abs_diff(b.red()) > 64 && !at_an_end());
         }
     }
@@ -147,7 +147,9 @@ fn disagreement(drawing: &Drawing) -> [usize; 3] {
             let b = picture.pixels()[k];
             let apart = [(a.red(), b.red()), (a.green(), b.green()), (a.blue(), b.blue())];
             let differs = apart.iter().any(|(p, q)| p.abs_diff(*q) > 64);
-            *count += usize::from(differs && !ends.iter().any(|end| (end[0] - x).hypot(end[1] - y) < NEAR));
+            *count += usize::from(
+                differs && !ends.iter().any(|end| (end[0] - x).powi(2) + (end[1] - y).powi(2) < NEAR * NEAR),
+            );
         }
     }
     counts

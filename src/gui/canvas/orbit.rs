@@ -4,7 +4,7 @@ use eframe::egui::Vec2;
 use glam::DVec2;
 
 use crate::camera::Camera;
-use crate::figure::observer::VIEW_ANGLE;
+use crate::figure::observer::HALF_VIEW_ANGLE;
 use crate::figure::{Observer, Observers, Outside};
 use crate::gui::state::ObserverChange;
 use crate::views::observer::Viewpoint;
@@ -70,7 +70,7 @@ fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
     if (observer.azimuth, observer.elevation) != (fitted.azimuth, fitted.elevation) {
         return false;
     }
-    let offset = observer.target.distance(fitted.target) / (2.0 * (VIEW_ANGLE.radians() / 2.0).tan());
+    let offset = observer.target.distance(fitted.target) / (2.0 * HALF_VIEW_ANGLE.tan());
     let needed = fitted.distance + 2.0 * offset;
     needed <= 1.08 * observer.distance && fitted.distance >= 0.4 * observer.distance
 }
@@ -141,7 +141,7 @@ mod tests {
         let size = Size { width: 400, height: 300, scale: 1.0 };
         let pointer = DVec2::new(310.0, 60.0);
         let on_target_plane = |o: Observer| {
-            let unit = 2.0 * o.distance * (VIEW_ANGLE.radians() / 2.0).tan() / 300.0;
+            let unit = 2.0 * o.distance * HALF_VIEW_ANGLE.tan() / 300.0;
             let [right, up, _] = o.axes();
             o.target + right * ((pointer.x - 200.0) * unit) - up * ((pointer.y - 150.0) * unit)
         };

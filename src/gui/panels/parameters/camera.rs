@@ -211,7 +211,7 @@ fn paint_padlock(ui: &egui::Ui, rect: egui::Rect, closed: bool) {
     let mut points = vec![egui::pos2(left, body.top() + if closed { 0.0 } else { -lift })];
     points.extend((0..=8).map(|i| {
         let angle = std::f32::consts::PI * (1.0 + i as f32 / 8.0);
-        egui::pos2(body.center().x + 3.0 * angle.cos(), top + 3.0 * angle.sin())
+        egui::pos2(body.center().x, top) + 3.0 * egui::Vec2::angled(angle)
     }));
     points.push(egui::pos2(right, body.top()));
     ui.painter().line(points, egui::Stroke::new(1.5, color));
