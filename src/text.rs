@@ -8,8 +8,25 @@ use skrifa::metrics::GlyphMetrics;
 use skrifa::outline::{DrawSettings, OutlineGlyphCollection, OutlinePen};
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 
+/// A font that comes with the program. A page has fewer characters of it, with the same outlines (`dist/web/fonts.sh`): it is downloaded.
+#[cfg(not(target_arch = "wasm32"))]
+macro_rules! font {
+    ($name:literal) => {
+        include_bytes!(concat!("../assets/fonts/", $name))
+    };
+}
+#[cfg(target_arch = "wasm32")]
+macro_rules! font {
+    ($name:literal) => {
+        include_bytes!(concat!("../assets/fonts/page/", $name))
+    };
+}
+
 /// `DejaVu Sans`: free licence (beside it), Latin with accents, Greek, arrows and mathematical signs.
-pub static FONT_BYTES: &[u8] = include_bytes!("../assets/fonts/DejaVuSans.ttf");
+pub static FONT_BYTES: &[u8] = font!("DejaVuSans.ttf");
+/// `DejaVu Sans Mono`, for code and columns of numbers: of the window alone.
+#[cfg(feature = "gui")]
+pub(crate) static MONOSPACED_FONT_BYTES: &[u8] = font!("DejaVuSansMono.ttf");
 
 /// Size of a subscript, as a share of the text's.
 const SUBSCRIPT_SIZE: f32 = 0.7;
@@ -217,6 +234,48 @@ mod tests {
         for c in "ABCxyzuvn0123456789áàâãçéêíóôõúüÁÀÂÃÇÉÊÍÓÔÕÚαβθφλμ·×°−±√≤≥≠→←↑↓′″½²³".chars()
         {
             assert!(font.charmap.map(c).is_some(), "{c} is missing");
+        }
+    }
+
+    /// Advance and outline of a character, as text.
+    fn glyph(bytes: &[u8], c: char) -> Option<String> {
+        let font = FontRef::new(bytes).unwrap();
+        let glyph = font.charmap().map(c)?;
+        let advance = font.glyph_metrics(Size::unscaled(), LocationRef::default()).advance_width(glyph);
+        let mut pen = skrifa::outline::pen::SvgPen::default();
+        let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
+        font.outline_glyphs().get(glyph).unwrap().draw(settings, &mut pen).unwrap();
+        Some(format!("{advance:?} {pen}"))
+    }
+
+    #[test]
+    fn the_page_has_the_same_letters_and_all_that_the_program_writes() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let mut written = std::collections::BTreeSet::new();
+        let mut waiting =
+            ["src/i18n", "src/gui", "src/views", "assets/notes", "assets/exercises"].map(|at| root.join(at)).to_vec();
+        while let Some(at) = waiting.pop() {
+            if at.is_dir() {
+                waiting.extend(std::fs::read_dir(at).unwrap().map(|entry| entry.unwrap().path()));
+            } else {
+                written.extend(std::fs::read_to_string(at).unwrap().chars().filter(|c| !c.is_control()));
+            }
+        }
+        let read = |name: &str| std::fs::read(root.join("assets/fonts").join(name)).unwrap();
+        // Code and columns of numbers are written with few signs; what is missing there is looked for in the other font.
+        for (name, least) in [("DejaVuSans.ttf", 1200), ("DejaVuSansMono.ttf", 400)] {
+            let (whole, page) = (read(name), read(&format!("page/{name}")));
+            let page_font = FontRef::new(&page).unwrap();
+            let held: Vec<char> = page_font.charmap().mappings().filter_map(|(c, _)| char::from_u32(c)).collect();
+            assert!(held.len() >= least, "{name}: {}", held.len());
+            for &c in &held {
+                assert_eq!(glyph(&page, c), glyph(&whole, c), "{c} of {name}");
+            }
+            if name == "DejaVuSans.ttf" {
+                let missing: String =
+                    written.iter().filter(|&&c| glyph(&whole, c).is_some() && glyph(&page, c).is_none()).collect();
+                assert_eq!(missing, "");
+            }
         }
     }
 

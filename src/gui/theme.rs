@@ -7,14 +7,14 @@ use eframe::egui::{
     text::{LayoutJob, TextFormat},
 };
 
-use crate::text::runs;
+use crate::text::{self, runs};
 
 /// `DejaVu` first: it has the Portuguese accents, the Greek letters and the mathematical signs of the notes.
 pub fn install_fonts(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::default();
     let faces: [(&str, &'static [u8], FontFamily); 2] = [
-        ("DejaVu Sans", crate::text::FONT_BYTES, FontFamily::Proportional),
-        ("DejaVu Sans Mono", include_bytes!("../../assets/fonts/DejaVuSansMono.ttf"), FontFamily::Monospace),
+        ("DejaVu Sans", text::FONT_BYTES, FontFamily::Proportional),
+        ("DejaVu Sans Mono", text::MONOSPACED_FONT_BYTES, FontFamily::Monospace),
     ];
     for (name, bytes, family) in faces {
         fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
