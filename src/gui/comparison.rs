@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use similar::{ChangeTag, TextDiff};
+use similar::DiffTag;
+use similar::algorithms::{Capture, Compact, Replace, myers};
+use web_time::Instant;
 
 use crate::foreign;
 use crate::limits::MAX_COMPARED_LINES;
@@ -37,23 +39,30 @@ impl Comparison {
     /// Compares the text of the file with the one that saving would write.
     #[must_use]
     pub fn new(theirs: &str, mine: &str) -> Self {
-        let difference = TextDiff::configure().timeout(PATIENCE).diff_lines(theirs, mine);
+        let [theirs, mine] = [theirs, mine].map(|text| text.split_inclusive('\n').collect::<Vec<_>>());
+        let mut found = Compact::new(Replace::new(Capture::new()), &theirs[..], &mine[..]);
+        let patience = Some(Instant::now() + PATIENCE);
+        let Ok(()) = myers::diff_deadline(&mut found, &theirs[..], 0..theirs.len(), &mine[..], 0..mine.len(), patience);
         let mut lines = Vec::new();
-        for (number, group) in difference.grouped_ops(AROUND).iter().enumerate() {
+        for (number, group) in found.into_inner().into_inner().into_grouped_ops(AROUND).iter().enumerate() {
             if number > 0 {
                 lines.push((Whose::Gap, String::new()));
             }
-            for change in group.iter().flat_map(|operation| difference.iter_changes(operation)) {
-                if lines.len() >= MAX_COMPARED_LINES {
-                    lines.push((Whose::Gap, String::new()));
-                    return Self { lines };
-                }
-                let whose = match change.tag() {
-                    ChangeTag::Equal => Whose::Both,
-                    ChangeTag::Delete => Whose::Theirs,
-                    ChangeTag::Insert => Whose::Mine,
+            for operation in group {
+                let (tag, in_theirs, in_mine) = operation.as_tag_tuple();
+                let all: &[(Whose, &[&str])] = match tag {
+                    DiffTag::Equal => &[(Whose::Both, &mine[in_mine])],
+                    DiffTag::Delete | DiffTag::Insert | DiffTag::Replace => {
+                        &[(Whose::Theirs, &theirs[in_theirs]), (Whose::Mine, &mine[in_mine])]
+                    }
                 };
-                lines.push((whose, shown(change.value())));
+                for (whose, line) in all.iter().flat_map(|(whose, lines)| lines.iter().map(|line| (*whose, *line))) {
+                    if lines.len() >= MAX_COMPARED_LINES {
+                        lines.push((Whose::Gap, String::new()));
+                        return Self { lines };
+                    }
+                    lines.push((whose, shown(line)));
+                }
             }
         }
         Self { lines }
