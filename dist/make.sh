@@ -65,7 +65,7 @@ make_tar() {
 }
 
 make_deb() {
-    command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' cargo install cargo-deb --locked
+    command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' cargo install cargo-deb --locked --debug
     build_program
     # Cargo.toml names what is packed as it lies in the folder that cargo takes without being told otherwise.
     [ "$manual" -ef target/manual ] || { mkdir -p target && ln -sfn "$manual" target/manual; }

@@ -19,8 +19,9 @@ install_packages() {
     fi
     local root=()
     [ "$(id -u)" -eq 0 ] || root=(sudo)
-    "${root[@]}" apt-get update -q
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+    # One at a time: two scripts may run beside each other.
+    "${root[@]}" flock /tmp/camera-lab-packages.lock env DEBIAN_FRONTEND=noninteractive \
+        sh -c 'apt-get update -q && apt-get install -q -y --no-install-recommends "$@"' sh "${missing[@]}"
 }
 
 # cargo_for TARGET COMMAND [ARGUMENT...]: cargo for another system. With rustup's standard library where that is installed or can

@@ -1,45 +1,67 @@
 """Puts the page together: OUT/index.html with its files, and OUT/camera-lab.html, which holds everything.
 
-assemble.py MADE OUT: in MADE are the folders `web` and `no-modules` that wasm-bindgen has written.
+assemble.py MADE OUT: in MADE is what wasm-bindgen has written, of the program and of what unpacks it.
 """
 
 import base64
 import gzip
+import lzma
 import pathlib
 import sys
 
-# What people download at most, compressed as web servers do it.
-MOST_BYTES = 5_000_000
+# What people download at most.
+MOST_BYTES = 2_500_000
 
 # Loaded from the server that the page is on, and from nowhere else.
 SERVED_POLICY = (
     "default-src 'none'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; connect-src 'self'; "
     "style-src 'unsafe-inline'; img-src data: blob:"
 )
-SERVED = """<script type="module">
+SERVED = """<script src="./unpack.js"></script>
+<script src="./camera-lab.js"></script>
+<script>
+  const whole = async (name) => {
+    const answer = await fetch(name);
+    if (!answer.ok) throw new Error(`${name}: ${answer.status} ${answer.statusText}`);
+    return answer.arrayBuffer();
+  };
   if (cameraLabCanRun()) {
-    import('./camera-lab.js')
-      .then((program) => program.default({ module_or_path: './camera-lab_bg.wasm' }))
+    cameraLabStart(whole('./unpack_bg.wasm'), whole('./camera-lab.wasm.lzma'))
       .catch((why) => cameraLabNote('no-program', String(why)));
   }
 </script>"""
 
-# Everything is in the file; where the browser can't unpack, it is too old for the program as well.
+# Everything is in the file.
 ALONE_POLICY = (
     "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:"
 )
 ALONE = """<script>
-@BINDINGS@
+@UNPACK_JS@
 </script>
-<script type="application/gzip" id="packed">@PACKED@</script>
 <script>
-  (async () => {
-    if (!cameraLabCanRun()) return;
-    const packed = Uint8Array.from(atob(document.getElementById('packed').textContent), (c) => c.charCodeAt(0));
-    const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-    await wasm_bindgen({ module_or_path: await new Response(unpacked).arrayBuffer() });
-  })().catch((why) => cameraLabNoWindow(String(why)));
+@PROGRAM_JS@
+</script>
+<script type="application/octet-stream" id="unpack">@UNPACK@</script>
+<script type="application/octet-stream" id="packed">@PACKED@</script>
+<script>
+  if (cameraLabCanRun()) {
+    const held = async (id) => Uint8Array.from(atob(document.getElementById(id).textContent), (c) => c.charCodeAt(0)).buffer;
+    cameraLabStart(held('unpack'), held('packed')).catch((why) => cameraLabNoWindow(String(why)));
+  }
 </script>"""
+
+# Both scripts of wasm-bindgen make one name; after these there are two.
+UNPACK_JS = """const cameraLabUnpacking = (() => {
+@BINDINGS@
+return wasm_bindgen;
+})();
+// Starts the program: what unpacks it, and what is packed.
+async function cameraLabStart(unpack, packed) {
+  await cameraLabUnpacking({ module_or_path: await unpack });
+  const program = cameraLabUnpacking.unpack(new Uint8Array(await packed));
+  await wasm_bindgen({ module_or_path: program.buffer });
+}
+"""
 
 
 def page(policy: str, program: str) -> str:
@@ -48,26 +70,42 @@ def page(policy: str, program: str) -> str:
     return template.replace("@POLICY@", policy).replace("@PROGRAM@", program)
 
 
-def packed(data: bytes) -> bytes:
-    # Without a time: the same program gives the same file.
-    return gzip.compress(data, 9, mtime=0)
+def packed(program: bytes) -> bytes:
+    # Code has no unit of two or four bytes: `pb` = 0. The dictionary holds the whole program.
+    how = {"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": 1 << 24, "lc": 4, "lp": 0, "pb": 0, "nice_len": 273}
+    return lzma.compress(program, format=lzma.FORMAT_ALONE, filters=[how])
+
+
+def base64_of(data: bytes) -> str:
+    return base64.b64encode(data).decode()
 
 
 def main(made: pathlib.Path, out: pathlib.Path) -> None:
+    program_js = (made / "camera-lab.js").read_text(encoding="utf-8")
+    unpack_js = UNPACK_JS.replace("@BINDINGS@", (made / "unpack.js").read_text(encoding="utf-8"))
+    # A script ends at the first of these, wherever it stands.
+    assert "</script" not in program_js + unpack_js
+    program = packed((made / "camera-lab_bg.wasm").read_bytes())
+    unpack = (made / "unpack_bg.wasm").read_bytes()
     files = {
         "index.html": page(SERVED_POLICY, SERVED).encode(),
-        "camera-lab.js": (made / "web/camera-lab.js").read_bytes(),
-        "camera-lab_bg.wasm": (made / "web/camera-lab_bg.wasm").read_bytes(),
+        "camera-lab.js": program_js.encode(),
+        "camera-lab.wasm.lzma": program,
+        "unpack.js": unpack_js.encode(),
+        "unpack_bg.wasm": unpack,
     }
-    bindings = (made / "no-modules/camera-lab.js").read_text(encoding="utf-8")
-    # A script ends at the first of these, wherever it stands.
-    assert "</script" not in bindings
-    program = base64.b64encode(packed((made / "no-modules/camera-lab_bg.wasm").read_bytes())).decode()
-    alone = page(ALONE_POLICY, ALONE.replace("@BINDINGS@", bindings).replace("@PACKED@", program))
+    alone = page(
+        ALONE_POLICY,
+        ALONE.replace("@UNPACK_JS@", unpack_js)
+        .replace("@PROGRAM_JS@", program_js)
+        .replace("@UNPACK@", base64_of(unpack))
+        .replace("@PACKED@", base64_of(program)),
+    )
     total = 0
     for name, data in files.items():
         (out / name).write_bytes(data)
-        small = len(packed(data))
+        # As web servers pack what is not packed yet.
+        small = len(data) if name.endswith(".lzma") else len(gzip.compress(data, 9, mtime=0))
         total += small
         print(f"{name}: {len(data)} bytes, {small} compressed")
     (out / "camera-lab.html").write_text(alone, encoding="utf-8", newline="\n")
