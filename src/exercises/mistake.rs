@@ -157,8 +157,10 @@ slips! {
     Radians = Radians;
     /// The angle of an operation in degrees put into sin and cos.
     TurnInRadians = Radians;
-    /// tan θ.
+    /// tan θ for tan(θ/2).
     WholeAngle = WholeAngle;
+    /// tan θ for 2 tan(θ/2): H = F tan θ.
+    WholeAngleOnce = WholeAngle;
     /// W = H / A.
     AspectInverted = AspectInverted;
     /// θ/s.

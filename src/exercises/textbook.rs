@@ -253,6 +253,18 @@ fn basis(camera: &Camera, slips: Slips) -> [DVec3; 3] {
     [u, v, if slips.has(Slip::NReversedAlone) { -n } else { n }]
 }
 
+/// tan(θ/2) for θ in degrees: half the window's height to F, `[0]` (5.5).
+pub(super) fn half_tangent(view_angle: f64, slips: Slips) -> f64 {
+    let (angle, by) = if slips.has(Slip::WholeAngle) {
+        (view_angle, 1.0)
+    } else if slips.has(Slip::WholeAngleOnce) {
+        (view_angle, 2.0)
+    } else {
+        (view_angle / 2.0, 1.0)
+    };
+    if slips.has(Slip::Radians) { angle } else { angle.to_radians() }.tan() / by
+}
+
 /// l, r, b, t, `[0]` (5.1), (5.5).
 fn window(camera: &Camera, slips: Slips) -> ViewWindow {
     let parameters = camera.parameters();
@@ -261,12 +273,7 @@ fn window(camera: &Camera, slips: Slips) -> ViewWindow {
     }
     let height = match camera.projection() {
         Projection::Parallel => parameters.height,
-        Projection::Perspective => {
-            let half = if slips.has(Slip::WholeAngle) { 1.0 } else { 0.5 };
-            let angle = parameters.view_angle * half;
-            let angle = if slips.has(Slip::Radians) { angle } else { angle.to_radians() };
-            2.0 * camera.near() * angle.tan()
-        }
+        Projection::Perspective => 2.0 * camera.near() * half_tangent(parameters.view_angle, slips),
     };
     let aspect = parameters.aspect;
     let width = if slips.has(Slip::AspectInverted) { height / aspect } else { height * aspect };

@@ -10,32 +10,21 @@ use crate::foreign::shown;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 
+/// Below this width, in points, the menus have no room beside the switches: a telephone held upright.
+pub(super) const PHONE: f32 = 600.0;
+/// With fewer points than this neither the gallery nor a name can be read.
+const LEAST_TITLE: f32 = 160.0;
+
 /// Shows the bar; the chosen command, if any.
 pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     let t = window::texts(state.settings.lang);
     let mut chosen = None;
     egui::MenuBar::new().ui(ui, |ui| {
-        let menus = [
-            (t.menu_file, &Command::FILE[..]),
-            (t.menu_edit, &Command::EDIT),
-            (t.menu_view, &Command::VIEW),
-            (t.menu_window, &Command::WINDOW),
-            (t.menu_present, &Command::PRESENT),
-            (t.menu_help, &Command::HELP),
-        ];
-        for (title, commands) in menus {
-            ui.menu_button(title, |ui| {
-                ui.set_min_width(220.0);
-                for (place, command) in commands.iter().filter(|command| command.is_there(state)).enumerate() {
-                    if place > 0 && is_first_of_group(*command) {
-                        ui.separator();
-                    }
-                    if item(ui, t, state, *command) {
-                        chosen = Some(*command);
-                        ui.close();
-                    }
-                }
-            });
+        if ui.available_width() < PHONE {
+            // One button, so that the switches have room.
+            ui.menu_button("☰", |ui| chosen = menus(ui, t, state)).response.accessible_name("Menu");
+        } else {
+            chosen = menus(ui, t, state);
         }
         ui.separator();
         for command in [Command::Undo, Command::Redo] {
@@ -46,6 +35,9 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         }
         let mut of_title = None;
         let middle = |ui: &mut egui::Ui| {
+            if ui.available_width() < LEAST_TITLE {
+                return;
+            }
             title(ui, t, state, &mut of_title);
             panels::status::news(ui, state);
         };
@@ -69,6 +61,34 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         });
         chosen = switched.or(of_title).or(chosen);
     });
+    chosen
+}
+
+/// The menus, one beside or below the other; the chosen command, if any.
+fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
+    let menus = [
+        (t.menu_file, &Command::FILE[..]),
+        (t.menu_edit, &Command::EDIT),
+        (t.menu_view, &Command::VIEW),
+        (t.menu_window, &Command::WINDOW),
+        (t.menu_present, &Command::PRESENT),
+        (t.menu_help, &Command::HELP),
+    ];
+    let mut chosen = None;
+    for (title, commands) in menus {
+        ui.menu_button(title, |ui| {
+            ui.set_min_width(220.0);
+            for (place, command) in commands.iter().filter(|command| command.is_there(state)).enumerate() {
+                if place > 0 && is_first_of_group(*command) {
+                    ui.separator();
+                }
+                if item(ui, t, state, *command) {
+                    chosen = Some(*command);
+                    ui.close();
+                }
+            }
+        });
+    }
     chosen
 }
 

@@ -182,6 +182,25 @@ fn a_narrow_window_has_room_for_one_panel() {
 }
 
 #[test]
+fn on_a_telephone_the_menus_are_in_one_and_everything_in_the_bar_is_on_the_screen() {
+    for lang in [Lang::En, Lang::PtBr] {
+        let t = texts(lang);
+        let mut window = Window::new(lang);
+        window.harness.set_size([390.0, 844.0].into());
+        window.run();
+        let screen = window.harness.ctx.content_rect();
+        let mut bar: Vec<_> = window.written().into_iter().filter(|(_, rect)| rect.max.y < 26.0).collect();
+        bar.sort_by(|(_, a), (_, b)| a.min.x.total_cmp(&b.min.x));
+        assert!(bar.len() >= 10 && bar.iter().all(|(_, rect)| screen.contains_rect(*rect)), "{bar:?}");
+        assert!(bar.windows(2).all(|pair| pair[0].1.max.x < pair[1].1.min.x), "{bar:?}");
+        window.click("Menu");
+        window.menu(t.menu_window, Command::ReduceMotion.label(t));
+        assert!(window.state().settings.reduce_motion);
+        assert!(!window.says(t.menu_file), "the menus are closed");
+    }
+}
+
+#[test]
 fn the_theme_is_that_of_the_pictures_and_of_the_window() {
     let mut window = Window::new(Lang::En);
     assert_eq!(window.harness.ctx.theme(), egui::Theme::Light);

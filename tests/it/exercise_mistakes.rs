@@ -119,6 +119,14 @@ fn axes_in_the_columns_of_the_view_matrix_are_told() {
 }
 
 #[test]
+fn the_whole_angle_is_found_with_and_without_the_factor_of_two() {
+    // θ = 40°, A = 5/4, F = 1/2: H = 2 F tan θ, H = F tan θ, and what follows for W.
+    for (name, answer) in [("H", "tan(40°)"), ("H", "tan(40°)/2"), ("W", "1.25*tan(40°)/2")] {
+        assert_eq!(codes(&judge("window", 1, name, answer)), ["whole-angle"], "{name} = {answer}");
+    }
+}
+
+#[test]
 fn two_mistakes_together_are_told_both() {
     // W = H/A with H = 2 F tan θ.
     assert_eq!(codes(&judge("window", 1, "W", "tan(40°)/1.25")), ["whole-angle", "aspect-inverted"]);

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::cameras::{about, camera, numbers, plain, point_inside, subject, with_point};
 use crate::camera::{Camera, Parameters, Projection};
+use crate::exercises::textbook::half_tangent;
 use crate::exercises::worked::{Worked, angle, named};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Slips, Table, Unit};
 use crate::explain::{Formula, Function, minus, over, plus, times};
@@ -135,13 +136,10 @@ fn zoom_or_dolly(seed: u64) -> Exercise {
     let factor = random.one_of(&[2.0, 1.5, 3.0, 4.0]);
     let distance = parameters.position.z;
     let share = move |slips: Slips, zoom: f64, distance: f64| {
-        let half = if slips.has(Slip::WholeAngle) { 1.0 } else { 0.5 };
-        let angle = parameters.view_angle * half;
-        let tangent = if slips.has(Slip::Radians) { angle } else { angle.to_radians() }.tan();
         let zoomed = if slips.has(Slip::ZoomOnAngle) {
-            (parameters.view_angle / zoom * half).to_radians().tan()
+            half_tangent(parameters.view_angle / zoom, slips)
         } else {
-            tangent / zoom
+            half_tangent(parameters.view_angle, slips) / zoom
         };
         size / (2.0 * distance * zoomed)
     };

@@ -5,6 +5,7 @@ use glam::{DMat3, DMat4, DVec3};
 use super::cameras::{about, camera, numbers, plain, small, subject};
 use crate::camera::{Parameters, Projection};
 use crate::exercises::products::{ENTRIES, multiplied};
+use crate::exercises::textbook::half_tangent;
 use crate::exercises::worked::{Worked, angle, named};
 use crate::exercises::{Ask, Entry, Exercise, Fact, Kind, Mistake, Slip, Slips, Table, notes};
 use crate::explain::{Formula, Function, over, times};
@@ -79,9 +80,7 @@ fn left_handed(seed: u64) -> Exercise {
 
 /// l, r, b, t of glFrustum, and K, from what gluPerspective is given.
 fn frustum(parameters: &Parameters, slips: Slips) -> [f64; 4] {
-    let half = if slips.has(Slip::WholeAngle) { 1.0 } else { 0.5 };
-    let angle = parameters.view_angle * half;
-    let top = parameters.near * if slips.has(Slip::Radians) { angle } else { angle.to_radians() }.tan();
+    let top = parameters.near * half_tangent(parameters.view_angle, slips);
     let aspect = if slips.has(Slip::AspectInverted) { 1.0 / parameters.aspect } else { parameters.aspect };
     let right = top * aspect;
     [-right, right, -top, top]
