@@ -35,10 +35,12 @@ make_windows() {
     cargo_for "$target" rustc --release --manifest-path dist/windows/console/Cargo.toml -- "${unchanging[@]}"
     cp "$CARGO_TARGET_DIR/$target/release/camera-lab.exe" "$out/camera-lab.exe"
     cp "$CARGO_TARGET_DIR/$target/release/camera-lab-console.exe" "$out/camera-lab.com"
+    cp THIRD-PARTY.md "$out"
 }
 
 make_web() {
     bash dist/web.sh "$out"
+    cp THIRD-PARTY.md "$out"
 }
 
 # The program for this machine, once for all packages.
