@@ -8,8 +8,12 @@
 #   all      windows, web, deb and tar, with SHA256SUMS
 # On Debian it installs what it needs (as root, or by sudo); elsewhere it names what is missing. The same sources give the same bytes.
 set -euo pipefail
-usage() { sed -n '2,9s/^# //p' "$0" >&2; exit 2; }
+usage() { sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 [ $# -eq 2 ] || usage
+case $1 in
+    windows | web | deb | tar | macos | all) ;;
+    *) usage ;;
+esac
 mkdir -p "$2"
 out=$(cd "$2" && pwd)
 cd "$(dirname "$0")/.."
@@ -38,9 +42,37 @@ make_windows() {
     cp THIRD-PARTY.md "$out"
 }
 
-make_web() {
-    bash dist/web.sh "$out"
+make_web() (
+    install_packages python3
+    page=$CARGO_TARGET_DIR/page
+    target=wasm32-unknown-unknown
+    # Vectors of 128 bits, as browsers have had them since 2023: without them what is drawn in vectors is a third of the program.
+    export CARGO_ENCODED_RUSTFLAGS+=$'\x1f'-Ctarget-feature=+simd128
+    cargo_for "$target" build --profile web --bin camera-lab
+    cargo_for "$target" build --release --manifest-path dist/web/unpack/Cargo.toml
+    bindings
+    python3 dist/web/assemble.py "$page" "$out"
     cp THIRD-PARTY.md "$out"
+)
+
+# Writes the JavaScript between the program and the browser: its version has to be that of the library that the program was built with.
+bindings() {
+    local version bindgen=$CARGO_TARGET_DIR/tools/bin/wasm-bindgen made=$CARGO_TARGET_DIR/$target
+    version=$(sed -n '/^name = "wasm-bindgen"$/{n;s/version = "\(.*\)"/\1/p}' Cargo.lock)
+    if [ "$(wasm-bindgen --version 2>/dev/null)" = "wasm-bindgen $version" ]; then
+        bindgen=wasm-bindgen
+    elif [ "$("$bindgen" --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
+        # Built without optimisation it is there in a third of the time, and runs for seconds.
+        CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' \
+            cargo install wasm-bindgen-cli --locked --version "$version" --root "$CARGO_TARGET_DIR/tools" --debug
+    fi
+    rm -rf "${page:?}"
+    # Not as modules: those cannot stand in a file that opens from disk.
+    bind() {
+        "$bindgen" --target no-modules --no-typescript --remove-name-section --remove-producers-section --out-dir "$page" --out-name "$@"
+    }
+    bind camera-lab "$made/web/camera-lab.wasm"
+    bind unpack "$made/release/camera_lab_unpack.wasm"
 }
 
 # The program for this machine, once for all packages.
@@ -67,7 +99,7 @@ make_tar() {
 }
 
 make_deb() {
-    command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' cargo install cargo-deb --locked --debug
+    command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' cargo install cargo-deb --locked --version '^3' --debug
     build_program
     # Cargo.toml names what is packed as it lies in the folder that cargo takes without being told otherwise.
     [ "$manual" -ef target/manual ] || { mkdir -p target && ln -sfn "$manual" target/manual; }
@@ -89,11 +121,11 @@ make_all() {
     make_web
     make_tar
     make_deb
-    (cd "$out" && find . -type f ! -name SHA256SUMS | sort | xargs -d '\n' sha256sum >SHA256SUMS)
+    (cd "$out" && sha256sum THIRD-PARTY.md camera-lab.exe camera-lab.com index.html unpack.js unpack_bg.wasm camera-lab.js camera-lab.wasm.lzma \
+        camera-lab.html "camera-lab-$version-$(uname -m)-linux.tar.gz" camera-lab_*.deb >SHA256SUMS)
 }
 
-case $1 in
-    windows | web | deb | tar | macos | all) "make_$1" ;;
-    *) usage ;;
-esac
+# What links the programs that compilers run.
+install_packages gcc libc6-dev
+"make_$1"
 ls -l "$out"

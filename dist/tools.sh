@@ -33,6 +33,7 @@ cargo_for() {
     if has_target "$target"; then
         cargo "$command" --locked --target "$target" "$@"
     else
+        command -v dpkg-query >/dev/null || fail "the standard library for $target is missing: rustup target add $target"
         install_packages rustc-web cargo-web rust-web-src
         local panic=panic_unwind
         if [[ $target = wasm32-* ]]; then
@@ -49,6 +50,10 @@ cargo_for() {
 has_target() {
     command -v rustup >/dev/null || return 1
     rustup target list --installed 2>/dev/null | grep -qx "$1" && return
-    # Where there is no network it says so at once; a proxy that never answers is not waited for.
-    timeout 120 rustup target add "$1"
+    # Where there is no network it says so at once; a proxy that never answers is not waited for. (Macs have no timeout.)
+    if command -v timeout >/dev/null; then
+        timeout 120 rustup target add "$1"
+    else
+        rustup target add "$1"
+    fi
 }

@@ -26,8 +26,9 @@ SERVED = """<script src="./unpack.js"></script>
     return answer.arrayBuffer();
   };
   if (cameraLabCanRun()) {
-    cameraLabStart(whole('./unpack_bg.wasm'), whole('./camera-lab.wasm.lzma'))
-      .catch((why) => cameraLabNote('no-program', String(why)));
+    // Asynchronous even where the scripts did not come, whose names are unknown then.
+    (async () => cameraLabStart(whole('./unpack_bg.wasm'), whole('./camera-lab.wasm.lzma')))()
+      .catch((why) => why instanceof WebAssembly.CompileError ? cameraLabNoWindow(String(why)) : cameraLabNote('no-program', String(why)));
   }
 </script>"""
 
@@ -51,7 +52,7 @@ ALONE = """<script>
 </script>"""
 
 # Both scripts of wasm-bindgen make one name; after these there are two.
-UNPACK_JS = """const cameraLabUnpacking = (() => {
+UNPACK_JS = """let cameraLabUnpacking = (() => {
 @BINDINGS@
 return wasm_bindgen;
 })();
@@ -59,6 +60,8 @@ return wasm_bindgen;
 async function cameraLabStart(unpack, packed) {
   await cameraLabUnpacking({ module_or_path: await unpack });
   const program = cameraLabUnpacking.unpack(new Uint8Array(await packed));
+  // Its memory, some fifty megabytes, is free then.
+  cameraLabUnpacking = null;
   await wasm_bindgen({ module_or_path: program.buffer });
 }
 """
