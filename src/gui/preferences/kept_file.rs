@@ -4,9 +4,13 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use eframe::egui;
+
+use crate::clock;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError};
 use crate::gui::session::aside;
+use crate::gui::worker::Worker;
 
 /// How long is waited for what is being written before the window closes.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
@@ -33,4 +37,62 @@ pub(super) fn locked(file: &Path) -> Result<Lock, FileError> {
     disk::create_folder(file.parent().unwrap_or(Path::new(""))).map_err(FileError::Write)?;
     // Where there are no locks, two windows that write in the same moment may lose a key.
     disk::lock(&file.with_extension("lock")).map_err(FileError::Write)
+}
+
+/// What a window has changed, to be written into what the file holds by then.
+pub(super) trait Change: Clone + Send + 'static {
+    /// What came of it.
+    type Written: Send + 'static;
+
+    /// True where nothing is to be written.
+    fn is_empty(&self) -> bool;
+
+    /// True where nothing was added since `other` was asked for.
+    fn is_same(&self, other: &Self) -> bool;
+
+    /// Writes it.
+    fn write(&self) -> Result<Self::Written, FileError>;
+}
+
+/// Writes changes beside the window's thread, one after the other. What cannot be written is tried again with the next change.
+pub(super) struct Writing<C: Change> {
+    worker: Worker<C, Result<C::Written, FileError>>,
+    /// What is being written, or could not be.
+    asked: Option<C>,
+    /// It has been said that something cannot be written.
+    told: bool,
+}
+
+impl<C: Change> Writing<C> {
+    pub(super) fn new(name: &'static str) -> Self {
+        let worker = Worker::new(name, clock::now, || Box::new(|change: C, _| change.write()));
+        Self { worker, asked: None, told: false }
+    }
+
+    /// True while something is being written: what is asked for waits until then.
+    pub(super) fn is_busy(&self) -> bool {
+        self.worker.is_pending(0)
+    }
+
+    /// Has a change written, unless there is nothing new in it.
+    pub(super) fn ask(&mut self, ctx: &egui::Context, change: C) {
+        if !change.is_empty() && self.asked.as_ref().is_none_or(|asked| !asked.is_same(&change)) {
+            self.worker.ask(ctx, 0, change.clone());
+            self.asked = Some(change);
+        }
+    }
+
+    /// What was written, and what came of it, once there is any; the first time that it cannot be, why.
+    pub(super) fn take(&mut self, patience: Duration) -> Option<Result<(C, C::Written), FileError>> {
+        let [Some(done)] = self.worker.take(patience) else { return None };
+        match done.outcome? {
+            Ok(written) => Some(Ok((self.asked.take()?, written))),
+            Err(error) => (!std::mem::replace(&mut self.told, true)).then_some(Err(error)),
+        }
+    }
+
+    /// What was asked for does not count any more.
+    pub(super) fn forget(&mut self) {
+        self.asked = None;
+    }
 }

@@ -11,13 +11,11 @@ use eframe::egui;
 use toml_edit::{DocumentMut, Value};
 
 use super::answers::{self, NOTHING};
-use super::kept_file::{PATIENCE, locked, read};
-use crate::clock;
+use super::kept_file::{Change, PATIENCE, Writing, locked, read};
 use crate::exercises::Progress;
 use crate::files::{self, FileError, Overwrite, disk};
 use crate::gui::session::News;
 use crate::gui::state::{Done, Message, State};
-use crate::gui::worker::Worker;
 
 /// What one window has done.
 #[derive(Clone, Debug)]
@@ -42,7 +40,9 @@ fn understood(text: &str) -> Option<(DocumentMut, Progress)> {
     Some((text.parse().ok()?, Progress::read(text).ok()?))
 }
 
-impl Job {
+impl Change for Job {
+    type Written = Written;
+
     fn is_empty(&self) -> bool {
         self.changed.is_empty() && self.done.is_empty()
     }
@@ -52,7 +52,7 @@ impl Job {
         self.changed == other.changed && self.done.len() == other.done.len()
     }
 
-    fn run(&self) -> Result<Written, FileError> {
+    fn write(&self) -> Result<Written, FileError> {
         let _lock = locked(&self.file)?;
         let ((before, mut progress), set_aside) = read(&self.file, understood)?;
         self.done.iter().for_each(|done| done.note(&mut progress));
@@ -75,13 +75,10 @@ impl Job {
 /// The file of progress, and what of this window is in it.
 pub(super) struct KeptProgress {
     file: PathBuf,
-    worker: Worker<Job, Result<Written, FileError>>,
+    writing: Writing<Job>,
     /// What was typed in this window, as it is in the file.
     kept: BTreeMap<String, String>,
-    /// What is being written, or could not be.
-    asked: Option<Job>,
     news: Vec<News>,
-    told: bool,
 }
 
 impl KeptProgress {
@@ -106,8 +103,7 @@ impl KeptProgress {
             state.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
         }
         state.exercises.file = Some(file.clone());
-        let worker = Worker::new("progress", clock::now, || Box::new(|job: Job, _| job.run()));
-        Self { file, worker, kept, asked: None, news, told: false }
+        Self { file, writing: Writing::new("progress"), kept, news }
     }
 
     /// Writes down what was done, beside the window's thread. What cannot be written is tried again with what is done next.
@@ -117,13 +113,8 @@ impl KeptProgress {
             self.forget(state);
             ctx.request_repaint();
         }
-        if self.worker.is_pending(0) {
-            return;
-        }
-        let job = self.job(state);
-        if !job.is_empty() && self.asked.as_ref().is_none_or(|asked| !asked.is_same(&job)) {
-            self.worker.ask(ctx, 0, job.clone());
-            self.asked = Some(job);
+        if !self.writing.is_busy() {
+            self.writing.ask(ctx, self.job(state));
         }
     }
 
@@ -132,7 +123,7 @@ impl KeptProgress {
         self.take(state, PATIENCE);
         let job = self.job(state);
         if !job.is_empty()
-            && let Ok(written) = job.run()
+            && let Ok(written) = job.write()
         {
             self.took(state, job, written);
         }
@@ -157,17 +148,10 @@ impl KeptProgress {
 
     /// Takes what came of writing.
     pub(super) fn take(&mut self, state: &mut State, patience: Duration) {
-        let [Some(done)] = self.worker.take(patience) else { return };
-        match done.outcome {
-            Some(Ok(written)) => {
-                if let Some(job) = self.asked.take() {
-                    self.took(state, job, written);
-                }
-            }
-            Some(Err(error)) if !std::mem::replace(&mut self.told, true) => {
-                self.news.push(News::ProgressNotWritten(self.file.clone(), error));
-            }
-            Some(Err(_)) | None => {}
+        match self.writing.take(patience) {
+            Some(Ok((job, written))) => self.took(state, job, written),
+            Some(Err(error)) => self.news.push(News::ProgressNotWritten(self.file.clone(), error)),
+            None => {}
         }
     }
 
@@ -192,6 +176,6 @@ impl KeptProgress {
         }
         state.exercises.forget();
         self.kept.clear();
-        self.asked = None;
+        self.writing.forget();
     }
 }

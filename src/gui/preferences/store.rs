@@ -7,15 +7,13 @@ use std::time::Duration;
 use eframe::egui;
 use toml_edit::{Array, DocumentMut, Value};
 
-use super::kept_file::{PATIENCE, locked, read};
+use super::kept_file::{Change, PATIENCE, Writing, locked, read};
 use super::progress::KeptProgress;
 use super::{RECENT, answers, apply, recent, values};
-use crate::clock;
 use crate::files::{self, FileError, Overwrite};
 use crate::gui::asked::Asked;
 use crate::gui::session::News;
 use crate::gui::state::{State, merged};
-use crate::gui::worker::Worker;
 
 /// What one window has changed.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,12 +36,18 @@ struct Written {
     set_aside: Option<PathBuf>,
 }
 
-impl Job {
+impl Change for Job {
+    type Written = Written;
+
     fn is_empty(&self) -> bool {
         self.changed.is_empty() && self.opened.is_empty() && !self.answers_moved
     }
 
-    fn run(&self) -> Result<Written, FileError> {
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+
+    fn write(&self) -> Result<Written, FileError> {
         let _lock = locked(&self.file)?;
         let (mut document, set_aside) = read(&self.file, document)?;
         let before = document.to_string();
@@ -76,15 +80,12 @@ fn document(text: &str) -> Option<DocumentMut> {
 /// The preferences of a window, and the file in which they are kept.
 pub struct Preferences {
     file: PathBuf,
-    worker: Worker<Job, Result<Written, FileError>>,
+    writing: Writing<Job>,
     /// The keys of this window as they are in the file, or were when it was read.
     kept: BTreeMap<String, String>,
     /// The keys that stand in the file.
     remembered: BTreeSet<String>,
-    /// What is being written, or could not be.
-    asked: Option<Job>,
     news: Vec<News>,
-    told: bool,
     progress: KeptProgress,
     /// What was typed for exercises stands in the file of preferences still.
     has_answers: bool,
@@ -106,12 +107,11 @@ impl Preferences {
             Err(error) => news.push(News::Unreadable(file.clone(), error)),
         }
         asked.apply(state);
-        let worker = Worker::new("preferences", clock::now, || Box::new(|job: Job, _| job.run()));
         let progress = KeptProgress::begin(folder, state, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state);
-        Self { file, worker, kept, remembered, asked: None, news, told: false, progress, has_answers }
+        Self { file, writing: Writing::new("preferences"), kept, remembered, news, progress, has_answers }
     }
 
     /// Sets a key as the system wants it, unless the user has chosen otherwise; that is not remembered.
@@ -131,14 +131,8 @@ impl Preferences {
     pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
         self.progress.keep(ctx, state);
         self.take(state, Duration::ZERO);
-        if self.worker.is_pending(0) {
-            return;
-        }
-        let job = self.job(state);
-        let is_new = self.asked.as_ref() != Some(&job);
-        if is_new && !job.is_empty() {
-            self.worker.ask(ctx, 0, job.clone());
-            self.asked = Some(job);
+        if !self.writing.is_busy() {
+            self.writing.ask(ctx, self.job(state));
         }
     }
 
@@ -149,7 +143,7 @@ impl Preferences {
         let job = self.job(state);
         if !job.is_empty() {
             // There is nobody left to be told.
-            let _ = job.run();
+            let _ = job.write();
         }
     }
 
@@ -170,10 +164,8 @@ impl Preferences {
 
     /// Takes what came of writing.
     fn take(&mut self, state: &mut State, patience: Duration) {
-        let [Some(done)] = self.worker.take(patience) else { return };
-        match done.outcome {
-            Some(Ok(Written { recent, set_aside })) => {
-                let Some(Job { changed, opened, answers_moved, .. }) = self.asked.take() else { return };
+        match self.writing.take(patience) {
+            Some(Ok((Job { changed, opened, answers_moved, .. }, Written { recent, set_aside }))) => {
                 self.has_answers &= !answers_moved;
                 self.remembered.extend(changed.keys().cloned());
                 self.kept.extend(changed);
@@ -181,10 +173,8 @@ impl Preferences {
                 state.recent.files = merged(&state.recent.new, &recent);
                 self.news.extend(set_aside.map(News::PreferencesSetAside));
             }
-            Some(Err(error)) if !std::mem::replace(&mut self.told, true) => {
-                self.news.push(News::PreferencesNotWritten(self.file.clone(), error));
-            }
-            Some(Err(_)) | None => {}
+            Some(Err(error)) => self.news.push(News::PreferencesNotWritten(self.file.clone(), error)),
+            None => {}
         }
     }
 }
