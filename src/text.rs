@@ -253,7 +253,7 @@ mod tests {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
         let mut written = std::collections::BTreeSet::new();
         let mut waiting =
-            ["src/i18n", "src/gui", "src/views", "assets/notes", "assets/exercises"].map(|at| root.join(at)).to_vec();
+            ["src", "assets/notes", "assets/exercises", "assets/figures"].map(|at| root.join(at)).to_vec();
         while let Some(at) = waiting.pop() {
             if at.is_dir() {
                 waiting.extend(std::fs::read_dir(at).unwrap().map(|entry| entry.unwrap().path()));

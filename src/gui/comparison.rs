@@ -41,8 +41,8 @@ impl Comparison {
     pub fn new(theirs: &str, mine: &str) -> Self {
         let [theirs, mine] = [theirs, mine].map(|text| text.split_inclusive('\n').collect::<Vec<_>>());
         let mut found = Compact::new(Replace::new(Capture::new()), &theirs[..], &mine[..]);
-        let patience = Some(Instant::now() + PATIENCE);
-        let Ok(()) = myers::diff_deadline(&mut found, &theirs[..], 0..theirs.len(), &mine[..], 0..mine.len(), patience);
+        let deadline = Some(Instant::now() + PATIENCE);
+        let Ok(()) = myers::diff_deadline(&mut found, &theirs[..], 0..theirs.len(), &mine[..], 0..mine.len(), deadline);
         let mut lines = Vec::new();
         for (number, group) in found.into_inner().into_inner().into_grouped_ops(AROUND).iter().enumerate() {
             if number > 0 {

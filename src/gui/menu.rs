@@ -12,17 +12,16 @@ use crate::i18n::window::{self, Texts};
 
 /// Below this width, in points, the menus have no room beside the switches: a telephone held upright.
 pub(super) const PHONE: f32 = 600.0;
-/// With fewer points than this neither the gallery nor a name can be read.
-const LEAST_TITLE: f32 = 160.0;
 
 /// Shows the bar; the chosen command, if any.
 pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
     let t = window::texts(state.settings.lang);
     let mut chosen = None;
     egui::MenuBar::new().ui(ui, |ui| {
-        if ui.available_width() < PHONE {
+        let is_phone = ui.available_width() < PHONE;
+        if is_phone {
             // One button, so that the switches have room.
-            ui.menu_button("☰", |ui| chosen = menus(ui, t, state)).response.accessible_name("Menu");
+            ui.menu_button("☰", |ui| chosen = menus(ui, t, state)).response.accessible_name(t.menus);
         } else {
             chosen = menus(ui, t, state);
         }
@@ -35,10 +34,10 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
         }
         let mut of_title = None;
         let middle = |ui: &mut egui::Ui| {
-            if ui.available_width() < LEAST_TITLE {
-                return;
+            // What is new has the little room that there is on a telephone.
+            if !is_phone {
+                title(ui, t, state, &mut of_title);
             }
-            title(ui, t, state, &mut of_title);
             panels::status::news(ui, state);
         };
         let switched = with_room_before(ui, middle, |ui| {

@@ -2,6 +2,7 @@
 
 texts! {
     // Menus and commands: label, then what the tooltip adds.
+    menus: "Menu", "Menu";
     menu_file: "File", "Arquivo";
     menu_edit: "Edit", "Editar";
     menu_view: "View", "Ver";

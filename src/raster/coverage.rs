@@ -249,13 +249,13 @@ fn number(k: usize) -> u32 {
     u32::try_from(k).unwrap_or(u32::MAX)
 }
 
-/// The share of a pixel that a stroke of this half width covers, `distance` from its middle line.
 /// The length of a way, rounded once.
 #[expect(clippy::cast_possible_truncation, reason = "rounded to the precision of pixels")]
 pub(super) fn length(dx: f32, dy: f32) -> f32 {
     DVec2::new(f64::from(dx), f64::from(dy)).length() as f32
 }
 
+/// The share of a pixel that a stroke of this half width covers, `distance` from its middle line.
 fn overlap(distance: f32, radius: f32) -> f32 {
     (radius.min(distance + 0.5) - (-radius).max(distance - 0.5)).clamp(0.0, 1.0)
 }

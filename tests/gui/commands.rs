@@ -193,7 +193,7 @@ fn on_a_telephone_the_menus_are_in_one_and_everything_in_the_bar_is_on_the_scree
         bar.sort_by(|(_, a), (_, b)| a.min.x.total_cmp(&b.min.x));
         assert!(bar.len() >= 10 && bar.iter().all(|(_, rect)| screen.contains_rect(*rect)), "{bar:?}");
         assert!(bar.windows(2).all(|pair| pair[0].1.max.x < pair[1].1.min.x), "{bar:?}");
-        window.click("Menu");
+        window.click(t.menus);
         window.menu(t.menu_window, Command::ReduceMotion.label(t));
         assert!(window.state().settings.reduce_motion);
         assert!(!window.says(t.menu_file), "the menus are closed");

@@ -160,7 +160,7 @@ impl Page {
         let mut state = State::new(Start { figure, file, lang, allow_files: false })?;
         state.own_address = own_address(&location);
         let width = window.inner_width().ok().and_then(|width| width.as_f64());
-        if width.is_some_and(|width| width < f64::from(super::menu::PHONE)) {
+        if !is_framed(&window) && width.is_some_and(|width| width < f64::from(super::menu::PHONE)) {
             // The pictures need all the room there is, until a panel is asked for.
             state.settings.panels_mut().wanted = [false; 3];
         }
