@@ -306,7 +306,7 @@ impl Exporting {
     ) -> Self {
         let subject = Subject::of(document, lang, export.theme);
         let source = document.source().to_owned();
-        let mut worker = Worker::new("export", clock::now, make);
+        let mut worker = Worker::new("export", clock::now, make).taking_long();
         let what = What::Pictures(export);
         worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
         Self { path, worker }
@@ -322,7 +322,8 @@ impl Exporting {
     ) -> Self {
         let subject = Subject::of(document, lang, theme);
         let source = document.source().to_owned();
-        let mut worker: Worker<Task, Exported> = Worker::new("export", clock::now, || Box::new(Task::run));
+        let mut worker: Worker<Task, Exported> =
+            Worker::new("export", clock::now, || Box::new(Task::run) as Work<Task, Exported>).taking_long();
         let what = What::Film(decomposition);
         worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
         Self { path, worker }

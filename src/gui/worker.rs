@@ -20,6 +20,8 @@ pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     name: &'static str,
     make: fn() -> Work<Job, Outcome>,
     clock: fn() -> Duration,
+    /// What the first job is expected to take.
+    expected: Duration,
 }
 
 /// Where the work is done.
@@ -38,7 +40,7 @@ struct Here<Job, Outcome, const SLOTS: usize> {
     /// What is asked for the next frame.
     ctx: egui::Context,
     shares: Shares<SLOTS>,
-    /// What the last job of each slot took.
+    /// What the last job of each slot took, or the first is expected to.
     took: [Duration; SLOTS],
     /// The slot whose job takes long, and of which that has been told in a frame.
     told: Option<usize>,
@@ -51,9 +53,8 @@ const SLICE: Duration = Duration::from_millis(30);
 const LONG: Duration = Duration::from_millis(500);
 
 impl<Job, Outcome, const SLOTS: usize> Here<Job, Outcome, SLOTS> {
-    fn new(ctx: &egui::Context, work: Work<Job, Outcome>) -> Self {
-        let took = [Duration::ZERO; SLOTS];
-        Self { work, ctx: ctx.clone(), shares: Shares::default(), took, told: None }
+    fn new(ctx: &egui::Context, work: Work<Job, Outcome>, expected: Duration) -> Self {
+        Self { work, ctx: ctx.clone(), shares: Shares::default(), took: [expected; SLOTS], told: None }
     }
 
     /// Does some of the jobs that wait, and asks for another frame where some are left.
@@ -161,13 +162,19 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             wake: Condvar::new(),
             done: Condvar::new(),
         });
-        Self { shared, place: Place::Nowhere, name, make, clock }
+        Self { shared, place: Place::Nowhere, name, make, clock, expected: Duration::ZERO }
+    }
+
+    /// Expects the first job to take long already: where there are no threads, a frame tells it before.
+    pub(super) fn taking_long(mut self) -> Self {
+        self.expected = LONG;
+        self
     }
 
     /// Does the jobs in the frame, as where there are no threads.
     #[cfg(test)]
     pub(super) fn without_thread(mut self, ctx: &egui::Context) -> Self {
-        self.place = Place::Here(Here::new(ctx, (self.make)()));
+        self.place = Place::Here(Here::new(ctx, (self.make)(), self.expected));
         self
     }
 
@@ -178,7 +185,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             let thread = std::thread::Builder::new().name(self.name.to_owned());
             self.place = match thread.spawn(move || work(&shared, &wake, make, clock)) {
                 Ok(_) => Place::Thread,
-                Err(_) => Place::Here(Here::new(ctx, make())),
+                Err(_) => Place::Here(Here::new(ctx, make(), self.expected)),
             };
         }
         let mut mailbox = self.shared.mailbox();
@@ -424,6 +431,19 @@ mod tests {
         assert_eq!(frame(&[]), ([None; 3], Some((2, Duration::from_millis(700)))));
         assert_eq!(frame(&[]), ([None, None, Some(800)], None));
         assert_eq!(frame(&[]), ([None; 3], None));
+    }
+
+    #[test]
+    fn what_takes_long_is_told_the_first_time_too() {
+        let ctx = egui::Context::default();
+        let mut worker = doubling::<1>().taking_long().without_thread(&ctx);
+        worker.ask(&ctx, 0, 1);
+        assert!(worker.take(Duration::ZERO)[0].is_none() && worker.running().is_some(), "a frame that tells it");
+        assert_eq!(worker.take(Duration::ZERO)[0].as_ref().unwrap().outcome, Some((2, 1)));
+        assert_eq!(worker.running(), None);
+        // It was light.
+        worker.ask(&ctx, 0, 2);
+        assert_eq!(worker.take(Duration::ZERO)[0].as_ref().unwrap().outcome, Some((4, 2)));
     }
 
     #[test]

@@ -63,7 +63,8 @@ impl Window {
                 theme::install_fonts(ctx);
                 theme::install_style(ctx);
             })
-            .with_max_steps(12)
+            // Small pictures come one by one, each with a frame of its own.
+            .with_max_steps(100)
             .with_render_cursor(false)
             .renderer(painter)
             .build_ui_state(

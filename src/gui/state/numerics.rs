@@ -53,7 +53,7 @@ impl Default for Numerics {
             parameter: None,
             effort: Effort { seed: 1, seconds: 3.0, thorough: true },
             found: BTreeMap::new(),
-            worker: Worker::new("numerics", clock::now, work),
+            worker: Worker::new("numerics", clock::now, work).taking_long(),
             measuring: None,
         }
     }
