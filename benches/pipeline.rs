@@ -18,7 +18,7 @@ use camera_lab::figure::Figure;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::picture::{Picture, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Stage, Target};
-use camera_lab::progress::Progress;
+use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
 use camera_lab::scene::{Light, Mesh, Object, ObjectPaint, Scene, primitives};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
@@ -114,7 +114,7 @@ fn measure(name: &str, frames: usize, scene: &Scene, parameters: &Parameters, st
         let start = Instant::now();
         let frame = pipeline.frame(scene, &camera, target, style, options);
         let middle = Instant::now();
-        raster.paint_into(&frame.drawing, &mut pixmap);
+        at_once(raster.paint_into(&frame.drawing, &mut pixmap));
         let end = Instant::now();
         let stages = STAGES.iter().map(|&stage| frame.report[stage as usize].time.unwrap_or_default());
         let times = stages.chain([middle - start, end - middle, end - start]).map(|time| time.as_secs_f64()).collect();
@@ -181,7 +181,7 @@ fn main() {
             let request = Request::of(&figure, view, &camera, &scene, labels, size);
             Least::row(&name, 50, || {
                 renderer.forget();
-                let Some(account) = renderer.pixels_into(&request, &mut picture) else { return Vec::new() };
+                let Some(account) = at_once(renderer.pixels_into(&request, &mut picture)) else { return Vec::new() };
                 let time = |stage: Stage| account.stages[stage as usize].time.unwrap_or_default().as_secs_f64();
                 let times = STAGES.map(time);
                 let fill = time(Stage::Fill);

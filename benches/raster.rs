@@ -11,6 +11,7 @@ use std::time::Instant;
 
 use camera_lab::appearance::{Dash, HiddenLines, LineStyle, Rgba};
 use camera_lab::drawing::{Anchor, Drawing, Label, Paint, StrokeSet, Surface};
+use camera_lab::progress::at_once;
 use camera_lab::raster::Rasterizer;
 
 /// The half of a bumpy sphere that can be seen, in perspective.
@@ -151,7 +152,7 @@ fn time(drawing: &Drawing) -> (f64, f64) {
     let start = Instant::now();
     while times.len() < 20 || (start.elapsed().as_secs_f64() < 0.4 && times.len() < 500) {
         let start = Instant::now();
-        rasterizer.paint_into(drawing, &mut pixmap);
+        at_once(rasterizer.paint_into(drawing, &mut pixmap));
         times.push(start.elapsed().as_secs_f64() * 1e3);
     }
     times.sort_by(f64::total_cmp);

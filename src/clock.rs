@@ -17,3 +17,18 @@ pub fn now() -> Duration {
     static START: OnceLock<Instant> = OnceLock::new();
     START.get_or_init(Instant::now).elapsed()
 }
+
+/// The shortest time that the clock tells apart: some nanoseconds on a system; in a browser, which keeps its clock coarse, up to a
+/// millisecond (W3C, *High Resolution Time*, "Clock resolution").
+#[must_use]
+pub fn resolution() -> Duration {
+    /// A clock that stands still for so many looks has no better one.
+    const LOOKS: u32 = 10_000_000;
+    const COARSEST: Duration = Duration::from_millis(1);
+    static RESOLUTION: OnceLock<Duration> = OnceLock::new();
+    let step = |_| {
+        let start = now();
+        (0..LOOKS).map(|_| now().saturating_sub(start)).find(|time| !time.is_zero()).unwrap_or(COARSEST)
+    };
+    *RESOLUTION.get_or_init(|| (0..3).map(step).min().unwrap_or(COARSEST))
+}

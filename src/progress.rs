@@ -1,7 +1,13 @@
 //! How far long work has come, and whether it is still wanted: shared by whoever does it and whoever waits for it.
+//!
+//! Where there are no threads, long work is done in slices, something else between two of them: it is written as a future, which pauses
+//! where a step is done. Nothing wakes it: whoever does it [polls](Future::poll) it when there is time, or does it [all at once](at_once).
 
+use std::future::poll_fn;
+use std::pin::pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicUsize, Ordering};
+use std::task::{Context, Poll, Waker};
 
 /// What takes long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,6 +75,12 @@ impl Progress {
         self.0.done.fetch_add(steps, Ordering::Relaxed);
     }
 
+    /// More steps are done, and what is done in slices pauses here.
+    pub async fn advance_and_pause(&self, steps: usize) {
+        self.advance(steps);
+        pause().await;
+    }
+
     /// What is being done, and which share of it has been, where that is known.
     #[must_use]
     pub fn now(&self) -> Option<(Doing, Option<f32>)> {
@@ -80,9 +92,46 @@ impl Progress {
     }
 }
 
+/// Is pending once: a slice of work ends here.
+pub async fn pause() {
+    let mut paused = false;
+    poll_fn(|_| if std::mem::replace(&mut paused, true) { Poll::Ready(()) } else { Poll::Pending }).await;
+}
+
+/// Does work that pauses, without the pauses. What waits for anything else than [`pause`] would keep a processor busy.
+pub fn at_once<T>(work: impl Future<Output = T>) -> T {
+    let mut work = pin!(work);
+    loop {
+        if let Poll::Ready(outcome) = work.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
+            return outcome;
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn each_step_is_a_slice_and_all_of_them_are_done_at_once_too() {
+        let progress = Progress::default();
+        let work = || async {
+            progress.begin(Doing::Measuring, 3);
+            for _ in 0..3 {
+                progress.advance_and_pause(1).await;
+            }
+            progress.now()
+        };
+        let whole = Some((Doing::Measuring, Some(1.0)));
+        assert_eq!(at_once(work()), whole);
+        let mut slices = pin!(work());
+        let mut slice = || slices.as_mut().poll(&mut Context::from_waker(Waker::noop()));
+        for done in 1..=3_u8 {
+            assert!(slice().is_pending());
+            assert_eq!(progress.now(), Some((Doing::Measuring, Some(f32::from(done) / 3.0))));
+        }
+        assert_eq!(slice(), Poll::Ready(whole));
+    }
 
     #[test]
     fn a_clone_is_of_the_same_work_and_what_comes_next_is_wanted() {

@@ -11,6 +11,7 @@ use crate::foreign;
 use crate::i18n::{Lang, messages, numerics as words};
 use crate::numerics::price::{self, Price};
 use crate::numerics::{self, Effort, Findings, Row, Study};
+use crate::progress::at_once;
 
 /// What programs read.
 #[derive(Serialize)]
@@ -44,7 +45,8 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
     #[expect(clippy::cast_precision_loss, reason = "a handful of studies")]
     let effort = Effort { seed, seconds: seconds / studies.len().max(1) as f64, thorough: true };
     let (findings, price) = progress::watched(lang, |progress| {
-        let findings: Vec<Findings> = studies.iter().map(|&study| numerics::run(study, &effort, progress)).collect();
+        let findings: Vec<Findings> =
+            studies.iter().map(|&study| at_once(numerics::run(study, &effort, progress))).collect();
         let price = (studies.len() == Study::ALL.len()).then(|| price::measure(&effort, progress));
         (findings, price.flatten())
     });

@@ -9,6 +9,7 @@ use crate::files::{self, Overwrite};
 use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::picture::{Film, FilmFormat, PictureFile};
+use crate::progress::at_once;
 use crate::views::View;
 
 /// The size of each picture where none is given.
@@ -26,7 +27,7 @@ pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
         return Err(Failure::BadInput(format!("{name}: {}", texts::no_steps(lang, film.decomposition))));
     }
     let text = update(&subject.opened.text, &subject.opened.figure);
-    let made = progress::watched(lang, |progress| film.file(format, seconds, &text, progress));
+    let made = progress::watched(lang, |progress| at_once(film.file(format, seconds, &text, progress)));
     let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, subject.too_large()))?;
     if let Some(too_much) = too_much {
         say(&format!("{name}: {}", messages::too_much(lang, &too_much)));

@@ -10,6 +10,7 @@ use super::{Failure, Subject, print};
 use crate::clock;
 use crate::i18n::{Lang, command_line as texts};
 use crate::picture::{Picture, Renderer, Sheet};
+use crate::progress::at_once;
 use crate::views::{Request, View};
 
 /// Pictures that are drawn before the clock starts, so that buffers have their size.
@@ -66,7 +67,7 @@ fn measure(requests: &[Request], frames: usize) -> Option<Vec<Duration>> {
         let start = clock::now();
         renderer.forget();
         for (request, picture) in requests.iter().zip(&mut pictures) {
-            renderer.pixels_into(request, picture)?;
+            at_once(renderer.pixels_into(request, picture))?;
         }
         if frame >= WARM_UP {
             times.push(clock::now().saturating_sub(start));

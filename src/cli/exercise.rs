@@ -21,7 +21,7 @@ use crate::i18n::{
 };
 use crate::inspect::json_text;
 use crate::picture::{self, Form, Sheet};
-use crate::progress::Progress;
+use crate::progress::{Progress, at_once};
 use crate::scene::no_files;
 use crate::views::{Request, SharedScene, Size, View, Views, scene_of};
 
@@ -229,7 +229,7 @@ fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Resu
     let request = Request::of(figure, View::Image, &camera, &scene, pictures::labels(written), SIZE);
     let too_large = || Failure::BadInput(command_line::too_large(lang, SIZE.width.into(), SIZE.height.into()));
     let sheet = Sheet::of(Views::One(View::Image), &request, &figure.observers, None).ok_or_else(too_large)?;
-    let file = picture::file(&sheet, PNG, "", &Progress::default());
+    let file = at_once(picture::file(&sheet, PNG, "", &Progress::default()));
     let file = file.map_err(|error| no_picture(lang, &name, error, too_large()))?;
     files::save(path, &file.bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))

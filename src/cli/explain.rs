@@ -12,6 +12,7 @@ use crate::foreign::shown;
 use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
 use crate::picture::{Account, Picture, Renderer};
 use crate::pipeline::{Containment, ObjectReport, StageReport};
+use crate::progress::at_once;
 use crate::scene::{Object, Scene};
 use crate::views::{Request, Size, View};
 
@@ -97,9 +98,9 @@ fn objects<'a>(scene: &'a Scene, account: &Account, lang: Lang) -> Vec<ObjectLin
 fn account(request: &Request) -> Option<Account> {
     let (mut renderer, mut picture) = (Renderer::default(), Picture::default());
     renderer.measure(Some(clock::now));
-    renderer.pixels_into(request, &mut picture)?;
+    at_once(renderer.pixels_into(request, &mut picture))?;
     renderer.forget();
-    renderer.pixels_into(request, &mut picture)
+    at_once(renderer.pixels_into(request, &mut picture))
 }
 
 fn line(report: &StageReport, lang: Lang) -> StageLine {

@@ -10,6 +10,7 @@ use crate::files::{self, Overwrite};
 use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::picture::{self, Form, OnPaper, PictureError, PictureFile, Sheet, gap};
+use crate::progress::at_once;
 use crate::views::{Overlays, Request, SharedScene, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
@@ -41,7 +42,7 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let sheet = Sheet::of(args.view, &request, &figure.observers, paper.as_ref()).ok_or_else(too_large)?;
     let text = update(&opened.text, &opened.figure);
     let form = Form { format, crop: args.crop, dpi: paper.filter(|_| args.is_for_paper()).map(|paper| paper.dpi) };
-    let made = progress::watched(lang, |progress| picture::file(&sheet, form, &text, progress));
+    let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &text, progress)));
     let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, too_large()))?;
     if let Some(too_much) = too_much {
         say(&format!("{}: {}", foreign::path(&args.figure), messages::too_much(lang, &too_much)));

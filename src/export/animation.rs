@@ -47,14 +47,15 @@ pub const TICK: f64 = 0.01;
 
 /// The file of so many pictures, which begins again at its end. `next` gives each of them, of one size and without transparency, with the ticks of
 /// [`TICK`] for which it is shown; of the pictures only one is in memory.
+/// It pauses where `next` does.
 ///
 /// # Errors
 /// Why there is no picture, or why the encoder gave up.
-pub fn animation(
+pub async fn animation(
     format: AnimationFormat,
     [width, height]: [u32; 2],
     pictures: u32,
-    mut next: impl FnMut(u32) -> Result<(Pixmap, u16), String>,
+    mut next: impl AsyncFnMut(u32) -> Result<(Pixmap, u16), String>,
 ) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     match format {
@@ -64,7 +65,7 @@ pub fn animation(
             let mut encoder = gif::Encoder::new(&mut bytes, width, height, &[]).map_err(|e| e.to_string())?;
             encoder.set_repeat(gif::Repeat::Infinite).map_err(|e| e.to_string())?;
             for picture in 0..pictures {
-                let (pixmap, ticks) = next(picture)?;
+                let (pixmap, ticks) = next(picture).await?;
                 let (palette, indices) = indexed(&pixmap);
                 let mut frame = gif::Frame::from_palette_pixels(width, height, indices, palette, None);
                 frame.delay = ticks;
@@ -78,7 +79,7 @@ pub fn animation(
             encoder.set_animated(pictures, 0).map_err(|e| e.to_string())?;
             let mut writer = encoder.write_header().map_err(|e| e.to_string())?;
             for picture in 0..pictures {
-                let (pixmap, ticks) = next(picture)?;
+                let (pixmap, ticks) = next(picture).await?;
                 writer.set_frame_delay(ticks, 100).map_err(|e| e.to_string())?;
                 writer.write_image_data(&rgb(&pixmap)).map_err(|e| e.to_string())?;
             }
@@ -120,6 +121,7 @@ fn rgb(picture: &Pixmap) -> Vec<u8> {
 mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
     use super::*;
+    use crate::progress::at_once;
 
     /// A gradient of thousands of colours, with one line of pure green and one of pure blue.
     #[test]
@@ -134,7 +136,7 @@ mod tests {
             };
             *pixel = PremultipliedColorU8::from_rgba(r, g, b, 255).unwrap();
         }
-        let bytes = animation(AnimationFormat::Gif, [64, 64], 1, |_| Ok((picture.clone(), 4))).unwrap();
+        let bytes = at_once(animation(AnimationFormat::Gif, [64, 64], 1, async |_| Ok((picture.clone(), 4)))).unwrap();
         let mut options = gif::DecodeOptions::new();
         options.set_color_output(gif::ColorOutput::RGBA);
         let mut decoder = options.read_info(&bytes[..]).unwrap();

@@ -70,12 +70,13 @@ impl From<DecodingError> for PngError {
 
 /// The PNG of `pixmap`, with `figure` (the text of a figure file) and what else is `said` of the picture in iTXt chunks, and, for paper, `dpi` (pixels per inch) in a pHYs chunk,
 /// as pixels per metre; what is too fine or too coarse for that chunk is left out. Opaque pictures have no alpha channel.
+/// It pauses after each row.
 ///
 /// *Guarantees*: the same picture and text give the same bytes.
 ///
 /// # Errors
 /// [`PngError::Encode`] when the encoder fails or the work is cancelled.
-pub fn encode(
+pub async fn encode(
     pixmap: Pixmap,
     figure: &str,
     said: Option<&str>,
@@ -111,7 +112,7 @@ pub fn encode(
             return Err(PngError::Encode("cancelled".to_owned()));
         }
         stream.write_all(row).map_err(|e| PngError::Encode(e.to_string()))?;
-        progress.advance(1);
+        progress.advance_and_pause(1).await;
     }
     stream.finish().map_err(error)?;
     writer.finish().map_err(error)?;
@@ -187,6 +188,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
+    use crate::progress::at_once;
     use tiny_skia::{Color, PremultipliedColorU8};
 
     const LIMIT: usize = 1 << 20;
@@ -220,7 +222,7 @@ mod tests {
     #[test]
     fn the_figure_comes_back_with_accents_and_line_ends() {
         let text = "[camera] # câmera θ\nnear = 1\r\n";
-        let bytes = encode(picture(255), text, None, None, &Progress::default()).unwrap();
+        let bytes = at_once(encode(picture(255), text, None, None, &Progress::default())).unwrap();
         assert_eq!(figure_text(&bytes, LIMIT).unwrap().as_deref(), Some(text));
         assert_eq!(figure_bytes(&bytes, LIMIT).unwrap().as_ref(), text.as_bytes());
         assert_eq!(figure_bytes(text.as_bytes(), LIMIT).unwrap().as_ref(), text.as_bytes());
@@ -229,7 +231,7 @@ mod tests {
     #[test]
     fn paper_has_its_pixels_per_metre_and_the_figure_is_there_as_well() {
         let dims = |dpi| {
-            let bytes = encode(picture(255), "near = 1", None, dpi, &Progress::default()).unwrap();
+            let bytes = at_once(encode(picture(255), "near = 1", None, dpi, &Progress::default())).unwrap();
             assert_eq!(figure_text(&bytes, LIMIT).unwrap().as_deref(), Some("near = 1"));
             let reader = Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
             reader.info().pixel_dims.map(|dims| (dims.xppu, dims.yppu, dims.unit == Unit::Meter))
@@ -241,15 +243,15 @@ mod tests {
 
     #[test]
     fn opaque_pictures_are_rgb_and_others_have_straight_alpha() {
-        let (color, data) = pixels(&encode(picture(255), "", None, None, &Progress::default()).unwrap());
+        let (color, data) = pixels(&at_once(encode(picture(255), "", None, None, &Progress::default())).unwrap());
         assert_eq!((color, &data[..6]), (ColorType::Rgb, &[200, 100, 50, 127, 0, 255][..]));
-        let (color, data) = pixels(&encode(picture(128), "", None, None, &Progress::default()).unwrap());
+        let (color, data) = pixels(&at_once(encode(picture(128), "", None, None, &Progress::default())).unwrap());
         assert_eq!((color, &data[..8]), (ColorType::Rgba, &[200, 100, 50, 255, 128, 0, 255, 128][..]));
     }
 
     #[test]
     fn a_figure_behind_the_pixels_is_found() {
-        let with = encode(picture(255), "near the end", None, None, &Progress::default()).unwrap();
+        let with = at_once(encode(picture(255), "near the end", None, None, &Progress::default())).unwrap();
         let start = with.windows(4).position(|w| w == b"iTXt").unwrap() - 4;
         let length = 12 + u32::from_be_bytes(with[start..start + 4].try_into().unwrap()) as usize;
         let mut moved = with.clone();
@@ -266,7 +268,7 @@ mod tests {
         encoder.set_color(ColorType::Grayscale);
         encoder.write_header().unwrap().write_image_data(&[7]).unwrap();
         assert_eq!(figure_bytes(&bytes, LIMIT), Err(PngError::NoFigure));
-        let whole = encode(picture(255), "text", None, None, &Progress::default()).unwrap();
+        let whole = at_once(encode(picture(255), "text", None, None, &Progress::default())).unwrap();
         for end in [8, 20, 40, 60] {
             assert!(matches!(figure_bytes(&whole[..end], LIMIT), Err(PngError::Damaged(_))), "{end}");
         }
@@ -288,13 +290,13 @@ mod tests {
         assert!(bytes.len() < LIMIT);
         assert_eq!(figure_text(&bytes, LIMIT), Err(PngError::TooLong { limit: LIMIT }));
         assert_eq!(figure_text(&bytes, 16 << 20).unwrap().map(|text| text.len()), Some(16 << 20));
-        let whole = encode(picture(255), "text", None, None, &Progress::default()).unwrap();
+        let whole = at_once(encode(picture(255), "text", None, None, &Progress::default())).unwrap();
         assert_eq!(figure_text(&whole, 3), Err(PngError::TooLong { limit: 3 }));
     }
 
     #[test]
     fn a_figure_whose_checksum_does_not_fit_is_damage() {
-        let mut bytes = encode(picture(255), "near = 1", None, None, &Progress::default()).unwrap();
+        let mut bytes = at_once(encode(picture(255), "near = 1", None, None, &Progress::default())).unwrap();
         let at = bytes.windows(8).position(|w| w == b"near = 1").unwrap();
         bytes[at] ^= 1;
         assert_eq!(figure_text(&bytes, LIMIT), Err(PngError::Damaged(Damage::Checksum)));
@@ -303,7 +305,7 @@ mod tests {
 
     #[test]
     fn a_damaged_text_of_another_program_does_not_hide_the_figure() {
-        let with = encode(picture(255), "mine", None, None, &Progress::default()).unwrap();
+        let with = at_once(encode(picture(255), "mine", None, None, &Progress::default())).unwrap();
         let other = with_chunk(*b"tEXt", b"Comment\0theirs");
         let start = other.windows(4).position(|w| w == b"tEXt").unwrap() - 4;
         let length = 12 + u32::from_be_bytes(other[start..start + 4].try_into().unwrap()) as usize;

@@ -205,12 +205,13 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
+    use crate::progress::{Progress, at_once};
 
     #[test]
     fn figures_are_opened_from_text_and_from_pictures() {
         let text = "[camera]\nnear = 0.5 # perto\n";
         let pixmap = tiny_skia::Pixmap::new(2, 2).unwrap();
-        let picture = png::encode(pixmap, text, None, None, &crate::progress::Progress::default()).unwrap();
+        let picture = at_once(png::encode(pixmap, text, None, None, &Progress::default())).unwrap();
         let from_text = figure_from(text.as_bytes()).unwrap();
         assert_eq!(from_text.figure.camera.near, 0.5);
         assert_eq!(figure_from(&picture).unwrap(), Opened { from_picture: true, ..from_text });

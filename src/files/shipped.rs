@@ -92,7 +92,7 @@ mod tests {
     use super::*;
     use crate::figure::read::parse;
     use crate::files::{FigureFiles, Reach};
-    use crate::progress::Progress;
+    use crate::progress::{Progress, at_once};
     use crate::scene::Preset;
     use crate::scene::import::read;
 
@@ -119,9 +119,12 @@ mod tests {
         assert!(ShippedFigure::named("teapot").unwrap().text().contains("\"camera-lab:teapot.obj\""));
         for reach in [Reach::Picture, Reach::Figure] {
             let mut files = FigureFiles::new(Path::new("/no/such/folder"), reach);
-            let parts = read("camera-lab:teapot.obj", &mut |wanted| files.read(wanted), &Progress::default()).unwrap();
+            let read = |path, files: &mut FigureFiles| {
+                at_once(read(path, &mut |wanted| files.read(wanted), &Progress::default()))
+            };
+            let parts = read("camera-lab:teapot.obj", &mut files).unwrap();
             assert!(!parts.parts.is_empty() && files.unread().is_empty(), "{:?}", files.unread());
-            assert!(read("camera-lab:nothing.obj", &mut |wanted| files.read(wanted), &Progress::default()).is_err());
+            assert!(read("camera-lab:nothing.obj", &mut files).is_err());
         }
     }
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
-use super::worker::{Running, Work, Worker};
+use super::worker::{Running, Work, Worker, one_by_one};
 use crate::appearance::Theme;
 use crate::camera::{Camera, CameraError, Decomposition, Ndc};
 use crate::clock;
@@ -292,7 +292,7 @@ impl Exporting {
         path: PathBuf,
         overwrite: Overwrite,
     ) -> Self {
-        Self::with(ctx, document, lang, export, (path, overwrite), || Box::new(Task::run))
+        Self::with(ctx, document, lang, export, (path, overwrite), export_work)
     }
 
     /// As [`start`](Self::start), by other means of drawing and writing.
@@ -306,7 +306,7 @@ impl Exporting {
     ) -> Self {
         let subject = Subject::of(document, lang, export.theme);
         let source = document.source().to_owned();
-        let mut worker = Worker::new("export", clock::now, make).taking_long();
+        let mut worker = Worker::new("export", clock::now, make);
         let what = What::Pictures(export);
         worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
         Self { path, worker }
@@ -322,8 +322,7 @@ impl Exporting {
     ) -> Self {
         let subject = Subject::of(document, lang, theme);
         let source = document.source().to_owned();
-        let mut worker: Worker<Task, Exported> =
-            Worker::new("export", clock::now, || Box::new(Task::run) as Work<Task, Exported>).taking_long();
+        let mut worker = Worker::new("export", clock::now, export_work);
         let what = What::Film(decomposition);
         worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
         Self { path, worker }
@@ -351,9 +350,13 @@ impl Exporting {
     }
 }
 
+fn export_work() -> Work<Task, Exported> {
+    one_by_one(async |task: Task, progress: &Progress| task.run(progress).await)
+}
+
 impl Task {
-    fn run(self, progress: &Progress) -> Exported {
-        let PictureFile { bytes, too_much } = self.file(progress).map_err(|error| match error {
+    async fn run(self, progress: &Progress) -> Exported {
+        let PictureFile { bytes, too_much } = self.file(progress).await.map_err(|error| match error {
             _ if progress.is_cancelled() => ExportError::Cancelled,
             error => error,
         })?;
@@ -362,19 +365,19 @@ impl Task {
     }
 
     /// The file, with the figure file in it.
-    fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
+    async fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
         let Self { subject, source, what, path, .. } = self;
         let export = match what {
             What::Pictures(export) => export,
             What::Film(decomposition) => {
                 let film = Film { request: subject.film(progress)?, decomposition: *decomposition };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
-                return Ok(film.file(format, STEP_SECONDS, &update(source, &subject.figure), progress)?);
+                return Ok(film.file(format, STEP_SECONDS, &update(source, &subject.figure), progress).await?);
             }
         };
         let sheet = subject.sheet(export, progress)?;
         let form = Form { format: export.format, crop: export.crop, dpi: export.on_paper.then_some(export.paper.dpi) };
-        Ok(picture::file(&sheet, form, &update(source, &subject.figure), progress)?)
+        Ok(picture::file(&sheet, form, &update(source, &subject.figure), progress).await?)
     }
 }
 

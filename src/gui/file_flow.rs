@@ -488,8 +488,9 @@ mod tests {
     use super::*;
     use crate::files::Overwrite;
     use crate::gui::export::{Export, Exported, Task};
-    use crate::gui::worker::Work;
+    use crate::gui::worker::{Work, one_by_one};
     use crate::i18n::Lang;
+    use crate::progress::Progress;
 
     /// The window as it is while a picture is being written by `make`, and frames of it.
     fn exporting(make: fn() -> Work<Task, Exported>) -> (egui::Context, State) {
@@ -532,7 +533,7 @@ mod tests {
 
     #[test]
     fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
-        let (ctx, mut state) = exporting(|| Box::new(|_, _| panic!("as a fault would")));
+        let (ctx, mut state) = exporting(|| one_by_one(async |_, _: &Progress| panic!("as a fault would")));
         until_done(&ctx, &mut state);
         let message = state.message.expect("said");
         let text = message.text(Lang::En);
@@ -543,7 +544,7 @@ mod tests {
     fn a_window_that_is_closed_waits_for_its_pictures() {
         static HELD: Mutex<()> = Mutex::new(());
         fn make() -> Work<Task, Exported> {
-            Box::new(|_, _| {
+            one_by_one(async |_, _: &Progress| {
                 let _wait = HELD.lock();
                 Ok(None)
             })
@@ -559,7 +560,7 @@ mod tests {
         assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
 
         // One that could not be written is told, by a window that stays.
-        let (ctx, mut state) = exporting(|| Box::new(|_, _| Err(ExportError::Panic)));
+        let (ctx, mut state) = exporting(|| one_by_one(async |_, _: &Progress| Err(ExportError::Panic)));
         go_on(&ctx, &mut state, AfterSave::Quit);
         assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
         assert!(state.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());

@@ -6,10 +6,11 @@ use std::time::Duration;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::export::{Export, ExportError, Subject};
-use super::worker::{Work, Worker};
+use super::worker::{Work, Worker, one_by_one};
 use crate::clock;
 use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, Picture};
+use crate::progress::Progress;
 
 /// The small picture is drawn so many times as large as it is shown: thin strokes stay whole.
 const FINENESS: f32 = 2.0;
@@ -55,9 +56,9 @@ impl Default for Preview {
 }
 
 fn work() -> Work<Job, Drawn> {
-    Box::new(|Job { subject, export, factor }, progress| {
+    one_by_one(async |Job { subject, export, factor }, progress: &Progress| {
         let sheet = subject.sheet(&export, progress)?.reduced(factor);
-        Ok((picture::assembled(&sheet, export.crop, progress)?.0, sheet.crowded))
+        Ok((picture::assembled(&sheet, export.crop, progress).await?.0, sheet.crowded))
     })
 }
 

@@ -9,7 +9,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
-use super::worker::{Running, Worker};
+use super::worker::{Running, Worker, one_by_one};
 use crate::appearance::{HiddenLines, Theme};
 use crate::clock;
 use crate::files::{FigureFiles, Reach};
@@ -74,9 +74,9 @@ struct MeshFile {
 }
 
 impl MeshFile {
-    fn read(&self, progress: &Progress) -> Outcome {
+    async fn read(&self, progress: &Progress) -> Outcome {
         let mut files = FigureFiles::new(&self.folder, self.reach).after(self.spent);
-        let imported = read(&self.path, &mut |wanted| files.read(wanted), progress);
+        let imported = read(&self.path, &mut |wanted| files.read(wanted), progress).await;
         Outcome { imported, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
     }
 }
@@ -95,8 +95,8 @@ struct Reader {
 impl Default for Reader {
     fn default() -> Self {
         let worker = Worker::new("meshes", clock::now, || {
-            Box::new(|file: MeshFile, progress| {
-                let outcome = file.read(progress);
+            one_by_one(async |file: MeshFile, progress: &Progress| {
+                let outcome = file.read(progress).await;
                 (file, outcome)
             })
         });

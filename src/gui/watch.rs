@@ -6,9 +6,10 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
-use super::worker::Worker;
+use super::worker::{Worker, one_by_one};
 use crate::clock;
 use crate::files::{Found, Stamp, look};
+use crate::progress::Progress;
 
 /// What is looked at.
 struct Watched {
@@ -28,7 +29,7 @@ pub(in crate::gui) struct Watch {
 impl Default for Watch {
     fn default() -> Self {
         let worker = Worker::new("watch", clock::now, || {
-            Box::new(|Watched { path, source, stamp }, _| {
+            one_by_one(async |Watched { path, source, stamp }, _: &Progress| {
                 let found = look(&path, source.as_bytes(), stamp);
                 (path, source, found)
             })

@@ -1,16 +1,44 @@
-//! Work that is done beside the window's thread, or, where there are no threads, in the frame.
+//! Work that is done beside the window's thread, or, where there are no threads, in slices in the frames.
 
+mod in_frames;
+mod shares;
+
+use std::cell::Cell;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::pin::Pin;
+use std::rc::Rc;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use eframe::egui;
 
-use crate::progress::{Doing, Progress};
+use crate::progress::{Doing, Progress, at_once};
+use in_frames::InFrames;
+use shares::Shares;
 
-/// What does the jobs, with what it keeps from one to the next.
-pub(super) type Work<Job, Outcome> = Box<dyn FnMut(Job, &Progress) -> Outcome>;
+/// What does the jobs, one at a time: see [`one_by_one`].
+pub(super) type Work<Job, Outcome> = Box<dyn FnMut(Job, Progress) -> Slices<Outcome>>;
+
+/// A job that is being done, and that ends a slice where it [pauses](crate::progress::pause).
+type Slices<Outcome> = Pin<Box<dyn Future<Output = Option<Outcome>>>>;
+
+/// Work that is done by `work`, with what it keeps from one job to the next.
+pub(super) fn one_by_one<Job: 'static, Outcome: 'static>(
+    work: impl AsyncFnMut(Job, &Progress) -> Outcome + 'static,
+) -> Work<Job, Outcome> {
+    let kept = Rc::new(Cell::new(Some(work)));
+    Box::new(move |job, progress| {
+        let kept = Rc::clone(&kept);
+        Box::pin(async move {
+            // It is there: no job is begun before the one before has come to its end, and after a panic all of it is made anew.
+            let mut work = kept.take()?;
+            let outcome = work(job, &progress).await;
+            kept.set(Some(work));
+            Some(outcome)
+        })
+    })
+}
 
 /// Does one job after the other. Of each slot the latest job wins: one that has not been begun is forgotten when the next comes.
 /// Every slot that waits gets the same share of the time: a light job is not as late as a heavy one, and none starves.
@@ -20,8 +48,6 @@ pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     name: &'static str,
     make: fn() -> Work<Job, Outcome>,
     clock: fn() -> Duration,
-    /// What the first job is expected to take.
-    expected: Duration,
 }
 
 /// Where the work is done.
@@ -31,64 +57,7 @@ enum Place<Job, Outcome, const SLOTS: usize> {
     /// On a thread.
     Thread,
     /// In the frames.
-    Here(Here<Job, Outcome, SLOTS>),
-}
-
-/// What does the jobs where there are no threads: in the frames, some of them in each.
-struct Here<Job, Outcome, const SLOTS: usize> {
-    work: Work<Job, Outcome>,
-    /// What is asked for the next frame.
-    ctx: egui::Context,
-    shares: Shares<SLOTS>,
-    /// What the last job of each slot took, or the first is expected to.
-    took: [Duration; SLOTS],
-    /// The slot whose job takes long, and of which that has been told in a frame.
-    told: Option<usize>,
-}
-
-/// In a frame no further job is begun after this time: what people see moves on in between.
-const SLICE: Duration = Duration::from_millis(30);
-
-/// Before a job that is expected to take so long there is a frame that tells it.
-const LONG: Duration = Duration::from_millis(500);
-
-impl<Job, Outcome, const SLOTS: usize> Here<Job, Outcome, SLOTS> {
-    fn new(ctx: &egui::Context, work: Work<Job, Outcome>, expected: Duration) -> Self {
-        Self { work, ctx: ctx.clone(), shares: Shares::default(), took: [expected; SLOTS], told: None }
-    }
-
-    /// Does some of the jobs that wait, and asks for another frame where some are left.
-    fn go_on(
-        &mut self,
-        shared: &Shared<Job, Outcome, SLOTS>,
-        make: fn() -> Work<Job, Outcome>,
-        clock: fn() -> Duration,
-    ) {
-        let begin = clock();
-        let mut mailbox = shared.mailbox();
-        while let Some(slot) = self.shares.next(std::array::from_fn(|slot| mailbox.wanted[slot].is_some())) {
-            let is_told = self.told.take() == Some(slot);
-            if self.took[slot] >= LONG && !is_told {
-                self.told = Some(slot);
-                break;
-            }
-            let Some(job) = mailbox.wanted[slot].take() else { break };
-            shared.progress.begin_anew();
-            if std::mem::take(&mut mailbox.cancelled[slot]) {
-                shared.progress.cancel();
-            }
-            let done = carry_out(&mut self.work, job, &shared.progress, make, clock);
-            self.shares.book(slot, done.time);
-            self.took[slot] = done.time;
-            mailbox.finished[slot] = Some(done);
-            if clock().saturating_sub(begin) >= SLICE {
-                break;
-            }
-        }
-        if mailbox.any_pending() {
-            self.ctx.request_repaint();
-        }
-    }
+    InFrames(InFrames<Job, Outcome, SLOTS>),
 }
 
 /// A job that has been done.
@@ -103,7 +72,7 @@ pub(super) struct Done<Outcome> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Running {
     pub(super) slot: usize,
-    /// For how long; in the frames, how long the last one took.
+    /// For how long; of what is done in one slice in a frame, how long the last one took.
     pub(super) time: Duration,
     /// What is being done for it, and which share of that is done, where that is known.
     pub(super) now: Option<(Doing, Option<f32>)>,
@@ -143,6 +112,22 @@ impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
     fn any_pending(&self) -> bool {
         (0..SLOTS).any(|slot| self.is_pending(slot))
     }
+
+    /// Which slots have a job that has not been begun.
+    fn waiting(&self) -> [bool; SLOTS] {
+        std::array::from_fn(|slot| self.wanted[slot].is_some())
+    }
+
+    /// Takes the job of a slot to do it. As long as the mailbox is held, whoever cancels means this job.
+    fn begin(&mut self, slot: usize, progress: &Progress, clock: fn() -> Duration) -> Option<Job> {
+        let job = self.wanted[slot].take()?;
+        self.busy = Some((slot, clock()));
+        progress.begin_anew();
+        if std::mem::take(&mut self.cancelled[slot]) {
+            progress.cancel();
+        }
+        Some(job)
+    }
 }
 
 impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Job, Outcome, SLOTS> {
@@ -162,19 +147,13 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             wake: Condvar::new(),
             done: Condvar::new(),
         });
-        Self { shared, place: Place::Nowhere, name, make, clock, expected: Duration::ZERO }
+        Self { shared, place: Place::Nowhere, name, make, clock }
     }
 
-    /// Expects the first job to take long already: where there are no threads, a frame tells it before.
-    pub(super) fn taking_long(mut self) -> Self {
-        self.expected = LONG;
-        self
-    }
-
-    /// Does the jobs in the frame, as where there are no threads.
+    /// Does the jobs in the frames, as where there are no threads.
     #[cfg(test)]
     pub(super) fn without_thread(mut self, ctx: &egui::Context) -> Self {
-        self.place = Place::Here(Here::new(ctx, (self.make)(), self.expected));
+        self.place = Place::InFrames(InFrames::new(ctx, (self.make)()));
         self
     }
 
@@ -185,7 +164,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             let thread = std::thread::Builder::new().name(self.name.to_owned());
             self.place = match thread.spawn(move || work(&shared, &wake, make, clock)) {
                 Ok(_) => Place::Thread,
-                Err(_) => Place::Here(Here::new(ctx, make(), self.expected)),
+                Err(_) => Place::InFrames(InFrames::new(ctx, make())),
             };
         }
         let mut mailbox = self.shared.mailbox();
@@ -193,7 +172,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         mailbox.cancelled[slot] = false;
         drop(mailbox);
         self.shared.wake.notify_one();
-        if matches!(self.place, Place::Here(_)) {
+        if matches!(self.place, Place::InFrames(_)) {
             // It is done in the next frame: nothing else may call for one.
             ctx.request_repaint();
         }
@@ -204,10 +183,12 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         self.shared.mailbox().is_pending(slot)
     }
 
-    /// The job that is being done, if any; in the frames, the one that is going to take long.
+    /// The job that is being done, if any, or that will be in the next frame and take long there.
     pub(super) fn running(&self) -> Option<Running> {
-        if let Place::Here(here) = &self.place {
-            return here.told.map(|slot| Running { slot, time: here.took[slot], now: None });
+        if let Place::InFrames(in_frames) = &self.place
+            && let Some(told) = in_frames.told()
+        {
+            return Some(told);
         }
         let (slot, since) = self.shared.mailbox().busy?;
         Some(Running { slot, time: (self.clock)().saturating_sub(since), now: self.shared.progress.now() })
@@ -237,9 +218,9 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
                 };
                 mailbox.waited_for = false;
             }
-            Place::Here(here) => {
+            Place::InFrames(in_frames) => {
                 drop(mailbox);
-                here.go_on(&self.shared, self.make, self.clock);
+                in_frames.go_on(&self.shared, self.make, self.clock);
                 mailbox = self.shared.mailbox();
             }
         }
@@ -276,76 +257,33 @@ fn work<Job, Outcome, const SLOTS: usize>(
             if mailbox.quit {
                 return;
             }
-            let turn = shares.next(std::array::from_fn(|slot| mailbox.wanted[slot].is_some()));
-            if let Some(next) = turn.and_then(|slot| mailbox.wanted[slot].take().map(|job| (slot, job))) {
+            let turn = shares.next(mailbox.waiting());
+            let next = turn.and_then(|slot| Some((slot, mailbox.begin(slot, &shared.progress, clock)?)));
+            if let Some(next) = next {
                 break next;
             }
             mailbox = shared.wake.wait(mailbox).unwrap_or_else(PoisonError::into_inner);
         };
-        mailbox.busy = Some((slot, clock()));
-        // While the mailbox is held, so that whoever cancels means this job.
-        shared.progress.begin_anew();
-        if std::mem::take(&mut mailbox.cancelled[slot]) {
-            shared.progress.cancel();
-        }
         drop(mailbox);
 
-        let done = carry_out(&mut work, job, &shared.progress, make, clock);
-        shares.book(slot, done.time);
+        let start = clock();
+        // A panic here is a bug, but not one for which the window should stand still for ever: what it left half done is made anew.
+        let outcome = catch_unwind(AssertUnwindSafe(|| at_once(work(job, shared.progress.clone())))).ok().flatten();
+        if outcome.is_none() {
+            work = make();
+        }
+        let time = clock().saturating_sub(start);
+        shares.book(slot, time);
 
         let mut mailbox = shared.mailbox();
         mailbox.busy = None;
-        mailbox.finished[slot] = Some(done);
+        mailbox.finished[slot] = Some(Done { outcome, time });
         let waited_for = mailbox.waited_for;
         drop(mailbox);
         shared.done.notify_one();
         if !waited_for {
             ctx.request_repaint();
         }
-    }
-}
-
-/// A panic here is a bug, but not one for which the window should stand still for ever: what it left half done is made anew.
-fn carry_out<Job, Outcome>(
-    work: &mut Work<Job, Outcome>,
-    job: Job,
-    progress: &Progress,
-    make: fn() -> Work<Job, Outcome>,
-    clock: fn() -> Duration,
-) -> Done<Outcome> {
-    let start = clock();
-    let outcome = catch_unwind(AssertUnwindSafe(|| work(job, progress))).ok();
-    if outcome.is_none() {
-        *work = make();
-    }
-    Done { outcome, time: clock().saturating_sub(start) }
-}
-
-/// How much time each slot has had, so that the next is the one that had least.
-struct Shares<const SLOTS: usize> {
-    had: [Duration; SLOTS],
-    /// What the slot that came last had had before: one that has not waited gets no credit for it.
-    floor: Duration,
-}
-
-impl<const SLOTS: usize> Default for Shares<SLOTS> {
-    fn default() -> Self {
-        Self { had: [Duration::ZERO; SLOTS], floor: Duration::ZERO }
-    }
-}
-
-impl<const SLOTS: usize> Shares<SLOTS> {
-    fn next(&mut self, waiting: [bool; SLOTS]) -> Option<usize> {
-        for slot in (0..SLOTS).filter(|&slot| waiting[slot]) {
-            self.had[slot] = self.had[slot].max(self.floor);
-        }
-        let next = (0..SLOTS).filter(|&slot| waiting[slot]).min_by_key(|&slot| self.had[slot])?;
-        self.floor = self.had[next];
-        Some(next)
-    }
-
-    fn book(&mut self, slot: usize, time: Duration) {
-        self.had[slot] += time;
     }
 }
 
@@ -362,7 +300,7 @@ mod tests {
     fn doubling<const SLOTS: usize>() -> Worker<u32, (u32, u32), SLOTS> {
         Worker::new("doubling", clock::now, || {
             let mut count = 0;
-            Box::new(move |n, _| {
+            one_by_one(async move |n, _: &Progress| {
                 count += 1;
                 assert_ne!(n, 0, "as the test wants it");
                 (2 * n, count)
@@ -409,7 +347,7 @@ mod tests {
             "waiting",
             || *NOW.lock().unwrap(),
             || {
-                Box::new(|job, _| {
+                one_by_one(async |job, _: &Progress| {
                     *NOW.lock().unwrap() += Duration::from_millis(job);
                     job
                 })
@@ -434,22 +372,62 @@ mod tests {
     }
 
     #[test]
-    fn what_takes_long_is_told_the_first_time_too() {
+    fn in_the_frames_slices_show_how_far_they_are_and_are_given_up() {
+        static NOW: Mutex<Duration> = Mutex::new(Duration::ZERO);
         let ctx = egui::Context::default();
-        let mut worker = doubling::<1>().taking_long().without_thread(&ctx);
-        worker.ask(&ctx, 0, 1);
-        assert!(worker.take(Duration::ZERO)[0].is_none() && worker.running().is_some(), "a frame that tells it");
-        assert_eq!(worker.take(Duration::ZERO)[0].as_ref().unwrap().outcome, Some((2, 1)));
-        assert_eq!(worker.running(), None);
-        // It was light.
-        worker.ask(&ctx, 0, 2);
-        assert_eq!(worker.take(Duration::ZERO)[0].as_ref().unwrap().outcome, Some((4, 2)));
+        // Four steps of twenty milliseconds; how many have been done.
+        let mut worker: Worker<u32, u32, 2> = Worker::new(
+            "steps",
+            || *NOW.lock().unwrap(),
+            || {
+                one_by_one(async |job, progress: &Progress| {
+                    progress.begin(Doing::Measuring, 4);
+                    let mut done = job;
+                    for _ in 0..4 {
+                        if progress.is_cancelled() {
+                            break;
+                        }
+                        *NOW.lock().unwrap() += Duration::from_millis(20);
+                        done += 1;
+                        progress.advance_and_pause(1).await;
+                    }
+                    done
+                })
+            },
+        )
+        .without_thread(&ctx);
+        let measured = |share, millis| {
+            let now = Some((Doing::Measuring, Some(share)));
+            Some(Running { slot: 0, time: Duration::from_millis(millis), now })
+        };
+        let frame = |worker: &mut Worker<u32, u32, 2>| {
+            worker.take(Duration::ZERO).map(|done| done.map(|done| (done.outcome.unwrap(), done.time.as_millis())))
+        };
+        worker.ask(&ctx, 0, 10);
+        assert_eq!(frame(&mut worker), [None; 2]);
+        assert_eq!(worker.running(), measured(0.5, 40));
+        // What is asked for meanwhile waits until it is done.
+        worker.ask(&ctx, 1, 20);
+        assert_eq!(frame(&mut worker), [None; 2]);
+        assert_eq!(worker.running(), measured(1.0, 80));
+        assert_eq!(frame(&mut worker), [Some((14, 80)), None]);
+        assert!(worker.is_pending(1) && worker.running().is_some());
+        worker.cancel();
+        assert_eq!(frame(&mut worker), [None, Some((22, 40))]);
+        assert!(!worker.is_pending(1) && worker.running().is_none());
+        // What was given up is wanted when it is asked for anew, and no slice of it took long: nothing has to be told before.
+        worker.ask(&ctx, 1, 30);
+        assert_eq!(frame(&mut worker), [None; 2]);
+        assert_eq!(worker.running().map(|running| running.time.as_millis()), Some(40));
+        // Where the frame itself takes long, so does the slice.
+        *NOW.lock().unwrap() += Duration::from_millis(50);
+        assert_eq!(frame(&mut worker), [None, Some((34, 80))]);
     }
 
     #[test]
     fn what_is_given_up_ends_soon_and_what_is_asked_for_then_is_done() {
         let mut worker: Worker<bool, bool, 2> = Worker::new("waiting", clock::now, || {
-            Box::new(|waits, progress| {
+            one_by_one(async |waits, progress: &Progress| {
                 while waits && !progress.is_cancelled() {
                     std::thread::yield_now();
                 }
@@ -486,32 +464,5 @@ mod tests {
         }
         assert_eq!(*called.lock().unwrap(), 1);
         assert_eq!(worker.take(Duration::ZERO)[0].as_ref().unwrap().outcome, Some((2, 1)));
-    }
-
-    #[test]
-    fn a_light_job_comes_more_often_than_a_heavy_one_and_none_starves() {
-        let mut shares = Shares::default();
-        let mut came = [0_u32; 3];
-        let takes = [60, 180, 20].map(Duration::from_millis);
-        for _ in 0..100 {
-            let i = shares.next([true; 3]).unwrap();
-            came[i] += 1;
-            shares.book(i, takes[i]);
-        }
-        assert!(came[1] >= 6 && came[0] >= 3 * came[1] - 3 && came[2] >= 3 * came[0] - 3, "{came:?}");
-        // One that had nothing to do for long has no right to all the time after that.
-        for _ in 0..50 {
-            let i = shares.next([false, false, true]).unwrap();
-            shares.book(i, takes[i]);
-        }
-        let first: Vec<usize> = (0..12)
-            .map(|_| {
-                let i = shares.next([true; 3]).unwrap();
-                shares.book(i, takes[i]);
-                i
-            })
-            .collect();
-        assert!(first.contains(&2) && first.contains(&1) && first.contains(&0), "{first:?}");
-        assert_eq!(shares.next([false; 3]), None);
     }
 }

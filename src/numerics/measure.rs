@@ -1,6 +1,8 @@
 //! How far off a method is, and how long it takes.
 
+use std::future::poll_fn;
 use std::hint::black_box;
+use std::pin::pin;
 use std::time::Duration;
 
 use crate::clock;
@@ -42,11 +44,15 @@ pub(super) fn mean_bits(pairs: impl IntoIterator<Item = (f64, f64)>) -> f64 {
 pub(super) struct Watch {
     /// How long one method is repeated on the inputs of one case.
     pub(super) slice: Duration,
+    /// The shortest time that the clock tells apart.
+    pub(super) tick: Duration,
     pub(super) progress: Progress,
 }
 
 /// Passes over the inputs that are timed at least, where time is taken at all, after one that warms up.
 const LEAST_PASSES: usize = 3;
+/// What is shorter than so many ticks of the clock is not timed by itself, but as often as it takes: a tenth is off at most.
+const TICKS: u32 = 10;
 /// More passes tell nothing new.
 const MOST_PASSES: usize = 2000;
 
@@ -84,32 +90,56 @@ impl Trial {
         results
     }
 
-    /// Times `pass`, which does `items` things: once to warm up, then as often as the watch allows; the median of the passes counts.
+    /// Times `pass`, which does `items` things: once to warm up, then as often as the watch allows; the median of the passes counts, or of
+    /// batches of them where the clock is too coarse for one.
     pub(super) fn time_whole(&mut self, watch: &Watch, items: usize, mut pass: impl FnMut()) {
-        let mut timed = || {
+        let mut timed = |passes: u32| {
             let start = clock::now();
-            pass();
+            (0..passes).for_each(|_| pass());
             clock::now().saturating_sub(start)
         };
+        let shortest = TICKS * watch.tick;
         #[expect(clippy::cast_precision_loss, reason = "a number of items, for a mean")]
         let count = items as f64;
-        let warm_up = timed();
+        let warm_up = timed(1);
         // What takes longer than its slice is timed once.
-        if warm_up >= watch.slice {
+        if warm_up >= watch.slice.max(shortest) {
             return self.took(warm_up, count);
         }
         let end = clock::now() + watch.slice;
-        for done in 0..MOST_PASSES {
-            if watch.progress.is_cancelled() || (done >= LEAST_PASSES && clock::now() >= end) {
+        let (mut done, mut batch) = (0, 1);
+        while done < MOST_PASSES && !watch.progress.is_cancelled() {
+            let time = timed(batch);
+            if time < shortest {
+                batch = batch.saturating_mul(2);
+                continue;
+            }
+            self.took(time, count * f64::from(batch));
+            done += 1;
+            // A batch is a mean of many passes by itself.
+            if (batch > 1 || done >= LEAST_PASSES) && clock::now() >= end {
                 break;
             }
-            let time = timed();
-            self.took(time, count);
         }
     }
 
-    /// Takes down a time of one item that was measured elsewhere.
-    pub(super) fn took(&mut self, time: Duration, items: f64) {
+    /// Times `work`, which does `items` things and is so long that it pauses: once, without what is done in the pauses.
+    pub(super) async fn time_slices<T>(&mut self, items: usize, work: impl Future<Output = T>) -> T {
+        let (mut work, mut time) = (pin!(work), Duration::ZERO);
+        let outcome = poll_fn(|context| {
+            let start = clock::now();
+            let polled = work.as_mut().poll(context);
+            time += clock::now().saturating_sub(start);
+            polled
+        })
+        .await;
+        #[expect(clippy::cast_precision_loss, reason = "a number of items, for a mean")]
+        self.took(time, items as f64);
+        outcome
+    }
+
+    /// Takes down the time of so many items.
+    fn took(&mut self, time: Duration, items: f64) {
         self.nanos.push(time.as_secs_f64() * 1e9 / items.max(1.0));
     }
 
@@ -149,6 +179,7 @@ impl Trial {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::pause;
 
     #[test]
     fn bits_count_the_numbers_between() {
@@ -166,7 +197,7 @@ mod tests {
 
     #[test]
     fn a_trial_has_the_mean_square_and_the_worst() {
-        let watch = Watch { slice: Duration::ZERO, progress: Progress::default() };
+        let watch = Watch { slice: Duration::ZERO, tick: clock::resolution(), progress: Progress::default() };
         let mut trial = Trial::default();
         let results = trial.time(&watch, &[1.0, 2.0, 3.0], |x| x * 2.0);
         assert_eq!(results, [2.0, 4.0, 6.0]);
@@ -176,5 +207,46 @@ mod tests {
         assert_eq!(trial.error(), (25.0f64 / 3.0).sqrt());
         assert_eq!((trial.worst(), trial.worst_input(), trial.bits()), (4.0, 1, 2.0));
         assert!(trial.nanos() > 0.0);
+    }
+
+    #[test]
+    fn what_is_done_in_the_pauses_is_not_timed() {
+        let nap = || std::thread::sleep(Duration::from_millis(2));
+        let work = async {
+            nap();
+            pause().await;
+            nap();
+            7
+        };
+        let mut trial = Trial::default();
+        {
+            let mut timed = pin!(trial.time_slices(4, work));
+            let mut context = std::task::Context::from_waker(std::task::Waker::noop());
+            assert!(timed.as_mut().poll(&mut context).is_pending());
+            // So long that a slow machine does not take it for the naps.
+            std::thread::sleep(Duration::from_secs(1));
+            assert_eq!(timed.as_mut().poll(&mut context), std::task::Poll::Ready(7));
+        }
+        assert!((1e6..200e6).contains(&trial.nanos()), "{}", trial.nanos());
+    }
+
+    #[test]
+    fn what_a_coarse_clock_cannot_tell_is_timed_in_batches() {
+        // Nothing is so short that ten milliseconds of it have no time.
+        let watch = Watch { slice: Duration::ZERO, tick: Duration::from_millis(1), progress: Progress::default() };
+        let (mut trial, mut passes) = (Trial::default(), 0_u32);
+        let start = clock::now();
+        trial.time_whole(&watch, 1, || passes = black_box(passes) + 1);
+        let longest = (clock::now() - start).as_secs_f64() * 1e9;
+        assert!(passes > 1000 && trial.nanos() > 0.0, "{passes} passes");
+        assert!(trial.nanos() * f64::from(passes / 2 - 1) <= longest, "the last batch is half of all passes");
+        let mut long = Trial::default();
+        let once = |count: &mut u32| {
+            *count += 1;
+            std::thread::sleep(Duration::from_millis(11));
+        };
+        let mut count = 0;
+        long.time_whole(&watch, 1, || once(&mut count));
+        assert!(count == 1 && long.nanos() >= 11e6, "{count}");
     }
 }

@@ -19,6 +19,7 @@ use std::time::Duration;
 
 use serde::{Serialize, Serializer};
 
+use crate::clock;
 use crate::progress::{Doing, Progress};
 pub use depth_format::{Resolution, Seen, TwoPlanes, resolutions};
 use measure::{Trial, Watch};
@@ -172,19 +173,18 @@ pub struct Effort {
     pub thorough: bool,
 }
 
-/// Runs one study. Cancelled, it ends early, with what it has.
-#[must_use]
-pub fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings {
+/// Runs one study. Cancelled, it ends early, with what it has. It pauses after each method of each series of inputs.
+pub async fn run(study: Study, effort: &Effort, progress: &Progress) -> Findings {
     let lab = Lab { effort: *effort, progress: progress.clone() };
     match study {
-        Study::VertexTransform => studies::vertex_transform::run(&lab),
-        Study::Basis => studies::basis::run(&lab),
-        Study::RepeatedOperations => studies::repeated_operations::run(&lab),
-        Study::DepthBuffer => studies::depth_buffer::run(&lab),
-        Study::Visibility => studies::visibility::run(&lab),
-        Study::Shading => studies::shading::run(&lab),
-        Study::Antialiasing => studies::antialiasing::run(&lab),
-        Study::Clipping => studies::clipping::run(&lab),
+        Study::VertexTransform => studies::vertex_transform::run(&lab).await,
+        Study::Basis => studies::basis::run(&lab).await,
+        Study::RepeatedOperations => studies::repeated_operations::run(&lab).await,
+        Study::DepthBuffer => studies::depth_buffer::run(&lab).await,
+        Study::Visibility => studies::visibility::run(&lab).await,
+        Study::Shading => studies::shading::run(&lab).await,
+        Study::Antialiasing => studies::antialiasing::run(&lab).await,
+        Study::Clipping => studies::clipping::run(&lab).await,
     }
 }
 
@@ -200,7 +200,7 @@ impl Lab {
         self.progress.begin(Doing::Measuring, series);
         #[expect(clippy::cast_precision_loss, reason = "a small number of series")]
         let slice = Duration::try_from_secs_f64(self.effort.seconds / series.max(1) as f64).unwrap_or_default();
-        Watch { slice, progress: self.progress.clone() }
+        Watch { slice, tick: clock::resolution(), progress: self.progress.clone() }
     }
 
     /// `all` of something, or `few` for tests.

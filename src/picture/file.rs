@@ -61,18 +61,23 @@ pub struct Form {
 }
 
 /// What is in such a file: the pictures of `sheet`, and what could not be done as it was asked for; `crop`: each without the empty ground
-/// around what it shows.
+/// around what it shows. It pauses after each band of a picture.
 ///
 /// # Errors
 /// [`PictureError::TooLarge`] and [`PictureError::Cancelled`].
-pub fn assembled(sheet: &Sheet, crop: bool, progress: &Progress) -> Result<(Picture, Option<TooMuch>), PictureError> {
+pub async fn assembled(
+    sheet: &Sheet,
+    crop: bool,
+    progress: &Progress,
+) -> Result<(Picture, Option<TooMuch>), PictureError> {
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
     let mut renderer = Renderer::default();
     renderer.watch(progress);
-    renderer.sheet(sheet, crop).ok_or(PictureError::TooLarge).map_err(or_cancelled)
+    renderer.sheet(sheet, crop).await.ok_or(PictureError::TooLarge).map_err(or_cancelled)
 }
 
-/// The file that shows the pictures of `sheet`, with a figure file in it where the format can carry one.
+/// The file that shows the pictures of `sheet`, with a figure file in it where the format can carry one. It pauses after each
+/// band of a picture and each row of a PNG; WebP and JPEG are encoded without a pause.
 ///
 /// Where a PNG shows the canonical volume in another convention than the notes', it says which, also where the picture is too small to.
 ///
@@ -80,14 +85,15 @@ pub fn assembled(sheet: &Sheet, crop: bool, progress: &Progress) -> Result<(Pict
 ///
 /// # Errors
 /// [`PictureError`].
-pub fn file(sheet: &Sheet, form: Form, figure: &str, progress: &Progress) -> Result<PictureFile, PictureError> {
+pub async fn file(sheet: &Sheet, form: Form, figure: &str, progress: &Progress) -> Result<PictureFile, PictureError> {
     let Form { format, crop, dpi } = form;
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
-    let (mut picture, too_much) = assembled(sheet, crop, progress)?;
+    let (mut picture, too_much) = assembled(sheet, crop, progress).await?;
     let encode = |bytes: Result<Vec<u8>, String>| bytes.map_err(|why| PictureError::Encode { format, why });
     let bytes = match format {
         PictureFormat::Png => picture
             .into_png(figure, convention(sheet).as_deref(), dpi, progress)
+            .await
             .map_err(|error| or_cancelled(error.into()))?,
         PictureFormat::WebP => encode(web::webp(picture.take_pixmap().ok_or(PictureError::TooLarge)?))?,
         PictureFormat::Jpeg => encode(web::jpeg(&picture.take_pixmap().ok_or(PictureError::TooLarge)?, dpi))?,

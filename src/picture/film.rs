@@ -66,10 +66,11 @@ impl Film {
     }
 
     /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format can carry one.
+    /// It pauses after each picture.
     ///
     /// # Errors
     /// [`PictureError`].
-    pub fn file(
+    pub async fn file(
         &self,
         format: FilmFormat,
         seconds: f64,
@@ -78,19 +79,19 @@ impl Film {
     ) -> Result<PictureFile, PictureError> {
         match format {
             FilmFormat::Animation(format) => {
-                Ok(PictureFile { bytes: self.animation(format, seconds, progress)?, too_much: None })
+                Ok(PictureFile { bytes: self.animation(format, seconds, progress).await?, too_much: None })
             }
             FilmFormat::Strip(format) => {
-                file(&self.stills(), Form { format, crop: false, dpi: None }, figure, progress)
+                file(&self.stills(), Form { format, crop: false, dpi: None }, figure, progress).await
             }
         }
     }
 
-    /// The animation, a step in so many seconds; each whole step stands still for a moment.
+    /// The animation, a step in so many seconds; each whole step stands still for a moment. It pauses after each picture.
     ///
     /// # Errors
     /// [`PictureError`].
-    pub fn animation(
+    pub async fn animation(
         &self,
         format: AnimationFormat,
         seconds: f64,
@@ -103,7 +104,7 @@ impl Film {
         let mut renderer = Renderer::default();
         let size = [self.request.size.width, self.request.size.height];
         progress.begin(Doing::Encoding, pictures as usize);
-        let made = animation(format, size, pictures, |picture| {
+        let made = animation(format, size, pictures, async |picture| {
             let time = f64::from(picture / per_step) + eased(f64::from(picture % per_step) / f64::from(per_step));
             let still = picture % per_step == 0;
             if progress.is_cancelled() {
@@ -111,12 +112,12 @@ impl Film {
             }
             let drawn: Option<Picture> = renderer.pixels(&self.at(time));
             let pixmap = drawn.and_then(|mut picture| picture.take_pixmap()).ok_or_else(String::new)?;
-            progress.advance(1);
+            progress.advance_and_pause(1).await;
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "about a second")]
             let ticks = if still { REST / TICK } else { 1.0 / f64::from(PER_SECOND) / TICK }.round() as u16;
             Ok((pixmap, ticks))
         });
-        made.map_err(|why| match why.as_str() {
+        made.await.map_err(|why| match why.as_str() {
             "" if progress.is_cancelled() => PictureError::Cancelled,
             "" => PictureError::TooLarge,
             _ => PictureError::Animate { format, why },

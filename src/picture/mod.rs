@@ -57,12 +57,13 @@ impl Picture {
     }
 
     /// The picture as a PNG with a figure file in it, with what else is `said` of it, and with the number of pixels per inch of its paper.
+    /// It pauses after each row.
     ///
     /// *Guarantees*: the same picture and text give the same bytes.
     ///
     /// # Errors
     /// [`PngError::Encode`] for a picture without pixels, and when the encoder fails or the work is cancelled.
-    pub fn into_png(
+    pub async fn into_png(
         mut self,
         figure: &str,
         said: Option<&str>,
@@ -70,7 +71,7 @@ impl Picture {
         progress: &Progress,
     ) -> Result<Vec<u8>, PngError> {
         let pixmap = self.take_pixmap().ok_or_else(|| PngError::Encode("no pixels".to_owned()))?;
-        png::encode(pixmap, figure, said, dpi, progress)
+        png::encode(pixmap, figure, said, dpi, progress).await
     }
 
     /// Pictures on a sheet with a ground. `None` where that would be empty or too large for memory.

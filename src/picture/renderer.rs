@@ -9,7 +9,7 @@ use super::{Account, Picture, Sheet};
 use crate::appearance::Texture;
 use crate::drawing::Surface;
 use crate::pipeline::{Frame, TooMuch};
-use crate::progress::Progress;
+use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
 use crate::views::{self, Request, TimedPipeline, View};
 
@@ -51,15 +51,15 @@ impl Renderer {
     /// A picture. `None` where a side is 0, there is no memory for so many pixels, or it was cancelled.
     pub fn pixels(&mut self, request: &Request) -> Option<Picture> {
         let mut picture = Picture::default();
-        self.pixels_into(request, &mut picture).map(|_| picture)
+        at_once(self.pixels_into(request, &mut picture)).map(|_| picture)
     }
 
     /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is `None`, the
-    /// other one is lost too.
-    pub fn pixels_into(&mut self, request: &Request, picture: &mut Picture) -> Option<Account> {
+    /// other one is lost too. It pauses where [`Rasterizer::paint_into`] does.
+    pub async fn pixels_into(&mut self, request: &Request, picture: &mut Picture) -> Option<Account> {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
-        let (frame, on_window) = self.timed_drawing(request)?;
+        let (frame, on_window) = self.timed_drawing(request).await?;
         if self.progress.is_cancelled() {
             return None;
         }
@@ -68,7 +68,8 @@ impl Renderer {
         let mut frame = frame;
         // What only shows a stage is not counted.
         let tinted = frame.drawing.surfaces.split_off(frame.drawing.surfaces.len() - frame.tinted());
-        if !self.rasterizer.paint_into(&frame.drawing, &mut pixmap) || self.progress.is_cancelled() {
+        let painted = self.rasterizer.paint_into(&frame.drawing, &mut pixmap).await;
+        if !painted || self.progress.is_cancelled() {
             return None;
         }
         let (work, total) = (self.rasterizer.work(), now().saturating_sub(start));
@@ -96,11 +97,11 @@ impl Renderer {
 
     /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty ground around what it shows. And what could
     /// not be done in any of them as it was asked for. `None` as for [`pixels`](Self::pixels), and without pictures.
-    pub fn sheet(&mut self, sheet: &Sheet, crop: bool) -> Option<(Picture, Option<TooMuch>)> {
+    pub async fn sheet(&mut self, sheet: &Sheet, crop: bool) -> Option<(Picture, Option<TooMuch>)> {
         let (mut pictures, mut too_much) = (Vec::new(), None);
         for request in &sheet.requests {
             let mut picture = Picture::default();
-            let account = self.pixels_into(request, &mut picture)?;
+            let account = self.pixels_into(request, &mut picture).await?;
             too_much = too_much.or(account.too_much);
             pictures.push(if crop { picture.cropped(sheet.gap) } else { picture });
         }
@@ -116,14 +117,14 @@ impl Renderer {
     /// paints, or what is asked for by [`Output`](crate::pipeline::Output) in the request. `None` where there is no memory for
     /// the image on the window.
     pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
-        self.timed_drawing(request).map(|(frame, _)| frame)
+        at_once(self.timed_drawing(request)).map(|(frame, _)| frame)
     }
 
     /// The drawing of a picture, and the time that the image on the window took, if one was drawn for it.
-    fn timed_drawing(&mut self, request: &Request) -> Option<(Frame, Option<Duration>)> {
+    async fn timed_drawing(&mut self, request: &Request) -> Option<(Frame, Option<Duration>)> {
         let (on_window, time) = match request.view {
             View::World => {
-                let (texture, time) = self.image_on_window(request)?;
+                let (texture, time) = self.image_on_window(request).await?;
                 (Some(texture), time)
             }
             View::Canonical | View::Image => (None, None),
@@ -134,7 +135,7 @@ impl Renderer {
     }
 
     /// The image that the window of the world shows; drawn again only when what it shows has changed.
-    fn image_on_window(&mut self, request: &Request) -> Option<(Arc<Texture>, Option<Duration>)> {
+    async fn image_on_window(&mut self, request: &Request) -> Option<(Arc<Texture>, Option<Duration>)> {
         let image = request.image_on_window();
         if let Some((made_from, texture)) = &self.on_window
             && *made_from == image
@@ -145,7 +146,11 @@ impl Renderer {
         let start = now();
         self.rasterizer.measure(None);
         let frame = views::frame(&image, None, &mut self.window_pipeline);
-        let picture = Picture::from(self.rasterizer.paint(&frame.drawing).filter(|_| !self.progress.is_cancelled())?);
+        let mut pixmap = Pixmap::new(1, 1)?;
+        if !self.rasterizer.paint_into(&frame.drawing, &mut pixmap).await || self.progress.is_cancelled() {
+            return None;
+        }
+        let picture = Picture::from(pixmap);
         self.window_pipeline.stages.recycle(frame.drawing);
         let texture = Arc::new(picture.into_texture());
         self.on_window = Some((image, Arc::clone(&texture)));
@@ -213,7 +218,7 @@ mod tests {
             let mut renderer = with_few_pieces();
             renderer.measure(Some(clock::now));
             let mut picture = Picture::default();
-            let account = renderer.pixels_into(&split, &mut picture).unwrap();
+            let account = at_once(renderer.pixels_into(&split, &mut picture)).unwrap();
             let TooMuch::Pieces { objects } = account.too_much.unwrap() else { panic!("pieces") };
             let mut names = objects.clone();
             names.sort();
@@ -225,7 +230,7 @@ mod tests {
             assert_eq!(renderer.pixels(&bare(&split)), Renderer::default().pixels(&bare(&tested)));
 
             let mut picture = Picture::default();
-            let account = Renderer::default().pixels_into(&split, &mut picture).unwrap();
+            let account = at_once(Renderer::default().pixels_into(&split, &mut picture)).unwrap();
             assert_eq!(account.too_much, None);
         }
     }
@@ -243,13 +248,13 @@ mod tests {
             let request = Request { overlays, ..request.clone() };
             Sheet::of(Views::All, &request, &Default::default(), None).unwrap()
         };
-        let (whole, _) = Renderer::default().sheet(&sheet(false), false).unwrap();
-        let (clear, _) = Renderer::default().sheet(&sheet(true), false).unwrap();
+        let (whole, _) = at_once(Renderer::default().sheet(&sheet(false), false)).unwrap();
+        let (clear, _) = at_once(Renderer::default().sheet(&sheet(true), false)).unwrap();
         let first = sheet(false).requests[0].size;
         let gap = [first.width + 1, 100];
         assert_eq!((pixel(&whole, gap)[3], pixel(&clear, gap)), (255, [0; 4]));
 
-        let (cropped, _) = Renderer::default().sheet(&sheet(false), true).unwrap();
+        let (cropped, _) = at_once(Renderer::default().sheet(&sheet(false), true)).unwrap();
         let each: Vec<Picture> = sheet(false)
             .requests
             .iter()

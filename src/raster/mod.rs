@@ -24,7 +24,7 @@ use tiny_skia::{Color, Pixmap};
 use crate::appearance::Rgba;
 use crate::drawing::Drawing;
 use crate::limits::{MAX_PIXELS, MAX_SIDE};
-use crate::progress::Progress;
+use crate::progress::{Progress, at_once};
 pub use depth::DepthBuffer;
 
 /// Draws pictures; keeps its buffers from one to the next.
@@ -60,18 +60,18 @@ impl Rasterizer {
     /// [`MAX_PIXELS`].
     pub fn paint(&mut self, drawing: &Drawing) -> Option<Pixmap> {
         let mut pixmap = new_pixmap(drawing)?;
-        self.paint_on(drawing, &mut pixmap);
+        at_once(self.paint_on(drawing, &mut pixmap));
         Some(pixmap)
     }
 
     /// Paints `drawing` on `pixmap`, which is replaced if it has another size: for pictures that follow one another. False,
-    /// and nothing is painted, where [`paint`](Self::paint) would give `None`.
-    pub fn paint_into(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) -> bool {
+    /// and nothing is painted, where [`paint`](Self::paint) would give `None`. On one thread it pauses after each band of rows.
+    pub async fn paint_into(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) -> bool {
         if (pixmap.width(), pixmap.height()) != (drawing.width, drawing.height) {
             let Some(fresh) = new_pixmap(drawing) else { return false };
             *pixmap = fresh;
         }
-        self.paint_on(drawing, pixmap);
+        self.paint_on(drawing, pixmap).await;
         true
     }
 
@@ -97,10 +97,10 @@ impl Rasterizer {
         &self.depth
     }
 
-    fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
+    async fn paint_on(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
-        self.surfaces.paint(drawing, pixmap, &mut self.depth, self.clock.is_some(), &self.progress);
+        self.surfaces.paint(drawing, pixmap, &mut self.depth, self.clock.is_some(), &self.progress).await;
         let middle = now();
         self.strokes.draw(pixmap, &self.depth, drawing, &self.progress);
         for area in &drawing.areas {

@@ -60,8 +60,8 @@ struct Frame<'a> {
 
 impl Surfaces {
     /// Paints background and surfaces over all of `pixmap`, and remembers their depth; and counts what is done if that is
-    /// wanted.
-    pub(super) fn paint(
+    /// wanted. On one thread it pauses after each band.
+    pub(super) async fn paint(
         &mut self,
         drawing: &Drawing,
         pixmap: &mut Pixmap,
@@ -129,7 +129,7 @@ impl Surfaces {
         } else if let Some(scratch) = self.scratch.first_mut() {
             for job in jobs.take_while(|_| !progress.is_cancelled()) {
                 scratch.paint(&frame, job);
-                progress.advance(1);
+                progress.advance_and_pause(1).await;
             }
         }
     }

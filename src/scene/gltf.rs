@@ -25,13 +25,17 @@ use super::{GlbFault, GltfFault, JsonFault, MeshError};
 use crate::appearance::Rgba;
 use crate::foreign::{self, shown};
 use crate::limits::{MAX_SCENE_BYTES, MAX_ZEROS};
-use crate::progress::{Doing, Progress};
+use crate::progress::{Doing, Progress, pause};
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
 ///
 /// # Errors
 /// [`MeshError::Json`], [`MeshError::Gltf`] and [`MeshError::Cancelled`].
-pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Vec<Part>, MeshError> {
+pub(super) async fn read(
+    bytes: &[u8],
+    read_file: &mut Beside<'_>,
+    progress: &Progress,
+) -> Result<Vec<Part>, MeshError> {
     progress.begin(Doing::Reading, 0);
     let Gltf { document, blob } = parse(bytes)?;
     let buffers = buffers(&document, blob, read_file)?;
@@ -42,6 +46,7 @@ pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress
         let Some(mesh) = node.mesh() else { continue };
         let name = node.name().or(mesh.name()).unwrap_or_default();
         for primitive in mesh.primitives() {
+            pause().await;
             if progress.is_cancelled() {
                 return Err(MeshError::Cancelled);
             }

@@ -5,14 +5,14 @@ use std::sync::Arc;
 
 pub use super::part::{Imported, Part};
 use super::{Mesh, MeshError, ReadFile, Wanted, gltf, obj};
-use crate::progress::Progress;
+use crate::progress::{Progress, at_once};
 
 /// What is in the mesh file with this path and these bytes. `read_file` gives the files beside it (MTL, BIN); a material
-/// library that cannot be read is left out, its materials have no colour then.
+/// library that cannot be read is left out, its materials have no colour then. It pauses after each stretch of the file.
 ///
 /// # Errors
 /// [`MeshError`].
-pub fn import(
+pub async fn import(
     path: &str,
     bytes: &[u8],
     read_file: &mut ReadFile<'_>,
@@ -21,8 +21,10 @@ pub fn import(
     let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let mut beside = |name: &str| read_file(Wanted { path: &companion(path, name), named_by: Some(path) });
     let imported = match ending.as_deref() {
-        Some("obj") => obj::read(bytes, &mut beside, progress)?,
-        Some("gltf" | "glb") => Imported { parts: gltf::read(bytes, &mut beside, progress)?, notices: Vec::new() },
+        Some("obj") => obj::read(bytes, &mut beside, progress).await?,
+        Some("gltf" | "glb") => {
+            Imported { parts: gltf::read(bytes, &mut beside, progress).await?, notices: Vec::new() }
+        }
         _ => return Err(MeshError::Format),
     };
     let is_empty = imported.parts.iter().all(|p| p.mesh.triangles.is_empty());
@@ -57,7 +59,7 @@ impl MeshFiles {
         if let Some(imported) = self.known.get(path) {
             return Ok(Arc::clone(imported));
         }
-        let imported = read(path, read_file, &self.progress)?;
+        let imported = at_once(read(path, read_file, &self.progress))?;
         self.insert(path, Arc::clone(&imported));
         Ok(imported)
     }
@@ -85,13 +87,14 @@ impl MeshFiles {
     }
 }
 
-/// Reads a mesh file: the part of building a scene that takes long, for those who want to do it beside other things.
+/// Reads a mesh file: the part of building a scene that takes long, for those who want to do it beside other things. It pauses
+/// where [`import`] does.
 ///
 /// # Errors
 /// [`MeshError`].
-pub fn read(path: &str, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Arc<Imported>, MeshError> {
+pub async fn read(path: &str, read_file: &mut ReadFile<'_>, progress: &Progress) -> Result<Arc<Imported>, MeshError> {
     let bytes = read_file(Wanted { path, named_by: None }).map_err(|error| MeshError::Unreadable(Box::new(error)))?;
-    Ok(Arc::new(import(path, &bytes, read_file, progress)?))
+    Ok(Arc::new(import(path, &bytes, read_file, progress).await?))
 }
 
 #[cfg(test)]
@@ -111,7 +114,8 @@ mod tests {
         let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
         let text = triangle.repeat(40_000);
         let progress = Progress::default();
-        let read = |progress: &Progress| import("m.obj", text.as_bytes(), &mut crate::scene::no_files, progress);
+        let read =
+            |progress: &Progress| at_once(import("m.obj", text.as_bytes(), &mut crate::scene::no_files, progress));
         progress.cancel();
         assert_eq!(read(&progress).err(), Some(MeshError::Cancelled));
         let (_, share) = progress.now().unwrap_or((crate::progress::Doing::Encoding, None));

@@ -14,7 +14,7 @@ use super::soup::Soup;
 use super::{MeshError, MeshNotice, ObjFault};
 use crate::appearance::Rgba;
 use crate::foreign::shown;
-use crate::progress::{Doing, Progress};
+use crate::progress::{Doing, Progress, pause};
 
 /// So many bytes are read before the work is asked whether it is still wanted.
 const STRETCH: usize = 1 << 16;
@@ -23,14 +23,14 @@ const STRETCH: usize = 1 << 16;
 ///
 /// # Errors
 /// [`MeshError::Obj`] with the line, and [`MeshError::Cancelled`].
-pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
+pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
     let mut file = ObjFile::default();
     let mut lines = Lines { rest: bytes, number: 0 };
     progress.begin(Doing::Reading, bytes.len());
     let mut told = bytes.len();
     while let Some(line) = lines.next() {
         if told - lines.rest.len() >= STRETCH {
-            progress.advance(told - lines.rest.len());
+            progress.advance_and_pause(told - lines.rest.len()).await;
             told = lines.rest.len();
             if progress.is_cancelled() {
                 return Err(MeshError::Cancelled);
@@ -46,6 +46,7 @@ pub(super) fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress
     let mut notices = file.notices();
     let mut parts = Vec::new();
     for part in std::mem::take(&mut file.parts) {
+        pause().await;
         if progress.is_cancelled() {
             return Err(MeshError::Cancelled);
         }

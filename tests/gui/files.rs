@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use camera_lab::export::png;
 use camera_lab::gui::state::Dialog;
 use camera_lab::i18n::Lang;
+use camera_lab::progress::{Progress, at_once};
 use camera_lab::{files, gui};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
@@ -211,13 +212,13 @@ fn a_picture_is_never_replaced_by_text_whatever_its_name_says() {
     let folder = Folder::new("picture-by-another-name");
     let path = folder.file("view.toml");
     let pixmap = tiny_skia::Pixmap::new(2, 2).expect("two by two");
-    let picture = png::encode(
+    let picture = at_once(png::encode(
         pixmap,
         "[camera]\nnear = 0.5\n\n[scene]\npreset = \"empty\"\n",
         None,
         None,
-        &camera_lab::progress::Progress::default(),
-    )
+        &Progress::default(),
+    ))
     .expect("encoded");
     fs::write(&path, &picture).expect("written");
     for mut window in [Window::opened(&path), Window::new(Lang::En)] {

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use camera_lab::figure::read;
 use camera_lab::i18n::{Lang, numerics as words};
 use camera_lab::numerics::{Effort, Findings, OWN, Row, Study, run};
-use camera_lab::progress::Progress;
+use camera_lab::progress::{Progress, at_once};
 
 use crate::common::program::Bench;
 
@@ -15,7 +15,8 @@ use crate::common::program::Bench;
 fn findings(study: Study) -> &'static Findings {
     static FOUND: [OnceLock<Findings>; Study::ALL.len()] = [const { OnceLock::new() }; Study::ALL.len()];
     let place = Study::ALL.iter().position(|s| *s == study).unwrap();
-    FOUND[place].get_or_init(|| run(study, &Effort { seed: 7, seconds: 0.0, thorough: false }, &Progress::default()))
+    FOUND[place]
+        .get_or_init(|| at_once(run(study, &Effort { seed: 7, seconds: 0.0, thorough: false }, &Progress::default())))
 }
 
 fn row<'a>(findings: &'a Findings, case: &str, parameter: f64, method: &str) -> &'a Row {
@@ -49,7 +50,7 @@ fn every_case_has_all_methods_one_of_them_the_programs_own_and_a_front() {
 fn the_same_seed_gives_the_same_errors_and_another_seed_others() {
     let errors = |seed| {
         let effort = Effort { seed, seconds: 0.0, thorough: false };
-        let rows = run(Study::VertexTransform, &effort, &Progress::default()).rows;
+        let rows = at_once(run(Study::VertexTransform, &effort, &Progress::default())).rows;
         rows.iter().map(|r| (r.error, r.error_max, r.bits)).collect::<Vec<_>>()
     };
     assert_eq!(errors(1), errors(1));
@@ -157,7 +158,7 @@ fn a_study_that_is_cancelled_ends_with_what_it_has() {
     progress.cancel();
     let effort = Effort { seed: 1, seconds: 60.0, thorough: true };
     for study in Study::ALL {
-        assert!(run(study, &effort, &progress).rows.len() <= 60, "{}", study.name());
+        assert!(at_once(run(study, &effort, &progress)).rows.len() <= 60, "{}", study.name());
     }
 }
 

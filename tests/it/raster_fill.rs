@@ -8,6 +8,7 @@ use std::time::Duration;
 use camera_lab::appearance::{Rgba, Texture};
 use camera_lab::drawing::{Drawing, Lighting, Paint, Phong, Surface};
 use camera_lab::limits::MAX_SIDE;
+use camera_lab::progress::at_once;
 use camera_lab::raster::Rasterizer;
 use tiny_skia::Pixmap;
 
@@ -447,7 +448,7 @@ fn buffers_keep_nothing_of_the_picture_before() {
     let mut rasterizer = Rasterizer::default();
     let mut pixmap = Pixmap::new(1, 1).expect("a pixmap");
     for d in [&full, &small, &full, &drawing(40, 40, 1, Vec::new()), &small] {
-        assert!(rasterizer.paint_into(d, &mut pixmap));
+        assert!(at_once(rasterizer.paint_into(d, &mut pixmap)));
         let mut fresh = Rasterizer::default();
         assert!(pixmap == fresh.paint(d).expect("a picture"));
         for k in 0..40 * 40 {
@@ -499,7 +500,7 @@ fn a_missing_size_is_none() {
     for (width, height) in [(0, 10), (10, 0), (0, 0), (MAX_SIDE + 1, 1), (1, u32::MAX), (MAX_SIDE, MAX_SIDE)] {
         assert!(rasterizer.paint(&drawing(width, height, 1, Vec::new())).is_none(), "{width}×{height}");
         let mut pixmap = Pixmap::new(3, 3).expect("a pixmap");
-        assert!(!rasterizer.paint_into(&drawing(width, height, 1, Vec::new()), &mut pixmap));
+        assert!(!at_once(rasterizer.paint_into(&drawing(width, height, 1, Vec::new()), &mut pixmap)));
         assert_eq!(pixmap.width(), 3);
     }
     assert_eq!(paint(&drawing(1, 1, 16, Vec::new())).pixel(0, 0).map(|p| p.red()), Some(255));

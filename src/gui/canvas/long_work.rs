@@ -76,13 +76,13 @@ mod tests {
     use crate::files::Overwrite;
     use crate::gui::Start;
     use crate::gui::export::{Export, ExportError, Exported, Exporting, Task};
-    use crate::gui::worker::Work;
+    use crate::gui::worker::{Work, one_by_one};
     use crate::i18n::Lang;
-    use crate::progress::Doing;
+    use crate::progress::{Doing, Progress};
 
     /// Paints, and does not come to an end by itself.
     fn endless() -> Work<Task, Exported> {
-        Box::new(|_, progress| {
+        one_by_one(async |_, progress: &Progress| {
             progress.begin(Doing::Painting, 4);
             progress.advance(3);
             while !progress.is_cancelled() {

@@ -9,7 +9,8 @@ use glam::DVec2;
 use crate::camera::{Camera, ImageSize};
 use crate::clock;
 use crate::figure::Depth;
-use crate::gui::worker::Worker;
+use crate::gui::worker::{Worker, one_by_one};
+use crate::progress::Progress;
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Request, View, pick};
 
@@ -110,7 +111,7 @@ pub(super) struct Picker {
 impl Default for Picker {
     fn default() -> Self {
         let worker = Worker::new("pointer", clock::now, || {
-            Box::new(|pick: PickRequest, _| {
+            one_by_one(async |pick: PickRequest, _: &Progress| {
                 let found = pick.find();
                 (pick, found)
             })

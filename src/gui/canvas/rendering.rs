@@ -6,7 +6,7 @@ use eframe::egui;
 
 use super::texture::Tiles;
 use crate::clock;
-use crate::gui::worker::{Running, Work, Worker};
+use crate::gui::worker::{Running, Work, Worker, one_by_one};
 use crate::picture::{Account, Picture, Renderer};
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
@@ -84,7 +84,7 @@ impl Default for Rendering {
 fn work() -> Work<Job, Outcome> {
     let mut renderer = Renderer::default();
     let mut pictures: [Picture; 3] = Default::default();
-    Box::new(move |job, progress| {
+    one_by_one(async move |job: Job, progress: &Progress| {
         let Job { mut request, draft, max_side, accounted } = job;
         if draft {
             request.look.style.antialias = 1;
@@ -92,7 +92,7 @@ fn work() -> Work<Job, Outcome> {
         renderer.measure(accounted.then_some(clock::now));
         renderer.watch(progress);
         let picture = &mut pictures[request.view.index()];
-        let account = renderer.pixels_into(&request, picture);
+        let account = renderer.pixels_into(&request, picture).await;
         let rendered = account.map(|account| Rendered {
             tiles: Tiles::of(picture, max_side),
             too_much: account.too_much.clone(),
@@ -237,7 +237,7 @@ mod tests {
     #[test]
     fn what_was_given_up_is_begun_anew_by_another_picture_and_not_by_what_is_pointed_at() {
         let waiting = || -> Work<Job, Outcome> {
-            Box::new(|job, progress| {
+            one_by_one(async |job: Job, progress: &Progress| {
                 while !progress.is_cancelled() {
                     std::thread::yield_now();
                 }

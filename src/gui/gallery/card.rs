@@ -9,7 +9,7 @@ use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::files::{self, FigureFiles, FileError, Opened, Reach, ShippedFigure, figure_from};
-use crate::gui::worker::Work;
+use crate::gui::worker::{Work, one_by_one};
 use crate::i18n::{Lang, gallery, messages, pictures, window};
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
@@ -64,7 +64,7 @@ pub(super) type Drawn = Result<Picture, String>;
 pub(super) fn work() -> Work<Job, Outcome> {
     let mut renderer = Renderer::default();
     let mut kept: HashMap<u64, Drawn> = HashMap::new();
-    Box::new(move |job, progress| match job {
+    one_by_one(async move |job, progress: &Progress| match job {
         Job::List(folder) => {
             let list = figures_in(&folder);
             Outcome::Listed(folder, list)
@@ -184,6 +184,7 @@ pub fn figures_in(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::at_once;
 
     #[test]
     fn a_figure_file_says_what_it_is_in_its_first_comment() {
@@ -197,13 +198,15 @@ mod tests {
         for figure in files::SHIPPED_FIGURES {
             let source = Source::Shipped(figure.name);
             let job = Job::Draw { source: source.clone(), theme: Theme::Light, lang: Lang::PtBr };
-            let Outcome::Drawn(of, drawn) = work(job, &Progress::default()) else { panic!("{}", figure.name) };
+            let Some(Outcome::Drawn(of, drawn)) = at_once(work(job, Progress::default())) else {
+                panic!("{}", figure.name)
+            };
             let picture = drawn.map(|picture| [picture.width(), picture.height()]);
             assert_eq!((of, picture), (source, Ok([SIZE.width, SIZE.height])), "{}", figure.name);
         }
         let source = Source::File(PathBuf::from("/no/such/file.toml"));
         let job = Job::Draw { source, theme: Theme::Light, lang: Lang::En };
-        let Outcome::Drawn(_, drawn) = work(job, &Progress::default()) else { panic!("a file") };
+        let Some(Outcome::Drawn(_, drawn)) = at_once(work(job, Progress::default())) else { panic!("a file") };
         assert!(drawn.is_err_and(|why| why.contains("no such file")));
     }
 }

@@ -10,7 +10,8 @@ use crate::clock;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError};
 use crate::gui::session::aside;
-use crate::gui::worker::Worker;
+use crate::gui::worker::{Worker, one_by_one};
+use crate::progress::Progress;
 
 /// How long is waited for what is being written before the window closes.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
@@ -65,7 +66,7 @@ pub(super) struct Writing<C: Change> {
 
 impl<C: Change> Writing<C> {
     pub(super) fn new(name: &'static str) -> Self {
-        let worker = Worker::new(name, clock::now, || Box::new(|change: C, _| change.write()));
+        let worker = Worker::new(name, clock::now, || one_by_one(async |change: C, _: &Progress| change.write()));
         Self { worker, asked: None, told: false }
     }
 

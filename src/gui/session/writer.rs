@@ -12,7 +12,8 @@ use crate::figure::Figure;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
 use crate::gui::document::Document;
-use crate::gui::worker::Worker;
+use crate::gui::worker::{Worker, one_by_one};
+use crate::progress::Progress;
 
 /// How long is waited for what is being written before the window closes.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -72,7 +73,7 @@ pub(super) struct Writer {
 
 impl Writer {
     pub(super) fn new(file: PathBuf, lock: Lock) -> Self {
-        let worker = Worker::new("session", clock::now, || Box::new(|job: Job, _| job.run()));
+        let worker = Worker::new("session", clock::now, || one_by_one(async |job: Job, _: &Progress| job.run()));
         Self { file, lock: Arc::new(lock), worker, asked: None }
     }
 

@@ -8,9 +8,10 @@ use super::State;
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters};
 use crate::clock;
-use crate::gui::worker::{Work, Worker};
+use crate::gui::worker::{Work, Worker, one_by_one};
 use crate::numerics::diagnosis::{Diagnosis, Repair, diagnose};
 use crate::numerics::health::{Health, health};
+use crate::progress::Progress;
 use crate::views::SharedScene;
 
 /// What the answer depends on.
@@ -46,7 +47,7 @@ pub struct Coach {
 impl Default for Coach {
     fn default() -> Self {
         let work = || -> Work<Asked, (Asked, Advice)> {
-            Box::new(|asked: Asked, _| {
+            one_by_one(async |asked: Asked, _: &Progress| {
                 let Asked { camera, scene, style, image } = &asked;
                 let advice = Advice {
                     camera: camera.clone(),

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use crate::clock;
-use crate::gui::worker::{Running, Work, Worker};
+use crate::gui::worker::{Running, Work, Worker, one_by_one};
 use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::Progress;
 
@@ -39,8 +39,8 @@ pub struct Numerics {
 impl Default for Numerics {
     fn default() -> Self {
         let work = || -> Work<Asked, Measured> {
-            Box::new(|(study, effort): Asked, progress: &Progress| {
-                let findings = numerics::run(study, &effort, progress);
+            one_by_one(async |(study, effort): Asked, progress: &Progress| {
+                let findings = numerics::run(study, &effort, progress).await;
                 // What was cancelled is not whole.
                 (study, (!progress.is_cancelled()).then_some(findings))
             })
@@ -53,7 +53,7 @@ impl Default for Numerics {
             parameter: None,
             effort: Effort { seed: 1, seconds: 3.0, thorough: true },
             found: BTreeMap::new(),
-            worker: Worker::new("numerics", clock::now, work).taking_long(),
+            worker: Worker::new("numerics", clock::now, work),
             measuring: None,
         }
     }

@@ -16,6 +16,7 @@ use crate::numerics::measure::{Off, Trial, Watch, bits_off};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::progress::pause;
 use crate::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape};
 
 /// A side of the picture.
@@ -25,7 +26,7 @@ const WHITE: Rgba = Rgba::rgb(255, 255, 255);
 
 type Triangle = [DVec2; 3];
 
-pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(12, 2);
     let watch = lab.watch(2 * SIZES.len() * METHODS.len() * count);
     let mut rows = Vec::new();
@@ -35,19 +36,21 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
                 break;
             }
             let mut random = Random::new(lab.effort.seed, 700 + (c * SIZES.len() + s) as u64);
-            let setups: Vec<Setup> = (0..count).filter_map(|_| Setup::new(&mut random, size, thin)).collect();
-            let methods = METHODS
-                .into_iter()
-                .map(|(name, method)| {
-                    let mut trial = Trial::default();
-                    for (input, setup) in setups.iter().enumerate() {
-                        let coverage = method.coverage(setup, &mut trial, &watch);
-                        setup.judge(input, &coverage, &mut trial);
-                        lab.progress.advance(1);
-                    }
-                    Method::new(name, trial)
-                })
-                .collect();
+            let mut setups = Vec::new();
+            for _ in 0..count {
+                setups.extend(Setup::new(&mut random, size, thin));
+                pause().await;
+            }
+            let mut methods = Vec::new();
+            for (name, method) in METHODS {
+                let mut trial = Trial::default();
+                for (input, setup) in setups.iter().enumerate() {
+                    let coverage = method.coverage(setup, &mut trial, &watch);
+                    setup.judge(input, &coverage, &mut trial);
+                    lab.progress.advance_and_pause(1).await;
+                }
+                methods.push(Method::new(name, trial));
+            }
             let group = Group { case: case.to_owned(), parameter: size, unit: Unit::Color, methods };
             rows.extend(group.rows(|input| setups.get(input).map(Setup::figure)));
         }

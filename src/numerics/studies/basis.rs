@@ -23,7 +23,7 @@ const ANGLES: [f64; 8] = [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-11, 1e-13, 1e-15];
 /// What the vectors are multiplied by.
 const SIZES: [(&str, f64); 3] = [("size 1", 1.0), ("size 1e150", 1e150), ("size 1e-150", 1e-150)];
 
-pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(200, 12);
     let watch = lab.watch(SIZES.len() * ANGLES.len() * METHODS.len());
     let mut rows = Vec::new();
@@ -35,18 +35,16 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
             let mut random = Random::new(lab.effort.seed, 200 + (s * ANGLES.len() + a) as u64);
             let inputs: Vec<Parameters> = (0..count).map(|_| input(&mut random, angle, size)).collect();
             let exact: Vec<_> = inputs.iter().map(reference).collect();
-            let methods = METHODS
-                .into_iter()
-                .map(|(name, method)| {
-                    let mut trial = Trial::default();
-                    let results = trial.time(&watch, &inputs, method);
-                    for (i, (axes, exact)) in results.iter().zip(&exact).enumerate() {
-                        trial.note(i, off(axes, exact));
-                    }
-                    lab.progress.advance(1);
-                    Method::new(name, trial)
-                })
-                .collect();
+            let mut methods = Vec::new();
+            for (name, method) in METHODS {
+                let mut trial = Trial::default();
+                let results = trial.time(&watch, &inputs, method);
+                for (i, (axes, exact)) in results.iter().zip(&exact).enumerate() {
+                    trial.note(i, off(axes, exact));
+                }
+                lab.progress.advance_and_pause(1).await;
+                methods.push(Method::new(name, trial));
+            }
             let group = Group { case: case.to_owned(), parameter: angle, unit: Unit::Radians, methods };
             rows.extend(group.rows(|i| inputs.get(i).map(|p| figure_of(p, size))));
         }

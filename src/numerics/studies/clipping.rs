@@ -26,7 +26,7 @@ const WORST: f64 = 3.464_101_615_137_754_6;
 
 type Ends = [DVec3; 2];
 
-pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(300, 20);
     let watch = lab.watch(2 * BEHIND.len() * 5);
     let mut rows = Vec::new();
@@ -54,21 +54,21 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
             let mut random = Random::new(lab.effort.seed, 500 + (c * BEHIND.len() + b) as u64);
             let segments: Vec<Ends> = (0..count).map(|_| segment(&mut random, sign * behind)).collect();
             let exact: Vec<Option<Ends>> = segments.iter().map(|ends| before_divide(&matrix, ends)).collect();
-            let run = |name, method: &dyn Fn(&Ends) -> Option<Ends>| {
+            let run = async |name, method: &dyn Fn(&Ends) -> Option<Ends>| {
                 let mut trial = Trial::default();
                 let results = trial.time(&watch, &segments, method);
                 for (i, (result, exact)) in results.iter().zip(&exact).enumerate() {
                     trial.note(i, off(result.as_ref(), exact.as_ref()));
                 }
-                lab.progress.advance(1);
+                lab.progress.advance_and_pause(1).await;
                 Method::new(name, trial)
             };
             let methods = vec![
-                run("f32 after the divide", &|ends| after_divide(&single, ends)),
-                run("f32 before the divide", &|ends| before_divide(&single, ends)),
-                run("f64 after the divide", &|ends| after_divide(&double, ends)),
-                run("f64 before the divide", &|ends| before_divide(&double, ends)),
-                run(OWN, &|&ends| own(ends).map(displayed)),
+                run("f32 after the divide", &|ends| after_divide(&single, ends)).await,
+                run("f32 before the divide", &|ends| before_divide(&single, ends)).await,
+                run("f64 after the divide", &|ends| after_divide(&double, ends)).await,
+                run("f64 before the divide", &|ends| before_divide(&double, ends)).await,
+                run(OWN, &|&ends| own(ends).map(displayed)).await,
             ];
             let group = Group { case: case.to_owned(), parameter: behind, unit: Unit::Ndc, methods };
             rows.extend(group.rows(|i| segments.get(i).map(|ends| figure(&parameters, ends))));

@@ -44,7 +44,7 @@ const CASES: [(&str, Projection, Place); 6] = [
     ("parallel z-fighting", Projection::Parallel, Place::Everywhere),
 ];
 
-pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let count = lab.many(400, 40);
     let watch = lab.watch(CASES.len() * RATIOS.len() * FORMATS.len());
     let mut rows = Vec::new();
@@ -60,19 +60,16 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
             let cubes = depths.iter().map(|&z| InView::between(z, z * (1.0 + GAP) + 2.0 * size_of_cube(z)));
             let (own_scale, own) = depth_buffer_of(&camera, cubes.fold(InView::NOTHING, InView::and));
             let range = Range::from_0_to_1(projection, ratio);
-            let methods = FORMATS
-                .into_iter()
-                .map(|format| {
-                    let value = |z: f64| if format == Format::Own { order(own(z)) } else { format.value(&range, z) };
-                    let mut trial = Trial::default();
-                    trial.time(&watch, &depths, |&z| value(z));
-                    let predicted =
-                        place.judge(&range, &depths, &value, &|z| format.step(&range, &own_scale, z), &mut trial);
-                    lab.progress.advance(1);
-                    let predicted = Some(predicted);
-                    Method { name: format.name(), trial, predicted }
-                })
-                .collect();
+            let mut methods = Vec::new();
+            for format in FORMATS {
+                let value = |z: f64| if format == Format::Own { order(own(z)) } else { format.value(&range, z) };
+                let mut trial = Trial::default();
+                trial.time(&watch, &depths, |&z| value(z));
+                let predicted =
+                    place.judge(&range, &depths, &value, &|z| format.step(&range, &own_scale, z), &mut trial);
+                lab.progress.advance_and_pause(1).await;
+                methods.push(Method { name: format.name(), trial, predicted: Some(predicted) });
+            }
             let unit = if matches!(place, Place::Everywhere) { Unit::Share } else { Unit::SceneUnits };
             let group = Group { case: case.to_owned(), parameter: ratio, unit, methods };
             rows.extend(group.rows(|i| depths.get(i).map(|&z| figure(&parameters, z))));

@@ -2,27 +2,32 @@
 //!
 //! The reference is one rotation by the sum of the angles, which is exact: each angle has few enough digits for it.
 
+use std::hint::black_box;
 use std::mem::size_of;
+use std::pin::Pin;
+use std::time::Duration;
 
 use glam::DVec3;
 
 use super::{figure_of, random_camera};
 use crate::camera::{Camera, Convention, Operation, Parameters};
-use crate::clock;
 use crate::geometry::Angle;
 use crate::numbers::random::Random;
 use crate::numerics::chain::{Vector, basis};
-use crate::numerics::measure::{Off, Trial, bits_off, mean_bits};
+use crate::numerics::measure::{Off, Trial, Watch, bits_off, mean_bits};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::progress::{at_once, pause};
 
 const STEPS: [u32; 3] = [10, 1_000, 1_000_000];
+/// So many steps are made without a pause.
+const STRETCH: u32 = 4_000;
 
-pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let steps = &STEPS[..lab.many(3, 2)];
-    // The runs are long: each is timed once, however much time there is.
-    lab.watch(steps.len() * METHODS.len());
+    // Each run is timed once, however much time there is.
+    let watch = Watch { slice: Duration::ZERO, ..lab.watch(steps.len() * METHODS.len()) };
     let mut rows = Vec::new();
     for (i, &count) in steps.iter().enumerate() {
         let inputs = if count > 1_000 { 1 } else { lab.many(16, 2) };
@@ -35,16 +40,22 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
             }
             let mut of_method = [Trial::default(), Trial::default(), Trial::default()];
             for (input, start) in starts.iter().enumerate() {
-                let began = clock::now();
-                let end = turned(start, count);
-                let time = clock::now().saturating_sub(began);
+                let timed = &mut of_method[0];
+                let end = if count > STRETCH {
+                    timed.time_slices(count as usize, turned(start, count)).await
+                } else {
+                    let mut end = End::of(&start.camera);
+                    timed.time_whole(&watch, count as usize, || end = at_once(turned(black_box(start), count)));
+                    end
+                };
                 for (trial, off) in of_method.iter_mut().zip(start.judge(&end)) {
                     trial.note(input, off);
-                    trial.took(time, f64::from(count));
                 }
             }
+            let [timed, others @ ..] = &mut of_method;
+            others.iter_mut().for_each(|trial| trial.takes_time_of(timed));
             trials.push(of_method);
-            lab.progress.advance(1);
+            lab.progress.advance_and_pause(1).await;
         }
         for (k, (case, unit)) in CASES.into_iter().enumerate() {
             let methods =
@@ -80,6 +91,13 @@ struct Start {
 struct End {
     axes: [DVec3; 3],
     position: DVec3,
+}
+
+impl End {
+    fn of(camera: &Camera) -> Self {
+        let basis = camera.basis();
+        Self { axes: [basis.u, basis.v, basis.n], position: camera.position() }
+    }
 }
 
 impl Start {
@@ -129,17 +147,30 @@ impl Start {
     }
 }
 
-type Turned = fn(&Start, u32) -> End;
+/// Where a method ends after so many steps; it pauses after each [`STRETCH`] of them.
+type Turned = for<'a> fn(&'a Start, u32) -> Pin<Box<dyn Future<Output = End> + 'a>>;
 
 const METHODS: [(&str, Turned); 7] = [
-    ("f32 matrix", matrix::<f32, false>),
-    ("f32 orthonormalised", matrix::<f32, true>),
-    ("f32 quaternion", quaternion::<f32>),
-    ("f64 matrix", matrix::<f64, false>),
-    ("f64 orthonormalised", matrix::<f64, true>),
-    ("f64 quaternion", quaternion::<f64>),
-    (OWN, own),
+    ("f32 matrix", |start, steps| Box::pin(matrix::<f32, false>(start, steps))),
+    ("f32 orthonormalised", |start, steps| Box::pin(matrix::<f32, true>(start, steps))),
+    ("f32 quaternion", |start, steps| Box::pin(quaternion::<f32>(start, steps))),
+    ("f64 matrix", |start, steps| Box::pin(matrix::<f64, false>(start, steps))),
+    ("f64 orthonormalised", |start, steps| Box::pin(matrix::<f64, true>(start, steps))),
+    ("f64 quaternion", |start, steps| Box::pin(quaternion::<f64>(start, steps))),
+    (OWN, |start, steps| Box::pin(own(start, steps))),
 ];
+
+/// What so many steps make of `state`.
+async fn repeated<S>(mut state: S, steps: u32, step: impl Fn(S) -> S) -> S {
+    let mut left = steps;
+    while left > STRETCH {
+        // Without a pause inside, so that what is timed is the steps.
+        state = (0..STRETCH).fold(state, |state, _| step(state));
+        left -= STRETCH;
+        pause().await;
+    }
+    (0..left).fold(state, |state, _| step(state))
+}
 
 /// The basis and C − PF of a start, in the precision of `R`.
 fn frame<R: Real>(start: &Start) -> ([Vector<R>; 3], Vector<R>) {
@@ -155,23 +186,25 @@ fn end<R: Real>(start: &Start, axes: &[Vector<R>; 3], to_viewer: &Vector<R>) -> 
 }
 
 /// The product of all rotation matrices, the last first, then applied once; Gram and Schmidt after every step where `clean`.
-fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32) -> End {
+async fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32) -> End {
     let (axes, to_viewer) = frame::<R>(start);
     let step = rotation(&axes[1], start.angle);
     let zero = R::zero;
     let one = R::one;
     // Columns.
-    let mut total = [Vector([one(), zero(), zero()]), Vector([zero(), one(), zero()]), Vector([zero(), zero(), one()])];
-    for _ in 0..steps {
-        total = total.map(|column| apply(&step, &column));
-        if CLEAN {
-            let [x, y, _] = &total;
-            let x = x.unit();
-            let y = y.minus(&x.times(&x.dot(y))).unit();
-            let z = x.cross(&y);
-            total = [x, y, z];
+    let identity = [Vector([one(), zero(), zero()]), Vector([zero(), one(), zero()]), Vector([zero(), zero(), one()])];
+    let total = repeated(identity, steps, |total| {
+        let total = total.map(|column| apply(&step, &column));
+        if !CLEAN {
+            return total;
         }
-    }
+        let [x, y, _] = &total;
+        let x = x.unit();
+        let y = y.minus(&x.times(&x.dot(y))).unit();
+        let z = x.cross(&y);
+        [x, y, z]
+    })
+    .await;
     let turned = |v: &Vector<R>| {
         let [x, y, z] = &v.0;
         total[0].times(x).plus(&total[1].times(y)).plus(&total[2].times(z))
@@ -198,18 +231,19 @@ fn apply<R: Real>(rows: &[Vector<R>; 3], v: &Vector<R>) -> Vector<R> {
 }
 
 /// The product of all quaternions, made a unit quaternion after every step, then applied once.
-fn quaternion<R: Real>(start: &Start, steps: u32) -> End {
+async fn quaternion<R: Real>(start: &Start, steps: u32) -> End {
     let (axes, to_viewer) = frame::<R>(start);
     let (sine, cosine) = R::sin_cos_degrees(start.angle / 2.0);
     let step = (cosine, axes[1].times(&sine));
-    let mut total = (R::one(), Vector([R::zero(), R::zero(), R::zero()]));
-    for _ in 0..steps {
+    let identity = (R::one(), Vector([R::zero(), R::zero(), R::zero()]));
+    let total = repeated(identity, steps, |total| {
         let (a, b) = (&step, &total);
         let scalar = a.0.clone() * b.0.clone() - a.1.dot(&b.1);
         let vector = b.1.times(&a.0).plus(&a.1.times(&b.0)).plus(&a.1.cross(&b.1));
         let over = R::one() / (scalar.clone() * scalar.clone() + vector.dot(&vector)).sqrt();
-        total = (scalar * over.clone(), vector.times(&over));
-    }
+        (scalar * over.clone(), vector.times(&over))
+    })
+    .await;
     // v + 2 q × (q × v + w v).
     let turned = |v: &Vector<R>| {
         let (w, q) = &total;
@@ -218,14 +252,9 @@ fn quaternion<R: Real>(start: &Start, steps: u32) -> End {
     end(start, &[turned(&axes[0]), turned(&axes[1]), turned(&axes[2])], &turned(&to_viewer))
 }
 
-fn own(start: &Start, steps: u32) -> End {
+async fn own(start: &Start, steps: u32) -> End {
     let step = Operation::Azimuth(Angle::from_degrees(start.angle));
-    let mut camera = start.camera.clone();
-    for _ in 0..steps {
-        // A turned camera is a camera; if one were not, the way would end where it stands, and the error would show it.
-        let Ok(turned) = step.apply(&camera, Convention::RightHand) else { break };
-        camera = turned;
-    }
-    let basis = camera.basis();
-    End { axes: [basis.u, basis.v, basis.n], position: camera.position() }
+    // A turned camera is a camera; if one were not, it would stay where it is, and the error would show it.
+    let turned = |camera: Camera| step.apply(&camera, Convention::RightHand).unwrap_or(camera);
+    End::of(&repeated(start.camera.clone(), steps, turned).await)
 }

@@ -17,6 +17,7 @@ use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
 use crate::pipeline::light::{AMBIENT, DIFFUSE, SHININESS, SPECULAR};
+use crate::progress::pause;
 use crate::scene::primitives::{self, TORUS_RADIUS, TORUS_TUBE};
 use crate::scene::{Light, LightSpec, Mesh, ObjectSpec, Preset, Scene, SceneSpec, Shape};
 
@@ -26,7 +27,7 @@ const COLOR: Rgba = Rgba::rgb(200, 120, 60);
 /// Where the light goes.
 const LIGHT: DVec3 = DVec3::new(-0.5, -1.0, -0.7);
 
-pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let segments = &SEGMENTS[..lab.many(7, 3)];
     let watch = lab.watch(2 * segments.len() * METHODS.len());
     let mut rows = Vec::new();
@@ -34,7 +35,7 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
         if lab.progress.is_cancelled() {
             break;
         }
-        let Some(setup) = Setup::new(solid) else { continue };
+        let Some(setup) = Setup::new(solid).await else { continue };
         let mut silhouettes = Vec::new();
         for &count in segments {
             let (mut colors, mut outlines) = (Vec::new(), Vec::new());
@@ -45,7 +46,7 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
                 outline.takes_time_of(&color);
                 colors.push(Method::new(name, color));
                 outlines.push(Method::new(name, outline));
-                lab.progress.advance(1);
+                lab.progress.advance_and_pause(1).await;
             }
             let parameter = f64::from(count);
             let [case, silhouette] = solid.cases();
@@ -133,7 +134,8 @@ struct Setup {
 }
 
 impl Setup {
-    fn new(solid: Solid) -> Option<Self> {
+    /// It pauses after each row of rays.
+    async fn new(solid: Solid) -> Option<Self> {
         let [m, n] = SIZE.map(f64::from);
         let parameters = Parameters {
             position: DVec3::new(0.7, 2.1, 3.1),
@@ -158,6 +160,7 @@ impl Setup {
                 let ray = axes[0].times(&x).plus(&axes[1].times(&y)).plus(&along).unit();
                 exact.push(hit(solid, &eye, &ray).map(|p| color_at(solid, &p, &eye)));
             }
+            pause().await;
         }
         Some(Self { solid, parameters, camera, exact })
     }

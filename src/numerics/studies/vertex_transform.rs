@@ -21,7 +21,7 @@ use crate::pipeline::project::view_of;
 const DISTANCES: [f64; 5] = [1.0, 1e3, 1e6, 1e9, 1e12];
 const CASES: [(&str, Projection); 2] = [("perspective", Projection::Perspective), ("parallel", Projection::Parallel)];
 
-pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let (cameras, points) = (lab.many(8, 2), lab.many(128, 8));
     let watch = lab.watch(CASES.len() * DISTANCES.len() * METHODS.len() * cameras);
     let mut rows = Vec::new();
@@ -33,18 +33,16 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
             let mut random = Random::new(lab.effort.seed, 100 + i as u64);
             let setups: Vec<Setup> =
                 (0..cameras).filter_map(|_| Setup::new(&mut random, parameter, projection, points)).collect();
-            let methods = METHODS
-                .iter()
-                .map(|&(name, run)| {
-                    let mut trial = Trial::default();
-                    for (input, setup) in setups.iter().enumerate() {
-                        let results = run(setup, &mut trial, &watch);
-                        setup.judge(input, &results, &mut trial);
-                        lab.progress.advance(1);
-                    }
-                    Method::new(name, trial)
-                })
-                .collect();
+            let mut methods = Vec::new();
+            for &(name, run) in METHODS.iter() {
+                let mut trial = Trial::default();
+                for (input, setup) in setups.iter().enumerate() {
+                    let results = run(setup, &mut trial, &watch);
+                    setup.judge(input, &results, &mut trial);
+                    lab.progress.advance_and_pause(1).await;
+                }
+                methods.push(Method::new(name, trial));
+            }
             let group = Group { case: case.to_owned(), parameter, unit: Unit::SceneUnits, methods };
             rows.extend(group.rows(|input| setups.get(input).map(|setup| figure_of(&setup.parameters, 1.0))));
         }

@@ -18,6 +18,7 @@ use crate::numerics::measure::{Off, Trial, Watch};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
+use crate::progress::pause;
 use crate::scene::{ObjectSpec, Preset, Scene, SceneSpec, Shape};
 
 const FAR: f64 = 100.0;
@@ -30,7 +31,7 @@ type Triangles = fn(&mut Random) -> Vec<Triangle>;
 const CASES: [(&str, Triangles); 3] =
     [("cyclic overlap", cyclic), ("interpenetrating", interpenetrating), ("close surfaces", close)];
 
-pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
+pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
     let (count, ratios) = (lab.many(3, 1), &RATIOS[..lab.many(4, 3)]);
     let watch = lab.watch(CASES.len() * ratios.len() * METHODS.len() * count);
     let mut rows = Vec::new();
@@ -41,19 +42,20 @@ pub(in crate::numerics) fn run(lab: &Lab) -> Findings {
             }
             // The same surfaces for every ratio.
             let mut random = Random::new(lab.effort.seed, 600 + c as u64);
-            let setups: Vec<Setup> = (0..count).filter_map(|_| Setup::new(triangles(&mut random), ratio)).collect();
-            let methods = METHODS
-                .into_iter()
-                .map(|(name, method)| {
-                    let mut trial = Trial::default();
-                    for (input, setup) in setups.iter().enumerate() {
-                        let seen = method(setup, &mut trial, &watch);
-                        trial.note(input, setup.off(&seen));
-                        lab.progress.advance(1);
-                    }
-                    Method::new(name, trial)
-                })
-                .collect();
+            let mut setups = Vec::new();
+            for _ in 0..count {
+                setups.extend(Setup::new(triangles(&mut random), ratio).await);
+            }
+            let mut methods = Vec::new();
+            for (name, method) in METHODS {
+                let mut trial = Trial::default();
+                for (input, setup) in setups.iter().enumerate() {
+                    let seen = method(setup, &mut trial, &watch);
+                    trial.note(input, setup.off(&seen));
+                    lab.progress.advance_and_pause(1).await;
+                }
+                methods.push(Method::new(name, trial));
+            }
             let group = Group { case: case.to_owned(), parameter: ratio, unit: Unit::Share, methods };
             rows.extend(group.rows(|input| setups.get(input).map(Setup::figure)));
         }
@@ -111,8 +113,8 @@ struct Setup {
 }
 
 impl Setup {
-    /// The camera stands in the origin and looks along −z: world and view space are the same.
-    fn new(triangles: Vec<Triangle>, ratio: f64) -> Option<Self> {
+    /// The camera stands in the origin and looks along −z: world and view space are the same. It pauses after each row of rays.
+    async fn new(triangles: Vec<Triangle>, ratio: f64) -> Option<Self> {
         let [m, n] = SIZE.map(f64::from);
         let parameters = Parameters {
             position: DVec3::ZERO,
@@ -144,6 +146,7 @@ impl Setup {
                 exact.push(first(&solids, &ray, &parameters));
                 rays.push(ray.to_f64());
             }
+            pause().await;
         }
         Some(Self { parameters, camera, triangles, scene, rays, exact })
     }

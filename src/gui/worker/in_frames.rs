@@ -1,0 +1,130 @@
+//! Jobs where there are no threads: in the frames, a slice of them in each.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::task::{Context, Poll, Waker};
+use std::time::Duration;
+
+use eframe::egui;
+
+use super::{Done, Running, Shared, Shares, Slices, Work};
+
+/// In a frame jobs are gone on with for so long: what people see moves on in between.
+const SLICE: Duration = Duration::from_millis(30);
+
+/// Where the frames themselves take longer, jobs get as much time as they, up to this: a hand feels what comes later.
+const LONGEST_SLICE: Duration = Duration::from_millis(100);
+
+/// Before a job of whose like a slice took so long there is a frame that tells it.
+const LONG: Duration = Duration::from_millis(500);
+
+/// What does the jobs in the frames.
+pub(super) struct InFrames<Job, Outcome, const SLOTS: usize> {
+    work: Work<Job, Outcome>,
+    /// What is asked for the next frame.
+    ctx: egui::Context,
+    shares: Shares<SLOTS>,
+    under_way: Option<UnderWay<Outcome>>,
+    /// When the last slice ended, where another follows in the next frame.
+    ended: Option<Duration>,
+    /// The longest slice of the last job of each slot.
+    longest: [Duration; SLOTS],
+    /// The slot whose job takes long, and of which that has been told in a frame.
+    told: Option<usize>,
+}
+
+/// A job that has been begun.
+struct UnderWay<Outcome> {
+    slot: usize,
+    slices: Slices<Outcome>,
+    /// What its slices took together.
+    time: Duration,
+    /// What the longest of them took.
+    longest: Duration,
+}
+
+impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, SLOTS> {
+    pub(super) fn new(ctx: &egui::Context, work: Work<Job, Outcome>) -> Self {
+        Self {
+            work,
+            ctx: ctx.clone(),
+            shares: Shares::default(),
+            under_way: None,
+            ended: None,
+            longest: [Duration::ZERO; SLOTS],
+            told: None,
+        }
+    }
+
+    /// A job that takes long and of which nothing can be told once it has begun, as it is done in one slice.
+    pub(super) fn told(&self) -> Option<Running> {
+        self.told.map(|slot| Running { slot, time: self.longest[slot], now: None })
+    }
+
+    /// Goes on with the jobs that wait, and asks for another frame where some are left.
+    pub(super) fn go_on(
+        &mut self,
+        shared: &Shared<Job, Outcome, SLOTS>,
+        make: fn() -> Work<Job, Outcome>,
+        clock: fn() -> Duration,
+    ) {
+        let begin = clock();
+        let slice = self.ended.take().map_or(SLICE, |ended| begin.saturating_sub(ended).clamp(SLICE, LONGEST_SLICE));
+        while let Some(mut job) = self.under_way.take().or_else(|| self.next(shared, clock)) {
+            match self.slice(&mut job, make, clock) {
+                Poll::Pending => self.under_way = Some(job),
+                Poll::Ready(outcome) => {
+                    let UnderWay { slot, time, longest, .. } = job;
+                    self.shares.book(slot, time);
+                    self.longest[slot] = longest;
+                    let mut mailbox = shared.mailbox();
+                    mailbox.busy = None;
+                    mailbox.finished[slot] = Some(Done { outcome, time });
+                }
+            }
+            if clock().saturating_sub(begin) >= slice {
+                break;
+            }
+        }
+        if shared.mailbox().any_pending() {
+            self.ended = Some(clock());
+            self.ctx.request_repaint();
+        }
+    }
+
+    /// The job whose turn it is; `None` where none waits, or it has to be told first.
+    fn next(&mut self, shared: &Shared<Job, Outcome, SLOTS>, clock: fn() -> Duration) -> Option<UnderWay<Outcome>> {
+        let slot = self.shares.next(shared.mailbox().waiting())?;
+        let is_told = self.told.take() == Some(slot);
+        if self.longest[slot] >= LONG && !is_told {
+            self.told = Some(slot);
+            return None;
+        }
+        let job = shared.mailbox().begin(slot, &shared.progress, clock)?;
+        let slices = (self.work)(job, shared.progress.clone());
+        Some(UnderWay { slot, slices, time: Duration::ZERO, longest: Duration::ZERO })
+    }
+
+    /// Does a slice of a job. What has panicked has no outcome, and what it left half done is made anew.
+    fn slice(
+        &mut self,
+        job: &mut UnderWay<Outcome>,
+        make: fn() -> Work<Job, Outcome>,
+        clock: fn() -> Duration,
+    ) -> Poll<Option<Outcome>> {
+        let start = clock();
+        let mut context = Context::from_waker(Waker::noop());
+        let polled = catch_unwind(AssertUnwindSafe(|| job.slices.as_mut().poll(&mut context)));
+        let time = clock().saturating_sub(start);
+        job.time += time;
+        job.longest = job.longest.max(time);
+        let outcome = match polled {
+            Ok(Poll::Pending) => return Poll::Pending,
+            Ok(Poll::Ready(outcome)) => outcome,
+            Err(_) => None,
+        };
+        if outcome.is_none() {
+            self.work = make();
+        }
+        Poll::Ready(outcome)
+    }
+}
