@@ -367,6 +367,7 @@ impl App {
                 *state.document.observers_mut() = observers.unwrap_or(state.document.figure().observers);
             }
             Command::Help => state.file_flow.dialog = Some(Dialog::Help),
+            Command::About => state.file_flow.dialog = Some(Dialog::About),
             Command::Pipeline => state.layout.strip = !state.layout.strip,
             Command::Numerics => state.numerics.shown = !state.numerics.shown,
             Command::Section => state.document.edit(|figure| figure.world.section ^= true),

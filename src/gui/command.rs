@@ -98,6 +98,8 @@ pub enum Command {
     Exercises,
     /// Mouse and keyboard at a glance.
     Help,
+    /// The version, the licence, and those of the libraries.
+    About,
 }
 
 /// Shift on top of the platform's command key.
@@ -172,7 +174,7 @@ impl Command {
         Self::ClearAnnotations,
     ];
     /// The menu of what one may ask.
-    pub const HELP: [Self; 1] = [Self::Help];
+    pub const HELP: [Self; 2] = [Self::Help, Self::About];
 
     /// All commands, each once.
     pub fn all() -> impl Iterator<Item = Self> {
@@ -259,6 +261,7 @@ impl Command {
             Self::Pipeline => (t.pipeline, t.pipeline_hint),
             Self::Numerics => (t.numerics, t.numerics_hint),
             Self::Help => (t.help, t.help_hint),
+            Self::About => (t.about, t.about_hint),
         }
     }
 
@@ -324,6 +327,7 @@ impl Command {
             Self::Dimensions => (Modifiers::ALT, Key::Num9),
             Self::LinkOrbits => (Modifiers::ALT, Key::L),
             Self::Help => (Modifiers::NONE, Key::F1),
+            Self::About => (Modifiers::SHIFT, Key::F1),
         };
         KeyboardShortcut::new(modifiers, key)
     }
@@ -375,7 +379,8 @@ impl Command {
             | Self::LinkOrbits
             | Self::Pipeline
             | Self::Numerics
-            | Self::Help => None,
+            | Self::Help
+            | Self::About => None,
         }
     }
 
@@ -464,7 +469,8 @@ impl Command {
             | Self::LinkOrbits
             | Self::Pipeline
             | Self::Numerics
-            | Self::Help => true,
+            | Self::Help
+            | Self::About => true,
         }
     }
 
@@ -514,7 +520,8 @@ impl Command {
             | Self::Observe(_)
             | Self::ViewBack
             | Self::ViewForward
-            | Self::Help => None,
+            | Self::Help
+            | Self::About => None,
         }
     }
 

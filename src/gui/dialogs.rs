@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
+use super::about;
 use super::answers::{CANCEL, Pressed, buttons};
 use super::coach;
 use super::command::Command;
@@ -38,7 +39,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
     let modal = Modal::new(Id::unique("dialog").with(kind)).frame(frame).show(ctx, |ui| {
         let width = match &dialog {
             Dialog::Help | Dialog::Delete { .. } | Dialog::DeleteProgress | Dialog::Link => 520.0,
-            Dialog::Changed(Changed { comparison: Some(_), .. }) => 760.0,
+            Dialog::Changed(Changed { comparison: Some(_), .. }) | Dialog::About => 760.0,
             Dialog::Gallery => 1110.0,
             Dialog::Coach => coach::WIDTH,
             Dialog::Export(_) => export_dialog::WIDTH,
@@ -90,6 +91,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 }
             }
             Dialog::Help => help(ui, t, state, first),
+            Dialog::About => about::show(ui, t, state, first),
             Dialog::Link => link_dialog::show(ui, t, state, first),
             Dialog::Coach => coach::show(ui, t, state, first),
             Dialog::Gallery => {
@@ -101,6 +103,10 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 let style = (state.settings.theme, state.settings.lang);
                 let next = match gallery::show(ui, &mut state.gallery, style, first) {
                     None => return,
+                    Some(Chosen::Nothing) => {
+                        state.file_flow.dialog = None;
+                        return state.gallery.end();
+                    }
                     Some(Chosen::Folder) => return file_flow::ask(ctx, state, Purpose::Folder),
                     Some(Chosen::Open(Source::Shipped(name))) => AfterSave::Shipped(name),
                     Some(Chosen::Open(Source::File(path))) => AfterSave::OpenPath(path),

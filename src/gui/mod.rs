@@ -10,6 +10,7 @@
 //! | [`preferences`] | what is remembered from one time to the next |
 //! | [`canvas`] | the three pictures in the middle |
 
+mod about;
 mod answers;
 pub mod app;
 pub mod asked;

@@ -1,4 +1,5 @@
-//! The figures one after the other, as in a lecture: those of the folder of the open one in natural order, or those of the program.
+//! The figures one after the other, as in a lecture: those of the folder of the open one in natural order, or those of the program; also
+//! after a figure whose folder cannot be looked into, as in a page.
 //!
 //! Nobody is asked on the way: a figure with changes is kept, and is as it was left when one comes back to it. It is asked about
 //! when the window is closed.
@@ -19,16 +20,14 @@ pub(super) fn source_of(document: &Document) -> Option<Source> {
 /// The places of the sequence that the open figure is in, and its own. A new figure stands before those of the program.
 fn places(state: &State) -> (Vec<Option<Source>>, usize) {
     let here = source_of(&state.document);
-    let mut places: Vec<Option<Source>> = match &here {
-        Some(Source::File(path)) => {
-            let files = path.parent().and_then(|folder| figures_in(folder).ok()).unwrap_or_default();
-            files.into_iter().map(|path| Some(Source::File(path))).collect()
-        }
-        Some(Source::Shipped(_)) | None => {
-            SHIPPED_FIGURES.iter().map(|figure| Some(Source::Shipped(figure.name))).collect()
-        }
+    let of_program = || SHIPPED_FIGURES.iter().map(|figure| Some(Source::Shipped(figure.name))).collect();
+    let files = match &here {
+        Some(Source::File(path)) => path.parent().and_then(|folder| figures_in(folder).ok()),
+        Some(Source::Shipped(_)) | None => None,
     };
-    let is_of_program = !matches!(here, Some(Source::File(_)));
+    let is_of_program = files.is_none();
+    let mut places: Vec<Option<Source>> =
+        files.map_or_else(of_program, |files| files.into_iter().map(|path| Some(Source::File(path))).collect());
     if is_of_program && (here.is_none() || state.kept.iter().any(|(source, _)| source.is_none())) {
         places.insert(0, None);
     }
@@ -102,4 +101,27 @@ pub(super) fn step(state: &mut State, forwards: bool) -> bool {
     }
     state.say(fault.unwrap_or(if forwards { Message::LastFigure } else { Message::FirstFigure }));
     false
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use std::path::Path;
+
+    use super::*;
+    use crate::files::figure_from;
+    use crate::gui::Start;
+
+    #[test]
+    fn after_a_figure_whose_folder_cannot_be_looked_into_come_those_of_the_program() {
+        let mut state = State::new(Start::default()).unwrap();
+        let (figure, file) =
+            figure_from(b"[camera]\nnear = 0.5\n").unwrap().at(Path::new("/no/such/folder/saved.toml"));
+        show(&mut state, Document::new(figure, Some(file)).unwrap());
+        assert!(step(&mut state, true));
+        assert_eq!(state.document.shipped_name(), Some(SHIPPED_FIGURES[0].name));
+        assert!(step(&mut state, true));
+        assert_eq!(state.document.shipped_name(), Some(SHIPPED_FIGURES[1].name));
+    }
 }

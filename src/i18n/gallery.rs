@@ -15,6 +15,10 @@ texts! {
     which_folder: "Which folder?", "Qual pasta?";
     // What the keys do.
     keys: "Arrows: choose · Enter: open · Ctrl+Tab: next part · Esc: close", "Setas: escolher · Enter: abrir · Ctrl+Tab: parte seguinte · Esc: fechar";
+    // The same where there is one part.
+    keys_of_one: "Arrows: choose · Enter: open · Esc: close", "Setas: escolher · Enter: abrir · Esc: fechar";
+    // A button.
+    close: "Close", "Fechar";
     // Where there is nothing to show.
     no_recent: "Nothing has been opened or saved yet.", "Nada foi aberto ou salvo ainda.";
     no_folder: "No folder is chosen: that of the open figure, or one that you choose, stands here.", "Nenhuma pasta foi escolhida: aqui fica a da figura aberta, ou uma que você escolher.";

@@ -25,6 +25,7 @@ texts! {
     over_parameter: "error over parameter", "erro por parâmetro";
     over_time: "error against time", "erro contra tempo";
     // Hints.
+    measuring: "Measuring:", "Medindo:";
     nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs, against a reference of 512 bits.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas, contra uma referência de 512 bits.";
     point_at: "Point at a dot to read it; a click opens its worst camera.", "Aponte para um ponto para lê-lo; um clique abre sua pior câmera.";
     star: "* no other method is both as right and as fast", "* nenhum outro método é tão exato e tão rápido";

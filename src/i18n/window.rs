@@ -107,6 +107,10 @@ texts! {
     link_orbits_hint: "Turning one 3D picture turns the other", "Girar uma imagem 3D gira a outra";
     help: "Mouse and keyboard", "Mouse e teclado";
     help_hint: "What the pointer and the keys do", "O que o ponteiro e as teclas fazem";
+    about: "About Camera Lab", "Sobre o Camera Lab";
+    about_hint: "The version, the licence, and those of the libraries", "A versão, a licença e as das bibliotecas";
+    about_text: "An interactive laboratory for the virtual camera of computer graphics.", "Um laboratório interativo da câmera virtual da computação gráfica.";
+    about_licence: "Under the MIT licence or the Apache License 2.0, as you like. What it is made of has licences of its own:", "Sob a licença MIT ou a Apache License 2.0, à escolha. Aquilo de que é feito tem licenças próprias:";
     help_numbers: "Number fields", "Campos numéricos";
     help_numbers_text: "Drag to the side (Shift: slowly). Click and type a number or an expression: 1/3, sqrt(2)/2, 45°, pi/3. Enter: done · Esc: as before · ↑ ↓: one step · Page ↑ ↓: ten steps", "Arraste para o lado (Shift: devagar). Clique e digite um número ou uma expressão: 1/3, sqrt(2)/2, 45°, pi/3. Enter: pronto · Esc: como antes · ↑ ↓: um passo · Page ↑ ↓: dez passos";
     help_pictures: "Pictures", "Imagens";

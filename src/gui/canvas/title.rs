@@ -186,6 +186,8 @@ impl Title<'_> {
                 }
             }
             ui.separator();
+            // Menus have no borders, without which an empty box is not seen.
+            ui.visuals_mut().widgets.inactive.bg_stroke = ui.ctx().global_style().visuals.widgets.inactive.bg_stroke;
             if let Some(mut on) = self.section
                 && ui.checkbox(&mut on, self.texts.section).changed()
             {

@@ -18,6 +18,8 @@ use crate::i18n::gallery::{self as words, Texts};
 pub(in crate::gui) enum Chosen {
     /// Go on with this figure.
     Open(Source),
+    /// Close it.
+    Nothing,
     /// Ask for a folder.
     Folder,
 }
@@ -74,7 +76,14 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
             ui.label(format!("{} {more}", t.more));
         }
     });
-    ui.label(RichText::new(t.keys).small().weak());
+    ui.horizontal(|ui| {
+        // A finger has no Esc.
+        if ui.button(t.close).clicked() {
+            asked = Some(Chosen::Nothing);
+        }
+        let keys = if gallery.examples_alone { t.keys_of_one } else { t.keys };
+        ui.label(RichText::new(keys).small().weak());
+    });
     asked
 }
 

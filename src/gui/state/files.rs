@@ -114,6 +114,8 @@ pub enum Dialog {
     Closing,
     /// What the pointer and the keys do.
     Help,
+    /// What the program is, and what it is made of.
+    About,
     /// Why the picture is empty, and how near the camera is to trouble.
     Coach,
     /// Which figure to begin with.
@@ -182,6 +184,7 @@ impl FileFlow {
             Some(
                 Dialog::Export(_)
                 | Dialog::Help
+                | Dialog::About
                 | Dialog::Coach
                 | Dialog::Gallery
                 | Dialog::Delete { .. }

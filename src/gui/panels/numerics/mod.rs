@@ -79,9 +79,9 @@ fn studies(ui: &mut Ui, state: &mut State) {
                     state.numerics.measure(ui.ctx());
                 }
             }
-            Some((_, share)) => {
+            Some((study, share)) => {
                 ui.horizontal(|ui| {
-                    if ui.button(t.cancel).clicked() {
+                    if ui.button(t.cancel).explained(words::short_title(lang, study)).clicked() {
                         state.numerics.cancel();
                     }
                     ui.add(ProgressBar::new(share.unwrap_or(0.0)).desired_width(100.0).show_percentage());
@@ -107,7 +107,11 @@ fn nothing_yet(ui: &mut Ui, state: &State) {
     ui.vertical(|ui| {
         ui.add_space(8.0);
         ui.label(RichText::new(words::title(lang, state.numerics.study)).strong());
-        ui.label(words::texts(lang).nothing_yet);
+        let t = words::texts(lang);
+        match state.numerics.measuring() {
+            Some((study, _)) => ui.label(format!("{} {}", t.measuring, words::title(lang, study))),
+            None => ui.label(t.nothing_yet),
+        };
     });
 }
 
