@@ -6,7 +6,8 @@
 #   tar      the program for Linux, with its manual, icon and completions
 #   macos    Camera Lab.app (on a Mac)
 #   all      windows, web, deb and tar, with SHA256SUMS
-# On Debian it installs what it needs (as root, or by sudo); elsewhere it names what is missing. The same sources give the same bytes.
+# On Debian it installs what it needs (as root, or by sudo); elsewhere it names what is missing. The same sources give the same bytes
+# (camera-lab.exe: from the same folder, by whose name the linker orders the imports).
 set -euo pipefail
 usage() { sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 [ $# -eq 2 ] || usage
@@ -77,7 +78,8 @@ bindings() {
 
 # The program for this machine, once for all packages.
 build_program() {
-    cargo build --locked --release
+    # Without names of functions: some depend on the folder of the build.
+    cargo rustc --locked --release --bin camera-lab -- -C strip=symbols
     program=$CARGO_TARGET_DIR/release/camera-lab
     manual=$CARGO_TARGET_DIR/manual
     rm -rf "$manual"
@@ -91,8 +93,10 @@ make_tar() {
     mkdir -p "$folder/$name"
     cp "$program" README.md CHANGELOG.md LICENSE-* THIRD-PARTY.md dist/icon.svg dist/linux/camera-lab.desktop dist/linux/camera-lab.xml "$folder/$name"
     cp -r "$manual" "$folder/$name/manual"
-    mkdir "$folder/$name/docs"
+    # As they lie in the sources: the README names them.
+    mkdir -p "$folder/$name/docs" "$folder/$name/assets"
     cp -r docs/*.md docs/images "$folder/$name/docs"
+    cp -r assets/figures "$folder/$name/assets"
     tar --sort=name --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX --mtime="@$SOURCE_DATE_EPOCH" \
         -C "$folder" -cf - "$name" | gzip -9n >"$out/$name.tar.gz"
     rm -rf "$folder"
