@@ -9,7 +9,7 @@
 # On Debian it installs what it needs (as root, or by sudo); elsewhere it names what is missing. The same sources give the same bytes
 # (camera-lab.exe: from the same folder, by whose name the linker orders the imports).
 set -euo pipefail
-usage() { sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+usage() { sed -n '2,10s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 [ $# -eq 2 ] || usage
 case $1 in
     windows | web | deb | tar | macos | all) ;;
