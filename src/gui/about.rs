@@ -20,7 +20,9 @@ pub(super) fn show(ui: &mut Ui, t: &Texts, state: &mut State, first: bool) {
     let height = (ui.ctx().content_rect().height() - 220.0).max(80.0);
     let lines: Vec<&str> = THIRD_PARTY.lines().collect();
     let row = ui.text_style_height(&TextStyle::Small);
-    ScrollArea::both().max_height(height).auto_shrink(false).show_rows(ui, row, lines.len(), |ui, range| {
+    // As high from the first frame on: the dialog would grow for some frames.
+    let area = ScrollArea::both().max_height(height).min_scrolled_height(height).auto_shrink(false);
+    area.show_rows(ui, row, lines.len(), |ui, range| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         for line in &lines[range] {
             ui.label(RichText::new(*line).small());

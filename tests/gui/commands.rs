@@ -299,6 +299,17 @@ fn help_lists_the_keys() {
     assert!(!window.says("Ctrl+Shift+S"));
 }
 
+#[test]
+fn what_the_program_is_and_what_it_is_made_of_is_told() {
+    let mut window = Window::new(Lang::PtBr);
+    window.harness.key_press_modifiers(Modifiers::SHIFT, Key::F1);
+    window.run();
+    assert!(window.says(&format!("Camera Lab {}", env!("CARGO_PKG_VERSION"))) && window.says("licença MIT"));
+    assert!(window.says("ab_glyph"), "the first of the libraries");
+    window.click("Fechar");
+    assert_eq!(window.state().file_flow.dialog, None);
+}
+
 /// Key presses that all come in one frame.
 fn in_one_frame(window: &mut Window, keys: &[(Modifiers, Key)]) {
     for &(modifiers, key) in keys {

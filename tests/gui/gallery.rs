@@ -67,6 +67,10 @@ fn changes_are_asked_about_and_esc_leaves_everything_as_it_was() {
     assert!(window.says("Gallery"));
     window.key(Key::Escape);
     assert!(window.state().file_flow.dialog.is_none());
+    // As a finger does.
+    window.command_key(Key::G);
+    window.click("Close");
+    assert!(window.state().file_flow.dialog.is_none());
     window.command_key(Key::G);
     window.key(Key::Enter);
     assert!(window.says("Save the changes?"));
