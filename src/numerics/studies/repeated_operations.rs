@@ -18,7 +18,7 @@ use crate::numerics::measure::{Off, Trial, Watch, bits_off, mean_bits};
 use crate::numerics::real::Real;
 use crate::numerics::reference::Reference;
 use crate::numerics::{Findings, Group, Lab, Method, OWN, Study, Unit};
-use crate::progress::{at_once, pause};
+use crate::progress::{Progress, at_once, pause};
 
 const STEPS: [u32; 3] = [10, 1_000, 1_000_000];
 /// So many steps are made without a pause.
@@ -42,10 +42,12 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
             for (input, start) in starts.iter().enumerate() {
                 let timed = &mut of_method[0];
                 let end = if count > STRETCH {
-                    timed.time_slices(count as usize, turned(start, count)).await
+                    timed.time_slices(count as usize, turned(start, count, &lab.progress)).await
                 } else {
                     let mut end = End::of(&start.camera);
-                    timed.time_whole(&watch, count as usize, || end = at_once(turned(black_box(start), count)));
+                    timed.time_whole(&watch, count as usize, || {
+                        end = at_once(turned(black_box(start), count, &lab.progress));
+                    });
                     end
                 };
                 for (trial, off) in of_method.iter_mut().zip(start.judge(&end)) {
@@ -147,26 +149,29 @@ impl Start {
     }
 }
 
-/// Where a method ends after so many steps; it pauses after each [`STRETCH`] of them.
-type Turned = for<'a> fn(&'a Start, u32) -> Pin<Box<dyn Future<Output = End> + 'a>>;
+/// Where a method ends after so many steps; it pauses after each [`STRETCH`] of them, and ends there where it is not wanted any more.
+type Turned = for<'a> fn(&'a Start, u32, &'a Progress) -> Pin<Box<dyn Future<Output = End> + 'a>>;
 
 const METHODS: [(&str, Turned); 7] = [
-    ("f32 matrix", |start, steps| Box::pin(matrix::<f32, false>(start, steps))),
-    ("f32 orthonormalised", |start, steps| Box::pin(matrix::<f32, true>(start, steps))),
-    ("f32 quaternion", |start, steps| Box::pin(quaternion::<f32>(start, steps))),
-    ("f64 matrix", |start, steps| Box::pin(matrix::<f64, false>(start, steps))),
-    ("f64 orthonormalised", |start, steps| Box::pin(matrix::<f64, true>(start, steps))),
-    ("f64 quaternion", |start, steps| Box::pin(quaternion::<f64>(start, steps))),
-    (OWN, |start, steps| Box::pin(own(start, steps))),
+    ("f32 matrix", |start, steps, progress| Box::pin(matrix::<f32, false>(start, steps, progress))),
+    ("f32 orthonormalised", |start, steps, progress| Box::pin(matrix::<f32, true>(start, steps, progress))),
+    ("f32 quaternion", |start, steps, progress| Box::pin(quaternion::<f32>(start, steps, progress))),
+    ("f64 matrix", |start, steps, progress| Box::pin(matrix::<f64, false>(start, steps, progress))),
+    ("f64 orthonormalised", |start, steps, progress| Box::pin(matrix::<f64, true>(start, steps, progress))),
+    ("f64 quaternion", |start, steps, progress| Box::pin(quaternion::<f64>(start, steps, progress))),
+    (OWN, |start, steps, progress| Box::pin(own(start, steps, progress))),
 ];
 
 /// What so many steps make of `state`.
-async fn repeated<S>(mut state: S, steps: u32, step: impl Fn(S) -> S) -> S {
+async fn repeated<S>(mut state: S, steps: u32, progress: &Progress, step: impl Fn(S) -> S) -> S {
     let mut left = steps;
     while left > STRETCH {
         state = stretch(state, STRETCH, &step);
         left -= STRETCH;
         pause().await;
+        if progress.is_cancelled() {
+            return state;
+        }
     }
     stretch(state, left, &step)
 }
@@ -195,14 +200,14 @@ fn end<R: Real>(start: &Start, axes: &[Vector<R>; 3], to_viewer: &Vector<R>) -> 
 }
 
 /// The product of all rotation matrices, the last first, then applied once; Gram and Schmidt after every step where `clean`.
-async fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32) -> End {
+async fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32, progress: &Progress) -> End {
     let (axes, to_viewer) = frame::<R>(start);
     let step = rotation(&axes[1], start.angle);
     let zero = R::zero;
     let one = R::one;
     // Columns.
     let identity = [Vector([one(), zero(), zero()]), Vector([zero(), one(), zero()]), Vector([zero(), zero(), one()])];
-    let total = repeated(identity, steps, |total| {
+    let total = repeated(identity, steps, progress, |total| {
         let total = total.map(|column| apply(&step, &column));
         if !CLEAN {
             return total;
@@ -240,12 +245,12 @@ fn apply<R: Real>(rows: &[Vector<R>; 3], v: &Vector<R>) -> Vector<R> {
 }
 
 /// The product of all quaternions, made a unit quaternion after every step, then applied once.
-async fn quaternion<R: Real>(start: &Start, steps: u32) -> End {
+async fn quaternion<R: Real>(start: &Start, steps: u32, progress: &Progress) -> End {
     let (axes, to_viewer) = frame::<R>(start);
     let (sine, cosine) = R::sin_cos_degrees(start.angle / 2.0);
     let step = (cosine, axes[1].times(&sine));
     let identity = (R::one(), Vector([R::zero(), R::zero(), R::zero()]));
-    let total = repeated(identity, steps, |total| {
+    let total = repeated(identity, steps, progress, |total| {
         let (a, b) = (&step, &total);
         let scalar = a.0.clone() * b.0.clone() - a.1.dot(&b.1);
         let vector = b.1.times(&a.0).plus(&a.1.times(&b.0)).plus(&a.1.cross(&b.1));
@@ -261,9 +266,29 @@ async fn quaternion<R: Real>(start: &Start, steps: u32) -> End {
     end(start, &[turned(&axes[0]), turned(&axes[1]), turned(&axes[2])], &turned(&to_viewer))
 }
 
-async fn own(start: &Start, steps: u32) -> End {
+async fn own(start: &Start, steps: u32, progress: &Progress) -> End {
     let step = Operation::Azimuth(Angle::from_degrees(start.angle));
     // A turned camera is a camera; if one were not, it would stay where it is, and the error would show it.
     let turned = |camera: Camera| step.apply(&camera, Convention::RightHand).unwrap_or(camera);
-    End::of(&repeated(start.camera.clone(), steps, turned).await)
+    End::of(&repeated(start.camera.clone(), steps, progress, turned).await)
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use super::*;
+
+    #[test]
+    fn a_run_that_is_given_up_ends_after_its_first_stretch() {
+        let steps = 10 * STRETCH;
+        let start = Start::new(&mut Random::new(1, 300), steps).unwrap();
+        let progress = Progress::default();
+        progress.cancel();
+        for (name, turned) in METHODS {
+            let cancelled = at_once(turned(&start, steps, &progress));
+            let stretch = at_once(turned(&start, STRETCH, &Progress::default()));
+            assert_eq!((cancelled.axes, cancelled.position), (stretch.axes, stretch.position), "{name}");
+        }
+    }
 }
