@@ -56,25 +56,22 @@ make_web() (
     cp THIRD-PARTY.md "$out"
 )
 
-# Writes the JavaScript between the program and the browser: its version has to be that of the library that the program was built with.
+# Writes the JavaScript between the program and the browser: by a package of our own, whose version has to be that of the library that the program
+# was built with.
 bindings() {
-    local version bindgen=$CARGO_TARGET_DIR/tools/bin/wasm-bindgen made=$CARGO_TARGET_DIR/$target
-    version=$(sed -n '/^name = "wasm-bindgen"$/{n;s/version = "\(.*\)"/\1/p}' Cargo.lock)
-    if [ "$(wasm-bindgen --version 2>/dev/null)" = "wasm-bindgen $version" ]; then
-        bindgen=wasm-bindgen
-    elif [ "$("$bindgen" --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
-        # Built without optimisation it is there in a third of the time, and runs for seconds.
-        CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' \
-            cargo install wasm-bindgen-cli --locked --version "$version" --root "$CARGO_TARGET_DIR/tools" --debug
-    fi
+    local made=$CARGO_TARGET_DIR/$target package=dist/web/bindings
+    [ "$(version_of wasm-bindgen Cargo.lock)" = "$(version_of wasm-bindgen-cli-support "$package/Cargo.lock")" ] ||
+        fail "wasm-bindgen-cli-support in $package/Cargo.toml has to be $(version_of wasm-bindgen Cargo.lock), as wasm-bindgen in Cargo.lock"
+    # It runs for seconds: built without optimisation it is there sooner.
+    CARGO_ENCODED_RUSTFLAGS='' cargo build --locked --manifest-path "$package/Cargo.toml"
     rm -rf "${page:?}"
-    # Not as modules: those cannot stand in a file that opens from disk.
-    bind() {
-        "$bindgen" --target no-modules --no-typescript --remove-name-section --remove-producers-section --out-dir "$page" --out-name "$@"
-    }
-    bind camera-lab "$made/web/camera-lab.wasm"
-    bind unpack "$made/release/camera_lab_unpack.wasm"
+    mkdir -p "$page"
+    "$CARGO_TARGET_DIR/debug/camera-lab-bindings" "$made/web/camera-lab.wasm" camera-lab "$page"
+    "$CARGO_TARGET_DIR/debug/camera-lab-bindings" "$made/release/camera_lab_unpack.wasm" unpack "$page"
 }
+
+# version_of CRATE LOCK_FILE
+version_of() { sed -n "/^name = \"$1\"\$/{n;s/version = \"\(.*\)\"/\1/p}" "$2"; }
 
 # The program for this machine, once for all packages.
 build_program() {
@@ -103,7 +100,7 @@ make_tar() {
 }
 
 make_deb() {
-    command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' cargo install cargo-deb --locked --version '^3' --debug
+    command -v cargo-deb >/dev/null || CARGO_TARGET_DIR=$CARGO_TARGET_DIR/tools CARGO_ENCODED_RUSTFLAGS='' install_tool cargo-deb '^3'
     build_program
     # Cargo.toml names what is packed as it lies in the folder that cargo takes without being told otherwise.
     [ "$manual" -ef target/manual ] || { mkdir -p target && ln -sfn "$manual" target/manual; }

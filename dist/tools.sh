@@ -1,6 +1,40 @@
 # What the scripts of this project share; read by them with `source`.
 
-step() { printf '\n== %s\n' "$*"; }
+steps_took=()
+
+# Begins a step, and says how long the one before took: on the clock, and of processors, as all of it counts that has ended.
+step() {
+    end_step
+    printf '\n== %s\n' "$*"
+    count_processor
+    step_name=$* step_began=$SECONDS step_processor=$processor
+}
+
+end_step() {
+    [ -n "${step_name:-}" ] || return 0
+    count_processor
+    steps_took+=("$(printf '%5d s, of processors %5d s: %s' $((SECONDS - step_began)) $((processor - step_processor)) "$step_name")")
+    printf -- '-- took%s\n' "${steps_took[-1]}"
+    step_name=
+}
+
+# Says what every step took, at the end of a run.
+all_steps() {
+    end_step
+    count_processor
+    printf '%s\n' "${steps_took[@]}" "$(printf '%5d s, of processors %5d s: all' "$SECONDS" "$processor")"
+}
+
+# User and system time of this shell and of what it has waited for, in whole seconds.
+count_processor() {
+    local file
+    file=$(mktemp)
+    # By way of a file: a shell of its own would count its own time.
+    times >"$file"
+    processor=$(awk '{ for (i = 1; i <= NF; i++) { split($i, t, /[ms]/); sum += t[1] * 60 + t[2] } } END { printf "%d", sum }' "$file")
+    rm -f "$file"
+}
+
 fail() { printf 'FAILED: %s\n' "$*" >&2; exit 1; }
 
 # Installs what is missing of Debian's packages. On other systems they are named, so that the user can.
@@ -22,6 +56,18 @@ install_packages() {
     # One at a time: two scripts may run beside each other.
     "${root[@]}" flock /tmp/camera-lab-packages.lock env DEBIAN_FRONTEND=noninteractive \
         sh -c 'apt-get update -q && apt-get install -q -y --no-install-recommends "$@"' sh "${missing[@]}"
+}
+
+# install_tool CRATE VERSION [ARGUMENT...]: has cargo build a program of others. First as its own lock file says; a registry may not have what that names, and then
+# the newest versions are taken that this compiler can build. Without optimisation: what runs for seconds is there in a third of the time.
+install_tool() {
+    local crate=$1 version=$2
+    shift 2
+    cargo install "$crate" --version "$version" --locked --debug "$@" && return
+    printf '%s %s cannot be built as its lock file says: the newest versions of what it needs are taken.\n' "$crate" "$version" >&2
+    CARGO_RESOLVER_INCOMPATIBLE_RUST_VERSIONS=fallback cargo install "$crate" --version "$version" --debug "$@" && return
+    printf '%s %s cannot be built: the newest version is taken.\n' "$crate" "$version" >&2
+    cargo install "$crate" --debug "$@"
 }
 
 # cargo_for TARGET COMMAND [ARGUMENT...]: cargo for another system. With rustup's standard library where that is installed or can

@@ -33,6 +33,7 @@ fuzz_target!(|bytes: &[u8]| {
     let triangles: Vec<[u32; 3]> = (2..count).map(|i| [i - 2, i - 1, i]).collect();
     let edges = (1..count).map(|i| [i - 1, i]).collect();
     let object = Object {
+        part_of: None,
         name: "m".to_owned(),
         mesh: Arc::new(Mesh { positions, triangles, edges, ..Mesh::default() }),
         world_from_object: DMat4::IDENTITY,

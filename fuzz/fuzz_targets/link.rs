@@ -1,0 +1,38 @@
+//! A link holds the figure that was put into it, whatever a mail program adds; anything else that looks like one is a text, an error, or no link.
+#![no_main]
+
+use arbitrary::Arbitrary;
+use camera_lab::limits::{MAX_FIGURE_BYTES, MAX_LINK_CHARACTERS};
+use camera_lab::share::{link, text_in};
+use libfuzzer_sys::fuzz_target;
+
+#[derive(Arbitrary, Debug)]
+struct Input<'a> {
+    address: &'a str,
+    text: &'a str,
+    /// What stands where the packed figure should.
+    packed: &'a str,
+    /// A change on the way: where, and into what.
+    damage: Option<(u16, char)>,
+}
+
+fuzz_target!(|input: Input| {
+    if let Some(Ok(found)) = text_in(&format!("{}#figure={}", input.address, input.packed)) {
+        assert!(found.len() <= MAX_FIGURE_BYTES);
+    }
+    let Ok(link) = link(input.address, input.text) else { return };
+    assert!(link.len() <= MAX_LINK_CHARACTERS);
+    for added in ["", ".", ")", "> ", "\"", "=="] {
+        let found = text_in(&format!("{link}{added}")).expect("a link").expect("whole");
+        assert_eq!(found, input.text.as_bytes());
+    }
+    if let Some((place, letter)) = input.damage {
+        let mut damaged: Vec<char> = link.chars().collect();
+        let place = usize::from(place) % damaged.len();
+        damaged[place] = letter;
+        // Whatever comes of it is no panic, and no more than a figure may have.
+        if let Some(Ok(found)) = text_in(&damaged.into_iter().collect::<String>()) {
+            assert!(found.len() <= MAX_FIGURE_BYTES);
+        }
+    }
+});
