@@ -65,6 +65,7 @@ const STAGES: [Stage; 7] = [
 
 fn object(mesh: Arc<Mesh>, world_from_object: DMat4) -> Object {
     Object {
+        part_of: None,
         name: "thing".into(),
         mesh,
         world_from_object,

@@ -27,6 +27,7 @@ pub mod expression;
 pub mod figure;
 pub mod files;
 pub mod foreign;
+pub mod formula;
 pub mod geometry;
 #[cfg(feature = "gui")]
 pub mod gui;
@@ -43,5 +44,6 @@ pub mod raster;
 pub mod scene;
 pub mod share;
 mod simd;
+pub mod stage;
 pub mod text;
 pub mod views;

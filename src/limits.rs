@@ -1,5 +1,7 @@
 //! How much of everything there may be: each limit once, with its reason.
 
+use std::ops::RangeInclusive;
+
 /// The longest side of a picture in pixels: the rasterizer counts in 1/16 of a pixel, and has room for this and a border.
 pub const MAX_SIDE: u32 = 16_384;
 
@@ -8,6 +10,27 @@ pub const MAX_PIXELS: u64 = 1 << 27;
 
 /// The most pixels of a picture on the clipboard: 128 MiB there, and as much again in each program that takes it.
 pub const MAX_COPIED_PIXELS: u64 = 1 << 25;
+
+/// The sides of a picture on paper, in centimetres: from a mark in the margin to the wall of a lecture hall.
+pub const PAPER_CM: RangeInclusive<f64> = 0.1..=1000.0;
+
+/// Pixels per inch of paper: from the wall of a lecture hall to the films that printers expose, with a little room.
+pub const PAPER_DPI: RangeInclusive<f64> = 1.0..=10_000.0;
+
+/// The height of letters on paper, in points: what is smaller is not ink any more, what is larger (35 cm) is no name in a picture.
+pub const PAPER_LETTERS: RangeInclusive<f64> = 0.5..=1000.0;
+
+/// The width of lines on paper, in points: from what no printer can do to what covers a picture.
+pub const PAPER_LINES: RangeInclusive<f64> = 0.01..=100.0;
+
+/// What pictures, strokes and letters are multiplied by: from a stamp to sixteen screens.
+pub const SCALE: RangeInclusive<f64> = 0.1..=16.0;
+
+/// How long a step of an animation takes, in seconds: shorter ones cannot be followed, longer ones take more pictures than a file has use for.
+pub const STEP_SECONDS: RangeInclusive<f64> = 0.1..=60.0;
+
+/// How long `accuracy` measures times, in seconds: an hour; 0 leaves them out.
+pub const MEASURED_SECONDS: RangeInclusive<f64> = 0.0..=3600.0;
 
 /// How far the corner of a viewport may lie outside the image, in pixels: twice the longest side.
 pub const MAX_OFFSET: i64 = 2 * MAX_SIDE as i64;
@@ -27,14 +50,30 @@ pub const MAX_MERIDIANS: u32 = 16;
 /// No mesh has more vertices than this: they are counted with 32 bits, with room for those that cutting makes.
 pub const MAX_VERTICES: usize = 1 << 31;
 
+/// The most objects of a scene, the parts of its meshes among them: so many take about a gigabyte and some seconds to be drawn, and a mesh file
+/// can begin one with each face.
+pub const MAX_OBJECTS: usize = 1 << 17;
+
 /// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be told apart.
 pub const MAX_LIGHTS: usize = 1024;
 
 /// The most named points of a figure: more names and rays can hardly be told apart in a picture.
 pub const MAX_NAMED_POINTS: usize = 32;
 
+/// The most objects whose place by a list of transforms a figure shows (`[[show.moved]]`): more axes can hardly be told apart.
+pub const MAX_SHOWN_OBJECTS: usize = 32;
+
+/// The most steps that a way to the canonical volume can be asked for; no way has more than eight.
+pub const MAX_STEPS: f64 = 100.0;
+
 /// The longest figure file in bytes: a hundred times the largest that people write.
 pub const MAX_FIGURE_BYTES: usize = 8 << 20;
+
+/// The longest file of preferences or of progress with exercises in bytes: both take some kilobytes.
+pub const MAX_KEPT_BYTES: u64 = 8 << 20;
+
+/// The longest file of what a window showed in bytes: the text of a figure twice, with signs that JSON writes longer.
+pub const MAX_SESSION_BYTES: u64 = 8 * MAX_FIGURE_BYTES as u64;
 
 /// The longest link to a figure: browsers take more, but mail, chat and learning platforms cut what is longer.
 pub const MAX_LINK_CHARACTERS: usize = 8000;
@@ -63,6 +102,16 @@ pub const MAX_STROKE_STEPS: usize = 1 << 28;
 /// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper ones
 /// would need more of the stack.
 pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
+
+/// The most characters of a name, a colour or words to look for that are typed: more than a picture or a list has room for.
+pub const MAX_TYPED_NAME: usize = 200;
+
+/// The most characters of a path or an address that are typed: Windows' longest path, four times the longest link.
+pub const MAX_TYPED: usize = 1 << 15;
+
+/// The longest formula of a text in characters, and how deep its pairs may be nested: more than a line has, and less than the stack of what
+/// sets it.
+pub const MAX_FORMULA: (usize, usize) = (1000, 30);
 
 /// The longest answer to an exercise in bytes: a matrix of roots takes a few hundred.
 pub const MAX_ANSWER: usize = 10_000;

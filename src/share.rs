@@ -48,7 +48,8 @@ pub fn link(address: &str, text: &str) -> Result<String, ShareError> {
 pub fn text_in(link: &str) -> Option<Result<Vec<u8>, ShareError>> {
     let (_, packed) = link.split_once(KEY)?;
     // What a mail program or a person has added at the end.
-    let packed = packed.trim_end_matches(['=', '.', ',', ')', '>', '"', '\'']).trim();
+    let is_added = |c: char| c.is_whitespace() || matches!(c, '=' | '.' | ',' | ')' | '>' | '"' | '\'');
+    let packed = packed.trim_end_matches(is_added).trim_start();
     Some(unpacked(packed))
 }
 
@@ -88,8 +89,10 @@ mod tests {
             let figure = link.rsplit('=').next().unwrap();
             assert!(figure.bytes().all(|c| c.is_ascii_alphanumeric() || c == b'-' || c == b'_'), "{figure}");
             assert_eq!(text_in(&link), Some(Ok(TEXT.as_bytes().to_vec())));
-            // As it arrives in a sentence.
-            assert_eq!(text_in(&format!("{link}.")), Some(Ok(TEXT.as_bytes().to_vec())));
+            // As it arrives in a sentence, or between brackets.
+            for added in [".", "> ", ") \n", "\".\r\n"] {
+                assert_eq!(text_in(&format!("{link}{added}")), Some(Ok(TEXT.as_bytes().to_vec())), "{added:?}");
+            }
         }
         // A link to another figure is replaced, not continued.
         let again = link(&link("https://example.org/", TEXT).unwrap(), "[camera]\n").unwrap();

@@ -5,6 +5,7 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
+use super::basis::Frame;
 use super::window::WideWindow;
 use super::{Camera, Ndc, Projection};
 use crate::geometry::double_double::{Dd, Dd3};
@@ -97,8 +98,9 @@ impl Camera {
 
     /// The first three rows of M_v in double-double.
     pub(super) fn view_rows(&self) -> [[Dd; 4]; 3] {
-        let c = self.pose.position;
-        [self.frame.u, self.frame.v, self.frame.n].map(|axis| [axis.x, axis.y, axis.z, -axis.dot(c)])
+        let aside = self.sideways_origin(DVec3::ZERO);
+        let Frame { u, v, n, .. } = self.frame;
+        [(u, aside), (v, aside), (n, self.pose.position)].map(|(axis, c)| [axis.x, axis.y, axis.z, -axis.dot(c)])
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
-use super::basis::Frame;
+use super::basis::{Frame, Pose};
 use super::{Camera, ClipSpace, ImageSize, Ndc, Projection, Viewport};
 use crate::geometry::double_double::{Dd, Dd3, NOISE};
 
@@ -69,9 +69,9 @@ impl Camera {
     pub(crate) fn exact_ndc(&self, world_from_object: &DMat4, p_object: DVec3) -> Option<DVec2> {
         let column = |k: usize, factor: f64| Dd3::from(world_from_object.col(k).truncate()) * Dd::new(factor);
         let world = column(0, p_object.x) + column(1, p_object.y) + column(2, p_object.z) + column(3, 1.0);
-        let d = world - self.pose.position;
+        let (aside, ahead) = (world - self.sideways_origin(world.value()), world - self.pose.position);
         let Frame { u, v, n, .. } = &self.frame;
-        let [x, y, _, w] = self.lens.clip(self.projection(), Dd3::new(u.dot(d), v.dot(d), n.dot(d)));
+        let [x, y, _, w] = self.lens.clip(self.projection(), Dd3::new(u.dot(aside), v.dot(aside), n.dot(ahead)));
         (w.value() > 0.0).then(|| DVec2::new((x / w).value(), (y / w).value()))
     }
 
@@ -92,18 +92,39 @@ impl Camera {
         view.z < slack && view.z <= NOTHING * view.x.max(view.y)
     }
 
-    /// A world point in the VRC, and how much of it may be noise: of p − C what rounding C has left, and of the products.
-    fn exact_view_point(&self, p_world: DVec3) -> (Dd3, f64) {
-        let d = Dd3::from(p_world) - self.pose.position;
-        // What p − C is made of, where C is not exact.
-        let rest = self.pose.position_rest().to_array();
-        let made_of = (p_world.abs() + self.position().abs()).to_array();
-        let made_of = DVec3::from_array(std::array::from_fn(|i| if rest[i] == 0.0 { 0.0 } else { made_of[i] }));
-        let Frame { u, v, n, .. } = &self.frame;
-        let clean = |axis: &Dd3, x: Dd| x.without_noise(axis.value().abs().dot(made_of));
-        let view = Dd3::new(clean(u, u.dot(d)), clean(v, v.dot(d)), clean(n, self.frame.along_normal(d)));
-        (view, (d.value().abs() + made_of).element_sum() * NOISE)
+    /// The point from which x_c and y_c of `p_world` are measured: C, or PF where C is so much farther away that even double-double would
+    /// keep too little of p − C. Both give the same, since **u** and **v** are perpendicular to C − PF.
+    pub(super) fn sideways_origin(&self, p_world: DVec3) -> Dd3 {
+        /// Up to here a difference of 106 bits has more than 30 bits to spare.
+        const MUCH_FARTHER: f64 = (1u64 << 20) as f64;
+        let Pose { position, focal_point, .. } = self.pose;
+        let far = |from: Dd3| (p_world - from.value()).abs().max_element();
+        if far(position) > MUCH_FARTHER * far(focal_point) { focal_point } else { position }
     }
+
+    /// A world point in the VRC, and how much of it may be noise, sideways and along **n**: of the differences what rounding C (or PF) has
+    /// left, and of the products.
+    fn exact_view_point(&self, p_world: DVec3) -> (Dd3, [f64; 2]) {
+        let Frame { u, v, n, .. } = &self.frame;
+        let [(aside, made_of_aside), (ahead, made_of_ahead)] =
+            [self.sideways_origin(p_world), self.pose.position].map(|origin| difference(p_world, origin));
+        let clean = |axis: &Dd3, x: Dd, made_of: DVec3| x.without_noise(axis.value().abs().dot(made_of));
+        let view = Dd3::new(
+            clean(u, u.dot(aside), made_of_aside),
+            clean(v, v.dot(aside), made_of_aside),
+            clean(n, self.frame.along_normal(ahead), made_of_ahead),
+        );
+        let noise = |d: Dd3, made_of: DVec3| (d.value().abs() + made_of).element_sum() * NOISE;
+        (view, [noise(aside, made_of_aside), noise(ahead, made_of_ahead)])
+    }
+}
+
+/// p − `origin`, and the size of what it is made of in each coordinate in which `origin` is the result of operations, and not exact.
+fn difference(p_world: DVec3, origin: Dd3) -> (Dd3, DVec3) {
+    let is_rounded = origin.to_array().map(|x| x.parts()[1] != 0.0);
+    let sizes = (p_world.abs() + origin.value().abs()).to_array();
+    let made_of = DVec3::from_array(std::array::from_fn(|i| if is_rounded[i] { sizes[i] } else { 0.0 }));
+    (Dd3::from(p_world) - origin, made_of)
 }
 
 impl ClipSpace<'_> {
@@ -113,7 +134,7 @@ impl ClipSpace<'_> {
     #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
         let camera = self.camera();
-        let (view, noise) = camera.exact_view_point(p_world);
+        let (view, [aside, ahead]) = camera.exact_view_point(p_world);
         let mut clip = self.lens.clip(camera.projection(), view);
         if camera.projection() == Projection::Perspective && camera.is_beside_the_eye(p_world, view) {
             clip[3] = Dd::ZERO;
@@ -133,9 +154,9 @@ impl ClipSpace<'_> {
                     let near = Dd::new(camera.near());
                     let window = [near * (view.x / w), near * (view.y / w)];
                     let farthest = window[0].value().abs().max(window[1].value().abs());
-                    (window, noise * ((camera.near() + farthest) / w.value().abs()))
+                    (window, (aside * camera.near() + ahead * farthest) / w.value().abs())
                 }
-                Projection::Parallel => ([view.x, view.y], noise),
+                Projection::Parallel => ([view.x, view.y], aside),
             };
             let noise = [noise / camera.window_width(), noise / camera.window_height()];
             Projected {

@@ -136,13 +136,18 @@ impl Camera {
     }
 
     /// The smallest difference of depth that a depth buffer of 24 bits keeps at a depth in front of the eye, in scene units: one
-    /// step over dZ/dz of (5.25), BF / ((B − F) z²) in perspective and 1 / (B − F) in parallel projection.
+    /// step over dZ/dz of (5.25), BF / ((B − F) z²) in perspective and 1 / (B − F) in parallel projection. Infinite where an `f64` has no such
+    /// number.
     #[must_use]
     pub fn depth_step(&self, depth: f64) -> f64 {
         let (near, far) = (self.near(), self.far());
         match self.projection() {
-            // Quotients before products: nothing overflows on the way.
-            Projection::Perspective => depth / near * (1.0 - near / far) * depth / STEPS,
+            // Quotients before products: nothing underflows on the way; what overflows there is tried in the order in which it does not.
+            Projection::Perspective => {
+                let share = 1.0 - near / far;
+                let step = depth / near * share * depth / STEPS;
+                if step.is_finite() { step } else { depth / STEPS / near * share * depth }
+            }
             Projection::Parallel => (far - near) / STEPS,
         }
     }

@@ -23,12 +23,12 @@ pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
     let subject = Subject::open(&args.figure, &args.common, Some(size), lang)?;
     let film = Film { request: subject.request(View::Canonical, false), decomposition: args.steps };
     if film.steps() == 0 {
-        let name = foreign::path(&args.figure);
+        let name = messages::opened(lang, &args.figure);
         return Err(Failure::BadInput(format!("{name}: {}", texts::no_steps(lang, film.decomposition))));
     }
     let text = update(&subject.opened.text, &subject.opened.figure);
     let made = progress::watched(lang, |progress| at_once(film.file(format, seconds, &text, progress)));
-    let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, subject.too_large()))?;
+    let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, subject.pixels()))?;
     if let Some(too_much) = too_much {
         say(&format!("{name}: {}", messages::too_much(lang, &too_much)));
     }

@@ -1,6 +1,7 @@
 //! The arguments, and how their values are read.
 
 use std::ffi::OsString;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, CommandFactory as _, Parser, Subcommand, ValueEnum};
@@ -15,9 +16,10 @@ use crate::explain::code::CodeTarget;
 use crate::export::format::PictureFormat;
 use crate::export::plot::PlotFormat;
 use crate::expression::{self, Dimension};
+use crate::figure::{Show, show_with};
 use crate::foreign::{self, shown};
 use crate::i18n::{Lang, command_line as texts, messages};
-use crate::limits::MAX_SIDE;
+use crate::limits::{MAX_SIDE, MEASURED_SECONDS, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES, SCALE, STEP_SECONDS};
 use crate::numerics::Study;
 use crate::picture::OnPaper;
 use crate::views::{View, Views};
@@ -276,6 +278,10 @@ pub(super) struct FigureArgs {
     // The words stand in `OPERATIONS`.
     #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true, help = operations_help())]
     operations: Vec<String>,
+    /// What the pictures explain, as a key of `[show]` of a figure file with a TOML value: `stage="clip"`, `step={way="notes",at=2.5}`,
+    /// `measure=["F","theta"]`; without a value, nothing
+    #[arg(long = "show", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    show: Vec<String>,
     /// Signs of the rotations: by the right-hand rule, or as VTK has them (elevation and roll the other way)
     #[arg(long, value_enum, default_value_t)]
     convention: ConventionArg,
@@ -323,6 +329,15 @@ impl FigureArgs {
                 .map_err(|e| Failure::BadInput(format!("--op {}: {}", shown(text), messages::operation(lang, &e))))
         };
         self.operations.iter().map(read).collect()
+    }
+
+    /// What is shown, with the keys that the arguments set.
+    pub(super) fn shown(&self, show: Show, lang: Lang) -> Result<Show, Failure> {
+        self.show.iter().try_fold(show, |show, text| {
+            let refused = |why: &str| Failure::BadInput(format!("--show {}: {why}", shown(text)));
+            let (key, value) = text.split_once('=').ok_or_else(|| refused(texts::show_without_value(lang)))?;
+            show_with(&show, key.trim(), value).map_err(|error| refused(&messages::without_line(lang, &error)))
+        })
     }
 }
 
@@ -387,13 +402,9 @@ impl RenderArgs {
 
     /// What width, height, strokes and letters are multiplied by, if it is given.
     pub(super) fn scale(&self, lang: Lang) -> Result<Option<f32>, Failure> {
-        let Some(text) = &self.scale else { return Ok(None) };
-        text.trim()
-            .parse()
-            .ok()
-            .filter(|scale| (0.1..=16.0).contains(scale))
-            .map(Some)
-            .ok_or_else(|| Failure::BadInput(texts::scale(lang, text)))
+        #[expect(clippy::cast_possible_truncation, reason = "0.1 to 16")]
+        let narrow = |scale: f64| scale as f32;
+        Ok(option("--scale", &self.scale, (&SCALE, 2.0), lang)?.map(narrow))
     }
 }
 
@@ -403,16 +414,24 @@ const DPI: f64 = 300.0;
 impl RenderArgs {
     /// Width and height in centimetres, where they are given.
     pub(super) fn centimetres(&self, lang: Lang) -> Result<[Option<f64>; 2], Failure> {
-        Ok([option("--width-cm", &self.width_cm, lang)?, option("--height-cm", &self.height_cm, lang)?])
+        let side = |name, text| option(name, text, (&PAPER_CM, 8.0), lang);
+        Ok([side("--width-cm", &self.width_cm)?, side("--height-cm", &self.height_cm)?])
     }
 
     /// What is asked in units of paper; `None` where nothing is.
     pub(super) fn paper(&self, lang: Lang) -> Result<Option<OnPaper>, Failure> {
-        let (letters, lines) = (option("--letters", &self.letters, lang)?, option("--lines", &self.lines, lang)?);
+        let letters = option("--letters", &self.letters, (&PAPER_LETTERS, 9.0), lang)?;
+        let lines = option("--lines", &self.lines, (&PAPER_LINES, 0.6), lang)?;
         let [width, height] = self.centimetres(lang)?;
-        let dpi = option("--dpi", &self.dpi, lang)?;
+        let dpi = option("--dpi", &self.dpi, (&PAPER_DPI, DPI), lang)?;
         let any = [letters, lines, width, dpi].iter().any(Option::is_some);
-        Ok(any.then(|| OnPaper { dpi: dpi.unwrap_or(DPI), letters, lines, arranged: height.is_some() }))
+        let paper = OnPaper { dpi: dpi.unwrap_or(DPI), letters, lines, arranged: height.is_some() };
+        for (name, side) in [("--width-cm", width), ("--height-cm", height)] {
+            if let Some(side) = side.filter(|side| paper.pixels_across(*side) < 0.5) {
+                return Err(Failure::BadInput(texts::no_pixel(lang, [name, &side.to_string()], paper.dpi)));
+            }
+        }
+        Ok(any.then_some(paper))
     }
 
     /// True where the number of pixels per inch is more than a guess: it is given, or a size on paper is.
@@ -421,13 +440,19 @@ impl RenderArgs {
     }
 }
 
-fn option(name: &str, text: &Option<String>, lang: Lang) -> Result<Option<f64>, Failure> {
-    text.as_ref().map(|text| positive(name, text, lang)).transpose()
+/// The number of an option that is given, with the range that it takes and an example.
+fn option(
+    name: &str,
+    text: &Option<String>,
+    range: (&RangeInclusive<f64>, f64),
+    lang: Lang,
+) -> Result<Option<f64>, Failure> {
+    text.as_ref().map(|text| number(name, text, range, lang)).transpose()
 }
 
-fn positive(option: &str, text: &str, lang: Lang) -> Result<f64, Failure> {
-    let number = text.trim().parse().ok().filter(|number: &f64| *number > 0.0 && number.is_finite());
-    number.ok_or_else(|| Failure::BadInput(texts::positive(lang, option, text)))
+fn number(option: &str, text: &str, (range, example): (&RangeInclusive<f64>, f64), lang: Lang) -> Result<f64, Failure> {
+    let number = text.trim().parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| Failure::BadInput(texts::number(lang, option, text, range, example)))
 }
 
 impl ExplainArgs {
@@ -456,8 +481,7 @@ impl AnimateArgs {
     }
 
     pub(super) fn seconds(&self, lang: Lang) -> Result<f64, Failure> {
-        let seconds = self.seconds.trim().parse().ok().filter(|seconds| (0.1..=60.0).contains(seconds));
-        seconds.ok_or_else(|| Failure::BadInput(texts::step_seconds(lang, &self.seconds)))
+        number("--seconds", &self.seconds, (&STEP_SECONDS, 2.0), lang)
     }
 }
 
@@ -469,8 +493,7 @@ impl AccuracyArgs {
     }
 
     pub(super) fn seconds(&self, lang: Lang) -> Result<f64, Failure> {
-        let seconds = self.seconds.trim().parse().ok().filter(|seconds| (0.0..=3600.0).contains(seconds));
-        seconds.ok_or_else(|| Failure::BadInput(texts::seconds(lang, &self.seconds)))
+        number("--seconds", &self.seconds, (&MEASURED_SECONDS, 20.0), lang)
     }
 
     pub(super) fn seed(&self, lang: Lang) -> Result<u64, Failure> {

@@ -5,13 +5,14 @@ use std::time::Duration;
 use serde::Serialize;
 
 use super::args::BenchArgs;
+use super::render::no_picture;
 use super::words::TableFormat;
 use super::{Failure, Subject, print};
 use crate::clock;
-use crate::i18n::{Lang, command_line as texts};
+use crate::i18n::{Lang, command_line as texts, messages};
 use crate::picture::{Picture, Renderer, Sheet};
 use crate::progress::at_once;
-use crate::views::{Request, View};
+use crate::views::{Request, Shot, View};
 
 /// Pictures that are drawn before the clock starts, so that buffers have their size.
 const WARM_UP: usize = 3;
@@ -34,7 +35,8 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
     let Subject { opened, scene, size, lang, .. } = &subject;
     let request = subject.request(View::Image, args.force_all_stages);
-    let sheet = Sheet::of(args.view, &request, &opened.figure.observers, None).ok_or_else(|| subject.too_large())?;
+    let sheet = Sheet::of(args.view, &request, &Shot::of(&opened.figure), None)
+        .map_err(|error| no_picture(*lang, &messages::opened(*lang, &args.figure), error.into(), subject.pixels()))?;
     let times = measure(&sheet.requests, frames).ok_or_else(|| subject.too_large())?;
     let measurement = Measurement {
         view: args.view.name(),

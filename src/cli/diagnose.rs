@@ -94,7 +94,7 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
         files::save(path, update(&opened.text, &repaired).as_bytes(), Overwrite::Writable)
             .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))?;
         if let Some(note) = note {
-            say(&format!("{}: {note}", foreign::path(&args.figure)));
+            say(&format!("{}: {note}", messages::opened(lang, &args.figure)));
         }
     }
     print(text.as_bytes(), lang)

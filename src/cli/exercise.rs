@@ -9,21 +9,21 @@ use serde_json::{Map, Value, json};
 use super::exercise_args::{CheckArgs, ExerciseArgs, ExerciseCommand, ListArgs, NumbersArgs, SheetArgs, ShowArgs};
 use super::render::no_picture;
 use super::words::{LangArg, TableFormat};
-use super::{Failure, print};
+use super::{Failure, print, say};
 use crate::camera::Camera;
 use crate::exercises::{self, Ask, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
-use crate::files::{self, FileError, Overwrite, OwnExercises};
+use crate::files::{self, BadExercise, Overwrite, OwnExercises};
 use crate::foreign;
 use crate::i18n::{
-    Lang, command_line, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages, pictures,
+    Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages, pictures,
 };
 use crate::inspect::json_text;
-use crate::picture::{self, Form, Sheet};
+use crate::picture::{self, Form, PictureError, Sheet};
 use crate::progress::{Progress, at_once};
 use crate::scene::no_files;
-use crate::views::{Request, SharedScene, Size, View, Views, scene_of};
+use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
@@ -52,7 +52,8 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     }
     let written = written(args.lang);
     let own = own(args.folder.as_deref(), lang)?;
-    let lines: Vec<Line<'_>> = exercises::with_own(&own)
+    say_faults(&own, lang);
+    let lines: Vec<Line<'_>> = exercises::with_own(&own.entries)
         .map(|entry| Line {
             id: &entry.id,
             source: entry.source,
@@ -67,22 +68,38 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     print(text.as_bytes(), lang)
 }
 
-/// The exercises of a lecturer's folder; none without one. A file that cannot be used is not passed over: its exercise would be missed later.
-fn own(folder: Option<&Path>, lang: Lang) -> Result<Vec<Entry>, Failure> {
-    let Some(folder) = folder else { return Ok(Vec::new()) };
-    let bad = |path: &Path, error: &FileError| Failure::BadInput(messages::file(lang, &foreign::path(path), error));
-    let OwnExercises { entries, faults } = files::read_exercises(folder).map_err(|error| bad(folder, &error))?;
-    match faults.first() {
-        Some((path, error)) => Err(bad(path, error)),
-        None => Ok(entries),
-    }
+/// The exercises of a lecturer's folder; none without one.
+fn own(folder: Option<&Path>, lang: Lang) -> Result<OwnExercises, Failure> {
+    let Some(folder) = folder else { return Ok(OwnExercises::default()) };
+    files::read_exercises(folder)
+        .map_err(|error| Failure::BadInput(messages::file(lang, &foreign::path(folder), &error)))
+}
+
+/// Why a file of the folder holds no exercise.
+fn fault(bad: &BadExercise, lang: Lang) -> String {
+    messages::file(lang, &foreign::path(&bad.path), &bad.error)
+}
+
+/// Says which files of the folder are passed over.
+fn say_faults(own: &OwnExercises, lang: Lang) {
+    own.faults.iter().for_each(|bad| say(&said::passed_over(lang, &fault(bad, lang))));
 }
 
 /// The exercise with an identifier, with the numbers of the arguments.
 fn find(id: &str, numbers: &NumbersArgs, lang: Lang) -> Result<(Entry, Exercise), Failure> {
     let own = own(numbers.folder.as_deref(), lang)?;
-    let all = || exercises::with_own(&own);
+    let found = find_in(&own, id, numbers, lang)?;
+    say_faults(&own, lang);
+    Ok(found)
+}
+
+fn find_in(own: &OwnExercises, id: &str, numbers: &NumbersArgs, lang: Lang) -> Result<(Entry, Exercise), Failure> {
+    let all = || exercises::with_own(&own.entries);
     let entry = all().find(|entry| entry.id == id).cloned().ok_or_else(|| {
+        if let Some(bad) = own.faults.iter().find(|bad| bad.id.as_deref() == Some(id)) {
+            return Failure::BadInput(fault(bad, lang));
+        }
+        say_faults(own, lang);
         let near = all()
             .map(|entry| (strsim::jaro_winkler(&entry.id, id), &*entry.id))
             .max_by(|a, b| a.0.total_cmp(&b.0))
@@ -227,10 +244,11 @@ fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Resu
     let scene = scene_of(figure, &mut no_files, &Progress::default());
     let scene = SharedScene::new(scene.map_err(|error| failed(messages::scene(lang, &error)))?);
     let request = Request::of(figure, View::Image, &camera, &scene, pictures::labels(written), SIZE);
-    let too_large = || Failure::BadInput(command_line::too_large(lang, SIZE.width.into(), SIZE.height.into()));
-    let sheet = Sheet::of(Views::One(View::Image), &request, &figure.observers, None).ok_or_else(too_large)?;
+    let no_picture = |error: PictureError| no_picture(lang, &name, error, [SIZE.width, SIZE.height].map(u64::from));
+    let sheet = Sheet::of(Views::One(View::Image), &request, &Shot::of(figure), None);
+    let sheet = sheet.map_err(|error| no_picture(error.into()))?;
     let file = at_once(picture::file(&sheet, PNG, "", &Progress::default()));
-    let file = file.map_err(|error| no_picture(lang, &name, error, too_large()))?;
+    let file = file.map_err(no_picture)?;
     files::save(path, &file.bytes, Overwrite::Writable)
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }
@@ -337,9 +355,11 @@ fn beside(sheet: &Path, number: usize) -> String {
 fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     let written = written(args.numbers.lang);
     let name = foreign::path(&args.output);
+    let own = own(args.numbers.folder.as_deref(), lang)?;
     let ids = args.ids.iter().map(|id| id.trim());
     let found: Vec<Exercise> =
-        ids.map(|id| find(id, &args.numbers, lang).map(|(_, exercise)| exercise)).collect::<Result<_, _>>()?;
+        ids.map(|id| find_in(&own, id, &args.numbers, lang).map(|(_, exercise)| exercise)).collect::<Result<_, _>>()?;
+    say_faults(&own, lang);
     let picture = |number: usize| beside(&args.output, number);
     let text = match args.output.extension().and_then(|ending| ending.to_str()) {
         Some(ending) if ending.eq_ignore_ascii_case("md") => {

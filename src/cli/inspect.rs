@@ -4,7 +4,6 @@ use super::args::InspectArgs;
 use super::{Failure, open, print, say};
 use crate::camera::ImageSize;
 use crate::explain::{self, DepthPixelReport, Setting};
-use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::inspect::{InspectError, Report};
 
@@ -13,7 +12,7 @@ pub(super) fn run(args: &InspectArgs, lang: Lang) -> Result<(), Failure> {
     let (opened, camera) = open(&args.figure, &args.common, lang)?;
     let figure = &opened.figure;
     let bad_input = |error: InspectError| {
-        Failure::BadInput(format!("{}: {}", foreign::path(&args.figure), messages::inspect(lang, &error)))
+        Failure::BadInput(format!("{}: {}", messages::opened(lang, &args.figure), messages::inspect(lang, &error)))
     };
     let space = camera.clip_space(args.ndc).map_err(|error| bad_input(error.into()))?;
     let report = Report::of(&space, figure.image, figure.viewport, &points, &pixels).map_err(bad_input)?;

@@ -153,11 +153,12 @@ fn print(bytes: &[u8], lang: Lang) -> Result<(), Failure> {
 /// Opens the figure of the arguments and applies their operations. The figure has the parameters of the camera that is given
 /// back; the camera knows more digits of them.
 fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), Failure> {
-    let name = foreign::path(path);
+    let name = messages::opened(lang, path);
     // What is wrong with the arguments is said first: it does not depend on the file.
     let operations = args.operations(lang)?;
     let mut opened =
         files::open_figure(path).map_err(|error| Failure::BadInput(messages::file(lang, &name, &error)))?;
+    opened.figure.show = args.shown(std::mem::take(&mut opened.figure.show), lang)?;
     let camera = operate(&mut opened.figure, &operations, args.convention())
         .map_err(|error| Failure::BadInput(format!("{name}: {}", messages::inspect(lang, &error))))?;
     Ok((opened, camera))
@@ -167,12 +168,15 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
 /// without which it can be drawn.
 fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<Scene, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut files = FigureFiles::new(folder, Reach::of(opened.from_picture, args.allow_files));
+    let mut files = FigureFiles::new(folder, Reach::of(path, opened.from_picture, args.allow_files));
     let read = |progress: &Progress| scene_of(&opened.figure, &mut |wanted| files.read(wanted), progress);
     let scene = progress::watched(lang, read).map_err(|error| {
         let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
-        Failure::BadInput(texts::in_file(lang, &foreign::path(path), line, &messages::scene(lang, &error)))
+        Failure::BadInput(texts::in_file(lang, &messages::opened(lang, path), line, &messages::scene(lang, &error)))
     })?;
+    if let Some(missing) = missing_triangle(&opened.figure, &scene, lang) {
+        return Err(Failure::BadInput(format!("{}: {missing}", foreign::path(path))));
+    }
     for unread in files.unread() {
         say(&messages::without_colors(lang, unread));
     }
@@ -180,6 +184,17 @@ fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<
         say(&format!("{}: {}", foreign::shown(object), messages::mesh_notice(lang, notice)));
     }
     Ok(scene)
+}
+
+/// Why the triangle that a figure shows is not in its scene; `None` where it is, or none is shown.
+fn missing_triangle(figure: &Figure, scene: &Scene, lang: Lang) -> Option<String> {
+    let triangle = figure.show.triangle.as_ref()?;
+    let Some(object) = scene.objects.iter().find(|object| object.name == triangle.object) else {
+        let names: Vec<&str> = scene.objects.iter().map(|object| object.name.as_str()).collect();
+        return Some(texts::no_such_object(lang, &triangle.object, &names));
+    };
+    let count = object.mesh.triangles.len();
+    (triangle.index as usize >= count).then(|| texts::no_such_triangle(lang, &triangle.object, triangle.index, count))
 }
 
 /// What `explain`, `bench` and `diagnose` look at.
@@ -210,7 +225,13 @@ impl Subject {
 
     /// Why there is no picture of this size.
     fn too_large(&self) -> Failure {
-        Failure::BadInput(texts::too_large(self.lang, u64::from(self.size.width), u64::from(self.size.height)))
+        let [width, height] = self.pixels();
+        Failure::BadInput(texts::too_large(self.lang, width, height))
+    }
+
+    /// Width and height of a picture.
+    fn pixels(&self) -> [u64; 2] {
+        [self.size.width, self.size.height].map(u64::from)
     }
 }
 

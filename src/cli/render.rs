@@ -9,9 +9,9 @@ use crate::figure::update;
 use crate::files::{self, Overwrite};
 use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
-use crate::picture::{self, Form, OnPaper, PictureError, PictureFile, Sheet, gap};
+use crate::picture::{self, Form, NoSheet, OnPaper, PictureError, PictureFile, Sheet, gap};
 use crate::progress::at_once;
-use crate::views::{Overlays, Request, SharedScene, Size, View, Views};
+use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let name = foreign::path(&args.output);
@@ -30,22 +30,23 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         (Some(paper), [Some(width), height]) => on_paper(paper, width, height, figure.image, all),
         _ => pixels(given, figure.image, all, scale.unwrap_or(1.0)),
     };
-    let too_large = || Failure::BadInput(texts::too_large(lang, width, height));
     let size = match (u32::try_from(width), u32::try_from(height)) {
         (Ok(width), Ok(height)) => sized(width, height, scale, paper.as_ref()),
-        _ => return Err(too_large()),
+        _ => return Err(no_picture(lang, &name, PictureError::TooLarge, [width, height])),
     };
     let labels = pictures::labels(args.common.lang.map_or(Lang::En, LangArg::lang));
-    let request = Request::of(figure, View::Image, &camera, &scene, labels, size);
-    let overlays = Overlays { transparent: args.transparent, ..Overlays::default() };
-    let request = Request { force_all_stages: args.force_all_stages, overlays, ..request };
-    let sheet = Sheet::of(args.view, &request, &figure.observers, paper.as_ref()).ok_or_else(too_large)?;
+    let shot = Shot::of(figure);
+    let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
+    let finish = Finish { transparent: args.transparent, ..Finish::default() };
+    let request = Request { force_all_stages: args.force_all_stages, finish, ..request };
+    let sheet = Sheet::of(args.view, &request, &shot, paper.as_ref())
+        .map_err(|error| no_picture(lang, &name, error.into(), [width, height]))?;
     let text = update(&opened.text, &opened.figure);
     let form = Form { format, crop: args.crop, dpi: paper.filter(|_| args.is_for_paper()).map(|paper| paper.dpi) };
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &text, progress)));
-    let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, too_large()))?;
+    let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
     if let Some(too_much) = too_much {
-        say(&format!("{}: {}", foreign::path(&args.figure), messages::too_much(lang, &too_much)));
+        say(&format!("{}: {}", messages::opened(lang, &args.figure), messages::too_much(lang, &too_much)));
     }
     if let Some(crowded) = &sheet.crowded {
         say(&format!("{name}: {}", pictures::crowded(lang, crowded)));
@@ -54,11 +55,14 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
         .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))
 }
 
-/// Why there is no picture file.
-pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, too_large: Failure) -> Failure {
+/// Why there is no picture file of so many pixels.
+pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, height]: [u64; 2]) -> Failure {
     let encoder = |format, why: &str| Failure::Failed(format!("{name}: {}", messages::encoder(lang, format, why)));
     match error {
-        PictureError::TooLarge => too_large,
+        PictureError::TooLarge | PictureError::Sheet(NoSheet::TooLarge) => {
+            Failure::BadInput(texts::too_large(lang, width, height))
+        }
+        PictureError::Sheet(NoSheet::NoRoom { gap }) => Failure::BadInput(texts::no_room(lang, width, height, gap)),
         // Nobody cancels it: whoever wants to ends the program.
         PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
         PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),
@@ -81,7 +85,7 @@ fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -
 /// Width and height in pixels of a picture so many centimetres wide; where nothing is said, as high as the figure's image, or as three of
 /// them side by side.
 fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, all: bool) -> [u64; 2] {
-    let pixels = |centimetres: f64| centimetres / 2.54 * paper.dpi;
+    let pixels = |centimetres| paper.pixels_across(centimetres);
     let width = pixels(width);
     let of_one = if all { width / 3.0 } else { width };
     let height = height.map_or(of_one * f64::from(image.height) / f64::from(image.width), pixels);

@@ -7,7 +7,7 @@ use super::exercise::{Ask, Exercise, Expected, Kind};
 use super::mistake::{Mistake, Slip, Slips};
 use super::told::{Given, OwnMistake};
 use super::value::Table;
-use crate::camera::{Camera, CameraError};
+use crate::camera::Camera;
 
 /// What is said of an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -124,7 +124,7 @@ fn judge_in(ask: &Ask, expected: &Expected, answer: &Answer) -> Judged {
                 let diagnosis = diagnosis.filter(|_| !verdict.right);
                 Judged { conditions: found.into_iter().map(|(name, _)| name).collect(), diagnosis, ..verdict }
             }
-            Err(CameraError::OutOfRange { .. } | _) => judged(ask, answer, vec![vec![false]], None),
+            Err(_) => judged(ask, answer, vec![vec![false]], None),
         },
         (_, Answer::Numbers { rows, columns, entries }) => {
             let Some(right) = expected.table() else { return judged(ask, answer, vec![vec![false]], None) };

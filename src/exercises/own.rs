@@ -14,6 +14,7 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::read::{self, Fault, Section};
 use crate::figure::words::Words;
 use crate::figure::{Figure, FigureError};
+use crate::formula;
 use crate::limits::{MAX_ASKS, MAX_EXERCISE_BYTES, MAX_EXERCISE_NAME};
 use crate::scene::Preset;
 
@@ -55,6 +56,21 @@ pub fn parse(text: &str) -> Result<Entry, FigureError> {
     Ok(Entry { id: exercise.id.clone().into(), source: "", is_family: false, make: Make::Own(Arc::new(exercise)) })
 }
 
+/// The identifier in the bytes of a file that may be at fault elsewhere.
+#[must_use]
+pub fn id_in(bytes: &[u8]) -> Option<String> {
+    let text = read::text_of(bytes, MAX_EXERCISE_BYTES).ok()?;
+    // By its line, since the file need not be TOML; keys of sections come later.
+    let top = text.lines().map(str::trim).take_while(|line| !line.starts_with('['));
+    let values = top.filter_map(|line| line.strip_prefix("id")?.trim_start().strip_prefix('='));
+    let quoted = values.filter_map(|value| {
+        let value = value.trim_start();
+        let quote = value.chars().next().filter(|c| matches!(c, '"' | '\''))?;
+        value[1..].split(quote).next()
+    });
+    quoted.map(str::to_owned).next().filter(|id| !id.is_empty())
+}
+
 /// The fault of an exercise whose identifier another one has.
 #[must_use]
 pub fn taken(text: &str, id: &str) -> FigureError {
@@ -74,7 +90,7 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
     let id = name(&mut root, "id");
     let title = told(&mut root, "title");
     let statement = told(&mut root, "statement");
-    let assumptions = root.told_list("assumptions");
+    let assumptions = told_list(&mut root, "assumptions");
     let figure_section = root.section("figure", "[figure]");
     let has_figure = figure_section.is_table();
     let figure = read::figure(figure_section, faults);
@@ -105,7 +121,6 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
             asks.push(ask);
         }
     }
-    let assumptions = assumptions.into_iter().map(Told::from).collect();
     let texts = OwnTexts { title, statement, assumptions, asks: texts };
     // Its statement has its numbers already; braces in it are those of formulas.
     Exercise { id, facts: Vec::new(), asks, texts: Some(Arc::new(texts)), ..about(subject) }
@@ -133,7 +148,31 @@ fn told(section: &mut Section<'_>, key: &'static str) -> Told {
     if !section.is_present(key) {
         section.missing(key, Allowed::Told);
     }
-    section.told(key).map(Told::from).unwrap_or_default()
+    let told = section.told(key);
+    told.and_then(|texts| harmless(section, key, texts)).unwrap_or_default()
+}
+
+/// A list of texts, which may be missing.
+fn told_list(section: &mut Section<'_>, key: &'static str) -> Vec<Told> {
+    let all = section.told_list(key);
+    all.into_iter().filter_map(|texts| harmless(section, key, texts)).collect()
+}
+
+/// A text that can be shown, and set on a sheet; `None`, and a fault, where it is more than words and mathematics.
+fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<Told> {
+    // Files from Windows end their lines so.
+    let texts = texts.map(|text| text.replace("\r\n", "\n"));
+    for text in &texts {
+        if text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')) {
+            section.refuse(key, Allowed::Told);
+            return None;
+        }
+        if let Err(error) = formula::check(text) {
+            section.fault(key, error.into());
+            return None;
+        }
+    }
+    Some(texts.into())
 }
 
 /// What is asked, and its text; `None`, and a fault, where it cannot be asked.
@@ -249,10 +288,13 @@ fn own_mistake(mut section: Section<'_>, ask: &Ask, faults: &mut Vec<Fault>) -> 
         section.refuse("answer", Allowed::WrongAnswer);
     }
     let message = told(&mut section, "message");
-    let hints =
-        if section.is_list("hint") { section.told_list("hint") } else { section.told("hint").into_iter().collect() };
+    let hints = if section.is_list("hint") {
+        told_list(&mut section, "hint")
+    } else {
+        let hint = section.told("hint");
+        hint.and_then(|texts| harmless(&mut section, "hint", texts)).into_iter().collect()
+    };
     let mistake = section.choice("code", CODES);
     faults.extend(section.finish());
-    let hints = hints.into_iter().map(Told::from).collect();
     answer.map(|answer| OwnMistake { answer, mistake, message, hints })
 }

@@ -192,9 +192,10 @@ impl Progress {
     }
 
     /// What to practise next of these: a family that shows the open mistake that was made most often; else the first that is not solved; else
-    /// the one that was tried least recently. `None` where there are none.
+    /// the one that was tried least recently before `now`. What was tried later than that was so by a clock that ran ahead: nobody knows when, so it
+    /// comes before those that are known. `None` where there are none.
     #[must_use]
-    pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>) -> Option<Next> {
+    pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();
         let mut open: Vec<(Mistake, &Made)> =
             self.mistakes().filter(|(mistake, made)| made.is_open && mistake.is_misconception()).collect();
@@ -212,7 +213,7 @@ impl Progress {
         if let Some(entry) = entries.iter().find(|entry| self.stage(&entry.id) != Stage::Solved) {
             return Some(self.next(entry, Why::NotSolved));
         }
-        let last = |entry: &&&Entry| self.tried(&entry.id).and_then(|tried| tried.last);
+        let last = |entry: &&&Entry| self.tried(&entry.id).and_then(|tried| tried.last).filter(|last| *last <= now);
         entries.iter().min_by_key(last).map(|entry| self.next(entry, Why::LongestAgo))
     }
 

@@ -42,6 +42,17 @@ impl AnimationFormat {
     }
 }
 
+/// Why there is no animation.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum AnimationError {
+    /// One of its pictures could not be made, or is not wanted any more.
+    #[error("a picture is missing")]
+    NoPicture,
+    /// The encoder gave up.
+    #[error("{0}")]
+    Encode(String),
+}
+
 /// One unit of a picture's time is so many seconds.
 pub const TICK: f64 = 0.01;
 
@@ -50,40 +61,41 @@ pub const TICK: f64 = 0.01;
 /// It pauses where `next` does.
 ///
 /// # Errors
-/// Why there is no picture, or why the encoder gave up.
+/// [`AnimationError`].
 pub async fn animation(
     format: AnimationFormat,
     [width, height]: [u32; 2],
     pictures: u32,
-    mut next: impl AsyncFnMut(u32) -> Result<(Pixmap, u16), String>,
-) -> Result<Vec<u8>, String> {
+    mut next: impl AsyncFnMut(u32) -> Option<(Pixmap, u16)>,
+) -> Result<Vec<u8>, AnimationError> {
+    let encode = |why: String| AnimationError::Encode(why);
     let mut bytes = Vec::new();
     match format {
         AnimationFormat::Gif => {
-            let whole = |side: u32| u16::try_from(side).map_err(|_| format!("{side} > 65535"));
+            let whole = |side: u32| u16::try_from(side).map_err(|_| encode(format!("{side} > 65535")));
             let (width, height) = (whole(width)?, whole(height)?);
-            let mut encoder = gif::Encoder::new(&mut bytes, width, height, &[]).map_err(|e| e.to_string())?;
-            encoder.set_repeat(gif::Repeat::Infinite).map_err(|e| e.to_string())?;
+            let mut encoder = gif::Encoder::new(&mut bytes, width, height, &[]).map_err(|e| encode(e.to_string()))?;
+            encoder.set_repeat(gif::Repeat::Infinite).map_err(|e| encode(e.to_string()))?;
             for picture in 0..pictures {
-                let (pixmap, ticks) = next(picture).await?;
+                let (pixmap, ticks) = next(picture).await.ok_or(AnimationError::NoPicture)?;
                 let (palette, indices) = indexed(&pixmap);
                 let mut frame = gif::Frame::from_palette_pixels(width, height, indices, palette, None);
                 frame.delay = ticks;
-                encoder.write_frame(&frame).map_err(|e| e.to_string())?;
+                encoder.write_frame(&frame).map_err(|e| encode(e.to_string()))?;
             }
         }
         AnimationFormat::Apng => {
             let mut encoder = png::Encoder::new(&mut bytes, width, height);
             encoder.set_color(png::ColorType::Rgb);
             encoder.set_depth(png::BitDepth::Eight);
-            encoder.set_animated(pictures, 0).map_err(|e| e.to_string())?;
-            let mut writer = encoder.write_header().map_err(|e| e.to_string())?;
+            encoder.set_animated(pictures, 0).map_err(|e| encode(e.to_string()))?;
+            let mut writer = encoder.write_header().map_err(|e| encode(e.to_string()))?;
             for picture in 0..pictures {
-                let (pixmap, ticks) = next(picture).await?;
-                writer.set_frame_delay(ticks, 100).map_err(|e| e.to_string())?;
-                writer.write_image_data(&rgb(&pixmap)).map_err(|e| e.to_string())?;
+                let (pixmap, ticks) = next(picture).await.ok_or(AnimationError::NoPicture)?;
+                writer.set_frame_delay(ticks, 100).map_err(|e| encode(e.to_string()))?;
+                writer.write_image_data(&rgb(&pixmap)).map_err(|e| encode(e.to_string()))?;
             }
-            writer.finish().map_err(|e| e.to_string())?;
+            writer.finish().map_err(|e| encode(e.to_string()))?;
         }
     }
     Ok(bytes)
@@ -96,8 +108,10 @@ const COLORS: usize = 256;
 /// green and of blue one colour, since there is so little of each.
 fn indexed(picture: &Pixmap) -> (Vec<u8>, Vec<u8>) {
     let color = |p: &PremultipliedColorU8| [p.red(), p.green(), p.blue()];
+    // Pixels beside one another are mostly equal: their colour is looked up once.
+    let runs = || picture.pixels().chunk_by(|a, b| a == b).map(|run| (color(&run[0]), run.len()));
     let mut counts: BTreeMap<[u8; 3], usize> = BTreeMap::new();
-    picture.pixels().iter().for_each(|p| *counts.entry(color(p)).or_default() += 1);
+    runs().for_each(|(color, length)| *counts.entry(color).or_default() += length);
     let mut palette: Vec<([u8; 3], usize)> = counts.iter().map(|(color, count)| (*color, *count)).collect();
     // Of colours that are as frequent, the order is that of their numbers: the same picture gives the same bytes.
     palette.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
@@ -109,7 +123,8 @@ fn indexed(picture: &Pixmap) -> (Vec<u8>, Vec<u8>) {
         best.and_then(|(index, _)| u8::try_from(index).ok()).unwrap_or(0)
     };
     let places: BTreeMap<[u8; 3], u8> = counts.keys().map(|color| (*color, nearest(*color))).collect();
-    let indices = picture.pixels().iter().map(|p| places.get(&color(p)).copied().unwrap_or(0)).collect();
+    let index = |color| places.get(&color).copied().unwrap_or(0);
+    let indices = runs().flat_map(|(color, length)| std::iter::repeat_n(index(color), length)).collect();
     (palette.into_iter().flat_map(|(color, _)| color).collect(), indices)
 }
 
@@ -136,7 +151,8 @@ mod tests {
             };
             *pixel = PremultipliedColorU8::from_rgba(r, g, b, 255).unwrap();
         }
-        let bytes = at_once(animation(AnimationFormat::Gif, [64, 64], 1, async |_| Ok((picture.clone(), 4)))).unwrap();
+        let bytes =
+            at_once(animation(AnimationFormat::Gif, [64, 64], 1, async |_| Some((picture.clone(), 4)))).unwrap();
         let mut options = gif::DecodeOptions::new();
         options.set_color_output(gif::ColorOutput::RGBA);
         let mut decoder = options.read_info(&bytes[..]).unwrap();

@@ -3,6 +3,7 @@
 use crate::camera::CameraError;
 use crate::expression::{self, ExpressionError};
 use crate::foreign::shown;
+use crate::formula::FormulaError;
 use crate::scene::SceneError;
 
 /// The first fault of a figure file.
@@ -83,6 +84,9 @@ pub enum Problem {
         /// What would do.
         allowed: Allowed,
     },
+    /// A text with a formula that is not only mathematics.
+    #[error(transparent)]
+    Formula(#[from] FormulaError),
     /// The objects or lights make no scene.
     #[error("{error}")]
     Scene {
@@ -134,6 +138,16 @@ pub enum Allowed {
         /// The one that was probably meant.
         near: Option<String>,
     },
+    /// A list of some words.
+    Words(Vec<&'static str>),
+    /// Any value of TOML.
+    TomlValue,
+    /// Two finite numbers.
+    Pair,
+    /// `[i, j]`, two whole numbers.
+    Pixel,
+    /// Four rows of four numbers.
+    Matrix,
     /// A text, or one for each language.
     Told,
     /// A list of such texts.

@@ -1,4 +1,5 @@
-//! A figure: camera parameters, image, viewport, scene, points, style, what is revealed of the pipeline, and observers. One figure file is one `Figure`.
+//! A figure: camera parameters, image, viewport, scene, points, style, what is revealed of the pipeline, observers, and what is explained in the
+//! pictures. One figure file is one `Figure`.
 
 mod edit;
 pub mod error;
@@ -8,6 +9,8 @@ pub mod points;
 pub mod read;
 mod recommended;
 mod reveal;
+mod show;
+mod view;
 pub mod words;
 mod world_look;
 pub mod write;
@@ -15,12 +18,17 @@ pub mod write;
 use crate::appearance::Style;
 use crate::camera::{ImageSize, Parameters, Viewport};
 use crate::scene::{Preset, SceneSpec};
-pub use edit::update;
+pub use edit::{show_with, update};
 pub use error::FigureError;
 pub use observer::Observer;
 pub use points::NamedPoint;
 pub use recommended::recommended_camera;
 pub use reveal::{Depth, Outside, Reveal};
+pub use show::{
+    Measure, Measured, Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep,
+    WindowSide,
+};
+pub use view::{View, Views};
 pub use world_look::WorldLook;
 
 /// Everything that a picture depends on.
@@ -47,6 +55,8 @@ pub struct Figure {
     pub world: WorldLook,
     /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be seen.
     pub observers: Observers,
+    /// `[show]`: what is explained in the pictures.
+    pub show: Show,
 }
 
 impl Figure {

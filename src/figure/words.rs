@@ -1,9 +1,10 @@
 //! The words of a figure file: each name as it is written there, with its value.
 
-use super::{Depth, Outside};
+use super::{Depth, Measure, Measured, Outside, StagePicture, TriangleStep, View, WindowSide};
 use crate::appearance::{HiddenLines, Shading, Theme, Visibility};
-use crate::camera::Projection;
+use crate::camera::{Decomposition, Projection};
 use crate::scene::{LightSpec, Preset, Shape};
+use crate::stage::Stage;
 
 /// Names and their values, in the order in which they are offered.
 pub type Words<T> = &'static [(&'static str, T)];
@@ -45,6 +46,91 @@ pub const SHAPES: Words<Shape> = Shape::NAMED;
 
 /// `[[scene.lights]] kind`; the vectors are what a light has that gives none.
 pub const LIGHTS: Words<LightSpec> = LightSpec::NAMED;
+
+/// `[show] stage`
+pub const STAGES: Words<Stage> = {
+    const NAMED: [(&str, Stage); Stage::ALL.len()] = {
+        let mut words = [("", Stage::Traverse); Stage::ALL.len()];
+        let mut k = 0;
+        while k < words.len() {
+            words[k] = (Stage::ALL[k].name(), Stage::ALL[k]);
+            k += 1;
+        }
+        words
+    };
+    &NAMED
+};
+
+/// `[show] stage_of`
+pub const STAGE_PICTURES: Words<StagePicture> = &[
+    (View::World.name(), StagePicture(View::World)),
+    (View::Canonical.name(), StagePicture(View::Canonical)),
+    (View::Image.name(), StagePicture(View::Image)),
+];
+
+/// `[show] step`, its `way`
+pub const WAYS: Words<Decomposition> = &[
+    (Decomposition::Notes.name(), Decomposition::Notes),
+    (Decomposition::Box.name(), Decomposition::Box),
+    (Decomposition::Scale.name(), Decomposition::Scale),
+    (Decomposition::Normalised.name(), Decomposition::Normalised),
+];
+
+/// `[show] triangle`, its `step`
+pub const TRIANGLE_STEPS: Words<TriangleStep> = &[
+    ("view", TriangleStep::View),
+    ("facing", TriangleStep::Facing),
+    ("outcodes", TriangleStep::Outcodes),
+    ("cuts", TriangleStep::Cuts),
+    ("divide", TriangleStep::Divide),
+    ("viewport", TriangleStep::Viewport),
+    ("pixels", TriangleStep::Pixels),
+    ("depth", TriangleStep::Depth),
+];
+
+/// `[show] measure`: the notes' symbols; a component is written after a point.
+pub const MEASURES: Words<Measured> = &[
+    ("F", Measured::Dimension(Measure::Near)),
+    ("B", Measured::Dimension(Measure::Far)),
+    ("D", Measured::Dimension(Measure::Distance)),
+    ("W", Measured::Dimension(Measure::Width)),
+    ("H", Measured::Dimension(Measure::Height)),
+    ("theta", Measured::Dimension(Measure::HalfAngle)),
+    ("l", Measured::Side(WindowSide::Left)),
+    ("r", Measured::Side(WindowSide::Right)),
+    ("b", Measured::Side(WindowSide::Bottom)),
+    ("t", Measured::Side(WindowSide::Top)),
+    ("u.x", Measured::Axis(0, 0)),
+    ("u.y", Measured::Axis(0, 1)),
+    ("u.z", Measured::Axis(0, 2)),
+    ("v.x", Measured::Axis(1, 0)),
+    ("v.y", Measured::Axis(1, 1)),
+    ("v.z", Measured::Axis(1, 2)),
+    ("n.x", Measured::Axis(2, 0)),
+    ("n.y", Measured::Axis(2, 1)),
+    ("n.z", Measured::Axis(2, 2)),
+    ("u.C", Measured::OriginAlong(0)),
+    ("v.C", Measured::OriginAlong(1)),
+    ("n.C", Measured::OriginAlong(2)),
+    ("C.x", Measured::Position(0)),
+    ("C.y", Measured::Position(1)),
+    ("C.z", Measured::Position(2)),
+    ("PF.x", Measured::FocalPoint(0)),
+    ("PF.y", Measured::FocalPoint(1)),
+    ("PF.z", Measured::FocalPoint(2)),
+    ("VUP.x", Measured::ViewUp(0)),
+    ("VUP.y", Measured::ViewUp(1)),
+    ("VUP.z", Measured::ViewUp(2)),
+    ("translate.x", Measured::Translate(0)),
+    ("translate.y", Measured::Translate(1)),
+    ("translate.z", Measured::Translate(2)),
+    ("rotate.x", Measured::Rotate(0)),
+    ("rotate.y", Measured::Rotate(1)),
+    ("rotate.z", Measured::Rotate(2)),
+    ("scale.x", Measured::Scale(0)),
+    ("scale.y", Measured::Scale(1)),
+    ("scale.z", Measured::Scale(2)),
+];
 
 /// The value called `name`.
 #[must_use]

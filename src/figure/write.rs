@@ -1,10 +1,12 @@
 //! [`Figure`] → the text of a figure file.
 
+mod show;
+
 use glam::DVec3;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value};
 
 use super::words::{self, DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES, VISIBILITIES};
-use super::{Depth, Figure, NamedPoint, Observer, Outside, Reveal, WorldLook};
+use super::{Depth, Figure, NamedPoint, Observer, Outside, Reveal, Show, WorldLook};
 use crate::appearance::Style;
 use crate::camera::{Parameters, Projection, Viewport};
 use crate::numbers;
@@ -52,6 +54,9 @@ pub(super) fn document(figure: &Figure) -> DocumentMut {
     }
     if !sections.is_empty() {
         put("observers", sections);
+    }
+    if figure.show != Show::default() {
+        put("show", show::show(&figure.show));
     }
     let points: ArrayOfTables = figure.points.iter().map(point).collect();
     if !points.is_empty() {

@@ -23,15 +23,13 @@ use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_OWN_EXERCISES};
 use crate::scene::{ReadProblem, system_words};
 use crate::share::{self, ShareError};
 #[cfg(target_arch = "wasm32")]
-use disk::read_at_most;
-#[cfg(target_arch = "wasm32")]
-pub use disk::{is_read_only, save};
+pub use disk::{is_read_only, read_at_most, remove_left_over, save};
 pub use look::{Found, Stamp, look};
 pub use mesh_paths::{for_folder, named_in_figure};
-pub use own_exercises::{OwnExercises, read_exercises};
+pub use own_exercises::{BadExercise, OwnExercises, read_exercises};
 pub use reach::{FigureFiles, Reach};
 #[cfg(not(target_arch = "wasm32"))]
-pub use save::{is_read_only, save};
+pub use save::{is_read_only, remove_left_over, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure};
 
 /// Why a file cannot be used. Displayed, it stands after the name of the file.
@@ -149,8 +147,11 @@ pub fn read_file(path: &Path) -> Result<Vec<u8>, FileError> {
 }
 
 /// As [`read_file`], of at most so many bytes.
+///
+/// # Errors
+/// As for [`read_file`].
 #[cfg(not(target_arch = "wasm32"))]
-fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     check_path(path)?;
     // Asked before it is opened: opening a pipe waits until somebody writes to it.
     let kind = fs::metadata(path).map_err(FileError::Read)?.file_type();

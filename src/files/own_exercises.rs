@@ -13,8 +13,19 @@ use crate::numbers::natural_order;
 pub struct OwnExercises {
     /// The exercises, in the order of the names of their files.
     pub entries: Vec<Entry>,
-    /// The files that cannot be used, and why.
-    pub faults: Vec<(PathBuf, FileError)>,
+    /// The files that cannot be used, in the same order.
+    pub faults: Vec<BadExercise>,
+}
+
+/// A file in a folder of exercises that holds none that can be used.
+#[derive(Debug)]
+pub struct BadExercise {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Why not.
+    pub error: FileError,
+    /// The identifier of the exercise that it seems to be.
+    pub id: Option<String>,
 }
 
 /// Reads the exercises of a folder: each file that ends with `.toml`, one each. Folders in it are not looked into.
@@ -27,8 +38,8 @@ pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
         return Err(FileError::Network);
     }
     let mut files = Vec::new();
-    for entry in fs::read_dir(folder).map_err(FileError::Read)? {
-        let path = entry.map_err(FileError::Read)?.path();
+    // What the system cannot tell of a folder's entry has no name that could be said.
+    for path in fs::read_dir(folder).map_err(FileError::Read)?.flatten().map(|entry| entry.path()) {
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
             files.push(path);
         }
@@ -42,17 +53,19 @@ pub fn read_exercises(folder: &Path) -> Result<OwnExercises, FileError> {
     for path in files {
         match read_exercise(&path, &found.entries) {
             Ok(entry) => found.entries.push(entry),
-            Err(error) => found.faults.push((path, error)),
+            Err(bad) => found.faults.push(*bad),
         }
     }
     Ok(found)
 }
 
-fn read_exercise(path: &Path, before: &[Entry]) -> Result<Entry, FileError> {
-    let bytes = read_at_most(path, MAX_FIGURE_BYTES as u64)?;
-    let entry = own::parse_bytes(&bytes)?;
+/// The exercise in a file.
+fn read_exercise(path: &Path, before: &[Entry]) -> Result<Entry, Box<BadExercise>> {
+    let bad = |error, id| Box::new(BadExercise { path: path.to_owned(), error, id });
+    let bytes = read_at_most(path, MAX_FIGURE_BYTES as u64).map_err(|error| bad(error, None))?;
+    let entry = own::parse_bytes(&bytes).map_err(|error| bad(error.into(), own::id_in(&bytes)))?;
     if exercises::with_own(before).any(|other| other.id == entry.id) {
-        return Err(own::taken(&String::from_utf8_lossy(&bytes), &entry.id).into());
+        return Err(bad(own::taken(&String::from_utf8_lossy(&bytes), &entry.id).into(), None));
     }
     Ok(entry)
 }

@@ -8,10 +8,13 @@ use super::{FileError, disk, is_network, read_at_most};
 use crate::foreign;
 use crate::limits::MAX_SCENE_BYTES;
 use crate::scene::{NamedBy, ReadError, ReadProblem, Wanted};
+use crate::share;
 
 /// Which files a figure may name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Reach {
+    /// Of a figure that came without a folder, as in a link: it has the meshes of the program.
+    Link,
     /// Of a figure that came in a picture: its meshes, and what they name, lie in the picture's folder and below.
     Picture,
     /// Of a figure file: its meshes may lie anywhere on this machine; what they name lies in their folder and below.
@@ -22,12 +25,15 @@ pub enum Reach {
 }
 
 impl Reach {
-    /// The reach of a figure that came in a picture or in a file of its own; `allowed`: the user lets it name any file.
+    /// The reach of a figure that came in a picture or in a file of its own with this path, or in a link; `allowed`: the user lets it name
+    /// any file.
     #[must_use]
-    pub const fn of(from_picture: bool, allowed: bool) -> Self {
+    pub fn of(path: &Path, from_picture: bool, allowed: bool) -> Self {
+        let has_folder = !path.as_os_str().is_empty() && share::link_of(path).is_none();
         match (allowed, from_picture) {
             (true, _) => Self::Anywhere,
-            (false, true) => Self::Picture,
+            (false, true) if has_folder => Self::Picture,
+            (false, true) => Self::Link,
             (false, false) => Self::Figure,
         }
     }
@@ -79,8 +85,10 @@ impl FigureFiles {
             return Ok(bytes.to_vec());
         }
         let path = self.folder.join(wanted.path);
-        let read =
-            self.read_problem(&path, wanted).map_err(|problem| ReadError { file: foreign::path(&path), problem });
+        // The folder of a link is none.
+        let named = if self.reach == Reach::Link { Path::new(wanted.path) } else { &path };
+        let file = foreign::path(named);
+        let read = self.read_problem(&path, wanted).map_err(|problem| ReadError { file, problem });
         if let (Err(error), Some(_)) = (&read, wanted.named_by) {
             self.unread.push(error.clone());
         }
@@ -90,6 +98,9 @@ impl FigureFiles {
     fn read_problem(&mut self, path: &Path, wanted: Wanted<'_>) -> Result<Vec<u8>, ReadProblem> {
         if is_network(path) || is_network(Path::new(wanted.path)) {
             return Err(ReadProblem::Network);
+        }
+        if self.reach == Reach::Link {
+            return Err(ReadProblem::NoFolder);
         }
         let path = match self.bound(wanted) {
             Some((folder, named_by)) => inside(&folder, path).map_err(|error| match error {
@@ -126,7 +137,7 @@ impl FigureFiles {
                 let folder = self.folder.join(mesh).parent().map(Path::to_owned).unwrap_or_default();
                 Some((folder, NamedBy::Mesh))
             }
-            (Reach::Picture, _) => Some((self.folder.clone(), NamedBy::Picture)),
+            (Reach::Picture | Reach::Link, _) => Some((self.folder.clone(), NamedBy::Picture)),
         }
     }
 }

@@ -8,7 +8,7 @@ use std::ffi::OsStr;
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 use super::{FileError, Overwrite, check_path};
 use crate::scene::system_kind;
@@ -224,23 +224,39 @@ fn sync_folder_of(target: &Path) {
     }
 }
 
-/// Removes temporary files that nobody is writing any more.
-fn remove_left_over(folder: &Path) {
+/// Removes temporary files that nobody is writing any more: what killed programs have left.
+pub fn remove_left_over(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
-    for entry in entries.flatten().filter(|entry| is_temporary(&entry.file_name())) {
+    for entry in entries.flatten() {
+        let Some(process) = process_of(&entry.file_name()) else { continue };
+        // Of a link this is the link itself; what is not a file of the disk could keep whoever opens it waiting.
+        let Some(meta) = entry.metadata().ok().filter(Metadata::is_file) else { continue };
         let path = entry.path();
-        let old = entry.metadata().and_then(|meta| meta.modified()).is_ok_and(|time| {
-            // Between making a file and locking it there is a moment.
-            time.elapsed().is_ok_and(|age| age > Duration::from_secs(60))
-        });
-        if old && open_to_write(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+        if is_older(&meta, settled_after(process)) && open_to_write(&path).is_ok_and(|file| file.try_lock().is_ok()) {
             let _ = fs::remove_file(&path);
         }
     }
 }
 
-fn is_temporary(name: &OsStr) -> bool {
-    name.to_str().is_some_and(|name| name.starts_with(PREFIX) && name.ends_with(ENDING))
+/// Between making a file and locking it there is a moment. The process of a file may live where its number says nothing: on another
+/// machine, or in a container of its own.
+fn settled_after(process: u32) -> Duration {
+    let is_gone = Path::new("/proc/self").exists() && !Path::new(&format!("/proc/{process}")).exists();
+    Duration::from_secs(if is_gone { 2 } else { 60 })
+}
+
+/// A file that was written later than now was so by another clock, or before this one was put back.
+fn is_older(meta: &Metadata, than: Duration) -> bool {
+    let age = |time: SystemTime| time.elapsed().unwrap_or_else(|ahead| ahead.duration());
+    meta.modified().is_ok_and(|time| age(time) > than)
+}
+
+/// The number of the process that made a temporary file; `None` for every other name.
+fn process_of(name: &OsStr) -> Option<u32> {
+    let (process, attempt) = name.to_str()?.strip_prefix(PREFIX)?.strip_suffix(ENDING)?.split_once('-')?;
+    let number =
+        |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse::<u32>().ok()).flatten();
+    number(attempt).and(number(process))
 }
 
 #[cfg(test)]
@@ -296,7 +312,7 @@ mod tests {
     #[test]
     fn what_a_killed_program_left_is_removed_and_what_is_being_written_is_not() {
         let directory = Directory::new("left-over");
-        let minutes_ago = std::time::SystemTime::now() - Duration::from_secs(600);
+        let minutes_ago = SystemTime::now() - Duration::from_secs(600);
         let file = |name: &str, time| {
             let file = File::create(directory.path().join(name)).unwrap();
             file.set_modified(time).unwrap();
@@ -305,12 +321,33 @@ mod tests {
         drop(file(".camera-lab-1-0.tmp", minutes_ago));
         let being_written = file(".camera-lab-2-0.tmp", minutes_ago);
         being_written.lock().unwrap();
-        drop(file(".camera-lab-3-0.tmp", std::time::SystemTime::now()));
-        drop(file("mine.tmp", minutes_ago));
+        drop(file(".camera-lab-3-0.tmp", SystemTime::now()));
+        // A clock that was put back by years has left this.
+        drop(file(".camera-lab-4-0.tmp", SystemTime::now() + Duration::from_secs(100_000_000)));
+        let foreign =
+            ["mine.tmp", ".camera-lab-x-0.tmp", ".camera-lab-1.tmp", ".camera-lab-1-0-0.tmp", ".camera-lab-+1-0.tmp"];
+        foreign.iter().for_each(|name| drop(file(name, minutes_ago)));
         save_writable(&directory.path().join("a.toml"), b"x").unwrap();
         let mut names = directory.names();
+        names.retain(|name| !foreign.contains(&name.as_str()));
         names.sort();
-        assert_eq!(names, [".camera-lab-2-0.tmp", ".camera-lab-3-0.tmp", "a.toml", "mine.tmp"]);
+        assert_eq!(names, [".camera-lab-2-0.tmp", ".camera-lab-3-0.tmp", "a.toml"]);
+        assert_eq!(directory.names().len(), names.len() + foreign.len());
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_a_process_left_that_is_gone_need_not_be_old() {
+        let directory = Directory::new("gone");
+        let mut gone = std::process::Command::new("true").spawn().unwrap();
+        gone.wait().unwrap();
+        let seconds_ago = SystemTime::now() - Duration::from_secs(5);
+        for process in [gone.id(), std::process::id()] {
+            let file = File::create(directory.path().join(format!(".camera-lab-{process}-0.tmp"))).unwrap();
+            file.set_modified(seconds_ago).unwrap();
+        }
+        remove_left_over(directory.path());
+        assert_eq!(directory.names(), [format!(".camera-lab-{}-0.tmp", std::process::id())]);
     }
 
     #[cfg(unix)]
@@ -342,6 +379,25 @@ mod tests {
             let round = directory.path().join("round.toml");
             symlink("round.toml", &round).unwrap();
             assert!(matches!(save_writable(&round, b"x"), Err(FileError::Write(_))));
+        }
+
+        #[test]
+        fn what_only_looks_left_over_is_neither_followed_nor_waited_for() {
+            let directory = Directory::new("looks-left-over");
+            let place = |name: &str| directory.path().join(name);
+            fs::write(place("mine"), "mine").unwrap();
+            File::options().write(true).open(place("mine")).unwrap().set_modified(SystemTime::UNIX_EPOCH).unwrap();
+            symlink("mine", place(".camera-lab-1-0.tmp")).unwrap();
+            fs::create_dir(place(".camera-lab-1-1.tmp")).unwrap();
+            let made = std::process::Command::new("mkfifo").arg(place(".camera-lab-1-2.tmp")).status();
+            assert!(made.is_ok_and(|status| status.success()));
+            let names = [".camera-lab-1-0.tmp", ".camera-lab-1-1.tmp", ".camera-lab-1-2.tmp"].map(place);
+            let long_ago = std::process::Command::new("touch").args(["-h", "-d", "2001-01-01"]).args(names).status();
+            assert!(long_ago.is_ok_and(|status| status.success()));
+            // Would wait for ever if the pipe were opened.
+            save_writable(&place("a.toml"), b"x").unwrap();
+            assert_eq!(directory.names().len(), 5);
+            assert_eq!(fs::read(place("mine")).unwrap(), b"mine");
         }
 
         #[test]

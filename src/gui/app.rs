@@ -17,9 +17,9 @@ use super::key_order::KeyOrder;
 use super::motion;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
-use super::session::{News, Sessions};
-use super::state::{AfterSave, Dialog, ExplainTab, Message, Purpose, Side, State};
-use super::{dialogs, explain, menu, noted, panels, presentation, sequence, theme, tooltip};
+use super::session::{Keeping, Sessions};
+use super::state::{AfterSave, Dialog, ExplainTab, Message, PanelHover, Purpose, Side, State};
+use super::{dialogs, explain, menu, noted, panels, presentation, sequence, text_field, theme, tooltip};
 use crate::appearance::Theme;
 use crate::foreign;
 use crate::i18n::Lang;
@@ -122,18 +122,23 @@ impl App {
 
     /// Says what there is to say about sessions and preferences, each until it is closed; that nothing is written, as long as that is so.
     fn tell_news(&mut self) {
-        let shown = &mut self.state.file_flow.news;
-        shown.extend(self.preferences.iter_mut().flat_map(Preferences::news));
-        let Some(sessions) = &mut self.sessions else { return };
-        shown.extend(sessions.news());
-        if !sessions.is_failing() {
-            shown.retain(|news| !matches!(news, News::NotWritten(..) | News::NoSlot));
+        let said = &mut self.state.file_flow.news;
+        if let Some(preferences) = &mut self.preferences {
+            preferences.news().into_iter().for_each(|news| said.tell(news));
+            preferences.kept().for_each(|what| said.is_kept(what));
+        }
+        if let Some(sessions) = &mut self.sessions {
+            sessions.news().into_iter().for_each(|news| said.tell(news));
+            if !sessions.is_failing() {
+                said.is_kept(Keeping::Session);
+            }
         }
     }
 
     /// One frame; `ui` is the whole window.
     pub fn show(&mut self, ui: &mut egui::Ui) {
         let ctx = ui.ctx().clone();
+        ctx.input_mut(|input| text_field::cut_pasted(&mut input.events));
         motion::advance(&ctx, &mut self.state);
         if ctx.input(|input| self.held_key.follow(input)) {
             self.state.document.commit();
@@ -157,11 +162,7 @@ impl App {
         }
         noted::begin(&ctx);
         // What is pointed at is said by the panels that are shown in this frame.
-        self.state.ghost = None;
-        self.state.measured.clear();
-        self.state.explain.pointed.clear();
-        self.state.explain.placed.clear();
-        self.state.explain.triangle.shown = None;
+        self.state.hover = PanelHover::default();
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
         let sides = *self.state.settings.panels();
         if let Some(left) = self.state.forget_old_news(ctx.input(|input| input.time)) {
@@ -211,6 +212,7 @@ impl App {
             name_handle(ui, "explain", t.panel_width);
         }
         tooltip::beside_nothing(&ctx);
+        self.state.follow_panels();
         let ground = egui::Frame::NONE.fill(ui.visuals().panel_fill);
         let pictures = egui::CentralPanel::no_frame().frame(ground).show(ui, |ui| self.canvas.ui(ui, &mut self.state));
         self.state.consult(&ctx);
@@ -223,7 +225,7 @@ impl App {
         self.focus.end(&ctx);
         self.apply_settings(&ctx);
         self.update_title(&ctx);
-        let moving = self.state.operations.motion.is_some();
+        let moving = self.state.operations.motion.is_some() || self.state.explain.steps.plays();
         if !moving && !ctx.input(|input| input.pointer.any_down()) && !self.held_key.is_held(&ctx) {
             self.state.document.commit();
             let now = ctx.input(|input| input.time);
@@ -319,6 +321,7 @@ impl App {
                 let theme = &mut state.settings.theme;
                 *theme = if *theme == Theme::Dark { Theme::Light } else { Theme::Dark };
             }
+            Command::SaveExplained => state.settings.saves_explained = !state.settings.saves_explained,
             Command::ReduceMotion => state.settings.reduce_motion = !state.settings.reduce_motion,
             Command::Presentation => {
                 state.settings.presentation = !state.settings.presentation;

@@ -44,6 +44,8 @@ pub enum Command {
     Theme,
     /// What would move is at its end at once.
     ReduceMotion,
+    /// Saving keeps what the pictures explain.
+    SaveExplained,
     /// Large type and thick strokes.
     Presentation,
     /// The next figure of the folder, or of the program.
@@ -107,13 +109,14 @@ const COMMAND_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 impl Command {
     /// The menu of files.
-    pub const FILE: [Self; 9] = [
+    pub const FILE: [Self; 10] = [
         Self::New,
         Self::Gallery,
         Self::Open,
         Self::Recent,
         Self::Save,
         Self::SaveAs,
+        Self::SaveExplained,
         Self::Export,
         Self::CopyLink,
         Self::Quit,
@@ -223,6 +226,7 @@ impl Command {
             Self::Language => (t.language, t.language_hint),
             Self::Theme => (t.theme, t.theme_hint),
             Self::ReduceMotion => (t.reduce_motion, t.reduce_motion_hint),
+            Self::SaveExplained => (t.save_explained, t.save_explained_hint),
             Self::Presentation => (t.presentation, t.presentation_hint),
             Self::NextFigure => (t.next_figure, t.next_figure_hint),
             Self::PreviousFigure => (t.previous_figure, t.previous_figure_hint),
@@ -285,6 +289,7 @@ impl Command {
             Self::Language => (Modifiers::COMMAND, Key::L),
             Self::Theme => (Modifiers::COMMAND, Key::T),
             Self::ReduceMotion => (Modifiers::ALT, Key::M),
+            Self::SaveExplained => (Modifiers::ALT, Key::Q),
             Self::Presentation => (Modifiers::NONE, Key::F11),
             Self::NextFigure => (Modifiers::COMMAND, Key::PageDown),
             Self::PreviousFigure => (Modifiers::COMMAND, Key::PageUp),
@@ -354,6 +359,7 @@ impl Command {
             | Self::Language
             | Self::Theme
             | Self::ReduceMotion
+            | Self::SaveExplained
             | Self::Presentation
             | Self::NextFigure
             | Self::PreviousFigure
@@ -447,6 +453,7 @@ impl Command {
             | Self::Language
             | Self::Theme
             | Self::ReduceMotion
+            | Self::SaveExplained
             | Self::Presentation
             | Self::NextFigure
             | Self::PreviousFigure
@@ -480,6 +487,7 @@ impl Command {
         match self {
             Self::Theme => Some(state.settings.theme == Theme::Dark),
             Self::ReduceMotion => Some(state.settings.reduce_motion),
+            Self::SaveExplained => Some(state.settings.saves_explained),
             Self::Presentation => Some(state.settings.presentation),
             Self::Pen => Some(state.annotations.pen),
             Self::Spot => Some(state.annotations.spot),

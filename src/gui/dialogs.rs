@@ -17,10 +17,12 @@ use super::gallery::{self, Chosen, Source};
 use super::link_dialog;
 use super::panels::{complaint, scene};
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
+use super::text_field::TextField;
 use crate::foreign;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{canvas, exercise_window, scenes, sharing};
+use crate::limits::MAX_TYPED;
 use crate::scene::edit::Children;
 
 /// Shows the question that is open, if any, and acts on the answer.
@@ -255,8 +257,9 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         (false, false) => (t.path_text, t.path_hint),
     };
     ui.label(which);
-    let field = egui::TextEdit::singleline(&mut path).desired_width(f32::INFINITY).hint_text(hint);
-    let response = ui.add(field).accessible_name(t.path_name);
+    let field = TextField::line(&mut path, MAX_TYPED);
+    let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(hint));
+    let response = field.show(ui, state.settings.lang).accessible_name(t.path_name);
     if first {
         response.request_focus();
     }

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::history::{History, Moment};
+use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
-use crate::figure::{Figure, Observers};
+use crate::figure::{Figure, Observers, Show};
 use crate::files::{Reach, ShippedFigure, SourceFile, figure_from};
 
 /// The figure that is being edited.
@@ -12,6 +12,8 @@ use crate::files::{Reach, ShippedFigure, SourceFile, figure_from};
 pub struct Document {
     figure: Figure,
     camera: Camera,
+    /// The camera of the figure's parameters, without what operations know beyond them.
+    drawn: Camera,
     draft: Parameters,
     problem: Option<CameraError>,
     path: Option<PathBuf>,
@@ -21,6 +23,9 @@ pub struct Document {
     reach: Reach,
     source: String,
     saved: Figure,
+    /// Which scene the figure has, and whether it is another one than the one that was saved.
+    revision: Revision,
+    scene_is_changed: bool,
     opened: Parameters,
     history: History,
     /// The file that stays alone while another figure is shown.
@@ -39,9 +44,9 @@ struct Aside {
     lent: Figure,
 }
 
-/// True where figures are the same, from wherever they are seen.
+/// True where figures are the same, from wherever they are seen and whatever is explained in them.
 fn same(a: &Figure, b: &Figure) -> bool {
-    Figure { observers: b.observers, ..a.clone() } == *b
+    Figure { observers: b.observers, show: b.show.clone(), ..a.clone() } == *b
 }
 
 impl Document {
@@ -52,15 +57,19 @@ impl Document {
     pub fn new(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
         let camera = Camera::new(&figure.camera)?;
         let folder = file.as_ref().and_then(|file| file.path.parent()).map(Path::to_owned);
-        let reach = Reach::of(file.as_ref().is_some_and(|file| file.is_picture), false);
+        let reach = file.as_ref().map_or(Reach::Figure, |file| Reach::of(&file.path, file.is_picture, false));
         let (path, source) = match file {
             // A picture holds a figure, but it is not a figure file: saving must not replace it.
             Some(SourceFile { text, is_picture: true, .. }) => (None, text),
             Some(SourceFile { path, text, is_picture: false }) => (Some(path), text),
             None => (None, String::new()),
         };
+        let revision = Revision::new();
         Ok(Self {
-            history: History::new(&figure, &camera),
+            history: History::new(&figure, revision, &camera),
+            revision,
+            scene_is_changed: false,
+            drawn: camera.clone(),
             camera,
             draft: figure.camera,
             problem: None,
@@ -99,6 +108,19 @@ impl Document {
         &self.camera
     }
 
+    /// The camera that pictures are drawn with: that of the figure's parameters, as a file can hold them, so that a picture that is exported, or drawn from
+    /// the file or a link, is that on the screen.
+    #[must_use]
+    pub fn drawn_camera(&self) -> &Camera {
+        &self.drawn
+    }
+
+    /// Takes a camera over with its parameters, or, where rounding has left no camera of these, as it is.
+    fn put_camera(&mut self, camera: Camera) {
+        self.drawn = Camera::new(camera.parameters()).unwrap_or_else(|_| camera.clone());
+        self.camera = camera;
+    }
+
     /// The parameters as the fields show them; may be nonsense.
     #[must_use]
     pub fn draft(&self) -> &Parameters {
@@ -121,7 +143,7 @@ impl Document {
         match Camera::new(&parameters) {
             Ok(camera) => {
                 self.figure.camera = parameters;
-                self.camera = camera;
+                self.put_camera(camera);
                 self.problem = None;
             }
             Err(error) => self.problem = Some(error),
@@ -133,6 +155,18 @@ impl Document {
         let camera = self.figure.camera;
         change(&mut self.figure);
         self.figure.camera = camera;
+        self.has_scene(Revision::new());
+    }
+
+    /// Notes that the figure has this scene now.
+    fn has_scene(&mut self, revision: Revision) {
+        self.revision = revision;
+        self.scene_is_changed = self.figure.scene != self.saved.scene;
+    }
+
+    /// A number that says which scene the figure has, without a look at it.
+    pub(super) fn revision(&self) -> Revision {
+        self.revision
     }
 
     /// The observers: where one looks from is kept in the file, but it is neither a change of the figure nor an undo step.
@@ -140,9 +174,16 @@ impl Document {
         &mut self.figure.observers
     }
 
+    /// What is explained in the pictures: kept in the file as the observers are, and neither a change of the figure nor an undo step.
+    pub fn show_mut(&mut self) -> &mut Show {
+        &mut self.figure.show
+    }
+
     fn restore(&mut self, moment: Option<Moment>) {
-        let Some(Moment { figure, camera, draft }) = moment else { return };
-        (self.figure, self.camera, self.draft) = (figure, camera, draft);
+        let Some(Moment { figure, revision, camera, draft }) = moment else { return };
+        (self.figure, self.draft) = (figure, draft);
+        self.put_camera(camera);
+        self.has_scene(revision);
         self.problem = Camera::new(&self.draft).err();
         self.follow_file();
     }
@@ -162,7 +203,7 @@ impl Document {
     /// Makes an undo step of what has changed since the last one. Call it when no pointer or key is held, so that a drag is
     /// one step.
     pub fn commit(&mut self) {
-        self.history.commit(&self.figure, &self.camera, &self.draft);
+        self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
     }
 
     /// True where there is something to undo.
@@ -180,14 +221,14 @@ impl Document {
     /// Goes one step back.
     pub fn undo(&mut self) {
         self.commit();
-        let moment = self.history.undo(self.figure.observers);
+        let moment = self.history.undo(self.figure.observers, &self.figure.show);
         self.restore(moment);
     }
 
     /// Goes one step forward.
     pub fn redo(&mut self) {
         self.commit();
-        let moment = self.history.redo(self.figure.observers);
+        let moment = self.history.redo(self.figure.observers, &self.figure.show);
         self.restore(moment);
     }
 
@@ -198,9 +239,10 @@ impl Document {
     pub fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
         let camera = Camera::new(&figure.camera)?;
         self.draft = figure.camera;
-        self.camera = camera;
+        self.put_camera(camera);
         self.figure = figure;
         self.problem = None;
+        self.has_scene(Revision::new());
         self.commit();
         Ok(())
     }
@@ -236,7 +278,7 @@ impl Document {
     pub fn set_camera(&mut self, camera: Camera) {
         self.draft = *camera.parameters();
         self.figure.camera = self.draft;
-        self.camera = camera;
+        self.put_camera(camera);
         self.problem = None;
     }
 
@@ -321,6 +363,7 @@ impl Document {
         self.path = Some(path);
         self.source = source;
         self.saved = self.figure.clone();
+        self.scene_is_changed = false;
     }
 
     /// Leaves the file alone from now on: saving asks for one.
@@ -328,15 +371,26 @@ impl Document {
         self.path = None;
     }
 
-    /// True where closing would lose something. From where the pictures are seen does not count.
+    /// True where closing would lose something. From where the pictures are seen does not count, nor what is explained in them.
     #[must_use]
     pub fn is_changed(&self) -> bool {
-        let Figure { camera, image, undistorted, viewport, scene, points, style, reveal, world, observers: _ } =
-            &self.figure;
+        let Figure {
+            camera,
+            image,
+            undistorted,
+            viewport,
+            scene: _,
+            points,
+            style,
+            reveal,
+            world,
+            observers: _,
+            show: _,
+        } = &self.figure;
         let saved = &self.saved;
         (camera, image, undistorted, viewport) != (&saved.camera, &saved.image, &saved.undistorted, &saved.viewport)
             || (style, reveal, world) != (&saved.style, &saved.reveal, &saved.world)
-            || *scene != saved.scene
+            || self.scene_is_changed
             || *points != saved.points
             || self.draft != saved.camera
     }
@@ -368,6 +422,28 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_scene_is_changed_until_it_is_the_saved_one_again_however_that_came() {
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        let (first, saved) = (document.revision(), document.figure().scene.clone());
+        let light = crate::scene::LightSpec::Point(glam::DVec3::ONE);
+        document.edit(|figure| figure.scene.lights.push(light));
+        document.commit();
+        assert!(document.is_changed() && document.revision() != first);
+        document.edit(|figure| figure.scene = saved);
+        assert!(!document.is_changed());
+        document.undo();
+        assert!(document.is_changed(), "the light is back");
+        document.undo();
+        assert!(!document.is_changed() && document.revision() == first);
+        document.redo();
+        assert!(document.is_changed());
+        document.mark_saved(PathBuf::from("/a.toml"), String::new());
+        assert!(!document.is_changed());
+        document.replace(Figure::default()).unwrap();
+        assert!(document.is_changed());
     }
 
     #[test]

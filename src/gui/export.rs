@@ -1,6 +1,5 @@
 //! Pictures into files: the same way as `camera-lab render`, so that the bytes are the same.
 
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -17,12 +16,13 @@ use crate::figure::Figure;
 use crate::figure::update;
 use crate::files::{self, FigureFiles, FileError, Overwrite, Reach};
 use crate::i18n::{Lang, messages, pictures, window};
+use crate::limits::PAPER_LINES;
 use crate::numbers::round_to;
-use crate::picture::{self, Film, FilmFormat, Form, OnPaper, PictureError, PictureFile, Sheet};
+use crate::picture::{self, Film, FilmFormat, Form, NoSheet, OnPaper, PictureError, PictureFile, Sheet};
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
 use crate::scene::SceneError;
-use crate::views::{Overlays, Request, SharedScene, Size, View, Views, scene_of};
+use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
 
 /// Which picture, how large, in which theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,21 +53,9 @@ pub struct Export {
     pub scale: f32,
 }
 
-/// The sides that a picture can have on paper, in centimetres.
-pub(super) const SIDE_CM: RangeInclusive<f64> = 0.5..=200.0;
-
-/// How many pixels per inch paper can have.
-pub(super) const DPI: RangeInclusive<f64> = 0.5..=2400.0;
-
-/// The heights that letters can have on paper, in points.
-pub(super) const LETTERS: RangeInclusive<f64> = 0.5..=200.0;
-
-/// The widths that lines can have on paper, in points.
-pub(super) const LINES: RangeInclusive<f64> = 0.05..=20.0;
-
 /// The width of lines in proportion to letters of a height, both in points, to two decimals.
 pub(super) fn as_letters(letters: f64) -> f64 {
-    round_to(letters * Size::EDGES_TO_LETTERS, 0.01).max(*LINES.start())
+    round_to(letters * Size::EDGES_TO_LETTERS, 0.01).max(*PAPER_LINES.start())
 }
 
 /// A size on paper.
@@ -81,6 +69,14 @@ pub struct Paper {
     pub letters: f64,
     /// Width of the edges of solids in points; `None`: in proportion to the letters.
     pub lines: Option<f64>,
+}
+
+impl Paper {
+    /// What it asks of a picture.
+    fn asked(self) -> OnPaper {
+        let Self { dpi, letters, lines, .. } = self;
+        OnPaper { dpi, letters: Some(letters), lines, arranged: true }
+    }
 }
 
 impl Default for Paper {
@@ -116,9 +112,10 @@ impl Export {
     /// Sets the size to that on paper, or to that on the screen, `times` as large, which may be more than a picture can have; `sizes` and `scale` as in [`new`](Self::new).
     pub fn fit_screen(&mut self, sizes: [[u32; 2]; 3], scale: f32) {
         if self.on_paper {
-            let [width, height] = self.paper.size.map(|cm| pixels(cm / 2.54 * self.paper.dpi));
+            let paper = self.paper.asked();
+            let [width, height] = self.paper.size.map(|cm| pixels(paper.pixels_across(cm)));
             #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
-            let letters = (self.paper.letters / 72.0 * self.paper.dpi) as f32;
+            let letters = paper.pixels(self.paper.letters) as f32;
             (self.width, self.height) = (width, height);
             self.scale = Size::with_letters(width, height, letters).scale;
             return;
@@ -150,8 +147,12 @@ impl Export {
 
 /// Whole pixels.
 fn pixels(side: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "what is too large is told")]
-    let side = side.round().max(1.0) as u32;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "what is too large or too small is told"
+    )]
+    let side = side.round() as u32;
     side
 }
 
@@ -204,7 +205,10 @@ impl ExportError {
             Self::Camera(error) => messages::camera(lang, error),
             Self::Scene(error) => messages::scene(lang, error),
             Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
-            Self::Picture(PictureError::TooLarge) => t.picture_too_large.to_owned(),
+            Self::Picture(PictureError::TooLarge | PictureError::Sheet(NoSheet::TooLarge)) => {
+                t.picture_too_large.to_owned()
+            }
+            Self::Picture(PictureError::Sheet(NoSheet::NoRoom { .. })) => t.picture_no_room.to_owned(),
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
             Self::Picture(PictureError::Animate { format, why }) => messages::encoder(lang, format.name(), why),
@@ -225,44 +229,46 @@ pub(super) struct Exporting {
 /// What pictures are made of.
 pub(super) struct Subject {
     figure: Figure,
+    shot: Shot,
     folder: PathBuf,
     reach: Reach,
     lang: Lang,
 }
 
 impl Subject {
-    /// A figure in a theme.
-    pub(super) fn of(document: &Document, lang: Lang, theme: Theme) -> Self {
-        let mut figure = document.figure().clone();
+    /// What is on the screen, in a theme. The figure is [`State::figure_as_shown`](super::State::figure_as_shown).
+    pub(super) fn of(document: &Document, shown: Figure, lang: Lang, theme: Theme) -> Self {
+        let mut figure = shown;
         figure.style.theme = theme;
+        let shot = Shot::of(&figure);
         let folder = document.folder().map(Path::to_owned).unwrap_or_default();
-        Self { figure, folder, reach: document.reach(), lang }
+        Self { figure, shot, folder, reach: document.reach(), lang }
     }
 
     /// Each picture of the way to the canonical volume.
     fn film(&self, progress: &Progress) -> Result<Request, ExportError> {
-        let Self { figure, folder, reach, lang } = self;
+        let Self { figure, shot, folder, reach, lang } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
         let scene = SharedScene::new(scene_of(figure, &mut |wanted| files.read(wanted), progress)?);
         let size = Size { width: FILM[0], height: FILM[1], scale: 1.0 };
-        Ok(Request::of(figure, View::Canonical, &camera, &scene, pictures::labels(*lang), size))
+        Ok(Request::new(shot, View::Canonical, &camera, &scene, pictures::labels(*lang), size))
     }
 
     /// What is drawn.
     pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Sheet, ExportError> {
-        let Self { figure, folder, reach, lang } = self;
+        let Self { figure, shot, folder, reach, lang } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
         let scene = scene_of(figure, &mut |wanted| files.read(wanted), progress)?;
         let labels = pictures::labels(*lang);
         let scene = SharedScene::new(scene);
-        let request = Request::of(figure, View::Image, &camera, &scene, labels, export.size());
-        let overlays = Overlays { transparent: export.is_without_ground(), ..Overlays::default() };
-        let request = Request { ndc: export.ndc, overlays, ..request };
-        let Paper { dpi, letters, lines, .. } = export.paper;
-        let paper = export.on_paper.then_some(OnPaper { dpi, letters: Some(letters), lines, arranged: true });
-        Ok(Sheet::of(export.what, &request, &figure.observers, paper.as_ref()).ok_or(PictureError::TooLarge)?)
+        let shot = &Shot { ndc: export.ndc, ..shot.clone() };
+        let request = Request::new(shot, View::Image, &camera, &scene, labels, export.size());
+        let finish = Finish { transparent: export.is_without_ground(), ..Finish::default() };
+        let request = Request { finish, ..request };
+        let paper = export.on_paper.then(|| export.paper.asked());
+        Ok(Sheet::of(export.what, &request, shot, paper.as_ref()).map_err(PictureError::from)?)
     }
 }
 
@@ -286,25 +292,25 @@ impl Exporting {
     /// Draws and writes beside the window's thread.
     pub(super) fn start(
         ctx: &egui::Context,
-        document: &Document,
+        (document, shown): (&Document, Figure),
         lang: Lang,
         export: Export,
         path: PathBuf,
         overwrite: Overwrite,
     ) -> Self {
-        Self::with(ctx, document, lang, export, (path, overwrite), export_work)
+        Self::with(ctx, (document, shown), lang, export, (path, overwrite), export_work)
     }
 
     /// As [`start`](Self::start), by other means of drawing and writing.
     pub(super) fn with(
         ctx: &egui::Context,
-        document: &Document,
+        (document, shown): (&Document, Figure),
         lang: Lang,
         export: Export,
         (path, overwrite): (PathBuf, Overwrite),
         make: fn() -> Work<Task, Exported>,
     ) -> Self {
-        let subject = Subject::of(document, lang, export.theme);
+        let subject = Subject::of(document, shown, lang, export.theme);
         let source = document.source().to_owned();
         let mut worker = Worker::new("export", clock::now, make);
         let what = What::Pictures(export);
@@ -315,12 +321,12 @@ impl Exporting {
     /// Draws the way to the canonical volume and writes it, beside the window's thread.
     pub(super) fn film(
         ctx: &egui::Context,
-        document: &Document,
+        (document, shown): (&Document, Figure),
         (lang, theme): (Lang, Theme),
         decomposition: Decomposition,
         (path, overwrite): (PathBuf, Overwrite),
     ) -> Self {
-        let subject = Subject::of(document, lang, theme);
+        let subject = Subject::of(document, shown, lang, theme);
         let source = document.source().to_owned();
         let mut worker = Worker::new("export", clock::now, export_work);
         let what = What::Film(decomposition);

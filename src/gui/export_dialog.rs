@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Color32, Id, Key, Modifiers, Rect, RichText, Sense, Vec2, WidgetInfo, vec2};
 
 use super::answers::{Pressed, buttons};
-use super::export::{DPI, Export, LETTERS, LINES, SIDE_CM, Subject, as_letters};
+use super::export::{Export, Subject, as_letters};
 use super::file_flow;
 use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row};
@@ -15,7 +15,7 @@ use crate::export::format::PictureFormat;
 use crate::gui::tooltip::Explained;
 use crate::i18n::pictures;
 use crate::i18n::window::Texts;
-use crate::limits::MAX_SIDE;
+use crate::limits::{MAX_SIDE, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::picture::Crowded;
 use crate::views::{View, Views};
 
@@ -87,13 +87,19 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
     }
 }
 
+/// What is on the screen, as it is exported.
+fn subject(state: &State, export: &Export) -> Subject {
+    Subject::of(&state.document, state.figure_as_shown(), state.settings.lang, export.theme)
+}
+
 /// The picture as it will be, how large it is, and the button that copies it.
 fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Export, (room, valid): (Vec2, bool)) {
     let ctx = ui.ctx().clone();
     let mut preview = state.file_flow.preview.take().unwrap_or_default();
-    let subject = || Subject::of(&state.document, state.settings.lang, export.theme);
     if valid {
-        preview.follow(&ctx, export, [room.x, room.y].map(|side| side * ctx.pixels_per_point()), subject);
+        preview.follow(&ctx, export, [room.x, room.y].map(|side| side * ctx.pixels_per_point()), || {
+            subject(state, export)
+        });
     }
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, t.export_preview));
@@ -113,7 +119,8 @@ fn picture(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, export: &Exp
         let hint = if fits { t.export_copy_hint } else { t.export_copy_too_large };
         if button.explained(hint).explained_disabled(hint).clicked() {
             state.export = *export;
-            preview.copy(&ctx, export, subject());
+            let subject = subject(state, export);
+            preview.copy(&ctx, export, subject);
         }
         match &preview.copied {
             _ if copying => {
@@ -166,8 +173,11 @@ fn chequers(painter: &egui::Painter, rect: Rect) {
     }
 }
 
+/// A field, and what is wrong with what was typed there.
+type Fault = (&'static str, FieldError);
+
 /// How; what is wrong with what was typed.
-fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Export) -> Vec<FieldError> {
+fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Export) -> Vec<Fault> {
     let what = [
         (Views::All, t.export_all),
         (Views::One(View::World), t.show_world),
@@ -194,8 +204,8 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Ex
     errors.extend(row(ui, "", t.export_pixels, "", |ui| {
         ui.add_enabled_ui(size == (None, false), |ui| pixels(ui, t, export)).inner
     }));
-    for error in &errors {
-        complaint(ui, &error.text(t.lang));
+    for (field, error) in &errors {
+        complaint(ui, &format!("{field}: {}", error.text(t.lang)));
     }
     let themes = [(Theme::Print, t.theme_print), (Theme::Light, t.theme_light), (Theme::Dark, t.theme_dark)];
     row(ui, "", t.theme_name, t.export_theme_hint, |ui| {
@@ -222,21 +232,24 @@ fn settings(ui: &mut egui::Ui, t: &'static Texts, state: &State, export: &mut Ex
 }
 
 /// The size on paper; what is wrong with what was typed there.
-fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Option<Crowded>) -> Vec<FieldError> {
-    let field = |name, range| NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
+fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Option<Crowded>) -> Vec<Fault> {
+    let field = |ui: &mut egui::Ui, name: &'static str, range, value: &mut f64| {
+        let field = NumberField::new(name, Step::Add(1.0)).within(range).width(64.0);
+        field.show(ui, t, value).error.map(|error| (name, error))
+    };
     let paper = &mut export.paper;
     let mut errors = Vec::new();
     row(ui, "", t.export_centimetres, "", |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        errors.extend(field(t.export_width_cm, SIDE_CM).show(ui, t, &mut paper.size[0]).error);
+        errors.extend(field(ui, t.export_width_cm, PAPER_CM, &mut paper.size[0]));
         ui.label("×");
-        errors.extend(field(t.export_height_cm, SIDE_CM).show(ui, t, &mut paper.size[1]).error);
+        errors.extend(field(ui, t.export_height_cm, PAPER_CM, &mut paper.size[1]));
     });
     row(ui, "", t.export_dpi, "", |ui| {
-        errors.extend(field(t.export_dpi, DPI).show(ui, t, &mut paper.dpi).error);
+        errors.extend(field(ui, t.export_dpi, PAPER_DPI, &mut paper.dpi));
     });
     row(ui, "", t.export_letters, t.export_letters_hint, |ui| {
-        errors.extend(field(t.export_letters, LETTERS).show(ui, t, &mut paper.letters).error);
+        errors.extend(field(ui, t.export_letters, PAPER_LETTERS, &mut paper.letters));
     });
     let letters = crowded.map_or(paper.letters, |crowded| crowded.letters);
     errors.extend(lines(ui, t, &mut paper.lines, as_letters(letters)));
@@ -244,24 +257,24 @@ fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Opt
 }
 
 /// The width of lines, which follows the letters as long as it has none of its own; what is wrong with what was typed there.
-fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_letters: f64) -> Option<FieldError> {
-    let mut error = None;
+fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_letters: f64) -> Option<Fault> {
+    let mut fault = None;
     row(ui, "", t.export_lines, t.export_lines_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         let mut points = lines.unwrap_or(as_letters);
         let mut own = lines.is_some();
         ui.add_enabled_ui(own, |ui| {
-            let field = NumberField::new(t.export_lines, Step::Add(0.1)).within(LINES).width(64.0);
-            error = field.show(ui, t, &mut points).error;
+            let field = NumberField::new(t.export_lines, Step::Add(0.1)).within(PAPER_LINES).width(64.0);
+            fault = field.show(ui, t, &mut points).error.map(|error| (t.export_lines, error));
         });
         checkbox(ui, &mut own, t.export_lines_own, t.export_lines_hint);
         *lines = own.then_some(points);
     });
-    error
+    fault
 }
 
 /// Width and height; what is wrong with what was typed there.
-fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<FieldError> {
+fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Fault> {
     let [mut width, mut height] = [f64::from(export.width), f64::from(export.height)];
     let sides = 1.0..=f64::from(MAX_SIDE);
     let field = |name: &str| NumberField::new(name, Step::Add(16.0)).whole().within(sides.clone()).width(64.0);
@@ -274,5 +287,6 @@ fn pixels(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export) -> Vec<Fiel
     (export.width, export.height) = (side(width), side(height));
     let fits = |side: u32| sides.contains(&f64::from(side));
     let too_large = (!fits(export.width) || !fits(export.height)).then(|| FieldError::Outside(sides.clone()));
-    [of_width.error, of_height.error, too_large].into_iter().flatten().collect()
+    let faults = [(t.export_width, of_width.error), (t.export_height, of_height.error), (t.export_pixels, too_large)];
+    faults.into_iter().filter_map(|(field, error)| Some((field, error?))).collect()
 }

@@ -238,7 +238,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Film(decomposition) => {
             let exporting = Exporting::film(
                 ctx,
-                &state.document,
+                (&state.document, state.figure_as_shown()),
                 (state.settings.lang, state.settings.theme),
                 decomposition,
                 (path.to_owned(), agreed.overwrite()),
@@ -254,7 +254,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
         Purpose::Export(export) => {
             let exporting = Exporting::start(
                 ctx,
-                &state.document,
+                (&state.document, state.figure_as_shown()),
                 state.settings.lang,
                 export,
                 path.to_owned(),
@@ -331,16 +331,21 @@ pub fn ask_about(state: &mut State, theirs: Theirs, then: Option<AfterSave>) {
 }
 
 /// The figure as it is written to `path`.
-fn for_folder(document: &Document, path: &Path) -> Figure {
-    files::for_folder(document.figure(), document.folder(), path.parent())
+fn for_folder(state: &State, path: &Path) -> Figure {
+    files::for_folder(&state.figure_to_save(), state.document.folder(), path.parent())
 }
 
 /// What saving would write.
 #[must_use]
 pub fn text_to_save(state: &State) -> String {
-    let figure =
-        state.document.path().map_or_else(|| state.document.figure().clone(), |path| for_folder(&state.document, path));
+    let figure = state.document.path().map_or_else(|| state.figure_to_save(), |path| for_folder(state, path));
     update(state.document.source(), &figure)
+}
+
+/// The text of what is on the screen, as links carry it.
+#[must_use]
+pub fn text_as_shown(state: &State) -> String {
+    update(state.document.source(), &state.figure_as_shown())
 }
 
 /// What the figure's own file holds instead of what was read from it or saved in it last.
@@ -362,7 +367,7 @@ fn write(ctx: &egui::Context, state: &mut State, path: &Path, then: Option<After
         state.file_flow.dialog = Some(Dialog::ReadOnly(Purpose::Save(then), path.to_owned(), agreed));
         return;
     }
-    let figure = for_folder(&state.document, path);
+    let figure = for_folder(state, path);
     let text = update(state.document.source(), &figure);
     match files::save(path, text.as_bytes(), agreed.overwrite()) {
         Ok(()) => {
@@ -422,9 +427,18 @@ pub fn poll(ctx: &egui::Context, state: &mut State) {
     }
     watch(ctx, state);
     let given = std::mem::take(&mut state.file_flow.given).into_iter().next();
-    let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| files::whole(file.path())));
-    if let Some(path) = given.or(dropped) {
+    let dropped = ctx.input(|input| {
+        let files = &input.raw.dropped_files;
+        files.first().map(|file| (files::whole(file.path()), files.len()))
+    });
+    if let Some(path) = given {
         take_file(ctx, state, path);
+    } else if let Some((path, count)) = dropped {
+        take_file(ctx, state, path.clone());
+        // What went wrong with it matters more.
+        if count > 1 && !state.message.as_ref().is_some_and(Message::is_error) {
+            state.say(Message::FirstOfDropped(path, count));
+        }
     }
     if ctx.input(|input| input.viewport().close_requested()) && !state.file_flow.may_close {
         state.document.commit();
@@ -498,7 +512,7 @@ mod tests {
         let export = Export::new([[4, 3]; 3], 1.0);
         let exporting = Exporting::with(
             &ctx,
-            &state.document,
+            (&state.document, state.figure_as_shown()),
             Lang::En,
             export,
             (PathBuf::from("a.png"), Overwrite::Writable),

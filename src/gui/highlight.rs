@@ -7,7 +7,7 @@ use glam::{DMat4, DVec3};
 use super::state::{Selected, State};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
-use crate::scene::edit::{descendants, placements};
+use crate::scene::edit::{descendants, placement};
 use crate::scene::{LightSpec, Line, PointMark, Scene, SceneSpec, Shape, preset_objects};
 use crate::views::{Palette, SharedScene};
 
@@ -76,10 +76,8 @@ fn style(color: Rgba, width: f32) -> LineStyle {
 /// Marks an object and what hangs on it: by its edges where it has few and shows them, else by the box around it.
 fn mark_objects(scene: &mut Scene, spec: &SceneSpec, name: &str, color: Rgba) {
     let names = with_descendants(spec, name);
-    let belongs =
-        |object: &str| names.contains(object) || object.split_once('/').is_some_and(|(whole, _)| names.contains(whole));
     let mut boxes = Vec::new();
-    for object in scene.objects.iter_mut().filter(|object| belongs(&object.name)) {
+    for object in scene.objects.iter_mut().filter(|object| names.contains(object.owner())) {
         if object.edges.is_some() && object.mesh.edges.len() <= MOST_EDGES {
             object.edges = Some(style(color, 2.2));
         } else if let Some(bounds) = object.mesh.bounds() {
@@ -87,13 +85,11 @@ fn mark_objects(scene: &mut Scene, spec: &SceneSpec, name: &str, color: Rgba) {
         }
     }
     // A grid is lines without an object.
-    if let Ok(placed) = placements(spec) {
-        let preset = preset_objects(spec.preset, &crate::scene::palette::SceneColors::of(Theme::Light));
-        let grids = spec.objects.iter().chain(&preset).filter(|o| o.shape == Some(Shape::Grid));
-        for grid in grids.filter(|o| names.contains(&o.name)) {
-            let flat = Aabb { min: DVec3::new(-1.0, 0.0, -1.0), max: DVec3::new(1.0, 0.0, 1.0) };
-            boxes.extend(placed.get(&grid.name).map(|matrix| (flat, *matrix)));
-        }
+    let preset = preset_objects(spec.preset, &crate::scene::palette::SceneColors::of(Theme::Light));
+    let grids = spec.objects.iter().chain(&preset).filter(|o| o.shape == Some(Shape::Grid));
+    for grid in grids.filter(|o| names.contains(&o.name)) {
+        let flat = Aabb { min: DVec3::new(-1.0, 0.0, -1.0), max: DVec3::new(1.0, 0.0, 1.0) };
+        boxes.extend(placement(spec, &grid.name).ok().flatten().map(|matrix| (flat, matrix)));
     }
     for (bounds, matrix) in boxes {
         scene

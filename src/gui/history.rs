@@ -1,17 +1,31 @@
 //! Undo and redo: snapshots of the figure, which share the scenes that have not changed.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Viewport};
-use crate::figure::{Figure, NamedPoint, Observers, Reveal, WorldLook};
+use crate::figure::{Figure, NamedPoint, Observers, Reveal, Show, WorldLook};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
-/// What one undo step brings back: everything but the observers.
+/// Which scene: where two numbers are the same, so are the scenes, which can be large. Of other numbers nothing is said.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Revision(u64);
+
+impl Revision {
+    /// One that no scene has.
+    pub(super) fn new() -> Self {
+        static LAST: AtomicU64 = AtomicU64::new(0);
+        Self(LAST.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
+/// What one undo step brings back: everything but the observers and what is explained.
 #[derive(Clone, Debug)]
 struct Snapshot {
     scene: Arc<SceneSpec>,
+    revision: Revision,
     points: Vec<NamedPoint>,
     image: ImageSize,
     undistorted: bool,
@@ -28,18 +42,36 @@ struct Snapshot {
 #[derive(Clone, Debug)]
 pub(super) struct Moment {
     pub(super) figure: Figure,
+    pub(super) revision: Revision,
     pub(super) camera: Camera,
     pub(super) draft: Parameters,
 }
 
 impl Snapshot {
     /// `before`: whose scene is shared where it is the same.
-    fn new(figure: &Figure, camera: &Camera, draft: &Parameters, before: Option<&Self>) -> Self {
-        let Figure { camera: _, image, undistorted, viewport, scene, points, style, reveal, world, observers: _ } =
-            figure;
-        let shared = before.map(|before| &before.scene).filter(|before| ***before == *scene);
+    fn new(
+        (figure, revision): (&Figure, Revision),
+        camera: &Camera,
+        draft: &Parameters,
+        before: Option<&Self>,
+    ) -> Self {
+        let Figure {
+            camera: _,
+            image,
+            undistorted,
+            viewport,
+            scene,
+            points,
+            style,
+            reveal,
+            world,
+            observers: _,
+            show: _,
+        } = figure;
+        let shared = before.filter(|before| before.has_scene(scene, revision)).map(|before| &before.scene);
         Self {
             scene: shared.map_or_else(|| Arc::new(scene.clone()), Arc::clone),
+            revision,
             points: points.clone(),
             image: *image,
             undistorted: *undistorted,
@@ -52,18 +84,34 @@ impl Snapshot {
         }
     }
 
-    fn is_of(&self, figure: &Figure, camera: &Camera, draft: &Parameters) -> bool {
-        let Figure { camera: _, image, undistorted, viewport, scene, points, style, reveal, world, observers: _ } =
-            figure;
+    fn has_scene(&self, scene: &SceneSpec, revision: Revision) -> bool {
+        self.revision == revision || *self.scene == *scene
+    }
+
+    fn is_of(&self, (figure, revision): (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
+        let Figure {
+            camera: _,
+            image,
+            undistorted,
+            viewport,
+            scene,
+            points,
+            style,
+            reveal,
+            world,
+            observers: _,
+            show: _,
+        } = figure;
         (&self.image, &self.undistorted, &self.viewport) == (image, undistorted, viewport)
             && (&self.style, &self.reveal, &self.world) == (style, reveal, world)
             && (&self.camera, &self.draft) == (camera, draft)
             && self.points == *points
-            && *self.scene == *scene
+            && self.has_scene(scene, revision)
     }
 
-    fn moment(&self, observers: Observers) -> Moment {
-        let Self { scene, points, image, undistorted, viewport, style, reveal, world, camera, draft } = self.clone();
+    fn moment(&self, observers: Observers, show: &Show) -> Moment {
+        let Self { scene, revision, points, image, undistorted, viewport, style, reveal, world, camera, draft } =
+            self.clone();
         let scene = Arc::unwrap_or_clone(scene);
         let figure = Figure {
             camera: *camera.parameters(),
@@ -76,8 +124,9 @@ impl Snapshot {
             reveal,
             world,
             observers,
+            show: show.clone(),
         };
-        Moment { figure, camera, draft }
+        Moment { figure, revision, camera, draft }
     }
 }
 
@@ -90,17 +139,19 @@ pub(super) struct History {
 }
 
 impl History {
-    pub(super) fn new(figure: &Figure, camera: &Camera) -> Self {
-        let now = Snapshot::new(figure, camera, &figure.camera, None);
+    pub(super) fn new(figure: &Figure, revision: Revision, camera: &Camera) -> Self {
+        let now = Snapshot::new((figure, revision), camera, &figure.camera, None);
         Self { now, past: Vec::new(), future: Vec::new() }
     }
 
     /// Makes a step of what has changed since the last one.
-    pub(super) fn commit(&mut self, figure: &Figure, camera: &Camera, draft: &Parameters) {
-        if self.now.is_of(figure, camera, draft) {
+    pub(super) fn commit(&mut self, of: (&Figure, Revision), camera: &Camera, draft: &Parameters) {
+        if self.now.is_of(of, camera, draft) {
+            // Another number may have come to the same scene.
+            self.now.revision = of.1;
             return;
         }
-        let now = Snapshot::new(figure, camera, draft, Some(&self.now));
+        let now = Snapshot::new(of, camera, draft, Some(&self.now));
         self.past.push(std::mem::replace(&mut self.now, now));
         self.future.clear();
         let steps = self.affordable();
@@ -134,17 +185,17 @@ impl History {
     }
 
     /// One step back; what is there then, seen by these observers.
-    pub(super) fn undo(&mut self, observers: Observers) -> Option<Moment> {
+    pub(super) fn undo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
         let earlier = self.past.pop()?;
         self.future.push(std::mem::replace(&mut self.now, earlier));
-        Some(self.now.moment(observers))
+        Some(self.now.moment(observers, show))
     }
 
     /// One step forward.
-    pub(super) fn redo(&mut self, observers: Observers) -> Option<Moment> {
+    pub(super) fn redo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
         let later = self.future.pop()?;
         self.past.push(std::mem::replace(&mut self.now, later));
-        Some(self.now.moment(observers))
+        Some(self.now.moment(observers, show))
     }
 }
 
@@ -175,7 +226,7 @@ mod tests {
         let mut figure = Figure::default();
         figure.scene.objects = (0..objects).map(|i| ObjectSpec::new(format!("object {i}"), Shape::Box)).collect();
         let camera = Camera::new(&figure.camera).unwrap();
-        (History::new(&figure, &camera), figure, camera)
+        (History::new(&figure, Revision::new(), &camera), figure, camera)
     }
 
     #[test]
@@ -183,11 +234,27 @@ mod tests {
         let (mut history, mut figure, camera) = history(1000);
         for width in 1..=2 * u32::try_from(MAX_UNDO_STEPS).unwrap() {
             figure.image.width = width;
-            history.commit(&figure, &camera, &figure.camera);
+            history.commit((&figure, Revision::new()), &camera, &figure.camera);
         }
         assert_eq!(history.past.len(), MAX_UNDO_STEPS);
         assert!(history.past.iter().all(|step| Arc::ptr_eq(&step.scene, &history.now.scene)));
         assert_eq!(Arc::strong_count(&history.now.scene), MAX_UNDO_STEPS + 1);
+    }
+
+    #[test]
+    fn what_has_the_same_number_is_not_compared() {
+        let (mut history, figure, camera) = history(3);
+        // A scene that only says that it is the same: nobody has looked.
+        let mut other = figure.clone();
+        other.scene.objects.clear();
+        history.commit((&other, history.now.revision), &camera, &figure.camera);
+        assert!(!history.can_undo());
+        // The same scene under another number has that from then on.
+        let renumbered = Revision::new();
+        history.commit((&figure, renumbered), &camera, &figure.camera);
+        assert!(!history.can_undo() && history.now.revision == renumbered);
+        history.commit((&other, Revision::new()), &camera, &figure.camera);
+        assert_eq!(history.undo(Observers::default(), &Show::default()).unwrap().revision, renumbered);
     }
 
     #[test]
@@ -197,20 +264,23 @@ mod tests {
         assert!(scene > 20_000 * size_of::<ObjectSpec>());
         for x in 1..=60 {
             figure.scene.objects[7].translate.x = f64::from(x);
-            history.commit(&figure, &camera, &figure.camera);
+            history.commit((&figure, Revision::new()), &camera, &figure.camera);
         }
         assert_eq!(history.past.len(), MAX_UNDO_BYTES / scene);
         assert!(history.past.len() < 60 && history.past.len() >= 5);
-        let last = history.undo(Observers::default()).unwrap().figure;
+        let last = history.undo(Observers::default(), &Show::default()).unwrap().figure;
         assert_eq!(last.scene.objects[7].translate.x, 59.0);
         // One step is always there, however large the scene.
         let (mut history, mut figure, camera) = self::history(1);
         let points = MAX_UNDO_BYTES / size_of::<glam::DVec3>() + 1;
         figure.scene.objects[0].shape = Some(Shape::Points(vec![glam::DVec3::ZERO; points]));
-        history.commit(&figure, &camera, &figure.camera);
+        history.commit((&figure, Revision::new()), &camera, &figure.camera);
         figure.scene.objects[0].name.push('!');
-        history.commit(&figure, &camera, &figure.camera);
+        history.commit((&figure, Revision::new()), &camera, &figure.camera);
         assert_eq!(history.past.len(), 1);
-        assert_eq!(history.undo(Observers::default()).unwrap().figure.scene.objects[0].name, "object 0");
+        assert_eq!(
+            history.undo(Observers::default(), &Show::default()).unwrap().figure.scene.objects[0].name,
+            "object 0"
+        );
     }
 }

@@ -6,12 +6,13 @@ use super::answers::{Pressed, buttons};
 use super::file_flow;
 use super::panels::complaint;
 use super::state::{Dialog, Message, State};
+use super::text_field::TextField;
 use crate::figure::Figure;
 use crate::files::SHIPPED;
 use crate::foreign;
 use crate::i18n::window::Texts;
 use crate::i18n::{messages, sharing};
-use crate::limits::MAX_LINK_CHARACTERS;
+use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
 use crate::scene::Shape;
 use crate::share;
 
@@ -24,13 +25,14 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
     ui.add_space(6.0);
     let address = address(ui, words, state);
     ui.add_space(6.0);
-    let link = share::link(&address, &file_flow::text_to_save(state));
+    let link = share::link(&address, &file_flow::text_as_shown(state));
     match &link {
         Ok(link) => {
             // Where the clipboard is out of reach, it can be taken from here.
             let mut shown = link.as_str();
-            let field = egui::TextEdit::singleline(&mut shown).desired_width(f32::INFINITY);
-            ui.add(field.font(egui::TextStyle::Monospace)).accessible_name(words.link);
+            let field = TextField::fixed_line(&mut shown);
+            let field = field.with(|edit| edit.desired_width(f32::INFINITY).font(egui::TextStyle::Monospace));
+            field.show(ui, state.settings.lang).accessible_name(words.link);
             let length = format!("{} / {MAX_LINK_CHARACTERS} {}", link.len(), words.characters);
             ui.label(RichText::new(length).small().weak());
         }
@@ -63,8 +65,9 @@ fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State) -> Stri
     }
     let label = ui.label(words.address);
     let address = &mut state.page_address;
-    let field = egui::TextEdit::singleline(address).desired_width(f32::INFINITY).hint_text(words.address_hint);
-    ui.add(field).labelled_by(label.id);
+    let field = TextField::line(address, MAX_TYPED);
+    let field = field.with(|edit| edit.desired_width(f32::INFINITY).hint_text(words.address_hint));
+    field.show(ui, state.settings.lang).labelled_by(label.id);
     *address = address.split('#').next().unwrap_or_default().trim().to_owned();
     ui.label(RichText::new(if address.is_empty() { words.no_address } else { words.address_text }).weak());
     address.clone()

@@ -52,6 +52,7 @@ mod selection_gizmo;
 mod sequence;
 pub mod session;
 pub mod state;
+mod text_field;
 pub mod theme;
 mod tooltip;
 mod watch;
@@ -128,6 +129,8 @@ pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
                 let asked = Asked { lang: asked, ..Asked::default() };
                 app.keep_preferences(&context.egui_ctx, folders.config_dir(), asked);
                 app.keep_session(folders.data_dir(), restore);
+            } else {
+                app.state.file_flow.news.tell(session::News::NoHome);
             }
             Ok(Box::new(app))
         }),

@@ -9,11 +9,13 @@ use std::ops::RangeInclusive;
 use eframe::egui::{self, Button, CursorIcon, Key, Modifiers, Sense, TextEdit, TextWrapMode, WidgetInfo};
 
 use crate::expression::{self, Dimension, ExpressionProblem};
+use crate::gui::text_field::TextField;
 use crate::gui::theme;
 use crate::gui::tooltip::{self, Explained};
 use crate::i18n::sources::with_titles;
 use crate::i18n::window::Texts;
 use crate::i18n::{Lang, messages};
+use crate::limits::MAX_EXPRESSION;
 use crate::numbers::{self, round_to};
 
 /// What dragging and the arrow keys do.
@@ -338,14 +340,11 @@ impl<'a> NumberField<'a> {
             edit.cursor.set_char_range(Some(egui::text::CCursorRange::select_all_str(&state.text)));
             edit.store(ui.ctx(), id);
         }
-        let response = ui.add(
-            TextEdit::singleline(&mut state.text)
-                .id(id)
-                .clip_text(true)
-                .desired_width(self.width)
-                .align(egui::Align2::LEFT_CENTER)
-                .margin(egui::Margin::symmetric(4, 2)),
-        );
+        let field = TextField::line(&mut state.text, MAX_EXPRESSION.0).refused_beyond().with(|edit| {
+            let edit = edit.id(id).clip_text(true).desired_width(self.width);
+            edit.align(egui::Align2::LEFT_CENTER).margin(egui::Margin::symmetric(4, 2))
+        });
+        let response = field.show(ui, texts.lang);
         if state.text != state.first {
             match self.evaluate(&state.text) {
                 Ok(v) if state.text.trim().replace(',', ".").parse() != Ok(v) => {

@@ -9,6 +9,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
+use super::history::Revision;
 use super::worker::{Running, Worker, one_by_one};
 use crate::appearance::{HiddenLines, Theme};
 use crate::clock;
@@ -33,9 +34,11 @@ pub struct SceneCache {
     subject: u64,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 struct MadeFrom {
     spec: SceneSpec,
+    /// Which scene of the document that is.
+    revision: Revision,
     theme: Theme,
     hidden_lines: HiddenLines,
     folder: Option<PathBuf>,
@@ -45,11 +48,11 @@ struct MadeFrom {
 impl MadeFrom {
     fn is_of(&self, document: &Document, theme: Theme) -> bool {
         let figure = document.figure();
-        self.spec == figure.scene
-            && self.theme == theme
+        self.theme == theme
             && self.hidden_lines == figure.style.hidden_lines
             && self.folder.as_deref() == document.folder()
             && self.reach == document.reach()
+            && (self.revision == document.revision() || self.spec == figure.scene)
     }
 }
 
@@ -225,11 +228,17 @@ impl SceneCache {
         patience: Duration,
     ) -> Result<(), SceneError> {
         let figure = document.figure();
-        if !self.reader.is_busy() && self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme)) {
-            return Ok(());
+        let changed = !self.made_from.as_ref().is_some_and(|made| made.is_of(document, theme));
+        if !changed && let Some(made) = &mut self.made_from {
+            // Another number may have come to the same scene.
+            made.revision = document.revision();
+            if !self.reader.is_busy() {
+                return Ok(());
+            }
         }
         let wanted = MadeFrom {
             spec: figure.scene.clone(),
+            revision: document.revision(),
             theme,
             hidden_lines: figure.style.hidden_lines,
             folder: document.folder().map(Path::to_owned),
@@ -237,7 +246,6 @@ impl SceneCache {
         };
         let mut said = Ok(());
         let before = self.made_from.take();
-        let changed = before.as_ref() != Some(&wanted);
         if before.as_ref().is_some_and(|before| (&before.folder, before.reach) != (&wanted.folder, wanted.reach)) {
             // Another folder: other files under the same names. Another reach: other files may be read.
             self.forget_files();

@@ -7,7 +7,7 @@ use glam::{DMat4, DVec3};
 use super::state::{Selected, State};
 use crate::geometry::{Angle, try_unit};
 use crate::numbers::round_to;
-use crate::scene::edit::placements;
+use crate::scene::edit::placement;
 use crate::scene::transform::{Transform, frame, transform, turned};
 use crate::scene::{LightSpec, SceneError, SceneSpec};
 use crate::views::transform_gizmo::Pull;
@@ -58,10 +58,9 @@ impl Movable {
     /// Moved and turned along the axes of the parent of `primary`, scaled along its own.
     fn objects(scene: &SceneSpec, primary: &str, names: BTreeSet<String>, does: Transforming) -> Option<Self> {
         let object = scene.objects.iter().find(|o| o.name == primary)?;
-        let placed = placements(scene).ok()?;
-        let world_from_object = *placed.get(primary)?;
+        let world_from_object = placement(scene, primary).ok()??;
         let world_from_parent = match &object.parent {
-            Some(parent) => *placed.get(parent)?,
+            Some(parent) => placement(scene, parent).ok()??,
             None => DMat4::IDENTITY,
         };
         let (_, of_parent) = frame(&world_from_parent)?;

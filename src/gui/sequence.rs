@@ -81,7 +81,7 @@ pub(super) fn step(state: &mut State, forwards: bool) -> bool {
     state.document.commit();
     let (places, at) = places(state);
     let next = |at: usize| if forwards { Some(at + 1).filter(|next| *next < places.len()) } else { at.checked_sub(1) };
-    let mut fault = None;
+    let mut faults = Vec::new();
     let mut candidate = next(at);
     while let Some(index) = candidate {
         match document_at(state, places[index].as_ref()) {
@@ -92,15 +92,25 @@ pub(super) fn step(state: &mut State, forwards: bool) -> bool {
                 }
                 // Another program may have gone on with the file.
                 state.file_flow.look = true;
-                state.say(fault.unwrap_or(Message::Step { number: index + 1, of: places.len() }));
+                state.say(passed_over(faults).unwrap_or(Message::Step { number: index + 1, of: places.len() }));
                 return true;
             }
-            Err(error) => fault = Some(*error),
+            Err(error) => faults.push(*error),
         }
         candidate = next(index);
     }
-    state.say(fault.unwrap_or(if forwards { Message::LastFigure } else { Message::FirstFigure }));
+    state.say(passed_over(faults).unwrap_or(if forwards { Message::LastFigure } else { Message::FirstFigure }));
     false
+}
+
+/// What is said of files that cannot be opened: why the first cannot, and how many more there are.
+fn passed_over(faults: Vec<Message>) -> Option<Message> {
+    let mut faults = faults.into_iter();
+    let first = faults.next()?;
+    Some(match faults.len() {
+        0 => first,
+        more => Message::AndMore(Box::new(first), more),
+    })
 }
 
 #[cfg(test)]

@@ -103,14 +103,14 @@ fn derived(lang: Lang, quantity: Derived) -> Wording {
         (Lang::En, Derived::Distance) => english("The distance D"),
         (Lang::PtBr, Derived::Distance) => Wording::new("a distância de position a focal_point", "A distância D"),
         (Lang::En, Derived::Window) => english("The view window"),
-        (Lang::PtBr, Derived::Window) => Wording::new("a janela de projeção", "A janela de vista"),
+        (Lang::PtBr, Derived::Window) => Wording::new("a janela de vista", "A janela de vista"),
         (Lang::En, Derived::ViewMatrix) => english("The view matrix"),
-        (Lang::PtBr, Derived::ViewMatrix) => Wording::new("a matriz de visão", "A matriz de vista"),
+        (Lang::PtBr, Derived::ViewMatrix) => Wording::new("a matriz de vista", "A matriz de vista"),
         (Lang::En, Derived::ProjectionMatrix) => english("The projection matrix"),
         (Lang::PtBr, Derived::ProjectionMatrix) => Wording::new("a matriz de projeção", "A matriz de projeção"),
         (Lang::En, Derived::ViewProjectionMatrix) => english("The product of the matrices"),
         (Lang::PtBr, Derived::ViewProjectionMatrix) => {
-            Wording::new("o produto das matrizes de projeção e de visão", "O produto das matrizes")
+            Wording::new("o produto das matrizes de projeção e de vista", "O produto das matrizes")
         }
         (Lang::En, Derived::VolumeCorners) => english("A corner of the view volume"),
         (Lang::PtBr, Derived::VolumeCorners) => {
@@ -300,7 +300,7 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
         }
         (Lang::PtBr, Warning::AspectMismatch { window, image }) => Wording::new(
             format!(
-                "a janela de projeção tem razão de aspecto {window:.6} e a imagem {image:.6}: as formas são esticadas"
+                "a janela de vista tem razão de aspecto {window:.6} e a imagem {image:.6}: as formas são esticadas"
             ),
             format!(
                 "A janela tem aspecto {window} e a imagem {image}: as formas se esticam",

@@ -83,19 +83,19 @@ pub const fn quantity(lang: Lang, quantity: Quantity) -> &'static str {
         (Lang::En, Quantity::VolumeShape) => "shape of the volume",
         (Lang::PtBr, Quantity::VolumeShape) => "forma do volume",
         (Lang::En, Quantity::ViewAngle) => "view angle θ",
-        (Lang::PtBr, Quantity::ViewAngle) => "ângulo de visão θ",
+        (Lang::PtBr, Quantity::ViewAngle) => "ângulo de vista θ",
     }
 }
 
 /// A plain sentence about one quantity of a camera, with the equation of the notes that it comes from.
 #[must_use]
 pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
-    let n = |x: f64| lang.mark().number(x, 3);
+    let n = |x: f64| length(lang, x);
     let perspective = camera.projection() == Projection::Perspective;
     let own = match health.quantity {
         Quantity::VupAngle => vup_angle(lang, health.value),
         Quantity::FarNearRatio if perspective => {
-            let half = 2.0 * camera.far() / (1.0 + camera.far() / camera.near());
+            let half = 2.0 * camera.near() / (1.0 + camera.near() / camera.far());
             let (ratio, half) = (n(health.value), n(half));
             match lang {
                 Lang::En => {
@@ -171,9 +171,18 @@ fn vup_angle(lang: Lang, degrees: f64) -> String {
     }
 }
 
+/// A number with three digits; where an `f64` has none so large, that.
+fn length(lang: Lang, x: f64) -> String {
+    match lang {
+        _ if x < f64::MAX => lang.mark().number(x, 3),
+        Lang::En => "more than 10³⁰⁸".to_owned(),
+        Lang::PtBr => "mais de 10³⁰⁸".to_owned(),
+    }
+}
+
 fn depth_resolution(lang: Lang, camera: &Camera) -> String {
-    let n = |x: f64| lang.mark().number(x, 3);
-    let [at_near, at_focus, at_far] = [camera.near(), camera.distance(), camera.far()].map(|z| n(camera.depth_step(z)));
+    let [at_near, at_focus, at_far] =
+        [camera.near(), camera.distance(), camera.far()].map(|z| length(lang, camera.depth_step(z)));
     match (camera.projection(), lang) {
         (Projection::Perspective, Lang::En) => format!(
             "24 bits of Z (5.25) tell depths d apart that differ by d² (B − F) / (B F 2²⁴): by {at_near} at F, {at_focus} at PF, {at_far} at B."
@@ -300,7 +309,7 @@ fn portuguese(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
             format!("{most}mais perto que o plano da frente, −z_c < F: o recorte elimina o que está ali.")
         }
         Cause::BeyondFar => {
-            format!("{most}mais longe que o plano de trás, −z_c > B: o recorte elimina o que está ali.")
+            format!("{most}mais longe que o plano de fundo, −z_c > B: o recorte elimina o que está ali.")
         }
         Cause::OutsideLeft => format!("{most}à esquerda da janela de vista, x_p < l (5.9)."),
         Cause::OutsideRight => format!("{most}à direita da janela de vista, x_p > r (5.9)."),

@@ -1,5 +1,7 @@
 //! What the command line says, in both languages.
 
+use std::ops::RangeInclusive;
+
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::Lang;
@@ -119,6 +121,44 @@ pub fn in_file(lang: Lang, name: &str, line: Option<usize>, what: &str) -> Strin
     }
 }
 
+/// An argument of `--show` without a value.
+#[must_use]
+pub const fn show_without_value(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "it has no value; allowed: KEY=VALUE, such as stage=clip",
+        Lang::PtBr => "não tem valor; permitido: CHAVE=VALOR, como stage=clip",
+    }
+}
+
+/// The triangle that is to be followed is of an object that the scene has not; with those that it has.
+#[must_use]
+pub fn no_such_object(lang: Lang, object: &str, objects: &[&str]) -> String {
+    const MOST: usize = 12;
+    let mut names: Vec<String> = objects.iter().take(MOST).map(|name| format!("\"{}\"", shown(name))).collect();
+    if objects.len() > MOST {
+        names.push("…".to_owned());
+    }
+    let (object, names) = (shown(object), names.join(", "));
+    match lang {
+        Lang::En => format!("[show] triangle.object is \"{object}\", which the scene does not have; allowed: {names}"),
+        Lang::PtBr => format!("[show] triangle.object é \"{object}\", que a cena não tem; permitido: {names}"),
+    }
+}
+
+/// The triangle that is to be followed is beyond the last one of its object.
+#[must_use]
+pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> String {
+    let object = shown(object);
+    match (lang, count.checked_sub(1)) {
+        (Lang::En, Some(last)) => format!("[show] triangle.index is {index}; allowed for \"{object}\": 0 to {last}"),
+        (Lang::PtBr, Some(last)) => {
+            format!("[show] triangle.index é {index}; permitido para \"{object}\": de 0 a {last}")
+        }
+        (Lang::En, None) => format!("[show] triangle.object is \"{object}\", which has no triangles"),
+        (Lang::PtBr, None) => format!("[show] triangle.object é \"{object}\", que não tem triângulos"),
+    }
+}
+
 /// A text that is not a point; of its parts the one that is not a number, with the reason, if there are three.
 #[must_use]
 pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) -> String {
@@ -156,16 +196,6 @@ pub fn animation_ending(lang: Lang, name: &str) -> String {
                 "{name}: terminação desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)"
             )
         }
-    }
-}
-
-/// A text that is not a step's time.
-#[must_use]
-pub fn step_seconds(lang: Lang, text: &str) -> String {
-    let text = shown(text);
-    match lang {
-        Lang::En => format!("--seconds is \"{text}\"; allowed: 0.1 to 60"),
-        Lang::PtBr => format!("--seconds é \"{text}\"; permitido: 0.1 a 60"),
     }
 }
 
@@ -228,23 +258,17 @@ pub fn size(lang: Lang, text: &str) -> String {
     }
 }
 
-/// A text that is not a scale.
+/// A text that is no number, or one that an option does not take.
 #[must_use]
-pub fn scale(lang: Lang, text: &str) -> String {
-    let text = shown(text);
+pub fn number(lang: Lang, option: &str, text: &str, range: &RangeInclusive<f64>, example: f64) -> String {
+    let (text, least, most) = (shown(text), range.start(), range.end());
     match lang {
-        Lang::En => format!("--scale is \"{text}\"; allowed: a number from 0.1 to 16, such as --scale 2"),
-        Lang::PtBr => format!("--scale é \"{text}\"; permitido: um número de 0.1 a 16, como --scale 2"),
-    }
-}
-
-/// A text that is not a positive number of centimetres, dots or points.
-#[must_use]
-pub fn positive(lang: Lang, option: &str, text: &str) -> String {
-    let text = shown(text);
-    match lang {
-        Lang::En => format!("{option} is \"{text}\"; allowed: a number above 0, such as {option} 9"),
-        Lang::PtBr => format!("{option} é \"{text}\"; permitido: um número acima de 0, como {option} 9"),
+        Lang::En => {
+            format!("{option} is \"{text}\"; allowed: a number from {least} to {most}, such as {option} {example}")
+        }
+        Lang::PtBr => {
+            format!("{option} é \"{text}\"; permitido: um número de {least} a {most}, como {option} {example}")
+        }
     }
 }
 
@@ -255,16 +279,6 @@ pub fn frames(lang: Lang, text: &str) -> String {
     match lang {
         Lang::En => format!("--frames is \"{text}\"; allowed: an integer from 1 to 1000000, such as --frames 100"),
         Lang::PtBr => format!("--frames é \"{text}\"; permitido: um inteiro de 1 a 1000000, como --frames 100"),
-    }
-}
-
-/// A text that is not a number of seconds.
-#[must_use]
-pub fn seconds(lang: Lang, text: &str) -> String {
-    let text = shown(text);
-    match lang {
-        Lang::En => format!("--seconds is \"{text}\"; allowed: a number from 0 to 3600, such as --seconds 20"),
-        Lang::PtBr => format!("--seconds é \"{text}\"; permitido: um número de 0 a 3600, como --seconds 20"),
     }
 }
 
@@ -337,19 +351,36 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
     }
 }
 
-/// A picture that is larger than pictures can be, or a sheet that is too narrow for three.
+/// A sheet on which three pictures have no room beside the gaps between them.
+#[must_use]
+pub fn no_room(lang: Lang, width: u64, height: u64, gap: u32) -> String {
+    match lang {
+        Lang::En => format!(
+            "{width} × {height} pixels have no room for three pictures and the {gap} pixels between two of them, which grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters"
+        ),
+        Lang::PtBr => format!(
+            "em {width} × {height} pixels não cabem três imagens e os {gap} pixels entre duas delas, que crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores"
+        ),
+    }
+}
+
+/// A size on paper that is less than a pixel.
+#[must_use]
+pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> String {
+    let centimetres = shown(centimetres);
+    match lang {
+        Lang::En => format!(
+            "{option} {centimetres} has less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi"
+        ),
+        Lang::PtBr => format!(
+            "{option} {centimetres} tem menos de um pixel a {dpi} pixels por polegada; permitido: {option} ou --dpi maior"
+        ),
+    }
+}
+
+/// A picture that is larger than pictures can be.
 #[must_use]
 pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
-    if width < 11 {
-        return match lang {
-            Lang::En => format!(
-                "--size is {width}x{height}; allowed: a width from 11 pixels on, so that three pictures have room"
-            ),
-            Lang::PtBr => format!(
-                "--size é {width}x{height}; permitido: uma largura a partir de 11 pixels, para que caibam três imagens"
-            ),
-        };
-    }
     match lang {
         Lang::En => format!(
             "the picture would have {width} × {height} pixels (see --size and --scale); allowed: at most {MAX_SIDE} on each side and 134 million in all"

@@ -106,7 +106,7 @@ pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
             "Uma janela ao lado do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."
         }
         (Lang::En, Unknown::Far) => "The far plane is at infinity: B stays as it was.",
-        (Lang::PtBr, Unknown::Far) => "O plano de trás está no infinito: B fica como estava.",
+        (Lang::PtBr, Unknown::Far) => "O plano de fundo está no infinito: B fica como estava.",
         (Lang::En, Unknown::Lens) => "Window, F and B are not in M_v: they stay as they were.",
         (Lang::PtBr, Unknown::Lens) => "Janela, F e B não estão em M_v: ficam como estavam.",
         (Lang::En, Unknown::Pose) => "C, PF and VUP are not in M_p: they stay as they were.",

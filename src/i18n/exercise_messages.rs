@@ -58,6 +58,26 @@ pub fn answered_twice(lang: Lang, name: &str) -> String {
     }
 }
 
+/// A file of a folder that is no exercise, where the others are used.
+#[must_use]
+pub fn passed_over(lang: Lang, why: &str) -> String {
+    match lang {
+        Lang::En => format!("passed over: {why}"),
+        Lang::PtBr => format!("deixado de lado: {why}"),
+    }
+}
+
+/// Why a file was passed over, where others were too.
+#[must_use]
+pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
+    match (lang, more) {
+        (Lang::En, 1) => format!("{why} (and one more file was passed over)"),
+        (Lang::En, _) => format!("{why} (and {more} more files were passed over)"),
+        (Lang::PtBr, 1) => format!("{why} (e mais um arquivo foi deixado de lado)"),
+        (Lang::PtBr, _) => format!("{why} (e mais {more} arquivos foram deixados de lado)"),
+    }
+}
+
 /// An answer without `=`.
 #[must_use]
 pub fn answer_form(lang: Lang, text: &str) -> String {

@@ -3,6 +3,7 @@
 use super::{Lang, exercise_messages, exercises};
 use crate::exercises::{Ask, Exercise, Expected, Kind, Worked};
 use crate::explain::{Line, Notation, Style};
+use crate::formula;
 
 /// Digits of the numbers in worked steps.
 const DIGITS: usize = 6;
@@ -16,26 +17,26 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pic
     let t = exercise_messages::texts(lang);
     let mut text = format!("# {}\n\n{}: ____________________  {}: ____________\n", t.exercises, t.name, t.date);
     for (number, exercise) in sheet.iter().enumerate() {
-        text.push_str(&format!("\n## {}. {}\n\n", number + 1, exercises::exercise_title(lang, exercise)));
+        text.push_str(&format!("\n## {}. {}\n\n", number + 1, of_words(exercises::exercise_title(lang, exercise))));
         for paragraph in exercises::statement(lang, exercise) {
-            text.push_str(&format!("{}\n\n", set(&paragraph)));
+            text.push_str(&format!("{}\n\n", inert(&set(&paragraph))));
         }
         if exercise.figure_to_match().is_some() {
             text.push_str(&format!("![{}]({})\n\n", t.target, picture(number + 1)));
         }
         for assumption in exercises::assumptions(lang, exercise) {
-            text.push_str(&format!("> {}\n>\n", set(&assumption)));
+            text.push_str(&format!("> {}\n>\n", inert(&set(&assumption))));
         }
         for (letter, ask) in ('a'..).zip(&exercise.asks) {
             let (asked, kind) = (exercises::ask(lang, exercise, ask), exercises::kind(lang, ask));
-            text.push_str(&format!("\n**{letter})** {} — *{kind}*\n", set(&asked)));
+            text.push_str(&format!("\n**{letter})** {} — *{}*\n", inert(&set(&asked)), of_words(&kind)));
         }
         text.push_str(&format!("\n<small>{}, {} {}</small>\n", exercise.id, t.seed, exercise.seed));
         if with_answers {
             text.push_str(&format!("\n### {}\n", t.answers));
             let style = Style { notation: Notation::Latex, mark: lang.mark(), digits: DIGITS };
             for ((letter, ask), steps) in ('a'..).zip(&exercise.asks).zip(exercise.new_steps()) {
-                text.push_str(&format!("\n**{letter})** {}\n", answer(lang, ask)));
+                text.push_str(&format!("\n**{letter})** {}\n", of_words(&answer(lang, ask))));
                 for step in &steps {
                     text.push_str(&format!("\n{}\n", set(&exercises::step_heading(lang, exercise, step))));
                     let lines = step.lines(style, true);
@@ -49,7 +50,7 @@ pub fn markdown(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pic
     text
 }
 
-/// A sheet in LaTeX, which compiles with nothing but amsmath, and graphicx where it has pictures.
+/// A sheet in LaTeX, which compiles with nothing but amsmath and amssymb, and graphicx where it has pictures.
 #[must_use]
 pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: PictureOf<'_>) -> String {
     let t = exercise_messages::texts(lang);
@@ -61,7 +62,7 @@ pub fn latex(lang: Lang, sheet: &[Exercise], with_answers: bool, picture: Pictur
     let graphics = if has_pictures { "\\usepackage{graphicx}\n" } else { "" };
     let mut text = format!(
         "\\documentclass[a4paper,11pt]{{article}}\n\\usepackage[T1]{{fontenc}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[{babel}]{{babel}}\n\
-         \\usepackage{{amsmath}}\n{graphics}\\usepackage[margin=2cm]{{geometry}}\n\\allowdisplaybreaks\n\\begin{{document}}\n\\section*{{{}}}\n\
+         \\usepackage{{amsmath,amssymb}}\n{graphics}\\usepackage[margin=2cm]{{geometry}}\n\\allowdisplaybreaks\n\\begin{{document}}\n\\section*{{{}}}\n\
          \\noindent {}: \\underline{{\\hspace{{6cm}}}}\\quad {}: \\underline{{\\hspace{{3cm}}}}\n",
         t.exercises, t.name, t.date
     );
@@ -223,7 +224,9 @@ fn of_markdown(text: &str) -> String {
     let mut latex = String::new();
     for (k, part) in text.split('$').enumerate() {
         if k % 2 == 1 {
-            latex.push_str(&format!("${part}$"));
+            // What LaTeX must not be told is told the reader: nothing but mathematics leaves the words.
+            let is_mathematics = formula::check_one(part).is_ok();
+            latex.push_str(&if is_mathematics { format!("${}$", formula::latex(part)) } else { escaped(part) });
             continue;
         }
         for (k, part) in part.split("**").enumerate() {
@@ -246,6 +249,8 @@ fn escaped(text: &str) -> String {
             '\\' => latex.push_str("\\textbackslash{}"),
             '^' => latex.push_str("\\textasciicircum{}"),
             '~' => latex.push_str("\\textasciitilde{}"),
+            // A command of its own in some languages of LaTeX.
+            '"' => latex.push_str("\\textquotedbl{}"),
             '`' => latex.push('\''),
             '[' | ']' => {
                 latex.push('{');
@@ -255,47 +260,83 @@ fn escaped(text: &str) -> String {
             '…' => latex.push_str("\\dots{}"),
             '“' => latex.push_str("``"),
             '”' => latex.push_str("''"),
+            '‘' => latex.push('`'),
+            '’' => latex.push('\''),
             '–' => latex.push_str("--"),
             '—' => latex.push_str("---"),
-            c => match symbol(c) {
+            // A blank line would end a paragraph where there is none.
+            c if c.is_whitespace() || c.is_control() => latex.push(' '),
+            c => match formula::sign(c) {
                 Some(symbol) => latex.push_str(&format!("${symbol}$")),
-                None => latex.push(c),
+                None if c.is_ascii_graphic() || formula::is_latin(c) => latex.push(c),
+                // LaTeX would stop here.
+                None => latex.push_str(&format!("{{[}}U+{:04X}{{]}}", u32::from(c))),
             },
         }
     }
     latex
 }
 
-/// Signs that stand in statements and that an input encoding does not know.
-fn symbol(c: char) -> Option<&'static str> {
-    Some(match c {
-        'θ' => r"\theta",
-        'φ' => r"\varphi",
-        'α' => r"\alpha",
-        '−' => "-",
-        '×' => r"\times",
-        '·' => r"\cdot",
-        '√' => r"\surd",
-        '⌊' => r"\lfloor",
-        '⌋' => r"\rfloor",
-        '‖' => r"\|",
-        '≤' => r"\le",
-        '≥' => r"\ge",
-        '≠' => r"\ne",
-        '→' => r"\to",
-        '∈' => r"\in",
-        '∞' => r"\infty",
-        '°' => r"{}^{\circ}",
-        '²' => "{}^2",
-        '³' => "{}^3",
-        '⁻' => "{}^-",
-        '¹' => "{}^1",
-        'π' => r"\pi",
-        '±' => r"\pm",
-        'Δ' => r"\Delta",
-        '∥' => r"\parallel",
-        '<' => "<",
-        '>' => ">",
-        _ => return None,
-    })
+/// Markdown that does no more than show its words: no HTML, no links or pictures, which may name files, no commands of TeX outside of
+/// formulas, which some programs hand on.
+fn inert(markdown: &str) -> String {
+    let mut inert = String::with_capacity(markdown.len());
+    for (k, part) in markdown.split('$').enumerate() {
+        if k > 0 {
+            inert.push('$');
+        }
+        let mut chars = part.chars().peekable();
+        while let Some(c) = chars.next() {
+            let next = chars.peek().copied();
+            inert.push(if c.is_control() { ' ' } else { c });
+            match (c, next) {
+                ('<', Some(next)) if next.is_ascii_alphabetic() || "/!?".contains(next) => inert.push(' '),
+                (']', Some('(' | ':')) | ('{', Some('=')) => inert.push(' '),
+                // A backslash already.
+                ('\\', Some('\\')) => inert.extend(chars.next()),
+                ('\\', next) if k % 2 == 0 && next.is_none_or(|c| c.is_ascii_alphanumeric() || "([".contains(c)) => {
+                    inert.push('\\');
+                }
+                _ => {}
+            }
+        }
+    }
+    inert
+}
+
+/// Words as inert Markdown, in which nothing is mathematics.
+fn of_words(text: &str) -> String {
+    text.split('$').map(|part| inert(&part.replace('\\', "\\\\"))).collect::<Vec<_>>().join("\\$")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markdown_of_a_stranger_shows_words_and_does_nothing() {
+        for (text, shown) in [
+            ("<script>alert(1)</script>", "< script>alert(1)< /script>"),
+            ("<!-- x --> a < b, a<2", "< !-- x --> a < b, a<2"),
+            ("![](/etc/passwd) [x](javascript:y)", "![] (/etc/passwd) [x] (javascript:y)"),
+            ("[x]: /etc/passwd", "[x] : /etc/passwd"),
+            ("\\input{/etc/passwd} \\* \\(x\\)", "\\\\input{/etc/passwd} \\* \\\\(x\\)"),
+            ("`x`{=html}", "`x`{ =html}"),
+            ("$\\frac{1}{2}$ and $a<b$", "$\\frac{1}{2}$ and $a< b$"),
+            ("a\u{1b}b", "a b"),
+        ] {
+            assert_eq!(inert(text), shown);
+        }
+        assert_eq!(of_words("5 $ \\input"), "5 \\$ \\\\input");
+    }
+
+    #[test]
+    fn what_is_no_mathematics_is_set_as_words() {
+        assert_eq!(of_markdown("a $\\frac{1}{2}$ b_c"), "a $\\frac{1}{2}$ $b_{c}$");
+        assert_eq!(
+            of_markdown("$\\input{/etc/passwd}$ é “x”, 漢"),
+            "\\textbackslash{}input\\{/etc/passwd\\} é ``x'', {[}U+6F22{]}"
+        );
+        assert_eq!(of_markdown("a\n\nb"), "a  b");
+    }
 }

@@ -57,6 +57,7 @@ texts! {
     own_again_hint: "Its files may have changed since", "Seus arquivos podem ter mudado";
     own_close: "Close the folder", "Fechar a pasta";
     own_close_hint: "Its exercises leave the list; what was done with them is kept", "Seus exercícios saem da lista; o que foi feito com eles fica guardado";
+    own_passed_over: "Passed over in the folder", "Deixados de lado na pasta";
     own_none: "no exercises (files that end with .toml)", "sem exercícios (arquivos que terminam em .toml)";
     progress: "Progress", "Progresso";
     progress_kept_in: "Kept in this file, which you may read, copy or delete:", "Guardado neste arquivo, que você pode ler, copiar ou apagar:";

@@ -83,13 +83,19 @@ pub fn reading(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "readings", name)
 }
 
-/// The name of a choice that was typed by its name or by its word in either language; what was typed, where it is neither.
+/// The name of a choice that was typed by its name or by its word in either language, yes and no also as `inspect` writes them, true and false; what was typed, where it is neither.
 #[must_use]
 pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     let Kind::Choice(choices) = &ask.kind else { return typed };
     let wanted = typed.trim().to_lowercase();
     let is_it = |name: &&String| [Lang::En, Lang::PtBr].iter().any(|lang| choice(*lang, name).to_lowercase() == wanted);
-    choices.iter().find(is_it).map_or(typed, String::as_str)
+    let truth = [("yes", "sim", ["true", "verdadeiro"]), ("no", "não", ["false", "falso"])];
+    let of_truth = |(en, pt_br, words): &(&str, &str, [&str; 2])| {
+        let is_asked = |name: &&String| [en, pt_br].iter().any(|word| word.eq_ignore_ascii_case(name));
+        words.contains(&wanted.as_str()).then(|| choices.iter().find(is_asked)).flatten()
+    };
+    let found = choices.iter().find(is_it).or_else(|| truth.iter().find_map(of_truth));
+    found.map_or(typed, String::as_str)
 }
 
 /// A choice.

@@ -1,9 +1,9 @@
 //! The tab that follows a point.
 
 texts! {
-    no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Adicione um, ou fixe um vértice em uma imagem e aperte Seguir.";
-    add: "Add", "Adicionar";
-    add_hint: "Adds a point, at the vertex that is pointed at or at PF, and follows it", "Adiciona um ponto, no vértice apontado ou em PF, e o segue";
+    no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Acrescente um, ou fixe um vértice em uma imagem e aperte Seguir.";
+    add: "Add", "Acrescentar";
+    add_hint: "Adds a point, at the vertex that is pointed at or at PF, and follows it", "Acrescenta um ponto, no vértice apontado ou em PF, e o segue";
     delete: "Delete", "Excluir";
     delete_hint: "Deletes the point that is followed", "Exclui o ponto seguido";
     too_many: "No more points can be followed: there are 32.", "Não se podem seguir mais pontos: há 32.";

@@ -38,6 +38,15 @@ pub fn not_whole(lang: Lang) -> &'static str {
     }
 }
 
+/// A field is full.
+#[must_use]
+pub fn at_most_characters(lang: Lang, most: usize) -> String {
+    match lang {
+        Lang::En => format!("at most {most} characters"),
+        Lang::PtBr => format!("no máximo {most} caracteres"),
+    }
+}
+
 /// A number is outside a range, which may be that of all numbers greater than 0.
 #[must_use]
 pub fn outside(lang: Lang, low: f64, high: f64) -> String {

@@ -8,6 +8,8 @@ use super::toml_complaints;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
 use crate::foreign::shown;
+use crate::formula::{FormulaError, FormulaProblem};
+use crate::limits::MAX_FORMULA;
 
 /// Why a text is not a figure: line, key, what was found, what is allowed.
 #[must_use]
@@ -20,12 +22,15 @@ pub fn figure(lang: Lang, error: &FigureError) -> String {
 }
 
 /// The same of a text that stands in no file.
-pub(super) fn without_line(lang: Lang, error: &FigureError) -> String {
+pub fn without_line(lang: Lang, error: &FigureError) -> String {
     let FigureError { key, problem, .. } = error;
     let what = self::problem(lang, problem);
     match problem {
-        // These name the keys themselves.
-        Problem::Camera(_) => format!("[camera] {what}"),
+        // These name the keys themselves: of ours the section is enough.
+        Problem::Camera(_) => {
+            let section = key.split_inclusive(']').next().filter(|label| label.ends_with(']')).unwrap_or("[camera]");
+            format!("{section} {what}")
+        }
         Problem::NotUtf8 { .. }
         | Problem::TooLarge { .. }
         | Problem::Syntax { .. }
@@ -35,6 +40,7 @@ pub(super) fn without_line(lang: Lang, error: &FigureError) -> String {
         | Problem::Value { .. }
         | Problem::Expression { .. }
         | Problem::Missing { .. }
+        | Problem::Formula(_)
         | Problem::Scene { .. } => {
             let key = if key.is_empty() { String::new() } else { format!("{key} ") };
             format!("{key}{what}")
@@ -100,9 +106,55 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
                 Lang::PtBr => format!("está faltando; necessário: {allowed}"),
             }
         }
+        Problem::Formula(error) => formula(lang, error),
         Problem::Scene { error, near } => scene_wording(lang, error).full + &meant(lang, near.as_deref()),
         Problem::Camera(error) => camera(lang, error),
     }
+}
+
+/// Why a formula of a text is refused.
+fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> String {
+    let (limit, depth) = MAX_FORMULA;
+    let why = match (lang, problem) {
+        (Lang::En, FormulaProblem::Open) => "no dollar sign ends it".to_owned(),
+        (Lang::PtBr, FormulaProblem::Open) => "nenhum cifrão a fecha".to_owned(),
+        (Lang::En, FormulaProblem::Empty) => "nothing is in it".to_owned(),
+        (Lang::PtBr, FormulaProblem::Empty) => "não há nada nela".to_owned(),
+        (Lang::En, FormulaProblem::Word(word)) => format!("{} is no word of mathematics", shown(word)),
+        (Lang::PtBr, FormulaProblem::Word(word)) => format!("{} não é uma palavra da matemática", shown(word)),
+        (Lang::En, FormulaProblem::Environment(name)) => {
+            format!("the environment {} is none of mathematics", shown(name))
+        }
+        (Lang::PtBr, FormulaProblem::Environment(name)) => {
+            format!("o ambiente {} não é da matemática", shown(name))
+        }
+        (Lang::En, FormulaProblem::Character('\n')) => "a blank line is in it".to_owned(),
+        (Lang::PtBr, FormulaProblem::Character('\n')) => "há uma linha em branco nela".to_owned(),
+        (Lang::En, FormulaProblem::Character(c)) => format!("the character {} is not allowed there", named(*c)),
+        (Lang::PtBr, FormulaProblem::Character(c)) => format!("o caractere {} não é permitido ali", named(*c)),
+        (Lang::En, FormulaProblem::Unbalanced(what)) => format!("{} has no other half", shown(what)),
+        (Lang::PtBr, FormulaProblem::Unbalanced(what)) => format!("{} não tem a outra metade", shown(what)),
+        (Lang::En, FormulaProblem::TooLong) => {
+            format!("it has more than {limit} characters, or more than {depth} pairs of braces in each other")
+        }
+        (Lang::PtBr, FormulaProblem::TooLong) => {
+            format!("tem mais de {limit} caracteres, ou mais de {depth} pares de chaves um no outro")
+        }
+    };
+    let formula = shown(formula);
+    match lang {
+        Lang::En => format!(
+            "has the formula \"${formula}$\": {why}; allowed between dollar signs: mathematics in LaTeX, such as \\frac{{1}}{{2}} and \\theta, and no dollar sign elsewhere"
+        ),
+        Lang::PtBr => format!(
+            "tem a fórmula \"${formula}$\": {why}; permitido entre cifrões: matemática em LaTeX, como \\frac{{1}}{{2}} e \\theta, e nenhum cifrão em outro lugar"
+        ),
+    }
+}
+
+/// A character with its number, so that one that looks like another is told apart.
+fn named(c: char) -> String {
+    format!("{} (U+{:04X})", shown(&c.to_string()), u32::from(c))
 }
 
 /// The TOML parser speaks English; its common complaints are known, others stay as they are.
@@ -175,9 +227,28 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::PtBr => "um texto entre aspas, não vazio".to_owned(),
         },
         Allowed::Word { words, near } => {
-            let words: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
-            format!("{}{}", words.join(", "), meant(lang, near.as_deref()))
+            format!("{}{}", quoted(words), meant(lang, near.as_deref()))
         }
+        Allowed::Words(words) => match lang {
+            Lang::En => format!("a list of {}", quoted(words)),
+            Lang::PtBr => format!("uma lista de {}", quoted(words)),
+        },
+        Allowed::TomlValue => match lang {
+            Lang::En => "a TOML value, such as \"clip\", 0.4, [1, 2, 3] or { way = \"notes\", at = 2.5 }".to_owned(),
+            Lang::PtBr => "um valor de TOML, como \"clip\", 0.4, [1, 2, 3] ou { way = \"notes\", at = 2.5 }".to_owned(),
+        },
+        Allowed::Pair => match lang {
+            Lang::En => "[x, y], two numbers".to_owned(),
+            Lang::PtBr => "[x, y], dois números".to_owned(),
+        },
+        Allowed::Pixel => match lang {
+            Lang::En => "[i, j], two whole numbers".to_owned(),
+            Lang::PtBr => "[i, j], dois números inteiros".to_owned(),
+        },
+        Allowed::Matrix => match lang {
+            Lang::En => "[[…], […], […], […]], four rows of four numbers".to_owned(),
+            Lang::PtBr => "[[…], […], […], […]], quatro linhas de quatro números".to_owned(),
+        },
         Allowed::Told | Allowed::ToldList | Allowed::Texts | Allowed::Name { .. } | Allowed::FreeName => {
             allowed_text(lang, allowed)
         }
@@ -225,6 +296,10 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::PtBr => "seções entre colchetes duplos, ou uma lista de tabelas em linha".to_owned(),
         },
     }
+}
+
+fn quoted(words: &[&str]) -> String {
+    words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")
 }
 
 /// What may stand where texts are asked for.

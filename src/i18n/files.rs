@@ -1,13 +1,26 @@
 //! Why files cannot be used, in both languages.
 
+use std::path::Path;
+
 use super::Lang;
 use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
 use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
+use crate::foreign;
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
 use crate::scene::ReadProblem;
-use crate::share::ShareError;
+use crate::share::{self, ShareError};
+
+/// How a figure is called that is opened: by its path, or as that of a link, which is long and says nothing to people.
+#[must_use]
+pub fn opened(lang: Lang, path: &Path) -> String {
+    match lang {
+        _ if share::link_of(path).is_none() => foreign::path(path),
+        Lang::En => "the figure in the link".to_owned(),
+        Lang::PtBr => "a figura no link".to_owned(),
+    }
+}
 
 /// Why the file called `name` cannot be used.
 #[must_use]

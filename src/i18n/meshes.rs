@@ -2,6 +2,7 @@
 
 use super::Lang;
 use super::unreadable::unreadable;
+use crate::limits::MAX_OBJECTS;
 use crate::scene::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
 
 /// Why a mesh file cannot be used. In English it is the error's own words.
@@ -15,6 +16,9 @@ pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
         (Lang::PtBr, MeshError::Cancelled) => "a leitura foi cancelada".to_owned(),
         (Lang::PtBr, MeshError::Empty) => "não há nenhuma face nele".to_owned(),
         (Lang::PtBr, MeshError::TooLarge) => "ele tem vértices demais".to_owned(),
+        (Lang::PtBr, MeshError::TooManyObjects) => {
+            format!("ele tem mais de {MAX_OBJECTS} objetos; permitido: no máximo isso")
+        }
         (Lang::PtBr, MeshError::Obj { line, fault }) => format!("linha {line}: {}", obj_in_portuguese(fault)),
         (Lang::PtBr, MeshError::Json { line, column, fault }) => {
             format!("linha {line}, coluna {column}: {}", json_in_portuguese(fault))

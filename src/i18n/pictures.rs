@@ -58,7 +58,7 @@ texts! {
     pers: "M_{pers}: depth, and division by −z", "M_pers: profundidade e divisão por −z";
     xy_scale: "M_{xyscale}: width and height become 2", "M_xyscale: largura e altura viram 2";
     unit_slope: "S_{xy} (1-10): the sides become x = ±z, y = ±z", "S_xy (1-10): os lados viram x = ±z, y = ±z";
-    unit_depth: "S_z (1-12): the far plane comes to z = 1", "S_z (1-12): o plano de trás vai a z = 1";
+    unit_depth: "S_z (1-12): the far plane comes to z = 1", "S_z (1-12): o plano de fundo vai a z = 1";
     canonical_box: "M_P (1-17), k = F/B: the frustum becomes the box", "M_P (1-17), k = F/B: o tronco vira a caixa";
     near_to_origin: "T_{ort} (1-7): the near plane comes to z = 0", "T_ort (1-7): o plano da frente vai a z = 0";
     scale_ort: "S_{ort} (1-7): the box becomes the canonical one", "S_ort (1-7): a caixa vira a canônica";

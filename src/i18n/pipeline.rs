@@ -18,7 +18,7 @@ pub const fn stage(lang: Lang, stage: Stage) -> &'static str {
         (Lang::En, Stage::Light) => "lighting",
         (Lang::PtBr, Stage::Light) => "iluminação",
         (Lang::En, Stage::Transform) => "view transform",
-        (Lang::PtBr, Stage::Transform) => "transf. de visão",
+        (Lang::PtBr, Stage::Transform) => "transf. de vista",
         (Lang::En, Stage::CullFaces) => "back faces",
         (Lang::PtBr, Stage::CullFaces) => "faces de trás",
         (Lang::En | Lang::PtBr, Stage::Clip) => match lang {
@@ -81,13 +81,13 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
             "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1"
         }
         (Lang::PtBr, Stage::CullObjects) => {
-            "Descarta os objetos cuja caixa envolvente está fora de um plano do volume de visão. [3] §1.1"
+            "Descarta os objetos cuja caixa envolvente está fora de um plano do volume de vista. [3] §1.1"
         }
         (Lang::En, Stage::Normals) => {
             "Takes the normals of vertices to view space, for the light. [3] §1.8; §1.1, step 2"
         }
         (Lang::PtBr, Stage::Normals) => {
-            "Leva as normais dos vértices ao espaço de visão, para a luz. [3] §1.8; §1.1, passo 2"
+            "Leva as normais dos vértices ao espaço de vista, para a luz. [3] §1.8; §1.1, passo 2"
         }
         (Lang::En, Stage::Light) => {
             "The reflection model: ambient, diffuse and specular light. [2]; [3] §1.8; §1.1, step 2"
@@ -97,7 +97,7 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         }
         (Lang::En, Stage::Transform) => "World → view, each vertex of the faces once. [0] Eq. (5.7); [3] §1.1, step 3",
         (Lang::PtBr, Stage::Transform) => {
-            "Mundo → visão, cada vértice das faces uma vez. [0] Eq. (5.7); [3] §1.1, passo 3"
+            "Mundo → vista, cada vértice das faces uma vez. [0] Eq. (5.7); [3] §1.1, passo 3"
         }
         (Lang::En, Stage::CullFaces) => "Drops faces that turn their back to the eye. [3] §1.1, step 4",
         (Lang::PtBr, Stage::CullFaces) => "Descarta as faces que dão as costas ao olho. [3] §1.1, passo 4",

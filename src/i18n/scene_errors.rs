@@ -5,7 +5,7 @@ use super::meshes::mesh;
 use super::unreadable::read_problem;
 use super::wording::Wording;
 use crate::foreign::shown;
-use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::scene::{MeshError, SceneError, chain_text};
 
 /// Why the objects and lights of a figure make no scene; names the object and the key.
@@ -19,7 +19,7 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
         | SceneError::NotFinite { name, .. }
         | SceneError::ZeroScale { name }
         | SceneError::Segments { name, .. } => format!("[[scene.objects]] \"{}\": {key} {why}", shown(name)),
-        SceneError::TooManyLights { .. } => format!("[scene] {key} {why}"),
+        SceneError::TooManyLights { .. } | SceneError::TooManyObjects => format!("[scene] {key} {why}"),
         SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
     }
 }
@@ -72,6 +72,11 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             let (path, why) = (shown(path), after_path(lang, &shown(path), error));
             Wording::new(format!("\"{path}\"{why}"), format!("{path}{why}"))
         }
+        (Lang::En, SceneError::TooManyObjects) => english(&format!("at most {MAX_OBJECTS} objects")),
+        (Lang::PtBr, SceneError::TooManyObjects) => Wording::new(
+            format!("são mais de {MAX_OBJECTS}, com os de suas malhas; permitido: no máximo isso"),
+            format!("no máximo {MAX_OBJECTS} objetos"),
+        ),
         (Lang::En, SceneError::TooManyLights { .. }) => english(&format!("at most {MAX_LIGHTS} lights")),
         (Lang::PtBr, SceneError::TooManyLights { found }) => Wording::new(
             format!("são {found}; permitido: no máximo {MAX_LIGHTS}"),

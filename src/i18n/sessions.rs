@@ -26,12 +26,43 @@ pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
     }
 }
 
-/// What this window shows is not written down; `why` is a sentence with the name of the file.
+/// What cannot be kept: what this window shows, preferences, progress with exercises; `why` is a sentence with the name of the file.
 #[must_use]
-pub fn not_written(lang: Lang, why: &str) -> String {
+pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
+    let not_remembered = match (lang, preferences, progress) {
+        (_, false, false) => "",
+        (Lang::En, true, false) => "Preferences are not remembered",
+        (Lang::En, false, true) => "Progress with exercises is not remembered",
+        (Lang::En, true, true) => "Preferences and progress with exercises are not remembered",
+        (Lang::PtBr, true, false) => "As preferências não são lembradas",
+        (Lang::PtBr, false, true) => "O progresso nos exercícios não é lembrado",
+        (Lang::PtBr, true, true) => "As preferências e o progresso nos exercícios não são lembrados",
+    };
+    match (lang, session, not_remembered) {
+        (_, false, _) => format!("{not_remembered}: {why}"),
+        (Lang::En, true, "") => {
+            format!("Changes of this window would be lost in a crash: {why}. It is tried again.")
+        }
+        (Lang::En, true, _) => format!("{not_remembered}, and changes of this window would be lost in a crash: {why}"),
+        (Lang::PtBr, true, "") => {
+            format!("Mudanças desta janela se perderiam em uma queda: {why}. Tenta-se de novo.")
+        }
+        (Lang::PtBr, true, _) => {
+            format!("{not_remembered}, e mudanças desta janela se perderiam em uma queda: {why}")
+        }
+    }
+}
+
+/// Nothing can be kept, because the system names no folder for it.
+#[must_use]
+pub const fn no_home(lang: Lang) -> &'static str {
     match lang {
-        Lang::En => format!("Changes of this window would be lost in a crash: {why}. It is tried again."),
-        Lang::PtBr => format!("Mudanças desta janela se perderiam em uma queda: {why}. Tenta-se de novo."),
+        Lang::En => {
+            "Preferences and progress are not remembered, and changes would be lost in a crash: your account has no home folder"
+        }
+        Lang::PtBr => {
+            "Preferências e progresso não são lembrados, e mudanças se perderiam em uma queda: sua conta não tem pasta pessoal"
+        }
     }
 }
 
@@ -59,15 +90,6 @@ pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
     }
 }
 
-/// The preferences are not written down; `why` is a sentence with the name of the file.
-#[must_use]
-pub fn preferences_not_written(lang: Lang, why: &str) -> String {
-    match lang {
-        Lang::En => format!("Preferences are not remembered: {why}"),
-        Lang::PtBr => format!("As preferências não são lembradas: {why}"),
-    }
-}
-
 /// What is kept of exercises cannot be understood; it is in the file at `path` now.
 #[must_use]
 pub fn progress_set_aside(lang: Lang, path: &str) -> String {
@@ -81,12 +103,12 @@ pub fn progress_set_aside(lang: Lang, path: &str) -> String {
     }
 }
 
-/// What is kept of exercises is not written down; `why` is a sentence with the name of the file.
+/// Of several files that were dropped at once, only the first was taken.
 #[must_use]
-pub fn progress_not_written(lang: Lang, why: &str) -> String {
+pub fn first_of_dropped(lang: Lang, path: &str, count: usize) -> String {
     match lang {
-        Lang::En => format!("Progress with exercises is not remembered: {why}"),
-        Lang::PtBr => format!("O progresso nos exercícios não é lembrado: {why}"),
+        Lang::En => format!("Of {count} files, the window takes one: {path}"),
+        Lang::PtBr => format!("De {count} arquivos, a janela recebe um: {path}"),
     }
 }
 

@@ -1,6 +1,6 @@
 //! One triangle step by step, in the tab of stages.
 
-use crate::views::TriangleStep;
+use crate::figure::TriangleStep;
 
 texts! {
     heading: "One triangle, step by step", "Um triângulo, passo a passo";
@@ -11,7 +11,7 @@ texts! {
     release: "No triangle any more (Esc)", "Mais nenhum triângulo (Esc)";
     next: "Next step", "Próximo passo";
     previous: "Step before", "Passo anterior";
-    step_view: "local → world → view", "local → mundo → visão";
+    step_view: "local → world → view", "local → mundo → vista";
     step_facing: "front or back", "frente ou costas";
     step_outcodes: "clip coordinates, outcodes", "coordenadas de recorte, outcodes";
     step_cuts: "cuts", "cortes";
@@ -21,7 +21,7 @@ texts! {
     step_depth: "depth test", "teste de profundidade";
     local: "local", "local";
     world: "world", "mundo";
-    view: "view", "visão";
+    view: "view", "vista";
     is_front: "N · (C − a) > 0: its front is seen", "N · (C − a) > 0: vê-se a frente";
     is_back: "N · (C − a) ≤ 0: it turns its back; culled where the object is closed or one-sided", "N · (C − a) ≤ 0: dá as costas; descartado onde o objeto é fechado ou de um lado só";
     inside: "inside of all planes: 000000", "dentro de todos os planos: 000000";

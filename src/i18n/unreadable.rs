@@ -5,7 +5,7 @@ use std::io;
 
 use super::Lang;
 use crate::limits::MAX_SCENE_BYTES;
-use crate::scene::{NamedBy, ReadError, ReadProblem, system_kind};
+use crate::scene::{NamedBy, ReadError, ReadProblem, is_loop, system_kind};
 
 /// Why a file that a scene names cannot be read.
 pub(super) fn unreadable(lang: Lang, error: &ReadError) -> String {
@@ -31,6 +31,9 @@ pub(super) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
             format!(
                 "não foi lido, porque {who} o indica e ele está em outro lugar; permitido: arquivos em {folder} e abaixo, ou quaisquer com --allow-files (na janela: o botão ao lado do caminho)"
             )
+        }
+        (Lang::PtBr, ReadProblem::NoFolder) => {
+            "não foi lido, porque o indica uma figura sem pasta, como num link; permitido: malhas do programa, ou qualquer arquivo com --allow-files (na janela: o botão ao lado do caminho)".to_owned()
         }
         (Lang::PtBr, ReadProblem::Budget) => {
             let mib = MAX_SCENE_BYTES >> 20;
@@ -75,6 +78,7 @@ pub(super) fn system_in_portuguese(kind: io::ErrorKind, code: Option<i32>) -> Co
         io::ErrorKind::Unsupported => {
             "uma página no navegador não vê pastas; escolha o arquivo nela, ou solte-o sobre a página"
         }
+        _ if is_loop(code) => "seus links levam em círculo",
         _ => match code {
             Some(code) => return format!("o sistema recusa, com o erro {code}").into(),
             None => "o sistema recusa",

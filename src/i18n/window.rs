@@ -37,6 +37,8 @@ texts! {
     language_hint: "Mudar para português", "Switch to English";
     theme: "Dark theme", "Tema escuro";
     theme_hint: "Light or dark ground of the window; the figure stays as it is", "Fundo claro ou escuro da janela; a figura fica como está";
+    save_explained: "Save what is explained", "Salvar o que se explica";
+    save_explained_hint: "Keeps the stage, the steps, the triangle, what is measured and what is pinned in the saved figure", "Guarda na figura salva a etapa, os passos, o triângulo, o que se mede e o que está fixado";
     reduce_motion: "Reduce motion", "Reduzir movimento";
     reduce_motion_hint: "What would move or fade is at its end at once", "O que se moveria ou sumiria aos poucos chega logo ao fim";
     presentation: "Presentation", "Apresentação";
@@ -222,7 +224,7 @@ texts! {
     // What the world shows.
     in_world: "In the world", "No mundo";
     window_opacity: "painted window", "janela pintada";
-    window_opacity_hint: "How opaque the image on the view window is. Automatic: opaque, but faint where it would hide much of the scene", "Quão opaca é a imagem na janela de projeção. Automática: opaca, mas fraca onde esconderia muito da cena";
+    window_opacity_hint: "How opaque the image on the view window is. Automatic: opaque, but faint where it would hide much of the scene", "Quão opaca é a imagem na janela de vista. Automática: opaca, mas fraca onde esconderia muito da cena";
     opacity_automatic: "automatic", "automática";
     dimensions: "Dimensions", "Cotas";
     dimensions_hint: "F, B, D, W, H and θ/2 as dimension lines. Point at a parameter to see its own", "F, B, D, W, H e θ/2 como linhas de cota. Aponte para um parâmetro para ver a dele";
@@ -304,6 +306,7 @@ texts! {
     close_now: "Close without it", "Fechar sem ela";
     export_cancelled: "Cancelled; nothing was written to", "Cancelado; nada foi gravado em";
     picture_failed: "A fault of this program kept the picture from being written:", "Uma falha deste programa impediu que a imagem fosse gravada:";
+    picture_no_room: "Three pictures have no room on a sheet of this size; allowed: a larger one, or smaller letters.", "Três imagens não cabem numa folha deste tamanho; permitido: uma maior, ou letras menores.";
     picture_too_large: "There is no memory for a picture of this size.", "Não há memória para uma imagem deste tamanho.";
     export_heading: "Export pictures", "Exportar imagens";
     export_what: "pictures", "imagens";

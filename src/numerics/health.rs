@@ -126,6 +126,8 @@ pub fn health(camera: &Camera, image: ImageSize, bounds: Option<Aabb>) -> Vec<He
     let line = |quantity| {
         let warnings: Vec<Warning> = warnings.iter().filter(|w| Quantity::of(w) == quantity).cloned().collect();
         let (value, level) = judged(quantity, camera);
+        // JSON has no infinity; the greatest number says as much.
+        let value = value.min(f64::MAX);
         let level = if warnings.is_empty() { level } else { level.max(Level::Fair) };
         let repair = (level > Level::Good).then(|| repaired(quantity, camera, image, bounds, &warnings)).flatten();
         Health { quantity, level, value, warnings, repair: repair.filter(|p| Camera::new(p).is_ok()) }
@@ -201,7 +203,9 @@ pub fn volume_sides(camera: &Camera) -> [f64; 3] {
         Projection::Perspective => f64::midpoint(1.0, far / near),
         Projection::Parallel => 1.0,
     };
-    [camera.window_width() * scale, camera.window_height() * scale, far - near]
+    // What an `f64` has no number for is as large as it can say.
+    let scale = scale.min(f64::MAX);
+    [camera.window_width() * scale, camera.window_height() * scale, far - near].map(|side: f64| side.min(f64::MAX))
 }
 
 /// F and B that hold a scene closely; where it reaches behind the eye, F is a thousandth of B.

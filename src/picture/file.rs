@@ -1,6 +1,6 @@
 //! Pictures as files, in the format that is asked for.
 
-use super::{Picture, Renderer, Sheet};
+use super::{NoSheet, Picture, Renderer, Sheet};
 use crate::camera::Ndc;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
@@ -16,6 +16,9 @@ pub enum PictureError {
     /// A side is 0, or there is no memory for so many pixels.
     #[error("there is no memory for a picture of this size")]
     TooLarge,
+    /// There is no sheet.
+    #[error(transparent)]
+    Sheet(#[from] NoSheet),
     /// It is not wanted any more.
     #[error("cancelled")]
     Cancelled,
@@ -104,6 +107,6 @@ pub async fn file(sheet: &Sheet, form: Form, figure: &str, progress: &Progress) 
 /// In which convention of NDC the canonical volume is, where it is shown in another one than that of the notes.
 fn convention(sheet: &Sheet) -> Option<String> {
     let request = sheet.requests.iter().find(|request| request.view == View::Canonical)?;
-    let ndc = request.camera.possible_clip_space(request.ndc).ndc();
+    let ndc = request.camera.possible_clip_space(request.shot.ndc).ndc();
     (ndc != Ndc::default()).then(|| format!("NDC: {}", request.labels.ndc_title(ndc)))
 }

@@ -5,10 +5,11 @@ use std::path::Path;
 use super::{Form, Picture, PictureError, PictureFile, Renderer, Sheet, file, gap};
 use crate::appearance::Rgba;
 use crate::camera::Decomposition;
-use crate::export::animation::{AnimationFormat, TICK, animation};
+use crate::export::animation::{AnimationError, AnimationFormat, TICK, animation};
 use crate::export::format::PictureFormat;
+use crate::figure::ShownStep;
 use crate::progress::{Doing, Progress};
-use crate::views::{Arrangement, Normalizing, Palette, Request, View};
+use crate::views::{Arrangement, Palette, Request};
 
 /// A way, and how it is shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,15 +54,15 @@ impl Film {
     /// The picture after so many steps, of which the last may be under way.
     #[must_use]
     pub fn at(&self, time: f64) -> Request {
-        let normalizing = Some(Normalizing { decomposition: self.decomposition, time });
-        Request { view: View::Canonical, normalizing, ..self.request.clone() }
+        let step = ShownStep { way: self.decomposition, at: Some(time) };
+        self.request.clone().with_shot(|shot| shot.show.step = Some(step))
     }
 
     /// The world and what is left after each step, side by side.
     #[must_use]
     pub fn stills(&self) -> Sheet {
         let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();
-        let ground: Rgba = Palette::of(self.request.look.style.theme).surround;
+        let ground: Rgba = Palette::of(self.request.shot.look.style.theme).surround;
         Sheet { requests, arrangement: Arrangement::Row, gap: gap(self.request.size.scale), ground, crowded: None }
     }
 
@@ -108,19 +109,19 @@ impl Film {
             let time = f64::from(picture / per_step) + eased(f64::from(picture % per_step) / f64::from(per_step));
             let still = picture % per_step == 0;
             if progress.is_cancelled() {
-                return Err(String::new());
+                return None;
             }
             let drawn: Option<Picture> = renderer.pixels(&self.at(time));
-            let pixmap = drawn.and_then(|mut picture| picture.take_pixmap()).ok_or_else(String::new)?;
+            let pixmap = drawn.and_then(|mut picture| picture.take_pixmap())?;
             progress.advance_and_pause(1).await;
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "about a second")]
             let ticks = if still { REST / TICK } else { 1.0 / f64::from(PER_SECOND) / TICK }.round() as u16;
-            Ok((pixmap, ticks))
+            Some((pixmap, ticks))
         });
-        made.await.map_err(|why| match why.as_str() {
-            "" if progress.is_cancelled() => PictureError::Cancelled,
-            "" => PictureError::TooLarge,
-            _ => PictureError::Animate { format, why },
+        made.await.map_err(|error| match error {
+            AnimationError::NoPicture if progress.is_cancelled() => PictureError::Cancelled,
+            AnimationError::NoPicture => PictureError::TooLarge,
+            AnimationError::Encode(why) => PictureError::Animate { format, why },
         })
     }
 }

@@ -20,8 +20,8 @@ pub use account::Account;
 pub use file::{Form, PictureError, PictureFile, assembled, file};
 pub use film::{Film, FilmFormat};
 pub use renderer::Renderer;
-pub use sheet::{Crowded, OnPaper, Sheet, gap};
-pub use triangle::{Tested, TrianglePixels};
+pub use sheet::{Crowded, NoSheet, OnPaper, Sheet, gap};
+pub use triangle::{FollowedTriangle, Tested, TrianglePixels};
 
 /// A finished picture; without pixels until something has been drawn on it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

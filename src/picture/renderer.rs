@@ -5,9 +5,8 @@ use std::time::Duration;
 
 use tiny_skia::Pixmap;
 
-use super::{Account, Picture, Sheet};
+use super::{Account, FollowedTriangle, Picture, Sheet};
 use crate::appearance::Texture;
-use crate::drawing::Surface;
 use crate::pipeline::{Frame, TooMuch};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
@@ -24,6 +23,7 @@ pub struct Renderer {
     window_pipeline: TimedPipeline,
     rasterizer: Rasterizer,
     on_window: Option<(Request, Arc<Texture>)>,
+    triangle: FollowedTriangle,
     clock: Option<fn() -> Duration>,
     progress: Progress,
 }
@@ -66,8 +66,6 @@ impl Renderer {
         let mut pixmap = picture.take_pixmap().or_else(|| Pixmap::new(1, 1))?;
         self.rasterizer.measure(self.clock);
         let mut frame = frame;
-        // What only shows a stage is not counted.
-        let tinted = frame.drawing.surfaces.split_off(frame.drawing.surfaces.len() - frame.tinted());
         let painted = self.rasterizer.paint_into(&frame.drawing, &mut pixmap).await;
         if !painted || self.progress.is_cancelled() {
             return None;
@@ -77,16 +75,16 @@ impl Renderer {
             Some(_) => Account::of(&frame, work, on_window, total),
             None => Account { too_much: frame.too_much.take(), ..Account::default() },
         };
-        self.show_stage(&mut frame, tinted, &mut pixmap)?;
+        self.show_stage(&mut frame, &mut pixmap)?;
         *picture = pixmap.into();
         self.pipelines[request.view.index()].stages.recycle(frame.drawing);
         Some(account)
     }
 
     /// Paints what shows a stage: faces over the picture, or the half before it. `None` where there is no memory for it.
-    fn show_stage(&mut self, frame: &mut Frame, tinted: Vec<Surface>, pixmap: &mut Pixmap) -> Option<()> {
-        if !tinted.is_empty() {
-            frame.drawing.surfaces.extend(tinted);
+    fn show_stage(&mut self, frame: &mut Frame, pixmap: &mut Pixmap) -> Option<()> {
+        if !frame.dropped_faces.is_empty() {
+            frame.drawing.surfaces.append(&mut frame.dropped_faces);
             *pixmap = self.rasterizer.paint(&frame.drawing)?;
         }
         if let Some(before) = &frame.before {
@@ -129,6 +127,8 @@ impl Renderer {
             }
             View::Canonical | View::Image => (None, None),
         };
+        let followed = self.triangle.overlay(request).map(|found| Request { triangle: Some(found), ..request.clone() });
+        let request = followed.as_ref().unwrap_or(request);
         let pipeline = &mut self.pipelines[request.view.index()];
         pipeline.clock = self.clock;
         Some((views::frame(request, on_window.as_ref(), pipeline), time))
@@ -177,7 +177,7 @@ mod tests {
     use crate::i18n::{Lang, pictures};
     use crate::pipeline::{Output, Reason, Stage};
     use crate::scene::no_files;
-    use crate::views::{Overlays, SharedScene, Size, Views};
+    use crate::views::{Finish, SharedScene, Shot, Size, Views};
 
     /// Three boxes through one another, with some glass: a BSP tree splits them into more than fifty pieces.
     fn request(view: View, visibility: &str) -> Request {
@@ -211,10 +211,8 @@ mod tests {
     fn what_is_too_much_to_be_split_is_left_to_the_depth_buffer_and_said() {
         for view in View::ALL {
             let (split, tested) = (request(view, "bsp"), request(view, "depth-buffer"));
-            let bare = |request: &Request| Request {
-                overlays: Overlays { bare: true, ..Overlays::default() },
-                ..request.clone()
-            };
+            let bare =
+                |request: &Request| Request { finish: Finish { bare: true, ..Finish::default() }, ..request.clone() };
             let mut renderer = with_few_pieces();
             renderer.measure(Some(clock::now));
             let mut picture = Picture::default();
@@ -244,9 +242,9 @@ mod tests {
         let request =
             Request { size: Size { width: 720, height: 200, scale: 1.0 }, ..request(View::Image, "depth-buffer") };
         let sheet = |transparent| {
-            let overlays = Overlays { transparent, ..Overlays::default() };
-            let request = Request { overlays, ..request.clone() };
-            Sheet::of(Views::All, &request, &Default::default(), None).unwrap()
+            let finish = Finish { transparent, ..Finish::default() };
+            let request = Request { finish, ..request.clone() };
+            Sheet::of(Views::All, &request, &Shot::default(), None).unwrap()
         };
         let (whole, _) = at_once(Renderer::default().sheet(&sheet(false), false)).unwrap();
         let (clear, _) = at_once(Renderer::default().sheet(&sheet(true), false)).unwrap();
@@ -271,8 +269,8 @@ mod tests {
         for view in View::ALL {
             let request = request(view, "depth-buffer");
             let of = |stroke_factor| {
-                let overlays = Overlays { stroke_factor, ..Overlays::default() };
-                Renderer::default().drawing(&Request { overlays, ..request.clone() }).unwrap().drawing
+                let finish = Finish { stroke_factor, ..Finish::default() };
+                Renderer::default().drawing(&Request { finish, ..request.clone() }).unwrap().drawing
             };
             let (plain, same, mut wide) = (of(None), of(Some(1.0)), of(Some(2.5)));
             assert!(plain == same && !plain.strokes.is_empty());
@@ -280,9 +278,9 @@ mod tests {
             let width = |drawing: &Drawing| drawing.strokes.iter().map(|s| f64::from(s.style.width)).sum::<f64>();
             assert!((width(&wide) / width(&plain) - 1.0).abs() < 1e-5);
             assert!((&wide.labels, &wide.marks, &wide.areas) == (&plain.labels, &plain.marks, &plain.areas));
-            let wide = Overlays { stroke_factor: Some(2.5), ..Overlays::default() };
-            let on_window = Request { overlays: wide, ..request.clone() }.image_on_window();
-            assert_eq!(on_window.overlays.stroke_factor, Some(2.5));
+            let wide = Finish { stroke_factor: Some(2.5), ..Finish::default() };
+            let on_window = Request { finish: wide, ..request.clone() }.image_on_window();
+            assert_eq!(on_window.finish.stroke_factor, Some(2.5));
         }
     }
 

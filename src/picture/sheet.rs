@@ -1,9 +1,10 @@
 //! One picture, or all three on a sheet: which size each has, how they are arranged, and how far apart they stand.
 
+use std::sync::Arc;
+
 use crate::appearance::Rgba;
-use crate::figure::Observers;
 use crate::limits::MAX_PIXELS;
-use crate::views::{Arrangement, Palette, Request, Size, View, Views, aspect_shown, observer_in, used_area};
+use crate::views::{Arrangement, Palette, Request, Shot, Size, View, Views, aspect_shown, used_area};
 
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
@@ -35,6 +36,12 @@ impl OnPaper {
         points / 72.0 * self.dpi
     }
 
+    /// Centimetres in pixels, not rounded.
+    #[must_use]
+    pub fn pixels_across(&self, centimetres: f64) -> f64 {
+        centimetres / 2.54 * self.dpi
+    }
+
     /// Pixels in points.
     fn points(&self, pixels: f64) -> f64 {
         pixels * 72.0 / self.dpi
@@ -59,6 +66,20 @@ pub struct Crowded {
     pub room: [f64; 2],
 }
 
+/// Why there is no sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoSheet {
+    /// It would have more pixels than any picture.
+    #[error("there is no memory for a picture of this size")]
+    TooLarge,
+    /// Three pictures have no room on it.
+    #[error("three pictures have no room on a sheet of this size, with {gap} pixels between two of them")]
+    NoRoom {
+        /// Pixels between two of them.
+        gap: u32,
+    },
+}
+
 /// Pictures that belong together, and how they stand on their sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
@@ -76,20 +97,24 @@ pub struct Sheet {
 
 impl Sheet {
     /// What is drawn for `views`: `request` for each of them, seen by its observer. All three together are as large as `request` says.
-    /// `None` where there is no room for three, or where they would have more pixels than any picture.
-    #[must_use]
-    pub fn of(views: Views, request: &Request, observers: &Observers, paper: Option<&OnPaper>) -> Option<Self> {
+    ///
+    /// # Errors
+    /// [`NoSheet`] where there is no room for three, and where they would have more pixels than any picture.
+    pub fn of(views: Views, request: &Request, shot: &Shot, paper: Option<&OnPaper>) -> Result<Self, NoSheet> {
         // Each of the three may be as large as a picture can be; the sheet of them may not be larger.
         let whole = request.size;
         if u64::from(whole.width) * u64::from(whole.height) > MAX_PIXELS {
-            return None;
+            return Err(NoSheet::TooLarge);
         }
         let (arrangement, mut sizes, crowded) = match views {
             Views::One(_) => (Arrangement::Row, vec![whole], None),
             Views::All => {
                 let arranged = paper.is_some_and(|paper| paper.arranged);
                 let arrangement = if arranged { best(request) } else { Arrangement::Row };
-                (arrangement, sizes(arrangement, whole)?.to_vec(), None)
+                let no_room = NoSheet::NoRoom { gap: gap(whole.scale) };
+                // Gaps alone are no pictures.
+                let sizes = sizes(arrangement, whole).filter(|all| all.iter().all(|s| s.width > 0 && s.height > 0));
+                (arrangement, sizes.ok_or(no_room)?.to_vec(), None)
             }
         };
         let crowded = match (views, paper) {
@@ -100,10 +125,10 @@ impl Sheet {
             Views::One(view) => std::slice::from_ref(view),
             Views::All => &View::ALL,
         };
-        let requests = views.iter().zip(sizes).map(|(view, size)| of(request, *view, size, observers, paper));
-        let ground = Palette::of(request.look.style.theme).surround;
-        let ground = if request.overlays.transparent { ground.with_alpha(0) } else { ground };
-        Some(Self { requests: requests.collect(), arrangement, gap: gap(whole.scale), ground, crowded })
+        let requests = views.iter().zip(sizes).map(|(view, size)| of(request, *view, size, shot, paper));
+        let ground = Palette::of(request.shot.look.style.theme).surround;
+        let ground = if request.finish.transparent { ground.with_alpha(0) } else { ground };
+        Ok(Self { requests: requests.collect(), arrangement, gap: gap(whole.scale), ground, crowded })
     }
 }
 
@@ -123,12 +148,12 @@ impl Sheet {
 }
 
 /// One of the pictures.
-fn of(request: &Request, view: View, size: Size, observers: &Observers, paper: Option<&OnPaper>) -> Request {
-    let mut request = Request { view, observer: observer_in(observers, view), size, ..request.clone() };
+fn of(request: &Request, view: View, size: Size, shot: &Shot, paper: Option<&OnPaper>) -> Request {
+    let mut request = Request { view, shot: Arc::new(shot.seen_in(view)), size, ..request.clone() };
     if let Some((paper, lines)) = paper.and_then(|paper| Some((paper, paper.lines?))) {
         #[expect(clippy::cast_possible_truncation, reason = "the width of a line")]
         let edges = paper.pixels(lines) as f32;
-        request.overlays.stroke_factor = Some(size.stroke_factor(edges));
+        request.finish.stroke_factor = Some(size.stroke_factor(edges));
     }
     request
 }
@@ -160,7 +185,7 @@ fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
 
 /// The arrangement in which the three pictures use most of a sheet.
 fn best(request: &Request) -> Arrangement {
-    let aspects = View::ALL.map(|view| aspect_shown(view, request.look.image));
+    let aspects = View::ALL.map(|view| aspect_shown(view, request.shot.look.image));
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let used = |(size, aspect): (Size, f32)| used_area(size.width as f32, size.height as f32, aspect);
     Arrangement::best(View::ALL.len(), |arrangement| {
@@ -234,7 +259,7 @@ mod tests {
         let size = Size { width, height, scale: 1.0 };
         let scene = SharedScene::new(Scene::default());
         let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size);
-        Sheet::of(views, &request, &figure.observers, paper.as_ref()).unwrap()
+        Sheet::of(views, &request, &Shot::of(&figure), paper.as_ref()).unwrap()
     }
 
     const PAPER: OnPaper = OnPaper { dpi: 300.0, letters: Some(9.0), lines: None, arranged: true };
@@ -319,7 +344,7 @@ mod tests {
     fn lines_are_as_wide_as_they_are_asked_for_in_each_picture() {
         let widths = |lines| {
             let sheet = sheet(Views::All, [1890, 1417], Some(OnPaper { lines, ..PAPER }));
-            let width = |request: &Request| Some(request.size.letters() / 14.0 * request.overlays.stroke_factor?);
+            let width = |request: &Request| Some(request.size.letters() / 14.0 * request.finish.stroke_factor?);
             sheet.requests.iter().map(width).collect::<Vec<_>>()
         };
         assert_eq!(widths(None), [None; 3]);

@@ -1,9 +1,16 @@
-//! The pixels that one triangle covers, and its depth test at each.
+//! One triangle on its way: its steps, the pixels that it covers, its depth test at each, and what the pictures show of it.
 
+use std::sync::Arc;
+
+use crate::appearance::Rgba;
+use crate::camera::Camera;
+use crate::figure::{ShownTriangle, TriangleStep};
 use crate::limits::MAX_STEPPED_PIXELS;
+use crate::pipeline::Target;
+use crate::pipeline::one_triangle::{TriangleSteps, one_triangle};
 use crate::raster::{DepthBuffer, Rasterizer};
-use crate::views::Request;
 use crate::views::depth::DepthTest;
+use crate::views::{Look, Request, SharedScene, TriangleOverlay};
 
 /// A triangle on the pixels of the image, m × n, as the rasterizer fills it.
 #[derive(Clone, Debug)]
@@ -31,7 +38,7 @@ impl TrianglePixels {
     /// [`MAX_STEPPED_PIXELS`].
     #[must_use]
     pub fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
-        let image = request.look.image;
+        let image = request.shot.look.image;
         if u64::from(image.width) * u64::from(image.height) > MAX_STEPPED_PIXELS {
             return None;
         }
@@ -53,10 +60,23 @@ impl TrianglePixels {
         Some(Self { test, alone, before, rows })
     }
 
+    /// True where it covers a pixel, (0, 0) at the top left.
+    #[must_use]
+    pub fn covers(&self, [x, y]: [u32; 2]) -> bool {
+        self.rows.iter().any(|[row, first, after]| *row == y && (*first..*after).contains(&x))
+    }
+
     /// How many pixels it covers.
     #[must_use]
     pub fn count(&self) -> usize {
         self.rows.iter().map(|[_, first, after]| (after - first) as usize).sum()
+    }
+
+    /// The pixel of which the depth is tested: the one that is `asked` for, else one in the middle.
+    #[must_use]
+    pub fn tested(&self, asked: Option<[u32; 2]>) -> Option<[u32; 2]> {
+        let [y, first, after] = *self.rows.get(self.rows.len() / 2)?;
+        Some(asked.unwrap_or([u32::midpoint(first, after.saturating_sub(1)), y]))
     }
 
     /// The depth test at a pixel, (0, 0) at the top left; `None` where it does not cover it.
@@ -65,5 +85,66 @@ impl TrianglePixels {
         let (own, before) = (self.alone.at(x, y)?, self.before.at(x, y));
         let z = |depth| self.test.z(depth);
         Some(Tested { z: z(own), before: before.map(z), kept: before.is_none_or(|before| own > before) })
+    }
+}
+
+/// The triangle that was followed last, kept as long as it, its scene and its camera stay the same.
+#[derive(Clone, Debug, Default)]
+pub struct FollowedTriangle {
+    kept: Option<(Key, Kept)>,
+}
+
+/// What the numbers of a triangle depend on.
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    camera: Camera,
+    scene: SharedScene,
+    look: Look,
+    object: usize,
+    index: u32,
+}
+
+#[derive(Clone, Debug)]
+struct Kept {
+    steps: TriangleSteps,
+    /// `None`: nobody has asked yet.
+    pixels: Option<Option<Arc<TrianglePixels>>>,
+}
+
+impl FollowedTriangle {
+    /// The steps of the triangle that a request shows, and in the steps that need them its pixels. `None` where none is shown, or there is no such
+    /// triangle.
+    pub fn found(&mut self, request: &Request) -> Option<(TriangleSteps, Option<Arc<TrianglePixels>>)> {
+        let ShownTriangle { object, index, step, .. } = request.shot.show.triangle.as_ref()?;
+        let place = request.scene.objects.iter().position(|candidate| candidate.name == *object)?;
+        let (camera, scene) = (request.camera.clone(), request.scene.clone());
+        let key = Key { camera, scene, look: request.shot.look, object: place, index: *index };
+        if self.kept.as_ref().is_none_or(|(of, _)| *of != key) {
+            let image = request.shot.look.image;
+            let background = Rgba::rgb(0, 0, 0);
+            let target = Target { width: image.width, height: image.height, scale: 1.0, background };
+            let steps = one_triangle(&request.scene.objects[place], *index as usize, &request.camera, target)?;
+            self.kept = Some((key, Kept { steps, pixels: None }));
+        }
+        let (_, kept) = self.kept.as_mut()?;
+        let wants_pixels = matches!(step, TriangleStep::Pixels | TriangleStep::Depth);
+        if wants_pixels && kept.pixels.is_none() {
+            kept.pixels = Some(TrianglePixels::of(request, place, *index).map(Arc::new));
+        }
+        Some((kept.steps.clone(), kept.pixels.clone().flatten().filter(|_| wants_pixels)))
+    }
+
+    /// What the pictures show of it.
+    pub fn overlay(&mut self, request: &Request) -> Option<Arc<TriangleOverlay>> {
+        let (steps, pixels) = self.found(request)?;
+        let shown = request.shot.show.triangle.as_ref()?;
+        Some(Arc::new(TriangleOverlay {
+            step: shown.step,
+            corners: steps.corners.map(|corner| corner.world),
+            outside: steps.corners.map(|corner| corner.outside.contains(&true)),
+            left: steps.left.iter().map(|corner| (corner.name, corner.world)).collect(),
+            rows: pixels.as_ref().map(|pixels| pixels.rows.clone()).unwrap_or_default(),
+            pixel: pixels.as_ref().and_then(|pixels| pixels.tested(shown.pixel)),
+        }))
     }
 }

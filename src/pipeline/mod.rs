@@ -294,7 +294,18 @@ impl Pipeline {
         let too_much = TooMuch::rounding(misplaced.found());
         let work = notes.map(|notes| notes.work).filter(|work| report.iter().any(|r| r.stage == work.stage && r.ran));
         let depths = projector.depths;
-        let mut frame = Frame { drawing, report, plan, objects: done, too_much, depths, work, before: None, followed };
+        let mut frame = Frame {
+            drawing,
+            report,
+            plan,
+            objects: done,
+            too_much,
+            depths,
+            work,
+            dropped_faces: Vec::new(),
+            before: None,
+            followed,
+        };
         if let Some(TooManyPieces { pieces, of_layer }) = too_many {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
             frame.too_much = Some(TooMuch::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));

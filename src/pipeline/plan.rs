@@ -9,10 +9,11 @@ use super::bounding_tree::Places;
 use super::cull::Containment;
 use super::planes::ALL_PLANES;
 use super::projector::Projector;
-pub use super::stages::{LitAt, ObjectPlan, Output, Reason, Stage, StagePlan};
+pub use super::stages::{LitAt, ObjectPlan, Output, Reason, StagePlan};
 use super::survey::Survey;
 use crate::appearance::{Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint, Scene};
+pub use crate::stage::Stage;
 
 /// What a picture needs.
 #[derive(Clone, Debug, PartialEq, Eq)]

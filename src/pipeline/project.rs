@@ -209,6 +209,7 @@ fn clipped_object(
     let Projected { remake: Remake { triangles, edges, shared, .. }, positions, in_view, .. } = projected;
     let (closed, convex) = (whole && object.mesh.closed, whole && object.mesh.convex);
     let clipped = Object {
+        part_of: object.part_of.clone(),
         name: object.name.clone(),
         mesh: Arc::new(Mesh {
             positions,

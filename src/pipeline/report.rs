@@ -6,13 +6,14 @@ use super::depths::DepthScale;
 use super::faces::Faces;
 use super::plan::{Options, Plan};
 use super::stage_work::StageWork;
-use super::stages::{LitAt, ObjectReport, Reason, Stage};
+use super::stages::{LitAt, ObjectReport, Reason};
 use super::survey::Survey;
 use super::too_much::TooMuch;
 use super::transform::Vertices;
 use crate::appearance::{Style, Visibility};
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, Surface};
 use crate::scene::{Object, ObjectPaint};
+use crate::stage::Stage;
 
 /// A picture, and how it came about.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +33,8 @@ pub struct Frame {
     pub depths: DepthScale,
     /// What went into the stage that was to be shown, and what came out; `None` where it did not run.
     pub work: Option<StageWork>,
+    /// Faces that only show what that stage drops: painted over the drawing, and counted by no stage.
+    pub dropped_faces: Vec<Surface>,
     /// The picture as it is before that stage, for its left half; `None` where what comes out is drawn over what goes in.
     pub before: Option<Drawing>,
     /// Where the triangle that was followed is in the drawing; `None` where none was, or its object is not drawn.
@@ -48,12 +51,6 @@ pub struct FollowedTriangle {
 }
 
 impl Frame {
-    /// How many surfaces at the end of the drawing only show what a stage drops.
-    #[must_use]
-    pub fn tinted(&self) -> usize {
-        self.work.as_ref().map_or(0, |work| work.dropped.len()).min(self.drawing.surfaces.len())
-    }
-
     /// Gives a stage another reason: what the plan cannot know, because the scene was prepared for it.
     pub fn say(&mut self, stage: Stage, reason: Reason) {
         if let Some(report) = self.report.iter_mut().find(|report| report.stage == stage) {

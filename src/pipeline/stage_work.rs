@@ -9,9 +9,9 @@ use super::light::{Lights, ObjectLight};
 use super::plan::Plan;
 use super::projector::{ClipPoint, Projector};
 use super::resample::VertexOrigin;
-use super::stages::Stage;
 use super::transform::{Screen, Vertices, off_grid};
 use crate::scene::{Object, Scene};
+use crate::stage::Stage;
 
 /// So many sides, vertices and faces are noted; of more, nobody could tell one from another.
 const MOST: usize = 20_000;

@@ -4,9 +4,10 @@ use super::cull::Containment;
 use super::planes::{NEAR, PlaneSet};
 use super::projector::Projector;
 use super::shade::Shaded;
-use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Output, Reason, Stage, StagePlan};
+use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Output, Reason, StagePlan};
 use crate::appearance::{HiddenLines, Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint, Scene};
+use crate::stage::Stage;
 
 /// The counts on which the plan of a frame rests, or, of what was done, its account. Of objects in view only, and of their
 /// faces only where there are any.

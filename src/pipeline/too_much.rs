@@ -62,7 +62,7 @@ impl TooMuch {
         match self {
             Self::Pieces { mut objects } => {
                 objects.retain(|name| is_known(name));
-                Some(Self::Pieces { objects })
+                (!objects.is_empty()).then_some(Self::Pieces { objects })
             }
             Self::Rounding { mut vertices } => {
                 vertices.retain(|vertex| is_known(&vertex.object));
@@ -84,4 +84,21 @@ pub fn names(objects: &[String], rest: &str) -> String {
         named.push(rest.to_owned());
     }
     named.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_objects_that_nobody_knows_nothing_is_said() {
+        let shares = || TooMuch::pieces([("cube", 3), ("camera", 5)].into_iter());
+        let TooMuch::Pieces { objects } =
+            shares().about(|name| name == "cube").into_iter().next().unwrap_or_else(shares)
+        else {
+            panic!("pieces")
+        };
+        assert_eq!(objects, ["cube"]);
+        assert_eq!(shares().about(|_| false), None);
+    }
 }

@@ -13,6 +13,18 @@ const FADED: f32 = 0.45;
 /// Width of the halo's stroke, as a share of the type size; half of it is outside the letter.
 const HALO: f32 = 0.28;
 
+/// The farthest from the corner of the picture, in pixels, that something is drawn. Beyond it an `f32` has no pixels any more, and from some
+/// thirty times of it on the filling of paths counts past the end of its rows.
+const FARTHEST: f32 = 16_777_216.0;
+
+/// True where a path at a place, with a stroke of some width around it, is near enough to be drawn.
+fn is_near(path: &Path, [x, y]: [f32; 2], stroke: f32) -> bool {
+    // A mitred corner reaches out by four widths.
+    let is_near = |v: f32| v.abs() + 4.0 * stroke < FARTHEST;
+    let bounds = path.bounds();
+    [bounds.left() + x, bounds.right() + x, bounds.top() + y, bounds.bottom() + y].into_iter().all(is_near)
+}
+
 /// Draws a text, on a halo.
 pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
     if !finite(label.position, label.size) || !label.offset.iter().all(|v| v.is_finite()) {
@@ -29,6 +41,9 @@ pub(super) fn label(pixmap: &mut Pixmap, depth: &DepthBuffer, label: &Label) {
     let y = label.position[1] + label.offset[1] + 0.5 * text::x_height(label.size);
     let place = Transform::from_translate(x, y);
     let opacity = opacity(label.fade_if_hidden && !depth.shows(label.position));
+    if !is_near(&path, [x, y], HALO * label.size) {
+        return;
+    }
     let stroke = Stroke { width: HALO * label.size, line_join: LineJoin::Round, ..Stroke::default() };
     pixmap.stroke_path(&path, &paint(label.halo, opacity), &stroke, place, None);
     pixmap.fill_path(&path, &paint(label.color, opacity), FillRule::Winding, place, None);
@@ -52,7 +67,8 @@ fn text_path(text: &str, size: f32) -> Option<Path> {
 /// Fills an area.
 pub(super) fn area(pixmap: &mut Pixmap, area: &Area) {
     let Area { corner: [x, y], size: [width, height], radius, fill } = *area;
-    if let Some(path) = rounded([x, y, x + width, y + height], radius) {
+    let path = rounded([x, y, x + width, y + height], radius);
+    if let Some(path) = path.filter(|path| is_near(path, [0.0; 2], 0.0)) {
         pixmap.fill_path(&path, &paint(fill, 1.0), FillRule::Winding, Transform::identity(), None);
     }
 }
@@ -92,6 +108,9 @@ pub(super) fn mark(pixmap: &mut Pixmap, depth: &DepthBuffer, mark: &Mark) {
     let Some(path) = mark_path(mark.shape, x, y, r) else { return };
     let opacity = opacity(mark.fade_if_hidden && !depth.shows(mark.position));
     let line = (0.35 * r).max(1.0);
+    if !is_near(&path, [0.0; 2], 2.0 * line + 1.5) {
+        return;
+    }
     let (inner, outer) = (paint(mark.color, opacity), paint(mark.outline, opacity));
     let stroke = |width| Stroke { width, line_join: LineJoin::Miter, ..Stroke::default() };
     let still = Transform::identity();
@@ -148,4 +167,55 @@ fn paint(c: Rgba, opacity: f32) -> Paint<'static> {
     let mut paint = Paint { anti_alias: true, ..Paint::default() };
     paint.set_color(color);
     paint
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn wild() -> impl Strategy<Value = f32> {
+        prop_oneof![
+            (-45..39_i32).prop_map(|e| 10f32.powi(e)),
+            (-45..39_i32).prop_map(|e| -10f32.powi(e)),
+            0.0..70.0_f32,
+            any::<f32>(),
+        ]
+    }
+
+    /// What is drawn of a name, a mark and an area.
+    fn painted([x, y, size]: [f32; 3], shape: MarkShape) -> Pixmap {
+        let (color, position) = (Rgba::rgb(20, 30, 200), [x, y, 0.5]);
+        let mut pixmap = Pixmap::new(64, 48).unwrap();
+        let depth = DepthBuffer::default();
+        let (text, halo) = ("PF_c".to_owned(), Rgba::rgb(255, 255, 255));
+        let (anchor, offset, fade_if_hidden) = (Anchor::Center, [3.0, -2.0], false);
+        label(&mut pixmap, &depth, &Label { position, text, size, color, halo, anchor, offset, fade_if_hidden });
+        mark(&mut pixmap, &depth, &Mark { position, shape, radius: size, color, outline: halo, fade_if_hidden });
+        area(&mut pixmap, &Area { corner: [x, y], size: [size; 2], radius: 3.0, fill: color });
+        pixmap
+    }
+
+    #[test]
+    fn letters_of_any_size_are_drawn_or_left_out() {
+        let is_empty = |place| painted(place, MarkShape::Disc).pixels().iter().all(|p| p.alpha() == 0);
+        assert!(!is_empty([30.0, 20.0, 12.0]) && !is_empty([30.0, 20.0, 1e5]));
+        // Found where the filling of paths counted past the end of a row.
+        for size in [1e9, 2.5e10, 4e10, 1e12, 1e20] {
+            assert!(is_empty([30.0, 20.0, size]), "{size}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn nothing_is_too_large_or_too_far_to_be_drawn(
+            place in [wild(), wild(), wild()],
+            shape in prop::sample::select(vec![MarkShape::Disc, MarkShape::Ring, MarkShape::Square, MarkShape::Diamond, MarkShape::Cross]),
+        ) {
+            painted(place, shape);
+        }
+    }
 }

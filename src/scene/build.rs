@@ -14,6 +14,7 @@ use super::{
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
 use crate::foreign::shown;
+use crate::limits::MAX_OBJECTS;
 
 /// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with hidden
 /// edges as it wants them.
@@ -58,6 +59,9 @@ pub fn build_with(
     presets::finish(spec.preset, &colors, &mut scene);
     for placed in &placed_own {
         maker.add(&mut scene, placed, placed.color.unwrap_or_else(&mut next_color))?;
+        if scene.objects.len() > MAX_OBJECTS {
+            return Err(SceneError::TooManyObjects);
+        }
     }
     scene.lights = lights(&spec.lights)?;
     Ok(scene)
@@ -135,6 +139,7 @@ impl Maker<'_, '_> {
             let part_name = if part.name.is_empty() { (k + 1).to_string() } else { part.name.clone() };
             scene.objects.push(Object {
                 name: if parts.len() == 1 { name.clone() } else { format!("{name}/{part_name}") },
+                part_of: (parts.len() > 1).then(|| Arc::from(name.as_str())),
                 mesh: Arc::clone(&part.mesh),
                 world_from_object,
                 paint: ObjectPaint::Solid(placed.color.or(part.color).unwrap_or(color)),
@@ -171,6 +176,7 @@ impl Maker<'_, '_> {
         };
         let mesh = Arc::clone(self.files.primitives.entry(key).or_insert_with(made));
         scene.objects.push(Object {
+            part_of: None,
             name: placed.spec.name.clone(),
             mesh,
             world_from_object: placed.world_from_object,
@@ -192,6 +198,7 @@ fn ellipsoid(segments: u32) -> Mesh {
 /// An object without faces.
 fn bare(name: &str, mesh: Mesh, placed: &Placed<'_>, color: Rgba, edges: Option<LineStyle>) -> Object {
     Object {
+        part_of: None,
         name: name.to_owned(),
         mesh: Arc::new(mesh),
         world_from_object: placed.world_from_object,

@@ -35,6 +35,36 @@ pub fn placements(spec: &SceneSpec) -> Result<BTreeMap<String, DMat4>, SceneErro
     Ok(all.map(|placed| (placed.spec.name.clone(), placed.world_from_object)).collect())
 }
 
+/// The object of a scene with this name, the figure's before the preset's.
+#[must_use]
+pub fn object_named(spec: &SceneSpec, name: &str) -> Option<ObjectSpec> {
+    let own = spec.objects.iter().find(|object| object.name == name).cloned();
+    let of_preset = || presets::objects(spec.preset, &SceneColors::of(Theme::Light)).into_iter();
+    own.or_else(|| of_preset().find(|object| object.name == name))
+}
+
+/// As [`placements`], of one object alone, and without a look at objects that it does not hang on; `None` where there is none of this name.
+///
+/// # Errors
+/// [`SceneError`] of the object, or of one that it hangs on.
+pub fn placement(spec: &SceneSpec, name: &str) -> Result<Option<DMat4>, SceneError> {
+    let preset = presets::objects(spec.preset, &SceneColors::of(Theme::Light));
+    let placed_preset = place(&preset, &[])?;
+    let Some(own) = spec.objects.iter().find(|object| object.name == name) else {
+        return Ok(placed_preset.iter().find(|placed| placed.spec.name == name).map(|placed| placed.world_from_object));
+    };
+    let mut chain = vec![own.clone()];
+    let mut known = BTreeSet::from([own.name.as_str()]);
+    // Most objects hang on none.
+    let by_name = if own.parent.is_some() { by_name(&spec.objects)? } else { BTreeMap::new() };
+    let mut next = own.parent.as_deref().and_then(|parent| by_name.get(parent));
+    while let Some(above) = next.and_then(|&above| spec.objects.get(above)).filter(|above| known.insert(&above.name)) {
+        chain.push(above.clone());
+        next = above.parent.as_deref().and_then(|parent| by_name.get(parent));
+    }
+    Ok(place(&chain, &placed_preset)?.first().map(|placed| placed.world_from_object))
+}
+
 /// The name that is wanted if no object has it, else with the first number that makes it free.
 #[must_use]
 pub fn free_name(spec: &SceneSpec, wanted: &str) -> String {
@@ -273,6 +303,24 @@ mod tests {
             link("lower").under("upper"),
             link("hand").under("lower").scaled(1.0, 0.5, -0.25),
         ])
+    }
+
+    #[test]
+    fn one_object_stands_where_all_of_them_do() {
+        let mut scenes = vec![arm(), SceneSpec { preset: Preset::House, ..arm() }];
+        let preset = preset_names(&scenes[1]).next().unwrap();
+        scenes[1].objects[0].parent = Some(preset.clone());
+        for scene in &scenes {
+            for (name, matrix) in placements(scene).unwrap() {
+                assert_eq!(placement(scene, &name).unwrap(), Some(matrix), "{name}");
+            }
+            assert_eq!(placement(scene, "nobody").unwrap(), None);
+        }
+        let mut circle = arm();
+        circle.objects[0].parent = Some("hand".to_owned());
+        assert!(matches!(placement(&circle, "upper"), Err(SceneError::Cycle { .. })));
+        circle.objects[0].parent = Some("nobody".to_owned());
+        assert!(matches!(placement(&circle, "hand"), Err(SceneError::UnknownParent { .. })));
     }
 
     fn assert_same_place(before: &SceneSpec, after: &SceneSpec, names: &[&str]) {

@@ -2,7 +2,7 @@
 
 use super::MeshError;
 use crate::foreign::shown;
-use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MIN_SEGMENTS};
 
 /// Why a specification is not a scene. Displayed, it says what is wrong with [`key`](Self::key) of [`object`](Self::object), which
 /// come before it.
@@ -69,6 +69,9 @@ pub enum SceneError {
         /// `direction` or `position`.
         key: &'static str,
     },
+    /// There are more objects than there may be, those of meshes among them.
+    #[error("are more than {MAX_OBJECTS}, with those of its meshes; allowed: at most that")]
+    TooManyObjects,
     /// There are more lights than there may be.
     #[error("are {found}; allowed: at most {MAX_LIGHTS}")]
     TooManyLights {
@@ -100,7 +103,7 @@ impl SceneError {
             | Self::Segments { name, .. }
             | Self::Mesh { name, .. } => Some(name),
             Self::Cycle { chain } => chain.first().map(String::as_str),
-            Self::Light { .. } | Self::TooManyLights { .. } => None,
+            Self::Light { .. } | Self::TooManyLights { .. } | Self::TooManyObjects => None,
         }
     }
 
@@ -114,6 +117,7 @@ impl SceneError {
             Self::Segments { .. } => "segments",
             Self::Mesh { .. } => "path",
             Self::TooManyLights { .. } => "lights",
+            Self::TooManyObjects => "objects",
             Self::NotFinite { key, .. } | Self::Light { key, .. } => key,
         }
     }

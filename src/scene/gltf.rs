@@ -24,7 +24,7 @@ use super::soup::Soup;
 use super::{GlbFault, GltfFault, JsonFault, MeshError};
 use crate::appearance::Rgba;
 use crate::foreign::{self, shown};
-use crate::limits::{MAX_SCENE_BYTES, MAX_ZEROS};
+use crate::limits::{MAX_OBJECTS, MAX_SCENE_BYTES, MAX_ZEROS};
 use crate::progress::{Doing, Progress, pause};
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
@@ -58,6 +58,9 @@ pub(super) async fn read(
                     meshes.entry(key).or_insert(made).clone()
                 }
             };
+            if parts.len() >= MAX_OBJECTS {
+                return Err(MeshError::TooManyObjects);
+            }
             if let Some(mesh) = surface {
                 let material = primitive.material();
                 parts.push(Part {

@@ -2,6 +2,7 @@
 
 use super::ReadError;
 use super::soup::TooLarge;
+use crate::limits::MAX_OBJECTS;
 
 /// Why a mesh file cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -21,6 +22,9 @@ pub enum MeshError {
     /// It has more than 2³¹ corners.
     #[error("it has too many vertices")]
     TooLarge,
+    /// It has more objects than a scene may.
+    #[error("it has more than {MAX_OBJECTS} objects; allowed: at most that")]
+    TooManyObjects,
     /// A line of an OBJ file.
     #[error("line {line}: {fault}")]
     Obj {
@@ -67,6 +71,7 @@ impl MeshError {
             | Self::Cancelled
             | Self::Empty
             | Self::TooLarge
+            | Self::TooManyObjects
             | Self::Obj { .. }
             | Self::Json { .. }
             | Self::Gltf { .. } => false,

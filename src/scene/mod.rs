@@ -36,7 +36,7 @@ pub use import::MeshFiles;
 pub use mesh::Mesh;
 pub use mesh_error::{GlbFault, GltfFault, JsonFault, MeshError, MeshNotice, ObjFault};
 pub use presets::{Beyond, objects as preset_objects};
-pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, no_files, system_kind, system_words};
+pub use read_error::{NamedBy, ReadError, ReadFile, ReadProblem, Wanted, is_loop, no_files, system_kind, system_words};
 pub use resolve::{DEFAULT_LIGHT, check};
 pub use spec::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape, ShapeData};
 
@@ -74,6 +74,7 @@ impl Scene {
         self.objects.iter().flat_map(|object| {
             object.mesh.positions.iter().enumerate().map(|(index, &p)| SceneVertex {
                 object: &object.name,
+                owner: object.owner(),
                 index,
                 p_world: object.world_from_object.transform_point3(p),
             })
@@ -86,6 +87,8 @@ impl Scene {
 pub struct SceneVertex<'a> {
     /// The object's name.
     pub object: &'a str,
+    /// The name of the figure's object that it is, or is a part of.
+    pub owner: &'a str,
     /// Its place in the mesh's `positions`.
     pub index: usize,
     /// The vertex in the world.
@@ -97,6 +100,8 @@ pub struct SceneVertex<'a> {
 pub struct Object {
     /// For messages, the scene tree and the probe.
     pub name: String,
+    /// The object of the figure of whose mesh file it is a part, where that has several; names may hold any character, so that a name does not tell.
+    pub part_of: Option<Arc<str>>,
     /// The shape, shared between copies.
     pub mesh: Arc<Mesh>,
     /// Model matrix; finite, affine. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen from outside in its own
@@ -118,6 +123,12 @@ pub struct Object {
 }
 
 impl Object {
+    /// The name of the object of the figure that it is, or is a part of.
+    #[must_use]
+    pub fn owner(&self) -> &str {
+        self.part_of.as_deref().unwrap_or(&self.name)
+    }
+
     /// The box around the object in the world (around its vertices, not around its turned box); `None` without vertices.
     #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {

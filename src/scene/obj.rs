@@ -2,6 +2,7 @@
 //! out, as is all that is neither point, normal, face, name nor material. What other programs write wrong without harm to
 //! the surface is left out with a [`MeshNotice`].
 
+use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -14,12 +15,14 @@ use super::soup::Soup;
 use super::{MeshError, MeshNotice, ObjFault};
 use crate::appearance::Rgba;
 use crate::foreign::shown;
+use crate::limits::MAX_OBJECTS;
 use crate::progress::{Doing, Progress, pause};
 
 /// So many bytes are read before the work is asked whether it is still wanted.
 const STRETCH: usize = 1 << 16;
 
-/// The objects of an OBJ file; one that has several materials comes in several parts.
+/// The objects of an OBJ file; one that has several materials comes in several parts, one for each, however often the file changes between
+/// them.
 ///
 /// # Errors
 /// [`MeshError::Obj`] with the line, and [`MeshError::Cancelled`].
@@ -38,6 +41,9 @@ pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
         }
         let number = lines.number;
         file.read_line(&line, number, read_file).map_err(|fault| MeshError::Obj { line: number, fault })?;
+        if file.parts.len() > MAX_OBJECTS {
+            return Err(MeshError::TooManyObjects);
+        }
     }
     if let Some((line, found)) = file.points_ahead.beyond(file.points.len()) {
         return Err(MeshError::Obj { line, fault: file.no_such_point(&found) });
@@ -122,6 +128,8 @@ struct ObjFile {
     /// The material libraries that have been asked for.
     libraries: HashSet<String>,
     parts: Vec<Faces>,
+    /// Their places, by name and material.
+    part_of: HashMap<(String, Option<usize>), usize>,
     /// The part that is being read.
     open: Faces,
 }
@@ -212,13 +220,24 @@ impl ObjFile {
         Ok(())
     }
 
-    /// What comes next belongs to another part, of the same name and material unless they change.
+    /// What comes next belongs to another part, perhaps to one that has been there before, of the same name and material unless they change.
     fn end_part(&mut self) {
         if self.open.arities.is_empty() {
             return;
         }
         let next = Faces { name: self.open.name.clone(), material: self.open.material, ..Faces::default() };
-        self.parts.push(std::mem::replace(&mut self.open, next));
+        let part = std::mem::replace(&mut self.open, next);
+        match self.part_of.entry((part.name.clone(), part.material)) {
+            Entry::Occupied(there) => {
+                let there = &mut self.parts[*there.get()];
+                there.corners.extend(part.corners);
+                there.arities.extend(part.arities);
+            }
+            Entry::Vacant(place) => {
+                place.insert(self.parts.len());
+                self.parts.push(part);
+            }
+        }
     }
 
     /// Reads a material library; without one that can be read, its materials have no colour.

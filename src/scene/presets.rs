@@ -190,6 +190,7 @@ fn tiled_floor(colors: &SceneColors) -> Object {
     let mesh = primitives::tiles([-HALF_WIDTH, CORRIDOR[1]], [HALF_WIDTH, CORRIDOR[0]], nx, nz);
     let tile = |t: u32| if (t % nx + t / nx).is_multiple_of(2) { colors.ground } else { colors.ground_other };
     Object {
+        part_of: None,
         name: "floor".to_owned(),
         mesh: Arc::new(mesh),
         world_from_object: DMat4::IDENTITY,
@@ -236,6 +237,7 @@ fn letter_f(colors: &SceneColors) -> Object {
         [left, 0.7],
     ];
     Object {
+        part_of: None,
         name: "F".to_owned(),
         mesh: Arc::new(primitives::plate(&outline.map(DVec2::from), 0.13)),
         world_from_object: DMat4::IDENTITY,
@@ -341,6 +343,7 @@ fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
             DIGITS[digit - 1].iter().map(|&[x, y]| center + right * (x - 0.5) * 0.7 + up * (y - 0.8) * 0.7).collect();
         let on_face = if is_dark(color) { Rgba::rgb(255, 255, 255) } else { Rgba::rgb(0x10, 0x14, 0x1a) };
         scene.objects.push(Object {
+            part_of: None,
             name: digit.to_string(),
             mesh: Arc::new(Mesh::segments(points.windows(2).map(|pair| [pair[0], pair[1]]))),
             world_from_object: DMat4::IDENTITY,

@@ -61,6 +61,11 @@ pub enum ReadProblem {
     /// With it, the figure would make the program read more than any figure needs.
     #[error("was not read, because with it this figure's files have more than {} MiB; allowed: at most that for all of them together", MAX_SCENE_BYTES >> 20)]
     Budget,
+    /// A figure names it that came without a folder.
+    #[error(
+        "was not read, because a figure without a folder, as in a link, names it; allowed: meshes of the program, or any file with --allow-files (in the window: the button beside the path)"
+    )]
+    NoFolder,
     /// Its path leads to another machine.
     #[error("is on another machine; allowed: files of this one")]
     Network,
@@ -70,7 +75,7 @@ impl ReadError {
     /// True where the file lies outside of what the figure may name: the user can let it.
     #[must_use]
     pub const fn is_outside(&self) -> bool {
-        matches!(self.problem, ReadProblem::Outside { .. })
+        matches!(self.problem, ReadProblem::Outside { .. } | ReadProblem::NoFolder)
     }
 }
 
@@ -118,6 +123,7 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
         io::ErrorKind::Unsupported => {
             "a page in a browser can't look into folders; choose the file there, or drop it on the page"
         }
+        _ if is_loop(code) => "its links lead round in a circle",
         _ => match code {
             Some(code) => return format!("the system refuses, with its error {code}").into(),
             None => "the system refuses",
@@ -131,6 +137,13 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
 #[must_use]
 pub fn system_kind(kind: io::ErrorKind, code: Option<i32>) -> io::ErrorKind {
     if cfg!(windows) && matches!(code, Some(32 | 33)) { io::ErrorKind::ResourceBusy } else { kind }
+}
+
+/// True for links that lead to one another, for which the standard library has no kind.
+#[must_use]
+pub fn is_loop(code: Option<i32>) -> bool {
+    const LOOP: i32 = if cfg!(any(target_os = "linux", target_os = "android")) { 40 } else { 62 };
+    cfg!(unix) && code == Some(LOOP)
 }
 
 /// For scenes without files: a [`ReadFile`] that finds none.

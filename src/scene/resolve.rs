@@ -63,6 +63,14 @@ pub(super) fn parent_from_object(spec: &ObjectSpec) -> Result<DMat4, SceneError>
 
 /// Rz · Ry · Rx for angles in degrees.
 fn rotation(degrees: DVec3) -> DMat3 {
+    // Most objects are not turned, and sines to the last digit take their time.
+    if degrees == DVec3::ZERO {
+        return DMat3::IDENTITY;
+    }
+    product_of_rotations(degrees)
+}
+
+fn product_of_rotations(degrees: DVec3) -> DMat3 {
     let [(sx, cx), (sy, cy), (sz, cz)] = degrees.to_array().map(|d| Angle::from_degrees(d).sin_cos());
     let rx = DMat3::from_cols_array(&[1.0, 0.0, 0.0, 0.0, cx, sx, 0.0, -sx, cx]);
     let ry = DMat3::from_cols_array(&[cy, 0.0, -sy, 0.0, 1.0, 0.0, sy, 0.0, cy]);
@@ -146,4 +154,19 @@ pub(super) fn lights(specs: &[LightSpec]) -> Result<Vec<Light>, SceneError> {
             LightSpec::Point(_) => Err(SceneError::Light { index, key: "position" }),
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_turned_is_so_to_the_last_bit() {
+        let bits = |m: DMat3| m.to_cols_array().map(f64::to_bits);
+        for zero in [DVec3::ZERO, -DVec3::ZERO] {
+            assert_eq!(bits(rotation(zero)), bits(DMat3::IDENTITY));
+            assert_eq!(product_of_rotations(zero), DMat3::IDENTITY);
+        }
+        assert_eq!(rotation(DVec3::new(0.0, 0.0, 90.0)) * DVec3::X, DVec3::Y);
+    }
 }

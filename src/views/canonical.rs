@@ -14,14 +14,14 @@ use crate::scene::Scene;
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
+use super::label_layout::Rules;
 use super::legend::Row;
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
-use super::placing::Rules;
 use super::revealed_scene::{self, Revealed};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Labels, Palette, Request, placing, probe, stepped};
+use super::{Labels, Palette, Request, label_layout, probe, triangle_overlay};
 
 /// The canonical volume.
 pub(super) const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -47,7 +47,7 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
 fn framing(request: &Request, direction: Direction) -> Observer {
     let canonical = CanonicalBox::of(request);
     let tips = canonical.axes().map(|axis| axis * (AXIS + 0.05));
-    let beyond = match request.look.reveal.outside {
+    let beyond = match request.shot.look.reveal.outside {
         Outside::Usual | Outside::Cut => 1.0,
         Outside::Tinted | Outside::Shown => BEYOND,
     };
@@ -71,17 +71,17 @@ pub(super) fn contents(request: &Request) -> Scene {
 }
 
 fn revealed(request: &Request) -> Revealed {
-    revealed_scene::in_canonical(request, Palette::of(request.look.style.theme))
+    revealed_scene::in_canonical(request, Palette::of(request.shot.look.style.theme))
 }
 
 /// The observer of the picture.
 pub(super) fn observer_of(request: &Request) -> Observer {
-    request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
+    request.observer().unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
 /// Draws the canonical volume; an observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
-    let style = &request.look.style;
+    let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
     let target = request.size.target(palette.paper);
     let Some(screen) = screen(request) else {
@@ -94,7 +94,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     axes(&mut builder, &canonical, palette);
     revealed.mark(&mut builder, palette);
     probe::in_canonical(&mut builder, request, palette);
-    stepped::in_canonical(&mut builder, request, palette);
+    triangle_overlay::in_canonical(&mut builder, request, palette);
     cube(&mut builder, &canonical, request.labels, palette);
     let drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
@@ -148,7 +148,7 @@ pub(super) fn settled(mut drawn: Frame, request: &Request, rows: Vec<Row>, first
         dispensable: Some(palette.soft),
         leader: Some((palette.soft, 0.8 * request.size.scale)),
     };
-    placing::settle(&mut drawn.drawing, &rules);
+    label_layout::settle(&mut drawn.drawing, &rules);
     revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
 }

@@ -24,7 +24,7 @@ pub(super) struct CanonicalBox {
 impl CanonicalBox {
     pub(super) fn of(request: &Request) -> Self {
         let camera = &request.camera;
-        Self::new(camera.possible_clip_space(request.ndc).ndc(), camera)
+        Self::new(camera.possible_clip_space(request.shot.ndc).ndc(), camera)
     }
 
     fn new(ndc: Ndc, camera: &Camera) -> Self {

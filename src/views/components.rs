@@ -8,7 +8,8 @@ use super::dimensions::{Pen, Span, span};
 use super::gear::Gear;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::volume::DrawnVolume;
-use super::{Measured, Palette, Request, WindowSide};
+use super::{Palette, Request};
+use crate::figure::{Measured, WindowSide};
 
 const LETTERS: [&str; 3] = ["x", "y", "z"];
 const AXES: [&str; 3] = ["u", "v", "n"];
@@ -24,9 +25,9 @@ pub(super) fn in_world(
     let pen = Pen { color: palette.probe, width: 2.0 };
     let camera = &request.camera;
     let (c, axes) = (camera.position(), axes(request));
-    for measured in &request.overlays.measured {
-        let Some(text) = text(request, *measured) else { continue };
-        match *measured {
+    for measured in request.measured() {
+        let Some(text) = text(request, measured) else { continue };
+        match measured {
             Measured::Dimension(_) | Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_) => {}
             Measured::Axis(k, i) => component(builder, c, along(axes[k] * gear.axis, i), &text, pen),
             Measured::ViewUp(i) => component(builder, c, along(gear.view_up_tip(camera) - c, i), &text, pen),

@@ -27,8 +27,8 @@ impl Content {
         let camera = &request.camera;
         let scene = request.scene.bounds();
         let mut points = vec![camera.position()];
-        points.extend(request.overlays.ghost.iter().map(|g| g.before.position()));
-        points.extend(request.overlays.answered.iter().map(Camera::position));
+        points.extend(request.hover.ghost.iter().map(|g| g.before.position()));
+        points.extend(request.shot.answered.iter().map(Camera::position));
         points.extend(scene.iter().flat_map(Aabb::corners));
         let boxed = |points: &[DVec3]| {
             Aabb::around(points.iter().copied()).unwrap_or(Aabb { min: camera.position(), max: camera.position() })
@@ -46,7 +46,7 @@ impl Content {
         // Followed points that are not far beyond all else are in the picture.
         let (middle, reach) = (content.core.center(), 4.0 * content.core.radius());
         let near = |p: &DVec3| p.distance(middle) < reach;
-        content.of_interest.extend(request.points.iter().map(|point| point.position).filter(near));
+        content.of_interest.extend(request.shot.points.iter().map(|point| point.position).filter(near));
         let tips = content.axis_tips();
         content.of_interest.extend(tips.into_iter().flatten());
         content

@@ -34,10 +34,10 @@ pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
     // What is divided first is not a depth where it is wrong: it is drawn as glass.
-    let right = request.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
+    let right = request.shot.look.reveal.divide_first.then(|| divided_first(&request.scene, camera, 1.0).right);
     let hit = hits::first_opaque(right.as_ref().unwrap_or(&request.scene), from, to)?;
-    let space = camera.possible_clip_space(request.ndc);
-    let stations = space.stations(hit, request.look.image, &request.look.viewport);
+    let space = camera.possible_clip_space(request.shot.ndc);
+    let stations = space.stations(hit, request.shot.look.image, &request.shot.look.viewport);
     let Projected { ndc, viewport, .. } = stations.projected?;
     Some(DepthReading { z: viewport.z, ndc_z: ndc.z, distance: -stations.view.z })
 }
@@ -57,15 +57,14 @@ impl DepthTest {
     /// Of a triangle (object of the scene, index in its mesh) in the image; `None` where its object is not drawn.
     #[must_use]
     pub fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
-        let mut plain = request.clone();
-        plain.look.reveal.depth = Depth::Stored;
+        let plain = request.clone().with_shot(|shot| shot.look.reveal.depth = Depth::Stored);
         let mut scene = Scene::clone(&request.scene);
         only(&mut scene);
         // As it is stored, not resolved over what is in view.
         let options = Options { followed: Some((object, triangle)), depth_of_volume: true, ..Options::default() };
-        let image = request.look.image;
+        let image = request.shot.look.image;
         let target = Target { width: image.width, height: image.height, scale: 1.0, background: Rgba::rgb(0, 0, 0) };
-        let style = Style { antialias: 1, ..style(&request.look.style) };
+        let style = Style { antialias: 1, ..style(&request.shot.look.style) };
         let frame = Pipeline::default().frame(&scene, &request.camera, target, &style, options);
         let followed = frame.followed?;
         let mut drawing = Drawing { strokes: Vec::new(), marks: Vec::new(), labels: Vec::new(), ..frame.drawing };
@@ -128,8 +127,8 @@ pub(super) struct Greys {
 impl Greys {
     /// `None` where the image shows colours.
     pub(super) fn of(request: &Request) -> Option<Self> {
-        let v = request.look.viewport;
-        let range = match request.look.reveal.depth {
+        let v = request.shot.look.viewport;
+        let range = match request.shot.look.reveal.depth {
             Depth::Off => return None,
             Depth::Stored => Some([v.depth_near, v.depth_far]),
             Depth::Linear => None,

@@ -8,7 +8,8 @@ use crate::camera::Projection;
 use super::gear::Gear;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::volume::DrawnVolume;
-use super::{Measure, Measured, Palette, Request};
+use super::{Palette, Request};
+use crate::figure::{Measure, Measured};
 
 /// A length between two points, measured on a line beside them.
 pub(super) struct Span<'a> {
@@ -76,9 +77,10 @@ pub(super) fn in_world(
     volume: &DrawnVolume,
     gear: Gear,
 ) {
+    let lit: Vec<Measured> = request.measured().collect();
     for measure in Measure::ALL {
-        let hot = request.overlays.measured.contains(&Measured::Dimension(measure));
-        if hot || request.look.world.dimensions {
+        let hot = lit.contains(&Measured::Dimension(measure));
+        if hot || request.shot.look.world.dimensions {
             let pen =
                 if hot { Pen { color: palette.probe, width: 2.0 } } else { Pen { color: palette.soft, width: 1.2 } };
             one(builder, request, volume, gear, measure, pen);
@@ -92,8 +94,7 @@ pub(super) const LOWEST: f64 = 1.75;
 fn one(builder: &mut SceneBuilder, request: &Request, volume: &DrawnVolume, gear: Gear, measure: Measure, pen: Pen) {
     let camera = &request.camera;
     let (c, dop, basis) = (camera.position(), camera.direction_of_projection(), camera.basis());
-    let [lb, _, rt, lt] = volume.window();
-    let rb = volume.window()[1];
+    let [_, rb, rt, lt] = volume.window();
     let text = text(request, measure);
     let mut along_axis = |to: f64, below: f64, gap: Option<[f64; 2]>| {
         let aside = basis.v * (-below * gear.axis);
@@ -108,7 +109,7 @@ fn one(builder: &mut SceneBuilder, request: &Request, volume: &DrawnVolume, gear
             span(builder, &Span { ends: [lt, rt], aside, text: &text, gap: None }, pen);
         }
         Measure::Height => {
-            let (aside, _) = (basis.u * (0.35 * gear.axis), lb);
+            let aside = basis.u * (0.35 * gear.axis);
             span(builder, &Span { ends: [rb, rt], aside, text: &text, gap: None }, pen);
         }
         Measure::HalfAngle => {

@@ -15,10 +15,10 @@ use super::{Ghost, Palette, Request};
 
 /// Adds the operation that is being tried, and the camera that an answer describes, where there are any.
 pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear) {
-    if let Some(answered) = &request.overlays.answered {
+    if let Some(answered) = &request.shot.answered {
         camera_answered(builder, request, palette, gear, answered);
     }
-    let Some(ghost) = &request.overlays.ghost else { return };
+    let Some(ghost) = &request.hover.ghost else { return };
     camera_before(builder, request, palette, gear, &ghost.before);
     let after = &request.camera;
     match ghost.operation.axis(&ghost.before) {
@@ -60,6 +60,7 @@ fn camera_answered(builder: &mut SceneBuilder, request: &Request, palette: Palet
 fn camera(builder: &mut SceneBuilder, gear: Gear, camera: &Camera, name: &str, color: Rgba) {
     let c = camera.position();
     builder.scene.objects.push(Object {
+        part_of: None,
         name: name.to_owned(),
         mesh: Arc::new(gizmos::camera_body()),
         world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),

@@ -103,6 +103,7 @@ impl SceneBuilder<'_> {
         }
         mesh.edges.clear();
         self.scene.objects.push(Object {
+            part_of: None,
             name: name.to_owned(),
             mesh: Arc::new(mesh),
             world_from_object: DMat4::IDENTITY,

@@ -192,7 +192,7 @@ mod tests {
         let (figure, camera) = (Figure::default(), Camera::new(&parameters).unwrap());
         let (scene, size) = (SharedScene::default(), Size { width: 600, height: 400, scale: 1.0 });
         let request = Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size);
-        let request = Request { observer: Some(observer), ..request };
+        let request = request.seen_by(Some(observer));
         test(&request, &world_framing::screen(&request).unwrap());
     }
 

@@ -14,8 +14,14 @@ pub(super) fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> 
 /// As [`first_hit`], of the faces that leave a depth in the image: opaque ones, and of open one-sided objects only the fronts.
 pub(super) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
     let opaque = scene.objects.iter().filter(|o| o.faces && !o.paint.is_translucent());
-    let t = opaque.filter_map(|o| crossing(o, from, to, !o.two_sided && !o.mesh.closed)).min_by(f64::total_cmp)?;
+    let t = opaque.filter_map(|o| crossing(o, from, to, fronts_only(o))).min_by(f64::total_cmp)?;
     Some(from + (to - from) * t)
+}
+
+/// True where only the fronts of an object's faces are seen. A closed solid shows its inside where a plane cuts it open, and a segment that begins outside of a whole one
+/// meets a front first.
+pub(super) fn fronts_only(object: &Object) -> bool {
+    !object.two_sided && !object.mesh.closed
 }
 
 /// Where a segment first meets a face: 0 at `from`, 1 at `to`.

@@ -10,12 +10,14 @@ use crate::scene::Scene;
 
 use super::depth::{self, Greys};
 use super::gizmos::{SceneBuilder, stroke};
+use super::label_layout::{Box2, Rules};
 use super::legend::Row;
 use super::pixels::{PixelRect, Size, image_frame};
-use super::placing::{Box2, Rules};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
-use super::{Palette, Request, begun, outside, placing, probe, revealed_scene, stepped, vanishing};
+use super::{
+    Palette, Request, label_layout, outside, partial_paint, probe, revealed_scene, triangle_overlay, vanishing,
+};
 
 /// The camera and the pixels that its window fills.
 pub(super) fn screen(request: &Request) -> Screen {
@@ -23,16 +25,16 @@ pub(super) fn screen(request: &Request) -> Screen {
 }
 
 fn frame(request: &Request) -> PixelRect {
-    image_frame(request.size, request.look.image_aspect(&request.camera))
+    image_frame(request.size, request.shot.look.image_aspect(&request.camera))
 }
 
 /// Draws the image.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
-    let style = &request.look.style;
+    let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
     let greys = Greys::of(request);
     let paper = if greys.is_some() { palette.nothing } else { palette.paper };
-    let style = match (greys, request.look.reveal.divide_first) {
+    let style = match (greys, request.shot.look.reveal.divide_first) {
         (Some(_), _) => depth::style(style),
         // What is wrong is drawn for itself, and only a depth buffer brings both together.
         (None, true) => Style { visibility: Visibility::DepthBuffer, ..*style },
@@ -42,8 +44,8 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let rect = frame(request);
     let target = Target { width: rect.width, height: rect.height, ..whole };
     // A scene of many objects is not copied where nothing is added to it.
-    let nothing_followed = request.points.is_empty() && request.overlays.stepped.is_none();
-    let plain = request.look.reveal == Reveal::default() && request.overlays.probe.is_none() && nothing_followed;
+    let nothing_followed = request.shot.points.is_empty() && request.triangle.is_none();
+    let plain = request.shot.look.reveal == Reveal::default() && request.probe().is_none() && nothing_followed;
     let (revealed, wrong) = if plain { Default::default() } else { revealed_scene::in_image(request, palette) };
     let mut drawn = if plain {
         pipeline.frame(request, &request.scene, &request.camera, target, &style)
@@ -54,7 +56,7 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         }
         revealed.mark(&mut builder, palette);
         probe::in_image(&mut builder, request, palette);
-        stepped::in_image(&mut builder, request, palette);
+        triangle_overlay::in_image(&mut builder, request, palette);
         pipeline.frame(request, &builder.scene, &request.camera, target, &style)
     };
     // Where nothing is behind the eye, dividing first makes no difference, and clipping did its work as ever.
@@ -64,17 +66,17 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
         add(
             &mut drawn.drawing,
             TimedPipeline::default()
-                .frame(&Request { stage: None, ..request.clone() }, &wrong, &front, target, &style)
+                .frame(&request.clone().with_shot(|shot| shot.show.stage = None), &wrong, &front, target, &style)
                 .drawing,
         );
     }
-    if request.overlays.bare {
+    if request.finish.bare {
         // What it is painted on has the texts of the scene itself.
         drawn.drawing.labels.clear();
     }
     let mut rows = revealed.rows;
-    if let Some(share) = request.begun {
-        let [count, all] = begun::first(&mut drawn.drawing, share);
+    if let Some(share) = request.shot.show.painted {
+        let [count, all] = partial_paint::first(&mut drawn.drawing, share);
         rows.push(Row::Title(format!("{count} / {all} {}", request.labels.triangles), palette.ink));
     }
     if let Some(greys) = greys {
@@ -83,29 +85,31 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     }
     rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     outside::in_image(&mut drawn.drawing, request, palette);
-    if request.look.reveal.vanishing {
+    if request.shot.look.reveal.vanishing {
         rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
     }
     let legend = revealed_scene::legend(request, rows, &whole, palette);
     // The legend lies in the whole picture, of which the image may be the middle.
     let reserved = revealed_scene::room(legend.as_ref())
         .map(|room| Box2 { center: room.center - DVec2::new(f64::from(rect.x), f64::from(rect.y)), ..room });
-    placing::settle(
+    label_layout::settle(
         &mut drawn.drawing,
         &Rules { background: &[], reserved, first: &[], dispensable: None, leader: None },
     );
     if rect != PixelRect::whole(request.size) {
         let mount = |drawing: Drawing| {
             let mut drawing = mounted(drawing, rect, request.size, palette);
-            if request.overlays.transparent {
+            if request.finish.transparent {
                 // The sheet of paper.
                 drawing.surfaces.remove(0);
             }
             drawing
         };
         (drawn.drawing, drawn.before) = (mount(drawn.drawing), drawn.before.map(mount));
+        let dropped = drawn.dropped_faces.iter_mut().flat_map(|face| &mut face.positions);
+        dropped.for_each(|p| *p = shifted(*p, rect));
     }
-    stepped::pixels(&mut drawn.drawing, rect, request, palette);
+    triangle_overlay::pixels(&mut drawn.drawing, rect, request, palette);
     revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
 }
@@ -122,10 +126,7 @@ fn add(drawing: &mut Drawing, more: Drawing) {
 fn mounted(mut image: Drawing, rect: PixelRect, size: Size, palette: Palette) -> Drawing {
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let [x, y, w, h] = [rect.x, rect.y, rect.width, rect.height].map(|v| v as f32);
-    let shift = |p: &mut [f32; 3]| {
-        p[0] += x;
-        p[1] += y;
-    };
+    let shift = |p: &mut [f32; 3]| *p = shifted(*p, rect);
     image.surfaces.iter_mut().flat_map(|s| &mut s.positions).for_each(shift);
     image.strokes.iter_mut().flat_map(|s| &mut s.points).for_each(shift);
     image.areas.iter_mut().for_each(|area| area.corner = [area.corner[0] + x, area.corner[1] + y]);
@@ -140,6 +141,12 @@ fn mounted(mut image: Drawing, rect: PixelRect, size: Size, palette: Palette) ->
         style: stroke(palette.soft, size.scale, Dash::Solid, HiddenLines::Shown),
     });
     Drawing { width: size.width, height: size.height, background: palette.surround, ..image }
+}
+
+/// A place in the image, in the whole picture.
+#[expect(clippy::cast_precision_loss, reason = "pixels")]
+fn shifted([x, y, z]: [f32; 3], rect: PixelRect) -> [f32; 3] {
+    [x + rect.x as f32, y + rect.y as f32, z]
 }
 
 /// A rectangle behind everything.

@@ -7,7 +7,7 @@ use crate::drawing::{Anchor, Area, Drawing, Label, Mark};
 
 use super::Palette;
 use super::gizmos::SMALL_TYPE;
-use super::placing::{Box2, half_size};
+use super::label_layout::{Box2, half_size};
 
 /// Height of a line, in heights of its letters.
 const LINE: f64 = 1.45;

@@ -12,44 +12,44 @@
 //! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed; in other conventions as deep as they are | [`Observer`] |
 
 mod arrangement;
-mod begun;
 mod canonical;
 mod canonical_box;
 mod components;
 mod content;
 pub mod depth;
 mod dimensions;
-pub mod followed;
 mod gear;
 mod ghost;
 mod gizmos;
 pub mod handles;
 mod hits;
+mod hover;
 mod image;
+mod label_layout;
 mod labels;
 mod legend;
+pub mod named_points;
 mod normalizing;
 mod object_parts;
 pub mod observer;
 mod outside;
-mod overlays;
 pub mod palette;
+mod partial_paint;
 pub mod pick;
 mod pixels;
-mod placed;
-mod placing;
 mod probe;
 mod request;
 mod revealed_scene;
 mod screen;
 mod section;
+mod shot;
 mod solids;
-mod staged;
-mod stepped;
+mod stage_overlay;
 mod timed_pipeline;
 pub mod transform_gizmo;
+mod transform_preview;
+mod triangle_overlay;
 mod vanishing;
-mod view;
 mod volume;
 mod world;
 mod world_framing;
@@ -59,21 +59,21 @@ use std::sync::Arc;
 
 use crate::appearance::Texture;
 use crate::figure::{Figure, Observer};
+pub use crate::figure::{View, Views};
 use crate::pipeline::Frame;
 use crate::progress::Progress;
 use crate::scene::{self, MeshFiles, ReadFile, Scene, SceneError};
 pub use arrangement::{Arrangement, aspect_shown, used_area};
+pub use hover::{
+    Ghost, GizmoPart, Handle, Hover, ObjectTransform, Probe, TransformGizmo, Transforming, TriangleOverlay,
+};
 pub use labels::Labels;
 use observer::Viewpoint;
-pub use overlays::{
-    Ghost, GizmoPart, Handle, Measure, Measured, ObjectTransform, Overlays, Placed, Probe, Stepped, TransformGizmo,
-    Transforming, TriangleStep, WindowSide,
-};
 pub use palette::Palette;
 pub use pixels::{PixelRect, Size, image_frame};
-pub use request::{Look, Normalizing, Request, SharedScene, observer_in};
+pub use request::{Finish, Normalizing, Request, SharedScene, observer_in};
+pub use shot::{Look, Shot};
 pub use timed_pipeline::TimedPipeline;
-pub use view::{View, Views};
 
 /// Draws a picture, and tells what was done. `on_window` is the image that the view window of the world shows:
 /// [`Request::image_on_window`] as pixels; without it the window is plain.
@@ -84,10 +84,10 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
         View::Canonical => normalizing::frame_of(request, pipeline),
         View::Image => image::frame_of(request, pipeline),
     };
-    if request.overlays.transparent {
+    if request.finish.transparent {
         frame.drawing.background.a = 0;
     }
-    if let Some(factor) = request.overlays.stroke_factor {
+    if let Some(factor) = request.finish.stroke_factor {
         frame.drawing.strokes.iter_mut().for_each(|stroke| stroke.style.width *= factor);
     }
     if let Some(too_much) = frame.too_much.take() {
@@ -112,7 +112,7 @@ impl Request {
     pub fn seen_from(&self) -> Option<Observer> {
         match self.view {
             View::World => Some(world_framing::seen_from(self)),
-            View::Canonical => self.observer.or_else(|| self.observer_from(Viewpoint::Iso)),
+            View::Canonical => self.observer().or_else(|| self.observer_from(Viewpoint::Iso)),
             View::Image => None,
         }
     }

@@ -32,7 +32,7 @@ struct Way {
 impl Way {
     /// `None` where the way is at its end, or the camera has no such steps.
     fn of(request: &Request) -> Option<Self> {
-        let Normalizing { decomposition, time } = request.normalizing?;
+        let Normalizing { decomposition, time } = request.normalizing()?;
         let factors = request.camera.decomposed(decomposition)?;
         #[expect(clippy::cast_precision_loss, reason = "there are a handful of steps")]
         let end = factors.len() as f64;
@@ -146,16 +146,13 @@ fn between(a: Observer, b: Observer, share: f64) -> Observer {
 
 /// Draws the canonical volume, or what is on the way to it.
 pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame {
-    let Some(normalizing) = request.normalizing else { return canonical::frame_of(request, pipeline) };
-    // Steps end in the convention of those who take them.
-    let request = Request { ndc: normalizing.decomposition.ndc(), ..request.clone() };
-    let on_the_way = Way::of(&request).and_then(|way| moved(&request, &way, pipeline));
-    on_the_way.unwrap_or_else(|| canonical::frame_of(&request, pipeline))
+    let on_the_way = Way::of(request).and_then(|way| moved(request, &way, pipeline));
+    on_the_way.unwrap_or_else(|| canonical::frame_of(request, pipeline))
 }
 
 /// The picture where the way is not at its end.
 fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<Frame> {
-    let palette = Palette::of(request.look.style.theme);
+    let palette = Palette::of(request.shot.look.style.theme);
     let target = request.size.target(palette.paper);
     let matrix = way.back_from_canonical();
     let the_box = CanonicalBox::of(request);
@@ -169,7 +166,7 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let screen = Screen::new(camera, PixelRect::whole(request.size), request.size.scale);
     let mut scene = canonical::contents(request);
     scene.project(&matrix);
-    let (scene, style) = gizmos::wired(scene, &request.look.style);
+    let (scene, style) = gizmos::wired(scene, &request.shot.look.style);
     let mut builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;

@@ -9,17 +9,18 @@ use crate::geometry::Angle;
 use super::components::{component, lettered};
 use super::dimensions::Pen;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
-use super::{Measured, ObjectTransform, Palette, Request};
+use super::{ObjectTransform, Palette, Request};
+use crate::figure::Measured;
 
 /// The radius of an arc, in pixels at scale 1.
 const RADIUS: f64 = 46.0;
 
 /// Draws what is pointed at of the object that is explained.
 pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
-    let Some(object) = request.overlays.object else { return };
+    let Some(object) = request.measured_object() else { return };
     let pen = Pen { color: palette.probe, width: 2.0 };
-    for measured in &request.overlays.measured {
-        match *measured {
+    for measured in request.measured() {
+        match measured {
             Measured::Translate(i) => translation(builder, request, object, i, pen),
             Measured::Rotate(i) => rotation(builder, request, object, i, pen),
             Measured::Scale(i) => scale(builder, request, object, i, pen),
@@ -115,7 +116,7 @@ mod tests {
     use crate::i18n::{Lang, pictures};
     use crate::scene::transform::Trs;
     use crate::views::timed_pipeline::TimedPipeline;
-    use crate::views::{Overlays, SharedScene, Size, View, frame};
+    use crate::views::{Hover, SharedScene, Size, View, frame};
 
     fn drawn(measured: Vec<Measured>, object: ObjectTransform) -> Drawing {
         let (figure, camera) = (Figure::default(), Camera::new(&Parameters::default()).unwrap());
@@ -129,10 +130,10 @@ mod tests {
             parallel: false,
         };
         let request = Request {
-            observer: Some(observer),
-            overlays: Overlays { measured, object: Some(object), ..Overlays::default() },
+            hover: Hover { measured, object: Some(object), ..Hover::default() },
             ..Request::of(&figure, View::World, &camera, &SharedScene::default(), pictures::labels(Lang::En), size)
-        };
+        }
+        .seen_by(Some(observer));
         frame(&request, None, &mut TimedPipeline::default()).drawing
     }
 

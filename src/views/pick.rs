@@ -8,7 +8,7 @@ use crate::pipeline::project::displayed_ndc;
 use crate::scene::Scene;
 
 use super::canonical_box::CanonicalBox;
-use super::hits::{can_be_seen, crossing, triangle_hit};
+use super::hits::{can_be_seen, crossing, fronts_only, triangle_hit};
 use super::probe::Pixel;
 use super::screen::Screen;
 use super::{Probe, Request, View, canonical, image, world_framing};
@@ -28,7 +28,7 @@ pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
     nearest(shown, catch.faces(request), &catch.screen, pointer, reach)
 }
 
-/// The name of the object whose face a place (pixels) of a picture shows; `None` where there is none, and in the canonical
+/// The name of the figure's object whose face a place (pixels) of a picture shows; `None` where there is none, and in the canonical
 /// volume, where what is seen has been clipped and projected.
 #[must_use]
 pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
@@ -48,7 +48,7 @@ pub fn triangle_in_image(request: &Request, pointer: DVec2) -> Option<(usize, u3
     let per_depth = ray.direction / ray.direction.dot(camera.direction_of_projection());
     let (from, to) = (ray.origin + per_depth * camera.near(), ray.origin + per_depth * camera.far());
     let faced = request.scene.objects.iter().enumerate().filter(|(_, object)| object.faces);
-    let hits = faced.filter_map(|(i, o)| Some((triangle_hit(o, from, to, !o.two_sided && !o.mesh.closed)?, i)));
+    let hits = faced.filter_map(|(i, o)| Some((triangle_hit(o, from, to, fronts_only(o))?, i)));
     hits.min_by(|a, b| a.0.0.total_cmp(&b.0.0)).map(|((_, triangle), object)| (object, triangle))
 }
 
@@ -58,7 +58,7 @@ pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
     let frame = image::screen(request);
     let share = frame.holds(pointer).then(|| frame.window_point(pointer))?;
     let window = request.camera.window();
-    let (m, n) = (request.look.image.width, request.look.image.height);
+    let (m, n) = (request.shot.look.image.width, request.shot.look.image.height);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "held to the image")]
     let part = |share: f64, size: u32| ((share * f64::from(size)) as u32).min(size.saturating_sub(1));
     let x = (share.x - window.left) / window.width();
@@ -166,8 +166,8 @@ fn first_object(request: &Request, ray: Ray) -> Option<String> {
     let bounds = request.scene.bounds()?;
     let far = ray.origin + ray.direction * (bounds.center().distance(ray.origin) + 2.0 * bounds.radius());
     let faced = request.scene.objects.iter().filter(|o| o.faces);
-    let hits = faced.filter_map(|o| Some((crossing(o, ray.origin, far, !o.two_sided)?, o)));
-    hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, object)| object.name.clone())
+    let hits = faced.filter_map(|o| Some((crossing(o, ray.origin, far, fronts_only(o))?, o)));
+    hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, object)| object.owner().to_owned())
 }
 
 /// Every point that can be caught: vertices, ends of lines, marks.
@@ -239,7 +239,24 @@ mod tests {
     /// The same, of another picture.
     fn seen(request: &Request, view: View, viewpoint: Viewpoint) -> Request {
         let request = Request { view, ..request.clone() };
-        Request { observer: request.observer_from(viewpoint), ..request }
+        let observer = request.observer_from(viewpoint);
+        request.seen_by(observer)
+    }
+
+    /// The near plane cuts the front away: what is seen is the inside of the back.
+    #[test]
+    fn the_inside_of_a_solid_that_is_cut_open_is_the_solid() {
+        let position = DVec3::new(0.0, 0.0, 5.0);
+        for near in [1.0, 4.5] {
+            with_cube(Parameters { position, near, ..Parameters::default() }, |request| {
+                let middle = DVec2::new(300.0, 225.0);
+                assert_eq!(object(request, middle).as_deref(), Some("cube"), "F = {near}");
+                let (_, triangle) = triangle_in_image(request, middle).unwrap();
+                let corners = request.scene.objects[0].mesh.triangles[triangle as usize];
+                let z = request.scene.objects[0].mesh.positions[corners[0] as usize].z;
+                assert_eq!(z, if near < 4.0 { 1.0 } else { -1.0 });
+            });
+        }
     }
 
     #[test]
@@ -318,8 +335,7 @@ mod tests {
     fn the_image_maps_to_the_window() {
         with_cube(Parameters { aspect: 1.0, ..Parameters::default() }, |request| {
             let w = request.camera.window();
-            let look = crate::views::Look { undistorted: true, ..request.look };
-            let undistorted = Request { look, ..request.clone() };
+            let undistorted = request.clone().with_shot(|shot| shot.look.undistorted = true);
             let at = |x, y| window_point_in_image(&undistorted, DVec2::new(x, y));
             assert_eq!(at(75.0, 0.0), Some(DVec2::new(w.left, w.top)), "450 × 450 in the middle of 600");
             assert_eq!(at(525.0, 450.0), Some(DVec2::new(w.right, w.bottom)));

@@ -61,10 +61,10 @@ impl<'a> Look<'a> {
 
 /// The point that the probe is at, and those of the figure; where the probe is at one of them, only this has a name.
 pub(super) fn points<'a>(request: &'a Request, palette: Palette) -> impl Iterator<Item = (DVec3, Look<'a>)> {
-    let named = request.points.iter().map(move |point| (point.position, Look::named(point, palette)));
-    let probed = match request.overlays.probe {
+    let named = request.shot.points.iter().map(move |point| (point.position, Look::named(point, palette)));
+    let probed = match request.probe() {
         Some(Probe::Point(p)) => {
-            let name = if request.points.iter().any(|point| point.position == p) { "" } else { "P" };
+            let name = if request.shot.points.iter().any(|point| point.position == p) { "" } else { "P" };
             Some((p, Look { name, ..Look::probe(palette) }))
         }
         Some(Probe::Window(_)) | None => None,
@@ -100,7 +100,7 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
         point_in_world(builder, request, p, look);
     }
     let color = palette.probe;
-    match request.overlays.probe {
+    match request.probe() {
         None | Some(Probe::Point(_)) => {}
         Some(Probe::Window(point)) => {
             let pixel = Pixel::new(request, point);
@@ -132,7 +132,7 @@ pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palett
             ray_through_box(builder, &canonical, place, Some(place), look);
         }
     }
-    if let Some(Probe::Window(point)) = request.overlays.probe {
+    if let Some(Probe::Window(point)) = request.probe() {
         let pixel = Pixel::new(request, point);
         if let Some(through) = shown(pixel.window) {
             let look = Look { ray: 1.6, ..Look::probe(palette) };
@@ -169,7 +169,7 @@ pub(super) fn on_the_way(
     palette: Palette,
     place: impl Fn(DVec3) -> Option<DVec3>,
 ) {
-    for point in request.points.iter() {
+    for point in request.shot.points.iter() {
         if let Some(p) = place(point.position) {
             Look::named(point, palette).mark(builder, p);
         }
@@ -183,8 +183,12 @@ pub(super) fn in_image(builder: &mut SceneBuilder, request: &Request, palette: P
         let name = if look.mark.0 == MarkShape::Ring { "" } else { look.name };
         Look { name, ..look }.mark(builder, p);
     }
-    if let Some(Probe::Window(point)) = request.overlays.probe {
-        builder.mark(ray_of(request, point).1, MarkShape::Cross, 6.0, palette.probe);
+    if let Some(Probe::Window(point)) = request.probe() {
+        // A hair behind the window: what lies in the front plane is clipped or not as rounding has it, and any point of the ray has this pixel.
+        let (origin, window, end) = ray_of(request, point);
+        let behind = origin + (window - origin) * 1.001;
+        let p = if behind.distance(origin) < end.distance(origin) { behind } else { window.midpoint(end) };
+        builder.mark(p, MarkShape::Cross, 6.0, palette.probe);
     }
 }
 

@@ -4,12 +4,11 @@ use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 use super::pixels::image_frame;
-use super::{Labels, Overlays, Size, View};
-use crate::appearance::Style;
-use crate::camera::{Camera, Decomposition, ImageSize, Ndc, Viewport};
-use crate::figure::{Figure, NamedPoint, Observer, Observers, Reveal, WorldLook};
+use super::{Hover, Labels, Look, ObjectTransform, Probe, Shot, Size, TriangleOverlay, View};
+use crate::camera::{Camera, Decomposition};
+use crate::figure::{Figure, Measured, Observer, Observers, ShownStep};
 use crate::geometry::Aabb;
-use crate::pipeline::{Output, Stage};
+use crate::pipeline::Output;
 use crate::scene::Scene;
 
 /// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
@@ -17,27 +16,16 @@ use crate::scene::Scene;
 pub struct Request {
     /// Which picture.
     pub view: View,
-    /// How everything looks.
-    pub look: Look,
+    /// What it shows: of all that pictures show, what is seen in this one.
+    pub shot: Arc<Shot>,
     /// The camera that the picture is about.
     pub camera: Camera,
     /// What it looks at.
     pub scene: SharedScene,
-    /// The points that are followed.
-    pub points: Arc<[NamedPoint]>,
-    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image is
-    /// seen by the camera alone.
-    pub observer: Option<Observer>,
-    /// Whose NDC the canonical volume and the numbers are in.
-    pub ndc: Ndc,
-    /// The canonical picture on its way from the world, step by step; `None`: arrived.
-    pub normalizing: Option<Normalizing>,
-    /// Only the first share (0 … 1) of the image's triangles are painted, in the order of painting; `None`: all, with everything else.
-    pub begun: Option<f64>,
-    /// What goes into this stage and what comes out is shown in the picture, where it runs.
-    pub stage: Option<Stage>,
-    /// What comes and goes with the pointer.
-    pub overlays: Overlays,
+    /// What only the pointer makes.
+    pub hover: Hover,
+    /// What the output asks for.
+    pub finish: Finish,
     /// The words in the picture.
     pub labels: &'static Labels,
     /// Size of the picture.
@@ -46,6 +34,19 @@ pub struct Request {
     pub force_all_stages: bool,
     /// What the drawing is for; pixels are made of drawings for pixels.
     pub output: Output,
+    /// The triangle of the shot on its way, which the renderer finds; nobody else sets it.
+    pub triangle: Option<Arc<TriangleOverlay>>,
+}
+
+/// What belongs to an output, and not to what is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Finish {
+    /// Without texts and legends: the picture is painted on something.
+    pub bare: bool,
+    /// Without ground: what is behind the picture shows through.
+    pub transparent: bool,
+    /// What the widths of strokes are multiplied by; `None`: they are in proportion to the letters.
+    pub stroke_factor: Option<f32>,
 }
 
 impl Request {
@@ -60,23 +61,84 @@ impl Request {
         labels: &'static Labels,
         size: Size,
     ) -> Self {
+        Self::new(&Shot::of(figure), view, camera, scene, labels, size)
+    }
+
+    /// A picture of a shot, with nothing pointed at.
+    #[must_use]
+    pub fn new(
+        shot: &Shot,
+        view: View,
+        camera: &Camera,
+        scene: &SharedScene,
+        labels: &'static Labels,
+        size: Size,
+    ) -> Self {
         Self {
             view,
-            look: Look::of(figure),
+            shot: Arc::new(shot.seen_in(view)),
             camera: camera.clone(),
             scene: scene.clone(),
-            points: figure.points.as_slice().into(),
-            observer: observer_in(&figure.observers, view),
-            ndc: Ndc::default(),
-            normalizing: None,
-            begun: None,
-            stage: None,
-            overlays: Overlays::default(),
+            hover: Hover::default(),
+            finish: Finish::default(),
             labels,
             size,
             force_all_stages: false,
             output: Output::Pixels,
+            triangle: None,
         }
+    }
+
+    /// The same picture with another shot, of which what is seen in it counts.
+    #[must_use]
+    pub fn with_shot(self, change: impl FnOnce(&mut Shot)) -> Self {
+        let mut shot = Shot::clone(&self.shot);
+        change(&mut shot);
+        Self { shot: Arc::new(shot.seen_in(self.view)), ..self }
+    }
+
+    /// The same picture seen from somewhere else; the image is seen by the camera alone.
+    #[must_use]
+    pub fn seen_by(self, observer: Option<Observer>) -> Self {
+        let view = self.view;
+        self.with_shot(|shot| match view {
+            View::World => shot.observers.world = observer,
+            View::Canonical => shot.observers.canonical = observer,
+            View::Image => {}
+        })
+    }
+
+    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image is seen by the
+    /// camera alone.
+    #[must_use]
+    pub fn observer(&self) -> Option<Observer> {
+        observer_in(&self.shot.observers, self.view)
+    }
+
+    /// The canonical picture on its way from the world, step by step; `None`: there is no way that the camera can go, or none is shown.
+    #[must_use]
+    pub fn normalizing(&self) -> Option<Normalizing> {
+        Normalizing::of(self.shot.show.step?, &self.camera)
+    }
+
+    /// What is marked in all three pictures: what is pinned, or what is pointed at.
+    #[must_use]
+    pub fn probe(&self) -> Option<Probe> {
+        let pinned = self.shot.show.probe.map(|probe| Probe::of(probe, &self.camera, self.shot.look.image));
+        pinned.or(self.hover.probe)
+    }
+
+    /// The lengths, angles and coordinates that light up in the world.
+    pub fn measured(&self) -> impl Iterator<Item = Measured> {
+        let shown = &self.shot.show.measure;
+        let pointed = self.hover.measured.iter().filter(move |measured| !shown.contains(measured));
+        shown.iter().chain(pointed).copied()
+    }
+
+    /// The object of which parts are measured.
+    #[must_use]
+    pub fn measured_object(&self) -> Option<ObjectTransform> {
+        self.hover.object.or(self.shot.measured_object)
     }
 
     /// The image, without margins and legends, for the view window in the world: half as large as the picture, within reason, and
@@ -85,17 +147,18 @@ impl Request {
     pub fn image_on_window(&self) -> Self {
         let side = (self.size.width.max(self.size.height) / 2).clamp(256, 1024);
         let frame = image_frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window().aspect());
+        // Points, and what is explained, are drawn in the world.
+        let look = Look { undistorted: true, ..self.shot.look };
+        let shot = Shot { look, ndc: self.shot.ndc, ..Shot::default() };
         Self {
             view: View::Image,
-            look: Look { undistorted: true, ..self.look },
-            // They are drawn in the world.
-            points: Arc::default(),
-            observer: None,
-            stage: None,
-            overlays: Overlays { bare: true, stroke_factor: self.overlays.stroke_factor, ..Overlays::default() },
+            shot: Arc::new(shot),
+            hover: Hover::default(),
+            finish: Finish { bare: true, stroke_factor: self.finish.stroke_factor, ..Finish::default() },
             size: Size { width: frame.width, height: frame.height, scale: 1.0 },
             // Also in a vector picture it is a texture.
             output: Output::Pixels,
+            triangle: None,
             ..self.clone()
         }
     }
@@ -110,6 +173,17 @@ pub struct Normalizing {
     pub time: f64,
 }
 
+impl Normalizing {
+    /// How far a camera has come on a way; `None` where it has none of this source.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
+    pub fn of(step: ShownStep, camera: &Camera) -> Option<Self> {
+        let ShownStep { way, at } = step;
+        let end = camera.decomposed(way)?.len() as f64;
+        Some(Self { decomposition: way, time: at.unwrap_or(end).clamp(0.0, end) })
+    }
+}
+
 /// What a figure says about the observer of a picture.
 #[must_use]
 pub fn observer_in(observers: &Observers, view: View) -> Option<Observer> {
@@ -117,40 +191,6 @@ pub fn observer_in(observers: &Observers, view: View) -> Option<Observer> {
         View::World => observers.world,
         View::Canonical => observers.canonical,
         View::Image => None,
-    }
-}
-
-/// What a picture depends on besides camera, scene and observer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
-    /// `[image]`
-    pub image: ImageSize,
-    /// `[image] undistorted`
-    pub undistorted: bool,
-    /// `[viewport]`: the figure's, or the whole image.
-    pub viewport: Viewport,
-    /// `[style]`
-    pub style: Style,
-    /// `[reveal]`
-    pub reveal: Reveal,
-    /// `[world]`
-    pub world: WorldLook,
-}
-
-impl Look {
-    /// As a figure wants it.
-    #[must_use]
-    pub fn of(figure: &Figure) -> Self {
-        let Figure { image, undistorted, viewport, style, reveal, world, .. } = *figure;
-        Self { image, undistorted, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal, world }
-    }
-}
-
-impl Look {
-    /// Width / height of the image as it is shown: m / n, whatever the window, or that of the window.
-    #[must_use]
-    pub fn image_aspect(&self, camera: &Camera) -> f64 {
-        if self.undistorted { camera.window().aspect() } else { self.image.aspect() }
     }
 }
 
@@ -206,7 +246,7 @@ mod tests {
     use super::*;
     use crate::i18n::{Lang, pictures};
     use crate::scene::PointMark;
-    use crate::views::{Handle, Probe, TransformGizmo, Transforming};
+    use crate::views::{Handle, TransformGizmo, Transforming};
     use glam::{DVec2, DVec3};
 
     fn request() -> Request {
@@ -241,15 +281,15 @@ mod tests {
 
     #[test]
     fn what_moves_things_is_seen_in_the_world_alone_and_the_probe_everywhere() {
-        let overlays = Overlays {
+        let hover = Hover {
             probe: Some(Probe::Window(DVec2::ZERO)),
             hot: Some(Handle::Near),
             gizmo: Some(TransformGizmo { does: Transforming::Move, origin: DVec3::ZERO, axes: DVec3::AXES, hot: None }),
-            ..Overlays::default()
+            ..Hover::default()
         };
-        assert_eq!(overlays.seen_in(View::World), overlays);
+        assert_eq!(hover.seen_in(View::World), hover);
         for view in [View::Canonical, View::Image] {
-            assert_eq!(overlays.seen_in(view), Overlays { probe: overlays.probe, ..Overlays::default() });
+            assert_eq!(hover.seen_in(view), Hover { probe: hover.probe, ..Hover::default() });
         }
     }
 

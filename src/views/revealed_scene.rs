@@ -16,9 +16,9 @@ use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
+use super::label_layout::Box2;
 use super::legend::{Legend, Row};
-use super::placing::Box2;
-use super::{Labels, Palette, Request, staged};
+use super::{Labels, Palette, Request, stage_overlay};
 
 /// How far beyond the canonical volume is shown what lies outside, in its own half sides.
 pub(super) const REACH: f64 = 2.0;
@@ -75,12 +75,12 @@ impl Revealed {
 /// A legend of `rows`, where there is room for one.
 pub(super) fn legend(request: &Request, rows: Vec<Row>, target: &Target, palette: Palette) -> Option<Legend> {
     let size = [request.size.width, request.size.height];
-    Legend::new(rows, size, target.scale, palette).filter(|_| !request.overlays.bare)
+    Legend::new(rows, size, target.scale, palette).filter(|_| !request.finish.bare)
 }
 
 /// What a drawing shows of a stage, and otherwise than it was asked to.
 pub(super) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> Vec<Row> {
-    let mut rows = staged::rows(drawn, request, palette);
+    let mut rows = stage_overlay::rows(drawn, request, palette);
     let what = match &drawn.too_much {
         None => return rows,
         Some(TooMuch::Pieces { .. } | TooMuch::Strokes) => request.labels.not_split,
@@ -92,7 +92,7 @@ pub(super) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> 
 
 /// Draws the legend, and completes what shows a stage.
 pub(super) fn explain(drawn: &mut Frame, request: &Request, legend: Option<&Legend>) {
-    staged::part(drawn, request);
+    stage_overlay::part(drawn, request);
     for drawing in drawn.before.iter_mut().chain([&mut drawn.drawing]) {
         if let Some(legend) = legend {
             legend.draw(drawing);
@@ -107,8 +107,8 @@ pub(super) fn room(legend: Option<&Legend>) -> Option<Box2> {
 
 /// The scene of the world.
 pub(super) fn in_world(request: &Request, palette: Palette) -> Revealed {
-    let reveal = request.look.reveal;
-    let edges_only = request.look.style.shading == Shading::Wireframe;
+    let reveal = request.shot.look.reveal;
+    let edges_only = request.shot.look.style.shading == Shading::Wireframe;
     let mut revealed = Revealed { scene: Scene::clone(&request.scene), ..Revealed::default() };
     let mut dropped = Scene::default();
     if reveal.culled {
@@ -162,8 +162,8 @@ impl Revealed {
 
 /// The scene of the canonical volume, in its display space.
 pub(super) fn in_canonical(request: &Request, palette: Palette) -> Revealed {
-    let reveal = request.look.reveal;
-    let shading = request.look.style.shading;
+    let reveal = request.shot.look.reveal;
+    let shading = request.shot.look.style.shading;
     let edges_only = shading == Shading::Wireframe;
     let beyond = matches!(reveal.outside, Outside::Tinted | Outside::Shown);
     let mut revealed = Revealed::default();
@@ -196,13 +196,13 @@ pub(super) fn in_canonical(request: &Request, palette: Palette) -> Revealed {
 
 /// The scene of the image: in the world, and in the display space of the canonical volume, whose front is the image.
 pub(super) fn in_image(request: &Request, palette: Palette) -> (Revealed, Option<Scene>) {
-    let reveal = request.look.reveal;
+    let reveal = request.shot.look.reveal;
     let mut revealed = Revealed::default();
     let divided = reveal.divide_first.then(|| divide_first(request, 1.0, palette, &mut revealed));
     let (right, wrong) =
         divided.map_or((Scene::clone(&request.scene), None), |divided| (divided.right, Some(divided.wrong)));
     if reveal.clipping {
-        let edges_only = request.look.style.shading == Shading::Wireframe;
+        let edges_only = request.shot.look.style.shading == Shading::Wireframe;
         let parts = clip_parts(&right, &request.camera, edges_only);
         // A hair inwards, so that rounding does not leave a new vertex outside the plane that it is in.
         let middle = request.camera.volume_corners().iter().fold(DVec3::ZERO, |sum, &p| sum + p / 8.0);
@@ -231,7 +231,7 @@ pub(super) fn front() -> Option<Camera> {
 fn divide_first(request: &Request, reach: f64, palette: Palette, revealed: &mut Revealed) -> DividedFirst {
     let mut divided = divided_first(&request.scene, &request.camera, reach);
     let Scene { objects, lines, marks, .. } = &mut divided.wrong;
-    let (labels, edges_only) = (request.labels, request.look.style.shading == Shading::Wireframe);
+    let (labels, edges_only) = (request.labels, request.shot.look.style.shading == Shading::Wireframe);
     revealed.rows.push(if objects.is_empty() && lines.is_empty() && marks.is_empty() {
         Row::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
     } else {
@@ -269,7 +269,7 @@ fn culled(
     palette: Palette,
     revealed: &mut Revealed,
 ) -> (Vec<Object>, Vec<Object>) {
-    let open = matches!(request.look.reveal.outside, Outside::Cut | Outside::Tinted);
+    let open = matches!(request.shot.look.reveal.outside, Outside::Cut | Outside::Tinted);
     let (mut kept, mut dropped) = (Vec::new(), Vec::new());
     let mut turned = false;
     for object in &request.scene.objects {

@@ -14,7 +14,8 @@ use super::gizmos::{SceneBuilder, TYPE};
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::probe::Pixel;
 use super::volume::DrawnVolume;
-use super::{Measure, Palette, Probe, Request, content};
+use super::{Palette, Probe, Request, content};
+use crate::figure::Measure;
 
 /// Of a large scene, so many vertices are looked at for one that stands as an example.
 const MOST_VERTICES: usize = 20_000;
@@ -100,7 +101,7 @@ fn example(request: &Request) -> (DVec3, String) {
     let labels = request.labels;
     let called = |kind: &str, p: DVec3| (p, format!("{kind} {}", labels.mark.tuple(&p.to_array(), 3)));
     let in_front = |(p, _): &(DVec3, String)| -camera.view_point(*p).z > 0.0;
-    let probed = match request.overlays.probe {
+    let probed = match request.probe() {
         Some(Probe::Point(p)) => Some(called(labels.vertex, p)),
         Some(Probe::Window(point)) => Pixel::new(request, point).hit.map(|p| called(labels.point, p)),
         None => None,
@@ -112,7 +113,7 @@ fn example(request: &Request) -> (DVec3, String) {
         (-camera.view_point(text.position).z > least).then(|| (text.position, text.text.clone()))
     };
     let followed = || {
-        let mut in_front = request.points.iter().filter(|point| -camera.view_point(point.position).z > least);
+        let mut in_front = request.shot.points.iter().filter(|point| -camera.view_point(point.position).z > least);
         in_front.next().map(|point| (point.position, foreign::shown(&point.name)))
     };
     let image = |p: DVec3| {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Request, View, staged};
+use super::{Request, View, stage_overlay};
 use crate::appearance::Style;
 use crate::camera::Camera;
 use crate::pipeline::{Frame, Options, Pipeline, Target};
@@ -32,8 +32,8 @@ impl TimedPipeline {
             force_all_stages: request.force_all_stages,
             output: request.output,
             // What is divided first is put into the image, with depths from F to B.
-            depth_of_volume: request.view == View::Image && request.look.reveal.divide_first,
-            shown: request.stage,
+            depth_of_volume: request.view == View::Image && request.shot.look.reveal.divide_first,
+            shown: request.shot.show.stage,
             followed: None,
             clock: self.clock,
         };
@@ -42,7 +42,7 @@ impl TimedPipeline {
             let options = Options { shown: None, clock: None, ..options };
             let again =
                 |scene: &Scene, style: &Style| Pipeline::default().frame(scene, camera, target, style, options).drawing;
-            staged::show(&mut frame, request, scene, style, again);
+            stage_overlay::show(&mut frame, request, scene, style, again);
         }
         frame
     }

@@ -63,7 +63,7 @@ fn ring(gizmo: &TransformGizmo, screen: &Screen, axis: usize) -> Vec<DVec3> {
 /// seen end-on and cannot be dragged), a ring, or the middle of the bars.
 #[must_use]
 pub fn part_at(request: &Request, pointer: DVec2, reach: f64) -> Option<GizmoPart> {
-    let gizmo = request.overlays.gizmo?;
+    let gizmo = request.hover.gizmo?;
     let screen = world_framing::screen(request)?;
     let middle = screen.place(gizmo.origin)?;
     if gizmo.does == Transforming::Scale && pointer.distance(middle) <= reach {
@@ -146,7 +146,7 @@ fn turned(gizmo: &TransformGizmo, axis: usize, length: f64, grip: &Grip<'_>) -> 
 /// Adds the gizmo, if there is one; nothing hides it. Its letters are those of the fields, T, R and S, which tells it from the
 /// axes of the world.
 pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
-    let Some(gizmo) = request.overlays.gizmo else { return };
+    let Some(gizmo) = request.hover.gizmo else { return };
     let letter = match gizmo.does {
         Transforming::Move => "T",
         Transforming::Turn => "R",
@@ -189,7 +189,7 @@ mod tests {
     use crate::figure::Figure;
     use crate::figure::Observer;
     use crate::i18n::{Lang, pictures};
-    use crate::views::{Overlays, SharedScene, Size, View};
+    use crate::views::{Hover, SharedScene, Size, View};
 
     const OBSERVER: Observer =
         Observer { target: DVec3::ZERO, distance: 30.0, azimuth: 40.0, elevation: 25.0, roll: 0.0, parallel: false };
@@ -204,10 +204,10 @@ mod tests {
         let size = Size { width: 600, height: 400, scale: 1.0 };
         let scene = SharedScene::default();
         let request = Request {
-            observer: Some(observer),
-            overlays: Overlays { gizmo: Some(gizmo), ..Overlays::default() },
+            hover: Hover { gizmo: Some(gizmo), ..Hover::default() },
             ..Request::of(&figure, View::World, &camera, &scene, pictures::labels(Lang::En), size)
-        };
+        }
+        .seen_by(Some(observer));
         test(&request, &world_framing::screen(&request).unwrap());
     }
 

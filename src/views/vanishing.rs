@@ -11,8 +11,8 @@ use crate::drawing::{Anchor, Drawing, Label, Mark, StrokeSet};
 use crate::geometry::Aabb;
 
 use super::gizmos::{SMALL_TYPE, SceneBuilder, stroke};
+use super::label_layout::Box2;
 use super::legend::Row;
-use super::placing::Box2;
 use super::{Palette, Request};
 
 /// The directions, and how their vanishing points are called.

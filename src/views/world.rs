@@ -12,18 +12,18 @@ use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 use super::content::Content;
 use super::gear::Gear;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
-use super::placing::Rules;
+use super::label_layout::Rules;
 use super::revealed_scene::Revealed;
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{screen_of, seen_from};
 use super::{
-    Handle, Palette, Request, components, dimensions, ghost, handles, hits, object_parts, placed, placing, probe,
-    revealed_scene, section, stepped, transform_gizmo, vanishing,
+    Handle, Palette, Request, components, dimensions, ghost, handles, hits, label_layout, object_parts, probe,
+    revealed_scene, section, transform_gizmo, transform_preview, triangle_overlay, vanishing,
 };
 
 /// Draws the world with `on_window` as the image on the view window; an observer that is not a camera sees nothing.
 pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut TimedPipeline) -> Frame {
-    let style = &request.look.style;
+    let style = &request.shot.look.style;
     let palette = Palette::of(style.theme);
     let target = request.size.target(palette.paper);
     let content = Content::of(request);
@@ -31,11 +31,11 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
     let mut revealed =
-        if request.look.world.section { Revealed::default() } else { revealed_scene::in_world(request, palette) };
+        if request.shot.look.world.section { Revealed::default() } else { revealed_scene::in_world(request, palette) };
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
     let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
-    let names = if request.look.world.section {
+    let names = if request.shot.look.world.section {
         world.section()
     } else {
         world.ground();
@@ -54,14 +54,14 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     };
     world.hot_handle();
     ghost::in_world(&mut world.builder, request, palette, world.gear);
-    placed::in_world(&mut world.builder, request, palette);
+    transform_preview::in_world(&mut world.builder, request, palette);
     revealed.mark(&mut world.builder, palette);
-    if !request.look.world.section {
+    if !request.shot.look.world.section {
         probe::in_world(&mut world.builder, request, palette, &world.content.volume);
-        if request.look.reveal.vanishing {
+        if request.shot.look.reveal.vanishing {
             vanishing::in_world(&mut world.builder, request, palette);
         }
-        stepped::in_world(&mut world.builder, request, palette);
+        triangle_overlay::in_world(&mut world.builder, request, palette);
         transform_gizmo::in_world(&mut world.builder, request, palette);
     }
     let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
@@ -74,7 +74,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         dispensable: None,
         leader: Some((palette.soft, 0.8 * request.size.scale)),
     };
-    placing::settle(&mut drawn.drawing, &rules);
+    label_layout::settle(&mut drawn.drawing, &rules);
     revealed_scene::explain(&mut drawn, request, legend.as_ref());
     drawn
 }
@@ -180,7 +180,7 @@ impl World<'_> {
         }
         match self.on_window {
             Some(image) => {
-                let opacity = self.request.look.world.window_opacity.unwrap_or_else(|| self.unobtrusive());
+                let opacity = self.request.shot.look.world.window_opacity.unwrap_or_else(|| self.unobtrusive());
                 if opacity > 0.0 {
                     self.builder.scene.objects.push(painted(near, image, opacity));
                 }
@@ -273,6 +273,7 @@ impl World<'_> {
         let (c, basis, gear) = (camera.position(), camera.basis(), self.gear);
         let edge = gizmos::stroke(self.palette.body_edge, 0.8, Dash::Solid, HiddenLines::Hidden);
         self.builder.scene.objects.push(Object {
+            part_of: None,
             name: "camera".to_owned(),
             mesh: Arc::new(gizmos::camera_body()),
             world_from_object: camera.world_from_view() * DMat4::from_scale(DVec3::splat(gear.body)),
@@ -366,7 +367,7 @@ impl World<'_> {
 
     /// A ring around the handle under the pointer.
     fn hot_handle(&mut self) {
-        let Some(hot) = self.request.overlays.hot else { return };
+        let Some(hot) = self.request.hover.hot else { return };
         if let Some((_, p)) = handles::on_screen(self.request, self.builder.screen, &self.content.volume)
             .into_iter()
             .find(|(h, _)| *h == hot)
@@ -385,6 +386,7 @@ fn painted(near: [DVec3; 4], image: &Arc<Texture>, opacity: f64) -> Object {
     let opacity = (255.0 * opacity.clamp(0.0, 1.0)).round() as u8;
     let uv = vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]];
     Object {
+        part_of: None,
         name: "window".to_owned(),
         mesh: Arc::new(mesh),
         world_from_object: DMat4::IDENTITY,

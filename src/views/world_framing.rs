@@ -46,7 +46,7 @@ fn framing(request: &Request, direction: Direction) -> Observer {
         let mut points = content.of_interest.clone();
         let gear = Gear::new(&screen, &request.camera);
         points.extend(gear.room(&request.camera));
-        if request.look.world.dimensions {
+        if request.shot.look.world.dimensions {
             let below = request.camera.basis().v * (-dimensions::LOWEST * gear.axis);
             let ahead = request.camera.direction_of_projection() * content.volume.end;
             points.extend([request.camera.position() + below, request.camera.position() + ahead + below]);
@@ -58,10 +58,10 @@ fn framing(request: &Request, direction: Direction) -> Observer {
 
 /// From where the world is seen.
 pub(super) fn seen_from(request: &Request) -> Observer {
-    if request.look.world.section {
+    if request.shot.look.world.section {
         return section::observer(request);
     }
-    request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
+    request.observer().unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
 /// The observer's camera and its pixels; `None` for an observer that is not a camera.

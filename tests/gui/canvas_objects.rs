@@ -6,7 +6,7 @@ use camera_lab::gui::State;
 use camera_lab::gui::state::Selected;
 use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
 use camera_lab::views::transform_gizmo::part_at;
-use camera_lab::views::{GizmoPart, Overlays, Request, TransformGizmo, Transforming, pick};
+use camera_lab::views::{GizmoPart, Hover, Request, TransformGizmo, Transforming, pick};
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -34,8 +34,8 @@ fn gizmo(does: Transforming, origin: DVec3, axes: [DVec3; 3]) -> TransformGizmo 
 /// A place in the world picture where the part of an axis can be taken.
 fn on_axis(harness: &Harness<Stage>, gizmo: TransformGizmo, axis: usize) -> Pos2 {
     let rect = place(harness, WORLD);
-    let overlays = Overlays { gizmo: Some(gizmo), ..Overlays::default() };
-    let world = Request { overlays, ..world(harness, rect) };
+    let hover = Hover { gizmo: Some(gizmo), ..Hover::default() };
+    let world = Request { hover, ..world(harness, rect) };
     let found = {
         let columns = (0..rect.width() as u32).step_by(3);
         let mut places = columns.flat_map(|x| (0..rect.height() as u32).step_by(3).map(move |y| (x, y)));

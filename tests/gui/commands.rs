@@ -2,13 +2,14 @@
 
 use camera_lab::appearance::Theme;
 use camera_lab::figure::WorldLook;
+use camera_lab::figure::{Measure, Measured};
 use camera_lab::gui::Asked;
 use camera_lab::gui::command::Command;
 use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::window::texts;
+use camera_lab::views::View;
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{Measure, Measured, View};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Event, Key, Modifiers};
 use egui_kittest::kittest::{By, Queryable};
@@ -361,11 +362,11 @@ fn the_arc_of_an_operation_goes_with_its_panel() {
     let at = window.harness.get_by_label("Elevation: slider").rect().center();
     window.harness.hover_at(at);
     window.run();
-    assert!(window.state().ghost.is_some());
+    assert!(window.state().hover.ghost.is_some());
     window.key(Key::F9);
-    assert!(window.state().ghost.is_none());
+    assert!(window.state().hover.ghost.is_none());
     window.key(Key::F9);
-    assert!(window.state().ghost.is_some(), "it is pointed at again");
+    assert!(window.state().hover.ghost.is_some(), "it is pointed at again");
 }
 
 #[test]
@@ -395,11 +396,11 @@ fn a_parameter_that_is_pointed_at_shows_its_length_in_the_world_and_no_other_doe
         let place = window.field(field).rect().center();
         window.harness.hover_at(place);
         window.run();
-        assert_eq!(window.state().measured, [Measured::Dimension(measure)], "{field}");
+        assert_eq!(window.state().hover.measured, [Measured::Dimension(measure)], "{field}");
     }
     window.harness.remove_cursor();
     window.run();
-    assert!(window.state().measured.is_empty());
+    assert!(window.state().hover.measured.is_empty());
 }
 
 #[test]

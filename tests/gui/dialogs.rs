@@ -262,3 +262,32 @@ fn on_paper_lines_have_their_own_width_and_little_room_is_said() {
         window.harness.step();
     }
 }
+
+#[test]
+fn what_no_paper_has_is_said_by_its_field_and_its_range() {
+    let on_paper = || {
+        let mut window = Window::new(Lang::En);
+        window.command_key(Key::E);
+        window.quick_choice("size", "on paper");
+        window
+    };
+    for (field, wild, range) in [
+        ("letters in points", "1e9", "letters in points: must be between 0.5 and 1000"),
+        ("pixels per inch", "1e-9", "pixels per inch: must be between 1 and 10000"),
+        ("width in centimetres", "1e-9", "width in centimetres: must be between 0.1 and 1000"),
+    ] {
+        let mut window = on_paper();
+        window.enter(field, wild);
+        assert!(window.says(range), "{field}");
+        window.click("Export…");
+        assert!(window.says("Export pictures"), "the question stands");
+    }
+    // Both in their range, and less than a pixel together.
+    let mut window = on_paper();
+    for (field, value) in [("pixels per inch", "1"), ("width in centimetres", "0.1")] {
+        window.enter(field, value);
+    }
+    assert!(window.says("pixels: must be between 1 and 16384"));
+    window.click("Export…");
+    assert!(window.says("Export pictures"), "the question stands");
+}

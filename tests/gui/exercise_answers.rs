@@ -164,6 +164,28 @@ fn a_lecturers_own_message_is_said_of_the_answer_that_was_expected() {
 }
 
 #[test]
+fn other_files_of_a_folder_are_one_quiet_line_that_opens() {
+    let folder = Folder::new("foreign-exercises");
+    let good =
+        "id = \"mine\"\ntitle = \"My own\"\nstatement = \"S\"\n[[ask]]\nname = \"a\"\ntext = \"A\"\nanswer = 1\n";
+    std::fs::write(folder.file("good.toml"), good).unwrap();
+    std::fs::write(folder.file("figure.toml"), "[camera]\nfar = 50.0\n").unwrap();
+    std::fs::write(folder.file("hostile.toml"), good.replace("S\"", "$\\\\input{x}$\"").replace("mine", "other"))
+        .unwrap();
+    std::fs::create_dir(folder.file("d.toml")).unwrap();
+    let mut window = window(Lang::En);
+    window.app_mut().state.exercises.look_into(folder.file("good.toml").parent().map(Into::into));
+    window.click("Exercises");
+    assert!(window.says("My own") && !window.says("figure.toml"));
+    window.click("Passed over in the folder: 3");
+    assert!(window.says("figure.toml, line 1: id is missing"));
+    assert!(window.says("hostile.toml, line 3: statement has the formula") && window.says("\\input"));
+    assert!(window.says("d.toml is a directory"));
+    window.command_key(Key::L);
+    assert!(window.says("Deixados de lado na pasta: 3") && window.says("figure.toml, linha 1"));
+}
+
+#[test]
 fn the_figure_of_an_exercise_leaves_the_file_of_ones_own_as_it_is() {
     let folder = Folder::new("lent");
     let file = folder.file("mine.toml");

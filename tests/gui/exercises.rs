@@ -379,6 +379,7 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
     window.click("Open a folder of exercises…");
     window.choose(&lecture);
     assert!(window.says("graphics course"), "the group has the folder's name");
+    window.click("Passed over in the folder: 1");
     let told: Vec<String> = window.written().into_iter().map(|(text, _)| text).collect();
     let told = told.join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(told.contains("faulty.toml") && told.contains("line 1: statement is missing"), "{told}");

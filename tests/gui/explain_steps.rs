@@ -27,7 +27,7 @@ fn stepping(lang: Lang) -> Window {
 }
 
 fn time(window: &Window) -> f64 {
-    window.state().explain.steps.time(window.state().document.camera())
+    window.state().normalizing().expect("a way").time
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn the_product_is_compared_and_handedness_announced() {
     // P is over F.
     assert!(window.says("O produto de todos os passos é 1") || window.says("O produto de todos os passos é 0"));
     window.click("[3] M_P N");
-    assert_eq!(window.state().explain.steps.decomposition, Decomposition::Normalised);
+    assert_eq!(window.state().explain.steps.way, Decomposition::Normalised);
     assert!(window.says("z_n de 0 a 1"));
     // With a free window, [1] and [3] have no steps: greyed, and the reason where they were.
     let document = &mut window.app_mut().state.document;

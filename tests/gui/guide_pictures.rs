@@ -5,10 +5,12 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use camera_lab::camera::Decomposition;
 use camera_lab::camera::{Camera, MatrixKind, Ndc, recover};
 use camera_lab::exercises::{Free, check, entry};
 use camera_lab::explain::Matrix;
 use camera_lab::figure::NamedPoint;
+use camera_lab::figure::ShownStep;
 use camera_lab::gui::state::{Checked, Chosen, Described, ExplainTab, Selected, Typed, joined};
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
@@ -34,7 +36,9 @@ const ALL: [Shown; 9] = [
         tab: ExplainTab::Steps,
         name: "steps",
         view: View::Canonical,
-        change: |state| state.explain.steps.left = 1.4,
+        change: |state| {
+            state.document.show_mut().step = Some(ShownStep { way: Decomposition::Notes, at: Some(2.6) });
+        },
     },
     Shown {
         tab: ExplainTab::Homogeneous,
@@ -42,7 +46,12 @@ const ALL: [Shown; 9] = [
         view: View::Image,
         change: |state| state.document.edit(|figure| figure.reveal.vanishing = true),
     },
-    Shown { tab: ExplainTab::Stages, name: "stages", view: View::Image, change: |state| state.explain.painted = 0.4 },
+    Shown {
+        tab: ExplainTab::Stages,
+        name: "stages",
+        view: View::Image,
+        change: |state| state.document.show_mut().painted = Some(0.4),
+    },
     Shown { tab: ExplainTab::Dialects, name: "dialects", view: View::World, change: |_| () },
     Shown {
         tab: ExplainTab::Order,

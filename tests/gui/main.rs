@@ -2,6 +2,7 @@
 #![cfg(feature = "gui")]
 #![expect(clippy::expect_used, clippy::cast_possible_truncation, reason = "tests may fail")]
 
+mod accidents;
 mod canvas;
 mod canvas_keys;
 mod canvas_objects;
@@ -36,6 +37,7 @@ mod scene;
 mod sessions;
 mod stages;
 mod strip;
+mod text_fields;
 mod tooltips;
 mod triangle;
 mod window;

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::explain::order::{Call, Reading, product};
+use camera_lab::figure::Figure;
 use camera_lab::gui::state::ExplainTab;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
@@ -56,7 +57,7 @@ fn alt(window: &mut Window, key: Key) {
 
 /// Where the list, and where the other order, puts the object.
 fn placed(window: &Window) -> Vec<DMat4> {
-    window.state().explain.placed.iter().map(|placed| placed.world_from_frame).collect()
+    window.state().shown().moved.iter().map(|placed| placed.world_from_frame).collect()
 }
 
 #[test]
@@ -90,7 +91,8 @@ fn the_list_begins_with_the_objects_own_transform_and_is_reordered_by_keyboard()
     assert_eq!(calls(&window).last(), Some(&Call::RotateZ(30.0)));
     window.click("Remove 6");
     assert_eq!(calls(&window).len(), 5);
-    assert_eq!(*window.state().document.figure(), before, "nothing of it is in the figure");
+    let after = Figure { show: before.show.clone(), ..window.state().document.figure().clone() };
+    assert_eq!(after, before, "nothing of it is in the figure but what is shown");
     window.click("Begin again");
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
 }
@@ -222,7 +224,7 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     assert!(window.says("No object is selected"));
     assert_eq!(symbols(&window), ["T", "R_y", "S"]);
     assert!(window.harness.get_by_label("Take over").accesskit_node().is_disabled());
-    assert!(window.state().explain.placed[0].objects.is_empty(), "a cube");
+    assert!(window.state().shown().moved[0].objects.is_empty(), "a cube");
     for entry in ["push: keep the matrix", "translate", "pop: bring it back"] {
         window.click("+ Add");
         window.click(entry);
@@ -231,5 +233,5 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     assert!(placed(&window)[0].abs_diff_eq(whole, 1e-12), "what was pushed is back");
     window.click("Remove 4");
     assert!(window.says("Step 5 is a pop, and nothing was pushed before it."));
-    assert!(window.state().explain.placed.is_empty());
+    assert!(window.state().shown().moved.is_empty());
 }

@@ -268,11 +268,11 @@ fn a_slider_scrubs_from_where_the_camera_is_and_springs_back() {
     let before = *window.state().document.draft();
     let slider = window.harness.get_by_label("Elevation: slider").rect();
     window.drag(slider.center(), vec2(slider.width() / 8.0, 0.0), |window| {
-        let ghost = window.state().ghost.as_ref().expect("a ghost while it is held");
+        let ghost = window.state().hover.ghost.as_ref().expect("a ghost while it is held");
         assert_eq!(*ghost.before.parameters(), before);
         assert_ne!(*window.state().document.draft(), before);
     });
-    assert!(window.state().ghost.is_none());
+    assert!(window.state().hover.ghost.is_none());
     let after = *window.state().document.draft();
     assert_eq!(after.focal_point, before.focal_point);
     assert_ne!(after.position, before.position);

@@ -57,6 +57,35 @@ fn figures_come_one_after_the_other_and_what_was_changed_is_there_when_one_comes
 }
 
 #[test]
+fn what_lies_between_two_figures_is_passed_over_and_told() {
+    let folder = Folder::new("foreign-figures");
+    for name in ["1.toml", "9.toml"] {
+        fs::write(folder.file(name), "[scene]\npreset = \"empty\"\n").expect("written");
+    }
+    let mut window = Window::opened(&folder.file("1.toml"));
+    fs::write(folder.file("2 exercise.toml"), "id = \"x\"\ntitle = \"T\"\n").expect("written");
+    window.command_key(Key::PageDown);
+    assert_eq!(name(&window), "9.toml");
+    assert!(window.says("2 exercise.toml, line 1") && !window.says("passed over"));
+    window.command_key(Key::PageUp);
+    fs::create_dir(folder.file("3.toml")).expect("made");
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("nowhere", folder.file("4.toml")).expect("linked");
+        std::os::unix::fs::symlink("5.toml", folder.file("5.toml")).expect("linked");
+        let made = std::process::Command::new("mkfifo").arg(folder.file("6.toml")).status();
+        assert!(made.is_ok_and(|status| status.success()));
+    }
+    window.command_key(Key::PageDown);
+    assert_eq!(name(&window), "9.toml");
+    assert!(window.says("2 exercise.toml, line 1") && window.says("passed over"));
+    window.command_key(Key::L);
+    window.command_key(Key::PageUp);
+    assert_eq!(name(&window), "1.toml");
+    assert!(window.says("deixado"));
+}
+
+#[test]
 fn whoever_does_not_close_after_all_has_lost_no_figure() {
     let folder = Folder::new("given-up");
     for name in ["1.toml", "2.toml", "3.toml"] {

@@ -5,7 +5,7 @@ use camera_lab::gui::state::Selected;
 use camera_lab::i18n::Lang;
 use camera_lab::scene::{LightSpec, ObjectSpec, Preset, Shape};
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers};
+use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 
@@ -66,6 +66,35 @@ impl Window {
         self.harness.get_by_role_and_label(Role::Button, entry).click();
         self.run();
     }
+}
+
+#[test]
+fn of_thousands_of_objects_the_tree_has_the_rows_around_those_that_are_seen() {
+    let mut window = Window::scene(Lang::En);
+    let object = |i| ObjectSpec::group(format!("object {i}"));
+    window.app_mut().state.document.edit(|figure| figure.scene.objects = (0..1000).map(object).collect());
+    window.run();
+    let rows = |window: &Window| window.harness.query_all_by_role(Role::TreeItem).count();
+    assert!((20..400).contains(&rows(&window)), "{}", rows(&window));
+    let place = window.row("object 3").rect().center();
+    window.harness.hover_at(place);
+    window.harness.event(Event::MouseWheel {
+        unit: MouseWheelUnit::Point,
+        delta: vec2(0.0, -1e6),
+        phase: TouchPhase::Move,
+        source: MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    window.harness.run_steps(60);
+    assert!(window.row("object 999").rect().bottom() < 800.0);
+    window.select("object 999");
+    let scene = &window.state().document.figure().scene;
+    assert_eq!(window.state().tree.selected(scene), Some(&Selected::Object("object 999".to_owned())));
+    // The keyboard goes on from there.
+    window.key(Key::ArrowUp);
+    assert!(window.row("object 998").is_focused());
+    assert!((20..400).contains(&rows(&window)));
+    assert!(window.harness.query_by_role_and_label(Role::TreeItem, "object 3").is_none());
 }
 
 #[test]

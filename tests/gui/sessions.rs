@@ -2,13 +2,14 @@
 
 use std::fs;
 use std::path::Path;
+use std::time::Duration;
 
 use camera_lab::files::FileError;
 use camera_lab::gui::state::Message;
-use camera_lab::gui::{self, Start, State};
+use camera_lab::gui::{self, Asked, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::views::View;
-use eframe::egui::Key;
+use eframe::egui::{Key, Rect, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 
 use super::files::Folder;
@@ -161,6 +162,77 @@ fn what_cannot_be_understood_is_said_with_its_place() {
     window.click("Fechar");
     window.run();
     assert!(!window.says("session-0.damaged"));
+}
+
+/// Where the button of each line stands, over the frames in which the pointer moves.
+fn closing_buttons(window: &mut Window) -> Vec<Rect> {
+    for step in 0..10_u8 {
+        window.harness.hover_at(pos2(300.0 + f32::from(step), 500.0));
+        window.harness.step();
+    }
+    window.harness.query_all_by_label("Close").map(|button| button.rect()).collect()
+}
+
+#[test]
+fn lines_at_the_top_take_a_row_each_however_often_they_are_shown() {
+    for (lines, width, name) in
+        [(2, 1280.0, "s"), (3, 640.0, "a-long-name-of-a-folder-that-holds-sessions-of-many-windows")]
+    {
+        let folder = Folder::new("rows");
+        let sessions = folder.file(name);
+        fs::create_dir_all(&sessions).expect("made");
+        for slot in 0..lines {
+            fs::write(sessions.join(format!("session-{slot}.json")), "?").expect("written");
+        }
+        let mut window = Window::new(Lang::En);
+        window.harness.set_size(vec2(width, 720.0));
+        window.run();
+        let picture = |window: &Window| window.state().picture_sizes[View::Image.index()][1] as f32;
+        let whole = picture(&window);
+        window.app_mut().keep_session(&sessions, false);
+        window.run();
+        let at_first = closing_buttons(&mut window);
+        let row = at_first[0].height() + 4.0;
+        assert_eq!(at_first.len(), lines);
+        assert!(at_first.windows(2).all(|pair| pair[1].top() - pair[0].top() <= row + 2.0), "{at_first:?}");
+        assert!(at_first.iter().all(|button| button.right() <= width), "{at_first:?}");
+        assert_eq!(closing_buttons(&mut window), at_first);
+        assert!(picture(&window) >= whole - (lines as f32) * row - 12.0, "{whole} {}", picture(&window));
+        for left in (0..lines).rev() {
+            window.harness.query_all_by_label("Close").next().expect("a line").click();
+            window.run();
+            assert_eq!(window.harness.query_all_by_label("Close").count(), left);
+        }
+    }
+}
+
+#[test]
+fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
+    let folder = Folder::new("no-home");
+    let home = folder.file("home");
+    fs::write(&home, "a file").expect("written");
+    let mut window = Window::new(Lang::En);
+    let ctx = window.harness.ctx.clone();
+    window.app_mut().keep_preferences(&ctx, &home.join(".config/camera-lab"), Asked::default());
+    window.app_mut().keep_session(&home.join(".local/share/camera-lab"), true);
+    window.run();
+    let told = |window: &Window| window.harness.query_all_by_label_contains("is not a directory").count();
+    assert!(window.says("not remembered, and changes of this window would be lost in a crash"));
+    assert_eq!((told(&window), closing_buttons(&mut window).len()), (1, 1));
+    // What is written is written beside the window.
+    let change = |window: &mut Window, x: &str| {
+        window.command_key(Key::T);
+        window.enter("C x", x);
+        for _ in 0..20 {
+            std::thread::sleep(Duration::from_millis(5));
+            window.run();
+        }
+    };
+    change(&mut window, "1.25");
+    assert_eq!((told(&window), closing_buttons(&mut window).len()), (1, 1));
+    window.click("Close");
+    change(&mut window, "1.5");
+    assert_eq!(told(&window), 0);
 }
 
 #[test]

@@ -31,27 +31,27 @@ fn the_image_is_painted_triangle_by_triangle_while_the_tab_is_shown() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = texts(lang);
         let mut window = staged(lang);
-        assert_eq!(window.state().begun(), None, "at first all is painted");
+        assert_eq!(window.state().painted_share(), None, "at first all is painted");
         window.click(t.nothing);
-        assert_eq!(window.state().begun(), Some(0.0));
+        assert_eq!(window.state().painted_share(), Some(0.0));
         let drawn = window.app_mut().canvas.drawn()[View::Image.index()];
         window.click(t.more);
-        assert!(window.state().begun().unwrap() > 0.0);
+        assert!(window.state().painted_share().unwrap() > 0.0);
         assert!(window.app_mut().canvas.drawn()[View::Image.index()] > drawn, "the picture follows");
         // The slider has keys of its own.
-        let before = window.state().begun().unwrap();
+        let before = window.state().painted_share().unwrap();
         window.harness.get_by_label(t.scrubber).focus();
         window.run();
         window.key(Key::ArrowRight);
-        assert!(window.state().begun().unwrap() > before);
+        assert!(window.state().painted_share().unwrap() > before);
         window.click(t.all);
-        assert_eq!(window.state().begun(), None);
+        assert_eq!(window.state().painted_share(), None);
         window.click(t.fewer);
-        assert!(window.state().begun().is_some());
+        assert!(window.state().painted_share().is_some());
         // Hidden, it changes no picture.
         window.harness.key_press_modifiers(Modifiers::ALT, Key::E);
         window.run();
-        assert_eq!(window.state().begun(), None);
+        assert_eq!(window.state().painted_share(), None);
     }
 }
 

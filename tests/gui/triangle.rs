@@ -2,11 +2,13 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use camera_lab::figure::TriangleStep;
 use camera_lab::gui::{Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::i18n::triangle::{step, texts};
+use camera_lab::picture::FollowedTriangle;
 use camera_lab::scene::Preset;
-use camera_lab::views::{TriangleStep, View};
+use camera_lab::views::{Request, Size, TriangleOverlay, View};
 use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::Queryable as _;
 
@@ -26,6 +28,21 @@ fn staged(lang: Lang) -> Window {
     window
 }
 
+/// What the pictures show of the triangle that is followed.
+fn overlay(window: &Window) -> TriangleOverlay {
+    let state = window.state();
+    let size = Size { width: 640, height: 480, scale: 1.0 };
+    let labels = camera_lab::i18n::pictures::labels(Lang::En);
+    let (figure, camera) = (state.document.figure(), state.document.camera());
+    let request = Request::of(figure, View::Image, camera, state.scene_cache.scene(), labels, size);
+    FollowedTriangle::default().overlay(&request).unwrap().as_ref().clone()
+}
+
+/// The object and the index of the triangle that is followed.
+fn chosen(window: &Window) -> Option<(String, u32)> {
+    window.state().shown().triangle.as_ref().map(|shown| (shown.object.clone(), shown.index))
+}
+
 fn click_image(window: &mut Window) {
     let at = window.harness.get_by_role(Role::Image).rect().center();
     window.harness.hover_at(at);
@@ -40,9 +57,9 @@ fn a_triangle_is_clicked_in_the_image_and_each_step_shows_in_it() {
     for lang in [Lang::En, Lang::PtBr] {
         let t = texts(lang);
         let mut window = staged(lang);
-        assert!(window.state().explain.triangle.shown.is_none());
+        assert!(window.state().shown().triangle.is_none());
         click_image(&mut window);
-        let shown = window.state().explain.triangle.shown.clone().unwrap();
+        let shown = overlay(&window);
         assert_eq!(shown.step, TriangleStep::View);
         // What is there can be seen: its middle faces the eye.
         let camera = window.state().document.camera().clone();
@@ -51,21 +68,20 @@ fn a_triangle_is_clicked_in_the_image_and_each_step_shows_in_it() {
         for one in &TriangleStep::ALL[1..] {
             let drawn = window.app_mut().canvas.drawn()[View::Image.index()];
             window.click(t.next);
-            let shown = window.state().explain.triangle.shown.clone().unwrap();
+            let shown = overlay(&window);
             assert_eq!(shown.step, *one);
             assert!(window.app_mut().canvas.drawn()[View::Image.index()] > drawn, "{one:?} shows");
             assert_eq!(shown.rows.is_empty(), !matches!(one, TriangleStep::Pixels | TriangleStep::Depth));
         }
         assert!(window.says(t.kept), "nothing is before it");
         // A click on one of its pixels chooses that pixel, not a triangle.
-        let before = window.state().explain.triangle.clone();
+        let before = window.state().shown().triangle.clone().unwrap();
         click_image(&mut window);
-        let after = window.state().explain.triangle.clone();
-        assert_eq!(after.chosen, before.chosen);
+        let after = window.state().shown().triangle.clone().unwrap();
+        assert_eq!((&after.object, after.index), (&before.object, before.index));
         assert!(before.pixel.is_none() && after.pixel.is_some());
         window.key(Key::Escape);
-        assert_eq!(window.state().explain.triangle.chosen, None);
-        assert!(window.state().explain.triangle.shown.is_none());
+        assert!(window.state().shown().triangle.is_none());
     }
 }
 
@@ -81,20 +97,20 @@ fn a_triangle_is_chosen_and_stepped_by_keyboard_and_f1_opens_the_note() {
     window.harness.get_by_role_and_label(Role::Button, &name).focus();
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().explain.triangle.chosen, Some((name.clone(), 0)));
+    assert_eq!(chosen(&window), Some((name.clone(), 0)));
     window.harness.get_by_label(t.number).focus();
     window.run();
     window.key(Key::ArrowUp);
-    assert_eq!(window.state().explain.triangle.chosen, Some((name, 1)));
+    assert_eq!(chosen(&window), Some((name, 1)));
     window.harness.get_by_label(step(t, TriangleStep::Outcodes)).focus();
     window.run();
     window.key(Key::Enter);
-    assert_eq!(window.state().explain.triangle.step, TriangleStep::Outcodes);
+    assert_eq!(window.state().shown().triangle.as_ref().unwrap().step, TriangleStep::Outcodes);
     assert!(window.says("w + x = ") && window.says(t.inside));
     window.key(Key::F1);
     assert_eq!(window.state().explain.tab, camera_lab::gui::state::ExplainTab::Notes);
     assert_eq!(window.state().explain.notes.chosen, "stage-clip");
-    assert!(window.state().explain.triangle.shown.is_none(), "hidden, nothing of it is shown");
+    assert!(window.state().shown().triangle.is_none(), "hidden, nothing of it is shown");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use camera_lab::figure::{Depth, Figure};
 use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Picture, Renderer};
 use camera_lab::scene::Preset;
-use camera_lab::views::{Overlays, Request, SharedScene, Size, View, scene_of};
+use camera_lab::views::{Finish, Request, SharedScene, Size, View, scene_of};
 
 fn request(visibility: Visibility, depth: Depth) -> Request {
     let mut figure = Figure::default();
@@ -20,7 +20,7 @@ fn request(visibility: Visibility, depth: Depth) -> Request {
     let size = Size { width: 160, height: 120, scale: 1.0 };
     let request = Request::of(&figure, View::Image, &camera, &SharedScene::new(scene), labels(Lang::En), size);
     // Without the legend, which says how many triangles there are.
-    Request { overlays: Overlays { bare: true, ..Overlays::default() }, ..request }
+    Request { finish: Finish { bare: true, ..Finish::default() }, ..request }
 }
 
 /// Pixels that are not the paper's.
@@ -35,7 +35,11 @@ fn more_and_more_is_painted_in_every_order() {
         for depth in [Depth::Off, Depth::Stored] {
             let mut renderer = Renderer::default();
             let mut at = |share| {
-                painted(&renderer.pixels(&Request { begun: Some(share), ..request(visibility, depth) }).unwrap())
+                painted(
+                    &renderer
+                        .pixels(&request(visibility, depth).with_shot(|shot| shot.show.painted = Some(share)))
+                        .unwrap(),
+                )
             };
             assert_eq!(at(0.0), 0, "{visibility:?} {depth:?}");
             let counts = [0.1, 0.3, 0.5, 0.8, 1.0].map(&mut at);
@@ -51,7 +55,7 @@ fn all_triangles_together_are_the_faces_of_the_picture() {
     for visibility in [Visibility::Bsp, Visibility::DepthBuffer] {
         let mut renderer = Renderer::default();
         let plain = request(visibility, Depth::Off);
-        let begun = renderer.pixels(&Request { begun: Some(1.0), ..plain.clone() }).unwrap();
+        let begun = renderer.pixels(&plain.clone().with_shot(|shot| shot.show.painted = Some(1.0))).unwrap();
         let usual = renderer.pixels(&plain).unwrap();
         let same = begun.rgba().chunks_exact(4).zip(usual.rgba().chunks_exact(4)).filter(|(a, b)| a == b).count();
         assert!(same * 10 > 160 * 120 * 8, "{visibility:?}: {same} pixels are the same");

@@ -3,6 +3,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use camera_lab::camera::{Camera, Convention, ImageSize, Operation, Parameters, Projection, Viewport};
+use camera_lab::geometry::Angle;
+use camera_lab::numerics::chain::{self, Vector};
+use camera_lab::numerics::real::Real;
+use camera_lab::numerics::reference::Reference;
+use glam::DVec3;
 use serde_json::Value;
 
 use crate::common::program::Bench;
@@ -47,4 +53,83 @@ fn every_digit_is_right() {
         }
     }
     assert!(wrong.is_empty(), "{} differences:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// A camera as many powers of ten from the origin as PF is near it, with this projection.
+fn far_away(decade: i32, projection: Projection) -> Parameters {
+    Parameters {
+        position: DVec3::new(-5.98, 10.1, -7.85) * 10_f64.powi(decade),
+        focal_point: DVec3::new(-1.71, -0.02, 1.75),
+        view_up: DVec3::new(-0.39, 0.59, 0.95),
+        projection,
+        near: 10_f64.powi(decade - 2),
+        far: 10_f64.powi(decade + 2),
+        ..Parameters::default()
+    }
+}
+
+/// Equal, or neighbours.
+fn is_nearest(found: f64, exact: f64) -> bool {
+    (found - exact).abs() <= exact.abs().next_up() - exact.abs()
+}
+
+/// With C so far away, p − C has no digits left of p. Held against 512 bits, in which **u** · (p − C) = **u** · (p − PF) is computed from PF,
+/// where nothing cancels; and against a value of 1500 digits.
+#[test]
+fn a_camera_however_far_away_keeps_every_digit() {
+    const ENTRY: f64 = -1.423_883_761_860_283_6;
+    let image = ImageSize { width: 640, height: 480 };
+    let p = DVec3::new(0.3, -1.7, 2.9);
+    for decade in 10..=160 {
+        for projection in [Projection::Perspective, Projection::Parallel] {
+            let parameters = far_away(decade, projection);
+            let camera = Camera::new(&parameters).unwrap();
+            let basis = chain::basis::<Reference>(parameters.position, parameters.focal_point, parameters.view_up);
+            let from = |point: DVec3| Vector::<Reference>::of(point).minus(&Vector::of(parameters.focal_point));
+            let distance = from(parameters.position).length();
+            let exact = |point: DVec3| {
+                let [u, v, n] = [0, 1, 2].map(|i| basis[i].dot(&from(point)));
+                [u.to_f64(), v.to_f64(), (n - distance.clone()).to_f64()]
+            };
+            let matrix = camera.view_from_world();
+            let stations = camera.stations(p, image, &Viewport::whole(image));
+            let found = [matrix.w_axis.truncate(), stations.view].map(|v| v.to_array());
+            for (found, exact) in found.into_iter().zip([exact(DVec3::ZERO), exact(p)]) {
+                let good = found.into_iter().zip(exact).all(|(found, exact)| is_nearest(found, exact));
+                assert!(good, "C · 1e{decade}, {projection:?}: {found:?} instead of {exact:?}");
+            }
+            if decade >= 18 {
+                assert!(is_nearest(matrix.w_axis.x, ENTRY), "C · 1e{decade}: {}", matrix.w_axis.x);
+            }
+            if projection == Projection::Parallel {
+                let projected = stations.projected.unwrap();
+                let exact = exact(p)[0] * 2.0 / camera.window_width();
+                assert!((projected.ndc.x - exact).abs() <= 4.0 * f64::EPSILON * exact.abs(), "C · 1e{decade}");
+            }
+        }
+    }
+}
+
+/// A turn about PF moves C, and what is left of it by rounding is as large as the world near PF: the sideways coordinates come from PF all the same.
+#[test]
+fn a_far_camera_that_has_turned_about_pf_keeps_every_digit() {
+    let image = ImageSize { width: 640, height: 480 };
+    let p = DVec3::new(0.3, -1.7, 2.9);
+    for decade in [10, 18, 25, 60, 150] {
+        let near = Camera::new(&far_away(0, Projection::Parallel)).unwrap();
+        let far = Camera::new(&far_away(decade, Projection::Parallel)).unwrap();
+        let turned = |camera: &Camera| {
+            let turn = Operation::Azimuth(Angle::from_degrees(33.0));
+            turn.apply(camera, Convention::default()).unwrap()
+        };
+        let view = |camera: &Camera| camera.stations(p, image, &Viewport::whole(image)).view;
+        let (before, after) = (view(&far), view(&turned(&far)));
+        // About v: y_c stays, and x_c stays a matter of p − PF.
+        assert!(
+            (after.y - before.y).abs() <= 4.0 * f64::EPSILON * before.y.abs(),
+            "1e{decade}: {after} after {before}"
+        );
+        let offset = (p - near.focal_point()).length();
+        assert!(after.x.abs() <= offset && after.x != 0.0, "1e{decade}: {after}");
+    }
 }

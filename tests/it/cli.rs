@@ -15,7 +15,7 @@ fn bench(name: &str) -> Bench {
     bench
 }
 
-fn pixels(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
+pub(super) fn pixels(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
     let mut data = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut data).unwrap();

@@ -8,13 +8,14 @@ use camera_lab::appearance::{Dash, Texture};
 use camera_lab::camera::{Camera, Convention, Operation, Projection};
 use camera_lab::drawing::{Anchor, Drawing, Label, Paint};
 use camera_lab::figure::{Figure, Observer};
+use camera_lab::figure::{Measure, Measured};
 use camera_lab::files::{FigureFiles, Reach, open_figure};
 use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::progress::Progress;
 use camera_lab::text::{measure, x_height};
 use camera_lab::views::observer::Viewpoint;
-use camera_lab::views::{self, Measure, Measured, Palette, Probe, Request, SharedScene, Size, TimedPipeline, View};
+use camera_lab::views::{self, Palette, Probe, Request, SharedScene, Size, TimedPipeline, View};
 use glam::{DVec2, DVec3, DVec4};
 
 use crate::views::draw;
@@ -72,7 +73,7 @@ fn polylines(drawing: &Drawing, color: camera_lab::appearance::Rgba, dash: Dash)
 fn assert_whole(name: &str, request: &Request) {
     let drawing = draw(request);
     let observer = request.seen_from().unwrap();
-    let palette = Palette::of(request.look.style.theme);
+    let palette = Palette::of(request.shot.look.style.theme);
     let size = DVec2::new(f64::from(request.size.width), f64::from(request.size.height));
     let what = format!("{name}, {size}");
     let inside = |p: DVec2| p.cmpgt(DVec2::splat(8.0)).all() && p.cmplt(size - 8.0).all();
@@ -110,7 +111,7 @@ fn assert_whole(name: &str, request: &Request) {
 fn every_shipped_figure_shows_its_whole_volume_and_so_does_fit() {
     for (name, figure, scene) in shipped() {
         for size in SIZES {
-            let automatic = Request { observer: None, ..world(&figure, &scene, size) };
+            let automatic = world(&figure, &scene, size).seen_by(None);
             assert_whole(&name, &automatic);
             // From a side of one's own, far off.
             let turned = Observer {
@@ -123,7 +124,7 @@ fn every_shipped_figure_shows_its_whole_volume_and_so_does_fit() {
             };
             let fitted = automatic.fitted(&turned);
             assert_eq!(fitted.map(|o| (o.azimuth, o.elevation)), Some((turned.azimuth, turned.elevation)));
-            assert_whole(&format!("{name}, fitted"), &Request { observer: fitted, ..automatic });
+            assert_whole(&format!("{name}, fitted"), &automatic.seen_by(fitted));
         }
     }
 }
@@ -168,7 +169,7 @@ fn an_observer_that_nobody_turned_keeps_clear_of_dop_u_v_and_n() {
         moved += usize::from((next.azimuth, next.elevation) != (kept.azimuth, kept.elevation));
         kept = next;
         for observer in [request.seen_from().unwrap(), kept] {
-            let request = Request { observer: Some(observer), ..request.clone() };
+            let request = request.clone().seen_by(Some(observer));
             let camera = &request.camera;
             let c = place(&request, &observer, camera.position());
             let pf = place(&request, &observer, camera.focal_point());
@@ -204,10 +205,7 @@ fn along_u_is_the_side_figure_of_the_notes_and_along_n_what_the_camera_sees() {
         let [u, v] = [basis.u, basis.v].map(|axis| at(Viewpoint::AlongN, c + axis) - at(Viewpoint::AlongN, c));
         assert!(u.x > 0.0 && u.y.abs() < 1e-6 && v.y < 0.0 && v.x.abs() < 1e-6, "{name}: {u} {v}");
         assert!(at(Viewpoint::AlongN, pf).distance(at(Viewpoint::AlongN, c)) < 1e-6);
-        assert_whole(
-            &format!("{name}, along u"),
-            &Request { observer: request.observer_from(Viewpoint::AlongU), ..request.clone() },
-        );
+        assert_whole(&format!("{name}, along u"), &request.clone().seen_by(request.observer_from(Viewpoint::AlongU)));
     }
 }
 
@@ -290,7 +288,7 @@ fn dimension_lines_are_as_long_as_they_say() {
     figure.world.dimensions = false;
     let mut request = world(&figure, &scene, (960, 720));
     assert_eq!(text_at(&draw(&request), "F = "), None);
-    request.overlays.measured = vec![Measured::Dimension(Measure::Far)];
+    request.hover.measured = vec![Measured::Dimension(Measure::Far)];
     let measured = draw(&request);
     assert_eq!(text_at(&measured, "B = ").unwrap().0, "B = 12");
     assert_eq!(text_at(&measured, "F = "), None);
@@ -309,7 +307,7 @@ fn the_section_constructs_the_image_of_a_point_by_similar_triangles() {
             let p = camera.position() - camera.basis().n * depth
                 + camera.basis().v * (0.3 * camera.window().height())
                 + camera.basis().u * 0.1;
-            request.overlays.probe = Some(Probe::Point(p));
+            request.hover.probe = Some(Probe::Point(p));
             let drawing = draw(&request);
             let what = format!("{name}, {size:?}");
             let color = Palette::of(figure.style.theme).probe;

@@ -29,7 +29,7 @@ fn picture(figure: &Figure, view: View, style: Style) -> Vec<[u8; 4]> {
     let scene = SharedScene::new(scene_of(figure, &mut no_files, &Progress::default()).unwrap());
     let camera = Camera::new(&figure.camera).unwrap();
     let mut request = Request::of(figure, view, &camera, &scene, pictures::labels(Lang::En), SIZE);
-    request.look.style = style;
+    request = request.clone().with_shot(|shot| shot.look.style = style);
     let drawing = frame(&request, None, &mut TimedPipeline::default()).drawing;
     let pixmap = Rasterizer::default().paint(&drawing).unwrap();
     pixmap.data().as_chunks().0.to_vec()
@@ -87,10 +87,10 @@ fn the_depths_that_are_shown_are_those_of_5_25() {
         let camera = Camera::new(&figure.camera).unwrap();
         let scene = SharedScene::new(scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
         let mut request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), SIZE);
-        request.look.style.antialias = 1;
+        request = request.clone().with_shot(|shot| shot.look.style.antialias = 1);
         // In perspective nearly all is white there (Z near 1): distances say more.
         for shown in [Depth::Stored, Depth::Linear] {
-            request.look.reveal.depth = shown;
+            request = request.clone().with_shot(|shot| shot.look.reveal.depth = shown);
             let drawing = frame(&request, None, &mut TimedPipeline::default()).drawing;
             let pixels = Rasterizer::default().paint(&drawing).unwrap();
             let mut compared = 0;

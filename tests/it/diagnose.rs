@@ -283,3 +283,33 @@ fn nothing_is_wrong_with_the_figures_that_come_with_the_program() {
         assert!(json["health"].as_array().unwrap().iter().all(|line| line["level"] == "good"), "{}", entry.display());
     }
 }
+
+/// Of the depths that an `f64` has no number for, that is said; what it has one for is a number, however it is come by.
+#[test]
+fn no_sentence_and_no_number_is_infinite() {
+    let bench = Bench::new("diagnose-infinite");
+    for (camera, known) in [
+        ("position = [0, 0, 1e300]\n", "more than 10³⁰⁸ at PF"),
+        ("near = 1e-100\nfar = 1e150\n", "more than 10³⁰⁸ at B"),
+        // (1e157)² is one; a step of 2⁻²⁴ of it is none.
+        ("near = 1\nfar = 1e157\n", "5.96e306 at B"),
+        ("position = [0, 0, 1e300]\nprojection = \"parallel\"\nfar = 1e300\n", "5e299 times"),
+    ] {
+        bench.write("f.toml", format!("[image]\nwidth = 16\nheight = 12\n[camera]\n{camera}"));
+        for lang in ["en", "pt-BR"] {
+            let of = |format: &str| {
+                let run = bench.run(&["diagnose", "f.toml", "--format", format, "--lang", lang]);
+                String::from_utf8(run.done().to_vec()).unwrap()
+            };
+            let (text, json) = (of("text"), of("json"));
+            assert!(lang != "en" || (text.contains(known) && json.contains(known)), "{camera}: {text}");
+            for said in [&text, &json] {
+                let words = said.split(|c: char| !c.is_alphanumeric());
+                assert!(words.into_iter().all(|word| !["inf", "NaN", "nan"].contains(&word)), "{camera}: {said}");
+            }
+            let answer: serde_json::Value = serde_json::from_str(&json).unwrap();
+            let health = answer["health"].as_array().unwrap();
+            assert!(health.iter().all(|line| line["value"].as_f64().is_some_and(f64::is_finite)), "{json}");
+        }
+    }
+}

@@ -335,7 +335,7 @@ fn a_cause_is_said_once_with_what_is_lost_whole_and_in_part() {
         ),
         (
             Lang::PtBr,
-            "lost: mais longe que o plano de trás, −z_c > B: o recorte elimina o que está ali. in part: a maior parte está",
+            "lost: mais longe que o plano de fundo, −z_c > B: o recorte elimina o que está ali. in part: a maior parte está",
         ),
     ];
     for (lang, text) in texts {

@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use camera_lab::exercises::{
     Answer, Ask, Entry, Exercise, Expected, Free, Kind, Slip, Slips, Table, check, entries, entry, judge_answer,
 };
+use camera_lab::i18n::exercises::typed_choice;
 use camera_lab::numbers::exact_form;
 
 /// How many seeds of each family are tried; more by `EXERCISE_SEEDS=10000 cargo test --release --test it exercises`.
@@ -78,6 +79,25 @@ fn no_right_answer_is_refused() {
             }
         }
     });
+}
+
+#[test]
+fn yes_and_no_are_also_typed_as_inspect_writes_them() {
+    let mut asked = 0;
+    all_of(6, |entry, exercise| {
+        for ask in &exercise.asks {
+            let Some(word) = right_word(ask).filter(|word| ["yes", "no"].contains(&word.as_str())) else { continue };
+            asked += 1;
+            for (typed, means) in
+                [("true", "yes"), ("False", "no"), ("verdadeiro", "yes"), ("falso", "no"), ("Sim", "yes")]
+            {
+                let judged = check(entry, exercise, ask, typed_choice(ask, typed)).unwrap();
+                assert_eq!(judged.right, word == means, "{}: {typed}", entry.id);
+            }
+            assert_eq!(typed_choice(ask, "maybe"), "maybe");
+        }
+    });
+    assert!(asked > 5, "{asked}");
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn drawing_of(text: &str, view: View, lang: Lang) -> Drawing {
     let camera = Camera::new(&figure.camera).unwrap();
     let scene = SharedScene::new(scene_of(&figure, &mut no_files, &Progress::default()).unwrap());
     let mut request = Request::of(&figure, view, &camera, &scene, pictures::labels(lang), SIZE);
-    request.look.style.antialias = 1;
+    request = request.clone().with_shot(|shot| shot.look.style.antialias = 1);
     frame(&request, None, &mut TimedPipeline::default()).drawing
 }
 

@@ -231,3 +231,27 @@ fn what_a_figure_names_has_one_budget_and_the_same_file_counts_once() {
         assert!(run.refused(2).contains(part) && run.err.contains("c.bin"), "{}", run.err);
     }
 }
+
+/// What nobody typed is not repeated: who opens a link knows which.
+#[test]
+fn what_is_wrong_with_a_link_is_said_of_the_figure_in_it() {
+    let bench = Bench::new("link-faults");
+    let link = |text: &str| camera_lab::share::link("https://example.org/lab/", text).unwrap();
+    let long = "# x\n".repeat(40);
+    for lang in LANGS {
+        let (name, line) =
+            if lang == "en" { ("the figure in the link", "line 42") } else { ("a figura no link", "linha 42") };
+        let run = render(&bench, &link(&format!("{long}[camera]\nnear = 0\n")), &["--lang", lang]);
+        let said = run.refused(2);
+        assert!(said.contains(&format!("{name}, {line}: [camera] near")) && !said.contains("…"), "{said}");
+        let run = render(&bench, &link(&meshes(&["\"../secret.obj\""])), &["--lang", lang]);
+        let said = run.refused(2);
+        assert!(
+            said.contains(name)
+                && said.contains("../secret.obj")
+                && !said.contains("figure=")
+                && !said.contains("example.org"),
+            "{said}"
+        );
+    }
+}

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Leaves that everybody may import.
-const LEAVES: &[&str] = &["appearance", "chart", "foreign", "limits", "progress"];
+const LEAVES: &[&str] = &["appearance", "chart", "foreign", "limits", "progress", "stage"];
 
 /// Each module with the modules that it may import, besides [`LEAVES`].
 const TABLE: &[(&str, &[&str])] = &[
@@ -16,6 +16,8 @@ const TABLE: &[(&str, &[&str])] = &[
     ("foreign", &[]),
     ("limits", &[]),
     ("progress", &[]),
+    ("stage", &[]),
+    ("formula", &[]),
     ("geometry", &[]),
     ("numbers", &[]),
     // The sine of whole degrees is exact there.
@@ -28,7 +30,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("lighting", &["drawing", "simd"]),
     ("pipeline", &["geometry", "camera", "scene", "drawing", "lighting", "simd"]),
     ("raster", &["drawing", "lighting", "simd", "text"]),
-    ("figure", &["geometry", "camera", "scene", "expression", "numbers"]),
+    ("figure", &["geometry", "camera", "scene", "expression", "formula", "numbers"]),
     ("inspect", &["camera", "figure"]),
     ("views", &["geometry", "camera", "scene", "figure", "pipeline", "drawing", "numbers", "text"]),
     ("export", &["drawing", "raster", "inspect", "text"]),
@@ -38,12 +40,13 @@ const TABLE: &[(&str, &[&str])] = &[
     ("picture", &["camera", "scene", "drawing", "figure", "pipeline", "views", "raster", "export"]),
     ("numerics", &["geometry", "numbers", "camera", "scene", "figure", "pipeline", "raster", "picture", "clock"]),
     ("explain", &["geometry", "camera", "scene", "figure", "inspect", "numbers"]),
-    ("exercises", &["geometry", "camera", "scene", "figure", "inspect", "explain", "expression", "numbers"]),
+    ("exercises", &["geometry", "camera", "scene", "figure", "inspect", "explain", "expression", "formula", "numbers"]),
     // The enums of errors, warnings, labels and stages.
     (
         "i18n",
         &[
             "expression",
+            "formula",
             "numbers",
             "camera",
             "scene",
@@ -70,6 +73,7 @@ const EVERYTHING: &[&str] = &[
     "numerics",
     "numbers",
     "expression",
+    "formula",
     "text",
     "geometry",
     "camera",

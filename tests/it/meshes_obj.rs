@@ -2,7 +2,8 @@
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use camera_lab::appearance::Rgba;
-use camera_lab::scene::{MeshError, MeshNotice, ObjFault, Wanted, no_files};
+use camera_lab::limits::MAX_OBJECTS;
+use camera_lab::scene::{MeshError, MeshNotice, ObjFault, ObjectSpec, SceneError, Shape, Wanted, no_files};
 use glam::DVec3;
 
 use super::meshes::{CUBE, area, color, folder, load, load_spec, obj, only, spec};
@@ -62,6 +63,58 @@ fn normals_of_the_file_are_kept_and_split_vertices() {
     // One corner without a normal: all are computed.
     let scene = obj(&text.replace("4//2", "4")).unwrap();
     assert_eq!(only(&scene).mesh.normals, [DVec3::Z; 4]);
+}
+
+#[test]
+fn materials_that_alternate_make_one_part_each_in_the_order_of_the_file() {
+    let mut text = "mtllib a.mtl\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n".to_owned();
+    for _ in 0..100 {
+        text.push_str("usemtl red\nf 1 2 3\nusemtl glass\nf 1 2 4\nf 2 3 4\n");
+    }
+    text.push_str("o b\nusemtl red\nf 1 2 3\no a\nf 1 3 4\n");
+    let mtl = b"newmtl red\nKd 1 0 0\nnewmtl glass\nKd 0 0 1\n";
+    let scene = load("m.obj", &folder([("m.obj", text.as_bytes()), ("a.mtl", mtl)])).unwrap();
+    let found: Vec<_> = scene.objects.iter().map(|o| (o.name.as_str(), o.mesh.triangles.len())).collect();
+    assert_eq!(found, [("m/a", 101), ("m/a", 200), ("m/b", 1)]);
+    // Inside a part, the faces stand as they do in the file.
+    let last = scene.objects[0].mesh.triangles[100].map(|i| scene.objects[0].mesh.positions[i as usize]);
+    assert_eq!(last, [DVec3::ZERO, DVec3::Y, DVec3::Z]);
+}
+
+/// Names may hold a slash: it is not the name that tells what a part belongs to.
+#[test]
+fn a_part_belongs_to_its_object_also_where_another_object_is_called_like_it() {
+    let text = b"o block\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no lid\nf 1 3 2\n";
+    let mut both = spec("m.obj");
+    both.objects[0].name = "engine".to_owned();
+    both.objects.push(ObjectSpec::new("engine/block", Shape::Box));
+    let scene = load_spec(&both, &folder([("m.obj", text)])).unwrap();
+    let found: Vec<_> = scene.objects.iter().map(|object| (object.name.as_str(), object.owner())).collect();
+    assert_eq!(
+        found,
+        [("engine/block", "engine"), ("engine/lid", "engine"), ("engine/block", "engine/block")],
+        "a part, a part, and an object of its own"
+    );
+    // A mesh of one part is its object.
+    let scene = load("m.obj", &folder([("m.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")])).unwrap();
+    assert_eq!(only(&scene).owner(), only(&scene).name);
+}
+
+#[test]
+fn a_file_that_begins_an_object_with_each_face_is_refused() {
+    let file = |count: usize| {
+        let faces: String = (0..count).map(|k| format!("o {k}\nf 1 2 3\n")).collect();
+        obj(&format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{faces}"))
+    };
+    assert_eq!(file(1000).unwrap().objects.len(), 1000);
+    assert_eq!(file(MAX_OBJECTS + 2), Err(MeshError::TooManyObjects));
+    // Many objects of one mesh add up.
+    let faces: String = (0..1000).map(|k| format!("o {k}\nf 1 2 3\n")).collect();
+    let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{faces}");
+    let mut many = spec("m.obj");
+    many.objects =
+        (0..=MAX_OBJECTS / 1000).map(|k| ObjectSpec { name: format!("n{k}"), ..many.objects[0].clone() }).collect();
+    assert_eq!(load_spec(&many, &folder([("m.obj", text.as_bytes())])).err(), Some(SceneError::TooManyObjects));
 }
 
 #[test]

@@ -4,9 +4,10 @@
 
 use camera_lab::camera::{Camera, Decomposition, Parameters, Projection, ViewWindow};
 use camera_lab::figure::Figure;
+use camera_lab::figure::ShownStep;
 use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Film, Renderer};
-use camera_lab::views::{Normalizing, Request, SharedScene, Size, View, scene_of};
+use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3, DVec4};
 use proptest::prelude::*;
 
@@ -111,7 +112,8 @@ fn the_last_still_is_the_canonical_picture() {
             let stills = film.stills();
             assert_eq!(u32::try_from(stills.requests.len()), Ok(film.steps() + 1));
             let last = renderer.pixels(stills.requests.last().unwrap()).unwrap();
-            let canonical = Request { normalizing: None, ndc: decomposition.ndc(), ..film.request.clone() };
+            let canonical =
+                film.request.clone().with_shot(|shot| (shot.show.step, shot.ndc) = (None, decomposition.ndc()));
             assert_eq!(last, renderer.pixels(&canonical).unwrap(), "{projection:?} {decomposition:?}");
             let mut seen = Vec::new();
             for request in &stills.requests {
@@ -131,10 +133,8 @@ fn times_beyond_the_way_are_its_ends() {
     assert_eq!(at(-3.0), at(0.0));
     assert_eq!(at(99.0), at(4.0));
     assert_eq!(at(f64::NAN), at(4.0));
-    let other = Request {
-        normalizing: Some(Normalizing { decomposition: Decomposition::Notes, time: 1.0 }),
-        ..film.request.clone()
-    };
+    let step = ShownStep { way: Decomposition::Notes, at: Some(1.0) };
+    let other = film.request.clone().with_shot(|shot| shot.show.step = Some(step));
     assert_eq!(other, film.at(1.0));
 }
 

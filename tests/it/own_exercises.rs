@@ -110,7 +110,7 @@ fn a_folder_is_read_file_by_file_and_within_its_budget() {
     bench.write("long.toml", "#".repeat((1 << 20) + 1));
     let found = read_exercises(&bench.path("")).unwrap();
     assert_eq!(found.entries.iter().map(|entry| &*entry.id).collect::<Vec<_>>(), ["nine", "ten"]);
-    let said: Vec<String> = found.faults.iter().map(|(_, error)| messages::file(Lang::En, "x", error)).collect();
+    let said: Vec<String> = found.faults.iter().map(|bad| messages::file(Lang::En, "x", &bad.error)).collect();
     assert_eq!(said.len(), 4, "{said:?}");
     for (said, part) in
         said.iter().zip(["1048576 bytes", "line 2: id is \"basis\"", "line 1: id is \"ten\"", "line 1: id"])
@@ -173,11 +173,67 @@ fn the_command_line_takes_a_folder() {
         let text = String::from_utf8(bench.read(name)).unwrap();
         assert!(text.contains("The house from the corner") && text.contains("$\\theta = 60^{\\circ}$"), "{text}");
     }
-    bench.write("bad.toml", "id = \"x\"\n");
-    let folder = bench.path("");
-    let message = bench.run(&["exercise", "list", "--folder", folder.to_str().unwrap()]).refused(2).to_owned();
-    assert!(message.contains("bad.toml") && message.contains("title"), "{message}");
     bench.run(&["exercise", "show", "house-view"]).refused(2);
+}
+
+/// Figures and their exercises lie in one folder, naturally.
+#[test]
+fn a_foreign_file_leaves_the_exercises_beside_it_usable_and_is_named() {
+    let bench = Bench::new("own-foreign");
+    let good = format!("{PLAIN}[[ask]]\nname = \"a\"\ntext = \"?\"\nanswer = 1\n");
+    bench.write("good.toml", &good);
+    bench.write("figure.toml", "[camera]\nnear = 0.5\n");
+    bench.write("broken.toml", "# mine\nid = \"broken\"\ntitle = \"T\"\nstatement = \"$\\\\input{x}$\"\n[[ask]]\nname = \"a\"\ntext = \"?\"\nanswer = 1\n");
+    bench.write("no-toml.toml", "id = 'no-toml'\nthis is not TOML\n");
+    bench.write("large.toml", "#".repeat((1 << 20) + 1));
+    bench.write("no-text.toml", [0xff, 0xfe]);
+    std::fs::create_dir(bench.path("d.toml")).unwrap();
+    let mut bad = vec![
+        ("figure.toml", "line 1"),
+        ("broken.toml", "line 4"),
+        ("no-toml.toml", "line 2"),
+        ("large.toml", "1048576"),
+        ("no-text.toml", "UTF-8"),
+        ("d.toml", "directory"),
+    ];
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::symlink;
+        symlink("nowhere", bench.path("dangling.toml")).unwrap();
+        symlink("loop.toml", bench.path("loop.toml")).unwrap();
+        assert!(std::process::Command::new("mkfifo").arg(bench.path("pipe.toml")).status().unwrap().success());
+        bad.extend([("dangling.toml", "no such file"), ("loop.toml", "circle"), ("pipe.toml", "pipe")]);
+    }
+    let folder = bench.path("");
+    let exercise =
+        |arguments: &[&str]| bench.run(&[&["exercise"], arguments, &["--folder", folder.to_str().unwrap()]].concat());
+    for arguments in [
+        &["list"][..],
+        &["show", "mine"],
+        &["check", "mine", "--answer", "a=1"],
+        &["sheet", "--ids", "mine,basis", "-o", "o.md"],
+    ] {
+        let run = exercise(arguments);
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        assert_eq!(run.err.lines().count(), bad.len(), "{}", run.err);
+        for (name, why) in &bad {
+            let line =
+                run.err.lines().find(|line| line.contains(name)).unwrap_or_else(|| panic!("{name}: {}", run.err));
+            assert!(line.contains(why), "{line}");
+        }
+    }
+    assert!(String::from_utf8_lossy(&exercise(&["list"]).out).contains("mine"));
+    // Who asks for what is broken is told why, and nothing of the others.
+    for (id, line) in [("broken", "broken.toml, line 4"), ("no-toml", "no-toml.toml, line 2")] {
+        let run = exercise(&["show", id]);
+        assert!(run.refused(2).contains(line) && !run.err.contains("figure.toml"), "{}", run.err);
+    }
+    let run = exercise(&["show", "nothing-of-this-name"]);
+    assert!(run.refused(2).contains("nothing-of-this-name") && run.err.contains("figure.toml"), "{}", run.err);
+    let run = exercise(&["list", "--lang", "pt-BR"]);
+    assert!(run.err.contains("deixado de lado: ") && run.err.contains("linha 4"), "{}", run.err);
+    // A folder that is none is refused as before.
+    assert!(bench.run(&["exercise", "list", "--folder", "none"]).refused(2).contains("none"));
 }
 
 /// The picture that is to be matched goes beside a sheet; a figure in it would tell the camera.

@@ -55,6 +55,7 @@ pub(crate) fn cube() -> Mesh {
 
 pub(crate) fn object(mesh: Mesh, world_from_object: DMat4) -> Object {
     Object {
+        part_of: None,
         name: "thing".into(),
         two_sided: !mesh.closed,
         mesh: Arc::new(mesh),

@@ -4,14 +4,22 @@
 
 use camera_lab::appearance::{Rgba, Shading};
 use camera_lab::camera::Camera;
-use camera_lab::figure::Figure;
+use camera_lab::clock;
+use camera_lab::figure::{Depth, Figure, StagePicture};
 use camera_lab::i18n::{Lang, pictures::labels};
 use camera_lab::picture::{Picture, Renderer};
 use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Stage, StageReport, Target};
+use camera_lab::progress::at_once;
 use camera_lab::scene::Preset;
-use camera_lab::views::{Overlays, Request, SharedScene, Size, View, scene_of};
+use camera_lab::views::{Finish, Request, SharedScene, Size, View, scene_of};
 
 const SIDE: u32 = 200;
+
+/// The picture with a stage shown in it.
+fn staged(plain: &Request, stage: Stage) -> Request {
+    let of = StagePicture(plain.view);
+    plain.clone().with_shot(|shot| (shot.show.stage, shot.show.stage_of) = (Some(stage), of))
+}
 
 fn request(near: f64) -> Request {
     let mut figure = Figure::default();
@@ -23,14 +31,14 @@ fn request(near: f64) -> Request {
     let scene = scene_of(&figure, &mut |_| unreachable!("no meshes"), &Default::default()).unwrap();
     let size = Size { width: SIDE, height: SIDE, scale: 1.0 };
     let request = Request::of(&figure, View::Image, &camera, &SharedScene::new(scene), labels(Lang::En), size);
-    Request { overlays: Overlays { bare: true, ..Overlays::default() }, ..request }
+    Request { finish: Finish { bare: true, ..Finish::default() }, ..request }
 }
 
 fn frame(near: f64, stage: Option<Stage>) -> Frame {
     let request = request(near);
     let target = Target { width: SIDE, height: SIDE, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
     let options = Options { shown: stage, ..Options::default() };
-    Pipeline::default().frame(&request.scene, &request.camera, target, &request.look.style, options)
+    Pipeline::default().frame(&request.scene, &request.camera, target, &request.shot.look.style, options)
 }
 
 fn report(frame: &Frame, stage: Stage) -> StageReport {
@@ -95,7 +103,7 @@ fn objects_that_are_dropped_are_named() {
     plain.scene = SharedScene::new(scene);
     let target = Target { width: SIDE, height: SIDE, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
     let options = Options { shown: Some(Stage::CullObjects), ..Options::default() };
-    let frame = Pipeline::default().frame(&plain.scene, &plain.camera, target, &plain.look.style, options);
+    let frame = Pipeline::default().frame(&plain.scene, &plain.camera, target, &plain.shot.look.style, options);
     let work = frame.work.unwrap();
     assert_eq!(work.objects.len(), plain.scene.objects.len());
     let dropped: Vec<_> = work.objects.iter().filter(|o| matches!(o.containment, Containment::Outside(_))).collect();
@@ -115,21 +123,21 @@ fn the_left_half_is_before_the_stage_and_the_right_half_after_it() {
     let mut renderer = Renderer::default();
     let plain = request(2.0);
     let whole = renderer.pixels(&plain).unwrap();
-    let shown = renderer.pixels(&Request { stage: Some(Stage::Antialias), ..plain.clone() }).unwrap();
+    let shown = renderer.pixels(&staged(&plain, Stage::Antialias)).unwrap();
     let mut rough = plain.clone();
-    rough.look.style.antialias = 1;
+    rough = rough.with_shot(|shot| shot.look.style.antialias = 1);
     let rough = renderer.pixels(&rough).unwrap();
     assert_eq!(half(&shown, true), half(&whole, true));
     assert_eq!(half(&shown, false), half(&rough, false));
     assert_ne!(half(&rough, false), half(&whole, false), "it makes a difference there");
 
-    let shown = renderer.pixels(&Request { stage: Some(Stage::Write), ..plain.clone() }).unwrap();
+    let shown = renderer.pixels(&staged(&plain, Stage::Write)).unwrap();
     let empty = renderer.pixels(&Request { scene: SharedScene::default(), ..plain.clone() }).unwrap();
     assert_eq!(half(&shown, false), half(&empty, false), "nothing is written yet");
     assert_eq!(half(&shown, true), half(&whole, true));
 
     // Without light the faces have their own colours.
-    let shown = renderer.pixels(&Request { stage: Some(Stage::Light), ..plain.clone() }).unwrap();
+    let shown = renderer.pixels(&staged(&plain, Stage::Light)).unwrap();
     let mut scene = (*plain.scene).clone();
     scene.lights.clear();
     let dark = renderer.pixels(&Request { scene: SharedScene::new(scene), ..plain.clone() }).unwrap();
@@ -137,7 +145,7 @@ fn the_left_half_is_before_the_stage_and_the_right_half_after_it() {
     assert_ne!(half(&dark, false), half(&whole, false));
 
     // A stage that did not run changes nothing.
-    let shown = renderer.pixels(&Request { stage: Some(Stage::Texture), ..plain.clone() }).unwrap();
+    let shown = renderer.pixels(&staged(&plain, Stage::Texture)).unwrap();
     assert_eq!(shown, whole);
 }
 
@@ -148,9 +156,29 @@ fn every_stage_is_shown_in_every_picture() {
         let plain = Request { view, ..request(2.0) };
         let target = renderer.drawing(&plain).unwrap();
         for stage in Stage::ALL {
-            let shown = renderer.drawing(&Request { stage: Some(stage), ..plain.clone() }).unwrap();
+            let shown = renderer.drawing(&staged(&plain, stage)).unwrap();
             let ran = report(&target, stage).ran;
             assert_eq!(shown.drawing != target.drawing || shown.before.is_some(), ran, "{view:?} {stage:?}");
+        }
+    }
+}
+
+/// What a stage drops is shown in another colour and counted by none: the stages say the same of the picture as without it.
+#[test]
+fn faces_that_show_a_stage_are_counted_by_none_also_where_depths_are_shown() {
+    for depth in [Depth::Off, Depth::Stored] {
+        let plain = request(2.0).with_shot(|shot| shot.look.reveal.depth = depth);
+        let accounts = |request: &Request| {
+            let mut renderer = Renderer::default();
+            renderer.measure(Some(clock::now));
+            let mut picture = Picture::default();
+            let account = at_once(renderer.pixels_into(request, &mut picture)).unwrap();
+            account.stages.iter().map(|report| (report.stage, report.ran, report.counts)).collect::<Vec<_>>()
+        };
+        let usual = accounts(&plain);
+        assert!(usual.iter().any(|(stage, ran, _)| *stage == Stage::Fill && *ran), "{depth:?}");
+        for stage in [Stage::CullObjects, Stage::CullFaces, Stage::Clip] {
+            assert_eq!(accounts(&staged(&plain, stage)), usual, "{stage:?} {depth:?}");
         }
     }
 }

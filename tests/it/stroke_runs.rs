@@ -246,7 +246,7 @@ fn vectors_are_split_unless_the_painter_is_asked_for() {
         (Visibility::Painter, Reason::PaintedByCentroid),
     ] {
         let mut request = Request { output: Output::Vectors, ..request.clone() };
-        request.look.style.visibility = visibility;
+        request = request.clone().with_shot(|shot| shot.look.style.visibility = visibility);
         let frame = Renderer::default().drawing(&request).expect("a drawing");
         assert_eq!(frame.plan.stage(Stage::HiddenSurfaces).reason, reason);
         assert!(frame.drawing.painted_in_order);

@@ -38,13 +38,16 @@ impl Pictured {
     }
 
     pub(crate) fn probed(mut self, probe: Probe) -> Self {
-        self.request.overlays.probe = Some(probe);
+        self.request.hover.probe = Some(probe);
         self
     }
 
     /// In the NDC of another convention.
     pub(crate) fn in_ndc(mut self, name: &str) -> Self {
-        self.request.ndc = Ndc::ALL.into_iter().find(|ndc| ndc.name() == name).unwrap();
+        self.request = self
+            .request
+            .clone()
+            .with_shot(|shot| shot.ndc = Ndc::ALL.into_iter().find(|ndc| ndc.name() == name).unwrap());
         self
     }
 
@@ -53,13 +56,13 @@ impl Pictured {
         let convention = Convention::RightHand;
         let after = operation.apply(&self.request.camera, convention).unwrap();
         let before = std::mem::replace(&mut self.request.camera, after);
-        self.request.overlays.ghost = Some(Ghost { before, operation, convention });
+        self.request.hover.ghost = Some(Ghost { before, operation, convention });
         self
     }
 
     /// Without legends.
     pub(crate) fn bare(mut self) -> Self {
-        self.request.overlays.bare = true;
+        self.request.finish.bare = true;
         self
     }
 
@@ -81,7 +84,7 @@ impl Pictured {
 
     /// A three-dimensional picture as an observer sees it.
     pub(crate) fn seen_by(&self, view: View, observer: Observer) -> Request {
-        Request { view, observer: Some(observer), ..self.request.clone() }
+        Request { view, ..self.request.clone() }.seen_by(Some(observer))
     }
 
     pub(crate) fn observer(&self, view: View, viewpoint: Viewpoint) -> Observer {
@@ -272,8 +275,10 @@ fn the_canonical_front_view_is_the_image() {
         let aspect = figure.camera.aspect;
         let pictured = Pictured::of(figure).sized(400, 300);
         let observer = pictured.observer(View::Canonical, Viewpoint::Front);
-        let image =
-            views::image_frame(pictured.request.size, pictured.request.look.image_aspect(&pictured.request.camera));
+        let image = views::image_frame(
+            pictured.request.size,
+            pictured.request.shot.look.image_aspect(&pictured.request.camera),
+        );
         let corner = |x, y| pictured.place(&observer, DVec3::new(x, y, 1.0));
         let (low, high) = (corner(-1.0, 1.0), corner(1.0, -1.0));
         for p in [DVec3::new(0.1, 0.2, 0.3), DVec3::new(-0.5, 0.4, 0.2), DVec3::new(0.6, 0.1, -0.7)] {

@@ -73,7 +73,7 @@ fn on_a_full_disk_it_is_said_and_tried_again() {
         news = sessions.news();
         std::thread::sleep(Duration::from_millis(5));
     }
-    assert!(matches!(news[..], [News::NotWritten(..)]), "{news:?}");
+    assert!(matches!(news[..], [News::NotKept(_)]), "{news:?}");
     assert!(!folder.join("session-0.json").exists());
     fs::remove_file(filler).expect("removed");
     while !folder.join("session-0.json").exists() {

@@ -113,10 +113,36 @@ fn what_is_solved_counts_once_for_each_seed() {
 }
 
 #[test]
+fn a_clock_that_jumps_by_years_keeps_no_exercise_from_coming_back() {
+    const YEARS: u64 = 20 * 365 * 86_400;
+    let mut progress = Progress::default();
+    let some = || entries().filter(|entry| entry.is_family).take(3);
+    // Ahead by years, back again, to where clocks without a battery begin, and on.
+    let times = [YEARS, 3 * YEARS, YEARS + 1, 0, 1, YEARS + 2];
+    for (entry, now) in some().zip(times) {
+        solve(&mut progress, entry, 0, now);
+    }
+    for start in [0, YEARS + 10, 4 * YEARS] {
+        let mut came = BTreeSet::new();
+        for step in 0..3 {
+            let now = start + step;
+            let next = progress.practise_next(some(), now).unwrap();
+            assert_eq!(next.why, Why::LongestAgo);
+            solve(&mut progress, entry(&next.id).unwrap(), next.seed, now);
+            came.insert(next.id);
+        }
+        assert_eq!(came.len(), 3, "from {start}");
+    }
+    // Any time that a file can hold has a date.
+    let text = progress.to_toml().replace(&(YEARS + 12).to_string(), &i64::MAX.to_string());
+    assert!(Progress::read(&text).is_ok_and(|progress| progress.to_csv().lines().count() > 3));
+}
+
+#[test]
 fn the_next_exercise_is_chosen_for_a_reason() {
     let mut progress = Progress::default();
     let next = |progress: &Progress| {
-        let next = progress.practise_next(entries()).unwrap();
+        let next = progress.practise_next(entries(), 1_000).unwrap();
         (next.id, next.seed, next.why)
     };
     assert_eq!(next(&progress), ("0-5.1".to_owned(), 0, Why::NotSolved));
@@ -136,7 +162,7 @@ fn the_next_exercise_is_chosen_for_a_reason() {
         solve(&mut progress, entry, 0, if entry.id == "roll" { 5 } else { at });
     }
     assert_eq!(next(&progress), ("roll".to_owned(), 1, Why::LongestAgo));
-    assert_eq!(Progress::default().practise_next([]), None);
+    assert_eq!(Progress::default().practise_next([], 0), None);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! A change of a figure → the change of its text, with comments and order kept.
 
+mod show;
+
 use std::collections::{HashMap, VecDeque};
 
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
@@ -7,6 +9,8 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TableLike, Value
 use super::Figure;
 use super::read;
 use super::write::{document, to_toml};
+
+pub use show::show_with;
 
 /// The figure file of `figure`, made from an earlier text by changing only what differs: comments, order and the way in
 /// which numbers are written stay. A text that is not a figure file is replaced.

@@ -2,12 +2,17 @@
 
 use super::*;
 use crate::appearance::{HiddenLines, Rgba, Style, Theme};
-use crate::camera::{ImageSize, Parameters, Projection, ViewWindow, Viewport};
-use crate::figure::words::{PRESETS, SHADINGS, VISIBILITIES};
-use crate::figure::{Depth, NamedPoint, Observer, Observers, Outside, Reveal, WorldLook};
+use crate::camera::{Decomposition, ImageSize, Parameters, Projection, ViewWindow, Viewport};
+use crate::figure::words::{MEASURES, PRESETS, SHADINGS, VISIBILITIES};
+use crate::figure::{
+    Depth, Measured, NamedPoint, Observer, Observers, Outside, Reveal, Show, ShownProbe, ShownStep, ShownTriangle,
+    StagePicture, TransformPreview, TriangleStep, View, WorldLook,
+};
+use crate::geometry::Ray;
 use crate::limits::MAX_LIGHTS;
 use crate::scene::{LightSpec, ObjectSpec, Preset, SceneSpec, Shape};
-use glam::DVec3;
+use crate::stage::Stage;
+use glam::{DMat4, DVec3};
 use proptest::prelude::*;
 
 fn point() -> impl Strategy<Value = DVec3> {
@@ -117,8 +122,9 @@ fn figure() -> impl Strategy<Value = Figure> {
         },
     );
     let points = proptest::collection::vec(point(), 0..4);
-    (parameters(), 1_u32..=16_384, viewport, scene(), (style, points), reveal, observer(), observer()).prop_map(
-        |(camera, width, viewport, scene, (style, points), (reveal, undistorted), world, canonical)| Figure {
+    let seen = (observer(), observer());
+    (parameters(), 1_u32..=16_384, viewport, scene(), (style, points), reveal, seen, show()).prop_map(
+        |(camera, width, viewport, scene, (style, points), (reveal, undistorted), (world, canonical), show)| Figure {
             camera,
             image: ImageSize { width, height: 16_385 - width },
             undistorted,
@@ -137,8 +143,58 @@ fn figure() -> impl Strategy<Value = Figure> {
                 window_opacity: reveal.clipping.then_some(0.4),
             },
             observers: Observers { world, canonical },
+            show,
         },
     )
+}
+
+/// Anything that pictures can be asked to explain.
+fn show() -> impl Strategy<Value = Show> {
+    let stage = (proptest::option::of(select(&Stage::ALL)), select(&View::ALL));
+    let step = (select(&Decomposition::ALL), proptest::option::of(0.0..9.0_f64));
+    let step = proptest::option::of(step.prop_map(|(way, at)| ShownStep { way, at }));
+    let pixel = proptest::option::of((0..9_u32, 0..9_u32).prop_map(|(i, j)| [i, j]));
+    let triangle = (".*", 0..u32::MAX, select(&TriangleStep::ALL), pixel)
+        .prop_filter_map("a name", |(object, index, step, pixel)| {
+            (!object.is_empty()).then_some(ShownTriangle { object, index, step, pixel })
+        });
+    let measures: Vec<Measured> = MEASURES.iter().map(|(_, measured)| *measured).collect();
+    let measure =
+        (proptest::collection::vec(proptest::sample::select(measures), 0..4), proptest::option::of("[^\\PC]+"));
+    let probe = prop_oneof![
+        point().prop_map(ShownProbe::World),
+        point().prop_map(|p| ShownProbe::Window(p.truncate())),
+        (-9..9_i64, 0..999_i64).prop_map(|(i, j)| ShownProbe::Pixel([i, j])),
+    ];
+    let preview = (proptest::collection::btree_set(".+", 0..3), point(), point(), any::<[bool; 2]>()).prop_map(
+        |(objects, a, b, [wrong, turned])| TransformPreview {
+            objects,
+            change: DMat4::from_translation(a),
+            world_from_frame: DMat4::from_diagonal(b.extend(2.0)),
+            axis: turned.then_some(Ray { origin: a, direction: DVec3::NEG_Z }),
+            wrong,
+        },
+    );
+    let moved = proptest::collection::vec(preview, 0..3);
+    let painted = proptest::option::of(0.0..=1.0_f64);
+    let answer = proptest::option::of(parameters());
+    (stage, painted, step, proptest::option::of(triangle), measure, proptest::option::of(probe), moved, answer)
+        .prop_map(|((stage, of), painted, step, triangle, (measure, measure_of), probe, moved, answer)| Show {
+            stage,
+            stage_of: StagePicture(of),
+            painted,
+            step,
+            triangle,
+            measure,
+            measure_of,
+            probe,
+            moved,
+            answer,
+        })
+}
+
+fn select<T: Copy + std::fmt::Debug + 'static>(all: &'static [T]) -> impl Strategy<Value = T> {
+    proptest::sample::select(all)
 }
 
 const BY_HAND: &str = r##"# My figure, for the third lecture

@@ -3,6 +3,7 @@
 mod points;
 mod scene;
 mod section;
+mod show;
 mod syntax;
 
 use std::ops::Range;
@@ -112,8 +113,8 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
     let [camera_section, image_section, viewport_section, scene_section] =
         ["camera", "image", "viewport", "scene"].map(|key| root.section(key, &inside(&root, key)));
     let point_sections = root.sections("points", &format!("[{}]", inside(&root, "points")));
-    let [style_section, reveal_section, world_section, observers_section] =
-        ["style", "reveal", "world", "observers"].map(|key| root.section(key, &inside(&root, key)));
+    let [style_section, reveal_section, world_section, observers_section, show_section] =
+        ["style", "reveal", "world", "observers", "show"].map(|key| root.section(key, &inside(&root, key)));
     faults.extend(root.finish());
     let (image, undistorted) = image(image_section, faults);
     Figure {
@@ -127,6 +128,7 @@ pub(crate) fn figure(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Figure {
         reveal: reveal(reveal_section, faults),
         world: world(world_section, faults),
         observers: observers(observers_section, faults),
+        show: show::show(show_section, faults),
     }
 }
 

@@ -58,7 +58,8 @@ impl Places {
             | SceneError::Segments { .. }
             | SceneError::Mesh { .. }
             | SceneError::Light { .. }
-            | SceneError::TooManyLights { .. } => error.object().and_then(|name| named(name).next()),
+            | SceneError::TooManyLights { .. }
+            | SceneError::TooManyObjects => error.object().and_then(|name| named(name).next()),
         };
         let (at, label) = match (index.and_then(|i| self.objects.get(i)), &error) {
             (Some((start, keys)), _) => {

@@ -1,6 +1,6 @@
 //! One section of a figure file, whose keys are asked for one by one; what nobody asked for is unknown.
 
-use glam::DVec3;
+use glam::{DMat4, DVec2, DVec3};
 use toml_edit::{Item, TableLike, Value};
 
 use super::snippet;
@@ -247,6 +247,57 @@ impl<'a> Section<'a> {
     /// A list of texts, each of which `read` can read.
     pub(crate) fn list<T>(&mut self, key: &'static str, allowed: Allowed, read: impl Fn(&str) -> Option<T>) -> Vec<T> {
         self.read(key, Vec::new(), allowed, |value| value.as_array()?.iter().map(|text| read(text.as_str()?)).collect())
+    }
+
+    /// A list of `words`; the first that is none of them is named.
+    pub(crate) fn words<T: Clone>(&mut self, key: &'static str, words: Words<T>) -> Vec<T> {
+        let Some(item) = self.ask(key) else { return Vec::new() };
+        let list: Option<Vec<&str>> = item.as_array().and_then(|list| list.iter().map(Value::as_str).collect());
+        let Some(list) = list else {
+            self.refuse(key, Allowed::Words(words::names(words)));
+            return Vec::new();
+        };
+        let known = |text: &&str| words::value(words, text);
+        if let Some(stranger) = list.iter().find(|text| known(text).is_none()) {
+            let allowed =
+                Allowed::Word { near: near::word(stranger, &words::names(words)), words: words::names(words) };
+            self.fault(key, Problem::Value { found: snippet(stranger, 0..stranger.len()), allowed });
+        }
+        list.iter().filter_map(known).collect()
+    }
+
+    /// Two finite numbers.
+    pub(crate) fn pair(&mut self, key: &'static str) -> Option<DVec2> {
+        self.read_numbers(key, None, Allowed::Pair, |value| {
+            let list = value.as_array().filter(|list| list.len() == 2).ok_or(Refused::Value)?;
+            let numbers: Vec<f64> =
+                list.iter().map(|value| number(value, Dimension::Number)).collect::<Result<_, _>>()?;
+            Ok(Some(DVec2::new(numbers[0], numbers[1])))
+        })
+    }
+
+    /// Two whole numbers from `least` on.
+    pub(crate) fn whole_pair<T: TryFrom<i64>>(&mut self, key: &'static str, least: i64) -> Option<[T; 2]> {
+        self.read(key, None, Allowed::Pixel, |value| {
+            let list = value.as_array().filter(|list| list.len() == 2)?;
+            let whole = |k: usize| T::try_from(list.get(k)?.as_integer().filter(|i| *i >= least)?).ok();
+            Some(Some([whole(0)?, whole(1)?]))
+        })
+    }
+
+    /// A 4 × 4 matrix, row by row.
+    pub(crate) fn matrix(&mut self, key: &'static str) -> Option<DMat4> {
+        self.read_numbers(key, None, Allowed::Matrix, |value| {
+            let rows = value.as_array().filter(|rows| rows.len() == 4).ok_or(Refused::Value)?;
+            let mut entries = [0.0; 16];
+            for (i, row) in rows.iter().enumerate() {
+                let row = row.as_array().filter(|row| row.len() == 4).ok_or(Refused::Value)?;
+                for (j, entry) in row.iter().enumerate() {
+                    entries[4 * i + j] = number(entry, Dimension::Number)?;
+                }
+            }
+            Ok(Some(DMat4::from_cols_array(&entries).transpose()))
+        })
     }
 
     /// A list of pairs of whole numbers.

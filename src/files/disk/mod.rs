@@ -7,11 +7,9 @@ pub mod page;
 mod system;
 
 #[cfg(target_arch = "wasm32")]
-pub(in crate::files) use page::read_at_most;
-#[cfg(target_arch = "wasm32")]
 pub use page::{
-    Lock, canonical, create_folder, exists, is_read_only, is_whole, lock, remove, rename, save, try_lock, write,
-    written,
+    Lock, canonical, create_folder, exists, is_read_only, is_whole, lock, read_at_most, remove, remove_left_over,
+    rename, save, try_lock, write, written,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub use system::{Lock, canonical, create_folder, exists, is_whole, lock, remove, rename, try_lock, write, written};

@@ -73,7 +73,10 @@ fn time_of(name: &str) -> String {
 }
 
 /// The bytes of a file that is kept or was given, where they are not more than `most`.
-pub(in crate::files) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+///
+/// # Errors
+/// [`FileError`] where there is no such file, or it is larger.
+pub fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let bytes = match name(path) {
         Some(name) => {
             let kept = page().ok().and_then(|page| (page.kept)(name));
@@ -171,6 +174,9 @@ pub fn is_whole(path: &Path) -> bool {
     path.file_name().is_some()
 }
 
+/// In a page nothing is half written.
+pub const fn remove_left_over(_: &Path) {}
+
 /// Nothing that is handed to the user can be read-only.
 #[must_use]
 pub const fn is_read_only(_: &Path) -> bool {
@@ -182,16 +188,18 @@ pub const fn is_read_only(_: &Path) -> bool {
 pub struct Lock(String);
 
 /// The lock of this name, unless another page, or this one, has it.
-#[must_use]
-pub fn try_lock(path: &Path) -> Option<Lock> {
-    let (name, page) = (name(path)?, page().ok()?);
+///
+/// # Errors
+/// Where a page keeps nothing.
+pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
+    let (Some(name), page) = (name(path), page()?) else { return Ok(None) };
     let mut files = files();
     if (page.held_elsewhere)(name) || !files.held.insert(name.to_owned()) {
-        return None;
+        return Ok(None);
     }
     drop(files);
     (page.hold)(name, true);
-    Some(Lock(name.to_owned()))
+    Ok(Some(Lock(name.to_owned())))
 }
 
 /// Nothing waits in a page: what is done under this lock is done in one go.
@@ -276,10 +284,10 @@ mod tests {
         assert_eq!(read(Path::new("../figures/cube.toml")).unwrap(), b"[camera]");
 
         let [free, taken] = ["session-0.lock", "session-1.lock"].map(|name| Path::new(KEPT).join(name));
-        assert!(try_lock(&taken).is_none());
+        assert!(try_lock(&taken).unwrap().is_none());
         let held = try_lock(&free).unwrap();
-        assert!(try_lock(&free).is_none());
+        assert!(try_lock(&free).unwrap().is_none());
         drop(held);
-        assert!(try_lock(&free).is_some());
+        assert!(try_lock(&free).unwrap().is_some());
     }
 }

@@ -1,6 +1,6 @@
 //! The file system of the machine. Reading and saving are in [`files`](crate::files) itself.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -11,11 +11,16 @@ use std::time::SystemTime;
 pub struct Lock(#[expect(dead_code, reason = "it is what it keeps open")] File);
 
 /// The lock in this file, unless another window has it.
-#[must_use]
-pub fn try_lock(path: &Path) -> Option<Lock> {
-    let file = open(path).ok()?;
-    file.try_lock().ok()?;
-    Some(Lock(file))
+///
+/// # Errors
+/// Where the file cannot be made, or cannot be locked by anybody.
+pub fn try_lock(path: &Path) -> io::Result<Option<Lock>> {
+    let file = open(path)?;
+    match file.try_lock() {
+        Ok(()) => Ok(Some(Lock(file))),
+        Err(TryLockError::WouldBlock) => Ok(None),
+        Err(TryLockError::Error(error)) => Err(error),
+    }
 }
 
 /// The lock in this file; waits while another window has it. Where there are no locks, it keeps nobody away.
@@ -76,7 +81,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// # Errors
 /// Where the system refuses.
 pub fn create_folder(path: &Path) -> io::Result<()> {
-    fs::create_dir_all(path)
+    // A file in the place of the last folder is what a file in the place of another one is.
+    fs::create_dir_all(path).map_err(|error| match error.kind() {
+        io::ErrorKind::AlreadyExists => io::ErrorKind::NotADirectory.into(),
+        _ => error,
+    })
 }
 
 /// The path without links and `..`.

@@ -9,7 +9,7 @@ use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::explain_point;
-use crate::views::{Overlays, Probe, Request, pick};
+use crate::views::{Hover, Probe, Request, pick};
 
 /// The room that a card takes before it has been shown, in points.
 const USUAL: Vec2 = vec2(250.0, 190.0);
@@ -73,10 +73,10 @@ impl Canvas {
     pub(super) fn place_of_card(&mut self, ctx: &Context, state: &State, panes: &[Pane], room: Rect) -> Option<Pos2> {
         /// In its first frame a card does not know its size yet.
         const FRAMES: u8 = 3;
-        if self.pinned != self.on_card {
-            (self.on_card, self.card_settles) = (self.pinned, FRAMES);
+        if state.pinned() != self.on_card {
+            (self.on_card, self.card_settles) = (state.pinned(), FRAMES);
         }
-        let probe = self.pinned.filter(|_| self.card_settles > 0)?;
+        let probe = state.pinned().filter(|_| self.card_settles > 0)?;
         self.card_settles -= 1;
         ctx.request_repaint();
         let shown: Vec<Pos2> = panes.iter().filter_map(|pane| self.place_on_screen(state, pane, probe)).collect();
@@ -86,7 +86,7 @@ impl Canvas {
 
     fn place_on_screen(&self, state: &State, pane: &Pane, probe: Probe) -> Option<Pos2> {
         let request = self.request(state, pane.view, pane.rect.size);
-        let pixel = pick::place(&Request { overlays: Overlays::default(), ..request }, probe)?;
+        let pixel = pick::place(&Request { hover: Hover::default(), ..request }, probe)?;
         #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
         let [x, y] = pixel.to_array().map(|v| v as f32);
         Some(pane.rect.rect_of(x, y, 0.0, 0.0).min)

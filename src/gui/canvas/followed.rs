@@ -8,7 +8,7 @@ use crate::foreign::shown;
 use crate::gui::handle_drag;
 use crate::gui::state::State;
 use crate::i18n::explain_point;
-use crate::views::{Request, View, followed};
+use crate::views::{Request, View, named_points};
 
 /// A point that is held.
 pub(super) struct PointDrag {
@@ -22,8 +22,8 @@ pub(super) struct PointDrag {
 impl PointDrag {
     /// Takes the point at `from` (pixels), if one is there.
     pub(super) fn taken(pressed: Request, from: DVec2, pane: &Pane) -> Option<Self> {
-        let index = followed::point_at(&pressed, from, pane.rect.pixels(handle_drag::REACH))?;
-        let before = pressed.points.get(index)?.position;
+        let index = named_points::point_at(&pressed, from, pane.rect.pixels(handle_drag::REACH))?;
+        let before = pressed.shot.points.get(index)?.position;
         Some(Self { index, before, pressed, from })
     }
 
@@ -34,7 +34,7 @@ impl PointDrag {
 
     /// The point goes where the pointer is (pixels).
     pub(super) fn follow(&self, state: &mut State, to: DVec2, ctx: &Context) {
-        let Some(moved) = followed::dragged(&self.pressed, self.before, self.from, to) else { return };
+        let Some(moved) = named_points::dragged(&self.pressed, self.before, self.from, to) else { return };
         let Some(point) = state.document.figure().points.get(self.index) else { return };
         if point.position == moved {
             return;
@@ -68,8 +68,8 @@ impl PointDrag {
 
 /// The point under the pointer, and what is said of it.
 pub(super) fn hovered(request: &Request, pointer: DVec2, pane: &Pane, state: &State) -> Option<(DVec3, Vec<String>)> {
-    let index = followed::point_at(request, pointer, pane.rect.pixels(handle_drag::REACH))?;
-    Some((request.points.get(index)?.position, lines(index, state)))
+    let index = named_points::point_at(request, pointer, pane.rect.pixels(handle_drag::REACH))?;
+    Some((request.shot.points.get(index)?.position, lines(index, state)))
 }
 
 fn lines(index: usize, state: &State) -> Vec<String> {

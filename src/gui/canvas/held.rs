@@ -6,7 +6,7 @@ use glam::DVec2;
 use super::followed::PointDrag;
 use super::status::Status;
 use super::{Canvas, Pane, orbit};
-use crate::figure::Observer;
+use crate::figure::{Observer, Observers};
 use crate::gui::handle_drag::{self, HandleDrag};
 use crate::gui::selection_gizmo::Movable;
 use crate::gui::state::State;
@@ -17,7 +17,7 @@ use crate::numbers::power_of_ten;
 use crate::scene::SceneSpec;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::{part_at, pull};
-use crate::views::{GizmoPart, Request, Transforming, View};
+use crate::views::{GizmoPart, Transforming, View, observer_in};
 
 /// How near the pointer must come to a part of the gizmo, in points.
 pub(super) const GIZMO_REACH: f32 = 7.0;
@@ -25,7 +25,7 @@ pub(super) const GIZMO_REACH: f32 = 7.0;
 /// What is held with the pointer.
 pub(super) enum Drag {
     /// The eye of a three-dimensional picture turns.
-    Orbit { view: View, pressed: [Option<Observer>; 3] },
+    Orbit { view: View, pressed: Observers },
     /// The eye of a three-dimensional picture moves.
     Pan { view: View, pressed: Observer },
     /// Something in the world is moved.
@@ -98,7 +98,7 @@ impl Canvas {
             if let Some(movable) = Movable::selected(state)
                 && let Some(part) = part_at(&request, from, pane.rect.pixels(GIZMO_REACH))
             {
-                let (observer, before) = (request.observer, state.document.figure().scene.clone());
+                let (observer, before) = (request.observer(), state.document.figure().scene.clone());
                 let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
                 return Some(Drag::Gizmo(Box::new(held)));
             }
@@ -109,7 +109,7 @@ impl Canvas {
         Some(if primary && !modifiers.shift {
             Drag::Orbit { view, pressed: self.seen }
         } else {
-            Drag::Pan { view, pressed: self.seen[view.index()]? }
+            Drag::Pan { view, pressed: observer_in(&self.seen, view)? }
         })
     }
 
@@ -121,7 +121,7 @@ impl Canvas {
             Some(Drag::Orbit { view, pressed }) => {
                 let (view, pressed) = (*view, *pressed);
                 for other in turning_with(view, state) {
-                    if let Some(pressed) = pressed[other.index()] {
+                    if let Some(pressed) = observer_in(&pressed, other) {
                         self.turn(state, other, orbit::orbited(pressed, motion));
                     }
                 }
@@ -143,7 +143,7 @@ impl Canvas {
             Some(Drag::Point(held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
             Some(Drag::Gizmo(held)) => {
                 let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
-                let request = Request { observer: *observer, ..request };
+                let request = request.seen_by(*observer);
                 let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
                     return;
                 };
@@ -165,7 +165,7 @@ impl Canvas {
             None => {}
             Some(Drag::Orbit { pressed, view }) => {
                 for other in turning_with(view, state) {
-                    if let Some(pressed) = pressed[other.index()] {
+                    if let Some(pressed) = observer_in(&pressed, other) {
                         self.turn(state, other, pressed);
                     }
                 }
@@ -182,7 +182,7 @@ impl Canvas {
         match &self.drag {
             None => {}
             Some(Drag::Orbit { view, .. }) => {
-                let Some(Observer { azimuth, elevation, .. }) = self.seen[view.index()] else { return };
+                let Some(Observer { azimuth, elevation, .. }) = observer_in(&self.seen, *view) else { return };
                 let angles = [azimuth, elevation].map(|a| texts.lang.mark().number(a, 4));
                 status.message = format!("{}: {}° · {}°", texts.turning, angles[0], angles[1]);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
@@ -192,7 +192,7 @@ impl Canvas {
                 ui.set_cursor_icon(CursorIcon::Move);
             }
             Some(Drag::Handle(held)) => {
-                self.overlays.hot = Some(held.handle());
+                self.hover.hot = Some(held.handle());
                 let camera = state.document.camera();
                 let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
                 status.message = match held.stopped() {
@@ -214,7 +214,7 @@ impl Canvas {
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
             Some(Drag::Gizmo(held)) => {
-                if let Some(gizmo) = &mut self.overlays.gizmo {
+                if let Some(gizmo) = &mut self.hover.gizmo {
                     gizmo.hot = Some(held.part);
                 }
                 let mut lines = gizmo_lines(state, digits);

@@ -15,7 +15,7 @@ use crate::gui::{explain, handle_drag};
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
-use crate::views::{Handle, Overlays, Probe, Request, Transforming, View, pick};
+use crate::views::{Handle, Hover, Probe, Request, Transforming, View, observer_in, pick};
 
 /// Logarithm of the zoom for one point of the wheel.
 const ZOOM_PER_POINT: f64 = 0.004;
@@ -41,14 +41,14 @@ impl Canvas {
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
             // One thing after the other.
-            if self.pinned.is_none() && self.probing.is_none() {
-                release_stage(ui, state);
+            if state.pinned().is_none() && self.probing.is_none() {
+                release_shown(ui, state);
             }
-            self.pinned = None;
+            state.pin(None);
             self.probing = None;
         }
         let mut hovered = None;
-        self.overlays.hot = None;
+        self.hover.hot = None;
         for pane in panes {
             self.focus(ui, state, pane);
             if !self.fingers(ui, state, pane) {
@@ -75,24 +75,24 @@ impl Canvas {
             };
             idle.clone_into(&mut status.message);
         }
-        self.overlays.probe = self.pinned.or(hovered);
+        self.hover.probe = hovered;
         status
     }
 
     fn click(&mut self, state: &mut State, pane: &Pane, hovered: Option<Probe>) {
         let response = &pane.response;
         if response.double_clicked_by(PointerButton::Primary) {
-            self.pinned = self.pinned_before;
+            state.pin(self.pinned_before);
             toggle_maximized(state, pane.view);
             response.ctx.request_repaint();
         } else if response.clicked_by(PointerButton::Primary) && response.hovered() {
-            self.pinned_before = self.pinned;
-            self.pinned = hovered;
+            self.pinned_before = state.pinned();
+            state.pin(hovered);
             self.probing = None;
             let beside = response.ctx.input(|i| i.modifiers.command);
             self.select(state, pane, beside);
             if self.choose_triangle(state, pane) {
-                self.pinned = None;
+                state.pin(None);
             }
         }
         if response.clicked() || response.drag_started() {
@@ -132,7 +132,7 @@ impl Canvas {
         let factor = (wheel * ZOOM_PER_POINT).exp() * pinch;
         if factor != 1.0
             && let Some(pointer) = pane.response.hover_pos()
-            && let Some(seen) = self.seen[pane.view.index()]
+            && let Some(seen) = observer_in(&self.seen, pane.view)
         {
             let at = pane.rect.pixel(pointer);
             let observer = orbit::zoomed_at(seen, factor, at, pane.rect.size);
@@ -163,7 +163,7 @@ impl Canvas {
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
-            self.overlays.hot = Some(handle);
+            self.hover.hot = Some(handle);
             return probed(handle, state);
         }
         if pane.view == View::World
@@ -173,7 +173,7 @@ impl Canvas {
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
-            if let Some(gizmo) = &mut self.overlays.gizmo {
+            if let Some(gizmo) = &mut self.hover.gizmo {
                 gizmo.hot = Some(part);
             }
             return None;
@@ -208,7 +208,7 @@ impl Canvas {
             return None;
         }
         let what = What::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
-        let request = Request { overlays: Overlays::default(), ..request };
+        let request = Request { hover: Hover::default(), ..request };
         self.picker.ask(ui.ctx(), PickRequest { request, what }).probe
     }
 
@@ -239,13 +239,13 @@ impl Canvas {
     }
 
     /// Lets the keys move the probe, once they were asked to; true where this key did.
-    fn probe_by_key(&mut self, state: &State, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
-        let request = Request { overlays: Overlays::default(), ..self.request(state, pane.view, pane.rect.size) };
+    fn probe_by_key(&mut self, state: &mut State, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
+        let request = Request { hover: Hover::default(), ..self.request(state, pane.view, pane.rect.size) };
         if let Some(asked) = Probing::asked(key, pane.view) {
             // The same key again ends it.
             let is_on = self.probing == Some((pane.view, asked));
             self.probing = (!is_on).then_some((pane.view, asked));
-            self.pinned = if is_on { None } else { asked.first(&request) };
+            state.pin(if is_on { None } else { asked.first(&request) });
             return true;
         }
         let arrow = arrow_of(key);
@@ -253,10 +253,11 @@ impl Canvas {
         if view != pane.view {
             return false;
         }
-        self.pinned = match self.pinned {
-            Some(now) => probing.moved(&request, now, arrow, modifiers).or(self.pinned),
+        let pinned = state.pinned();
+        state.pin(match pinned {
+            Some(now) => probing.moved(&request, now, arrow, modifiers).or(pinned),
             None => probing.first(&request),
-        };
+        });
         true
     }
 
@@ -267,7 +268,7 @@ impl Canvas {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
                 if view == View::Image {
                     state.operate(Operation::Zoom(factor));
-                } else if let Some(seen) = self.seen[view.index()] {
+                } else if let Some(seen) = observer_in(&self.seen, view) {
                     self.turn(state, view, seen.zoom(factor));
                 }
             }
@@ -290,7 +291,7 @@ impl Canvas {
             #[expect(clippy::cast_possible_truncation, reason = "a few steps")]
             let motion = Vec2::new(-(arrow.x * step) as f32, (arrow.y * step) as f32);
             for other in turning_with(view, state) {
-                if let Some(seen) = self.seen[other.index()] {
+                if let Some(seen) = observer_in(&self.seen, other) {
                     self.turn(state, other, orbit::orbited(seen, motion));
                 }
             }
@@ -310,11 +311,11 @@ impl Canvas {
 }
 
 /// Takes away the stage that is shown; without one, the triangle that is followed.
-fn release_stage(ui: &Ui, state: &mut State) {
+fn release_shown(ui: &Ui, state: &mut State) {
     if state.shown_stage().is_some() {
-        state.layout.stage = None;
-    } else if state.explain.triangle.shown.is_some() {
-        state.explain.triangle.chosen = None;
+        state.release_stage();
+    } else if state.shown().triangle.is_some() {
+        state.document.show_mut().triangle = None;
     } else {
         return;
     }

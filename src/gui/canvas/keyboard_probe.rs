@@ -31,7 +31,7 @@ impl Probing {
 
     /// Where the probe begins: at the middle of the image, or at the vertex nearest to the middle of the picture.
     pub(super) fn first(self, request: &Request) -> Option<Probe> {
-        let ImageSize { width, height } = request.look.image;
+        let ImageSize { width, height } = request.shot.look.image;
         match self {
             Self::Pixels => Some(at_pixel(request, DVec2::new(f64::from(width / 2), f64::from(height / 2)))),
             Self::Vertices => pick::vertex_beside(request, None, DVec2::ZERO).map(Probe::Point),
@@ -43,10 +43,10 @@ impl Probing {
         let down = DVec2::new(arrow.x, -arrow.y);
         match (self, now) {
             (Self::Pixels, Probe::Window(point)) => {
-                let ImageSize { width, height } = request.look.image;
+                let ImageSize { width, height } = request.shot.look.image;
                 let last = DVec2::new(f64::from(width), f64::from(height)) - 1.0;
                 let step = down * if modifiers.shift { FAST } else { 1.0 };
-                let pixel = picking::pixel_of(request.look.image, &request.camera, point);
+                let pixel = picking::pixel_of(request.shot.look.image, &request.camera, point);
                 Some(at_pixel(request, (pixel + step).clamp(DVec2::ZERO, last)))
             }
             (Self::Vertices, Probe::Point(p)) => {
@@ -58,5 +58,5 @@ impl Probing {
 }
 
 fn at_pixel(request: &Request, pixel: DVec2) -> Probe {
-    Probe::Window(picking::center_of(request.look.image, &request.camera, pixel))
+    Probe::Window(picking::center_of(request.shot.look.image, &request.camera, pixel))
 }

@@ -98,8 +98,14 @@ mod tests {
         let mut canvas = Canvas::default();
         let path = PathBuf::from("a.png");
         let export = Export::new([[4, 3]; 3], 1.0);
-        let exporting =
-            Exporting::with(&ctx, &state.document, Lang::En, export, (path.clone(), Overwrite::Writable), endless);
+        let exporting = Exporting::with(
+            &ctx,
+            (&state.document, state.figure_as_shown()),
+            Lang::En,
+            export,
+            (path.clone(), Overwrite::Writable),
+            endless,
+        );
         state.file_flow.exporting.push(exporting);
         let mut press = |state: &mut State| {
             let key = egui::Event::Key {

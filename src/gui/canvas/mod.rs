@@ -45,7 +45,7 @@ use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
 use self::vertex_name::VertexNames;
 use crate::appearance::Rgba;
-use crate::figure::{Depth, Observer};
+use crate::figure::{Depth, Observer, Observers};
 use crate::gui::coach::{self, Brief};
 use crate::gui::explain;
 use crate::gui::focus::{self, Region};
@@ -58,9 +58,9 @@ use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::picture::Account;
-use crate::pipeline::{Output, TooMuch};
+use crate::pipeline::TooMuch;
 use crate::views::image_frame;
-use crate::views::{Look, Overlays, Palette, Probe, Request, Size, View, aspect_shown};
+use crate::views::{Hover, Look, Palette, Probe, Request, Shot, Size, View, aspect_shown};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
@@ -79,20 +79,21 @@ pub struct Canvas {
     missing: [Option<Missing>; 3],
     too_much: [Option<TooMuch>; 3],
     shares: Shares,
-    /// From where each picture is seen where the figure does not say, and in this frame; the image from nowhere.
+    /// From where each picture is seen where the figure does not say, and in this frame.
     autos: [Auto; 3],
-    seen: [Option<Observer>; 3],
+    seen: Observers,
     /// What a button or a key has framed last, and for a picture of which size.
     framed: [Option<(Observer, Size)>; 3],
     /// What a title's button asked for.
     asked: Option<(View, ObserverChange)>,
-    overlays: Overlays,
+    /// What the pictures of this frame show, and what the pointer adds to it.
+    shot: Shot,
+    hover: Hover,
     highlight: Highlight,
     /// What looks for what is pointed at, and for its depth.
     picker: Picker,
     depth_picker: Picker,
     drag: Option<Drag>,
-    pinned: Option<Probe>,
     /// What the card speaks of.
     on_card: Option<Probe>,
     /// For so many frames more the card is put in its place.
@@ -117,15 +118,15 @@ impl Default for Canvas {
             too_much: Default::default(),
             shares: Shares::default(),
             autos: Default::default(),
-            seen: [None; 3],
+            seen: Observers::default(),
             framed: [None; 3],
             asked: None,
-            overlays: Overlays::default(),
+            shot: Shot::default(),
+            hover: Hover::default(),
             highlight: Highlight::default(),
             picker: Picker::default(),
             depth_picker: Picker::default(),
             drag: None,
-            pinned: None,
             on_card: None,
             card_settles: 0,
             vertex_names: VertexNames::default(),
@@ -158,35 +159,18 @@ impl Canvas {
 
     /// A picture as it is now, seen from where it is seen in this frame, with the overlays that it shows.
     fn request(&self, state: &State, view: View, size: Size) -> Request {
-        let document = &state.document;
-        let normalizing = state.normalizing().filter(|_| view == View::Canonical);
-        let look = Look::of(document.figure());
-        Request {
-            view,
-            look: Look { style: state.style(), reveal: state.revealed(view), ..look },
-            camera: document.camera().clone(),
-            scene: state.scene_cache.scene().clone(),
-            points: document.figure().points.as_slice().into(),
-            observer: self.seen[view.index()],
-            ndc: normalizing.map_or(state.settings.conventions.ndc, |way| way.decomposition.ndc()),
-            normalizing,
-            begun: state.begun().filter(|_| view == View::Image),
-            stage: state.shown_stage().filter(|_| view == state.layout.strip_of),
-            overlays: self.overlays.seen_in(view),
-            labels: labels(state.settings.lang),
-            size,
-            force_all_stages: false,
-            output: Output::Pixels,
-        }
+        let (camera, scene) = (state.document.drawn_camera(), state.scene_cache.scene());
+        let request = Request::new(&self.shot, view, camera, scene, labels(state.settings.lang), size);
+        Request { hover: self.hover.seen_in(view), ..request }
     }
 
     /// True where Esc would let go of something in a picture.
     #[must_use]
     pub fn holds_something(&self, state: &State) -> bool {
         self.drag.is_some()
-            || self.pinned.is_some()
+            || state.pinned().is_some()
             || state.shown_stage().is_some()
-            || state.explain.triangle.shown.is_some()
+            || state.shown().triangle.is_some()
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.
@@ -207,13 +191,14 @@ impl Canvas {
         if let Err(error) = state.scene_cache.update(&ctx, &state.document, state.settings.theme, self.patience) {
             state.say(Message::Scene(error));
         }
-        self.overlays.ghost = state.ghost.clone();
-        self.overlays.answered = state.answered_camera();
-        self.overlays.measured.clone_from(&state.measured);
-        self.overlays.object = explain::object_transform(state);
-        self.overlays.placed.clone_from(&state.explain.placed);
-        self.overlays.stepped.clone_from(&state.explain.triangle.shown);
-        self.overlays.gizmo = Movable::selected(state).map(|movable| movable.gizmo);
+        self.hover = Hover {
+            ghost: state.hover.ghost.clone(),
+            measured: state.hover.measured.clone(),
+            object: explain::object_transform(state),
+            gizmo: Movable::selected(state).map(|movable| movable.gizmo),
+            ..Hover::default()
+        };
+        self.shot = state.shot(self.seen);
         let panes = self.panes(ui, pictures, state, texts);
         self.places = [None; 3];
         for pane in &panes {
@@ -223,7 +208,8 @@ impl Canvas {
         }
         self.settle_observers(ui, state, &panes);
         let mut status = self.interact(ui, state, &panes, texts);
-        state.probe = self.overlays.probe;
+        state.probe = state.pinned().or(self.hover.probe);
+        state.seen = self.seen;
         self.draw(ui, state, &panes);
         self.decorate(ui, state, &panes, texts);
 
@@ -276,10 +262,10 @@ impl Canvas {
         let hidden = !state.layout.is_shown(view);
         let account = self.accounts[view.index()].as_ref().filter(|_| !hidden);
         focus::region(ui, room, Region::Strip, texts.strip);
-        let strip = Strip { lang: state.settings.lang, texts, view, account, hidden, shown: state.layout.stage };
+        let strip = Strip { lang: state.settings.lang, texts, view, account, hidden, shown: state.shown_stage() };
         match strip.show(ui, room) {
             None => return,
-            Some(StripAction::Of(view)) => state.layout.strip_of = view,
+            Some(StripAction::Of(view)) => state.list_stages_of(view),
             Some(StripAction::Close) => state.layout.strip = false,
             Some(StripAction::Show(stage)) => state.toggle_stage(stage),
         }
@@ -431,15 +417,15 @@ impl Canvas {
         texts: &'static CanvasTexts,
     ) {
         let ctx = ui.ctx();
-        let Some(probe) = self.overlays.probe else {
+        let Some(probe) = state.probe else {
             status.note = texts.probe_hint;
             return;
         };
         // What is found there does not depend on the size.
         let size = Size { width: 1, height: 1, scale: 1.0 };
-        let request = Request { overlays: Overlays::default(), ..self.request(state, View::Image, size) };
+        let request = Request { hover: Hover::default(), ..self.request(state, View::Image, size) };
         let digits = state.settings.digits;
-        let asks = matches!(probe, Probe::Window(_)) && request.look.reveal.depth != Depth::Off;
+        let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;
         let depths = asks
             .then(|| {
                 self.depth_picker.ask(ctx, PickRequest { request: request.clone(), what: What::Depths(probe) }).depths
@@ -457,7 +443,7 @@ impl Canvas {
         };
         status.cells = cells(digits.min(4), mark);
         status.exact = cells(digits, mark);
-        if self.pinned.is_some() {
+        if state.pinned().is_some() {
             let point = match probe {
                 Probe::Point(p) => Some(p),
                 Probe::Window(_) => None,
@@ -473,12 +459,12 @@ impl Canvas {
                 }
                 Some(CardAction::Copy) => ctx.copy_text(copied(&cells(EXACT_DIGITS, DecimalMark::Point))),
                 Some(CardAction::Release) => {
-                    self.pinned = None;
+                    state.pin(None);
                     ctx.request_repaint();
                 }
             }
         }
-        if self.pinned.is_some() {
+        if state.pinned().is_some() {
             status.aside = if status.aside.is_empty() {
                 texts.pinned.to_owned()
             } else {

@@ -23,8 +23,10 @@ impl Canvas {
             }
             let written = observer_in(&state.document.figure().observers, view);
             let subject = state.scene_cache.subject();
-            self.seen[i] = written.or_else(|| self.autos[i].observer(&request, subject, steady));
+            let seen = written.or_else(|| self.autos[i].observer(&request, subject, steady));
+            orbit::set(&mut self.seen, view, seen);
         }
+        self.shot.observers = self.seen;
     }
 
     fn change_observer(&mut self, state: &mut State, request: &Request, change: ObserverChange) {
@@ -34,7 +36,7 @@ impl Canvas {
         self.framed[i] = observer.map(|observer| (observer, request.size));
         orbit::set(state.document.observers_mut(), view, observer);
         // A section has a side of its own: from another one, the world is seen in space.
-        if view == View::World && matches!(change, ObserverChange::From(_)) && request.look.world.section {
+        if view == View::World && matches!(change, ObserverChange::From(_)) && request.shot.look.world.section {
             state.document.edit(|figure| figure.world.section = false);
         }
     }
@@ -55,7 +57,8 @@ impl Canvas {
 
     /// Looks at a picture from somewhere else.
     pub(super) fn turn(&mut self, state: &mut State, view: View, observer: Observer) {
-        self.seen[view.index()] = Some(observer);
+        orbit::set(&mut self.seen, view, Some(observer));
+        self.shot.observers = self.seen;
         orbit::set(state.document.observers_mut(), view, Some(observer));
     }
 }

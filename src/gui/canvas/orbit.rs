@@ -38,7 +38,7 @@ impl Auto {
     /// do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, steady: bool) -> Option<Observer> {
         let (camera, scene, size) = (&request.camera, &request.scene, request.size);
-        let outside = request.look.reveal.outside;
+        let outside = request.shot.look.reveal.outside;
         let Some(kept) = self.kept.as_mut().filter(|kept| kept.subject == subject) else {
             let fitted = request.observer_from(Viewpoint::default())?;
             let (camera, scene) = (camera.clone(), scene.clone());

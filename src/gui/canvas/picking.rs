@@ -72,12 +72,12 @@ pub(super) type Depths = Option<DepthReading>;
 /// What is at `pointer` (pixels) in a picture: a vertex within `reach` pixels, or a pixel of the image.
 fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
     // What a pixel of the depth buffer holds is the depth of a face, not of a vertex behind or beside it.
-    let shows_depths = request.view == View::Image && request.look.reveal.depth != Depth::Off;
+    let shows_depths = request.view == View::Image && request.shot.look.reveal.depth != Depth::Off;
     let vertex = if shows_depths { None } else { pick::vertex(request, pointer, reach) };
     vertex.map(Probe::Point).or_else(|| {
         let point = pick::window_point_in_image(request, pointer).filter(|_| request.view == View::Image)?;
-        let pixel = pixel_of(request.look.image, &request.camera, point);
-        Some(Probe::Window(center_of(request.look.image, &request.camera, pixel)))
+        let pixel = pixel_of(request.shot.look.image, &request.camera, point);
+        Some(Probe::Window(center_of(request.shot.look.image, &request.camera, pixel)))
     })
 }
 
@@ -96,7 +96,7 @@ pub(super) fn center_of(image: ImageSize, camera: &Camera, pixel: DVec2) -> DVec
 /// What the depth buffer holds under the probe; `None` where the image does not show depths.
 fn depths(probe: Probe, request: &Request) -> Option<Depths> {
     match probe {
-        Probe::Window(w) if request.look.reveal.depth != Depth::Off => Some(depth::reading(request, w)),
+        Probe::Window(w) if request.shot.look.reveal.depth != Depth::Off => Some(depth::reading(request, w)),
         Probe::Window(_) | Probe::Point(_) => None,
     }
 }

@@ -31,12 +31,12 @@ pub(super) fn cells(
     (digits, mark): (usize, DecimalMark),
     texts: &CanvasTexts,
 ) -> Vec<Cell> {
-    let (look, camera) = (&request.look, &request.camera);
+    let (look, camera) = (&request.shot.look, &request.camera);
     let wanted = |space, value| Cell { space, value, wanted: true };
     let other = |space, value| Cell { space, value, wanted: false };
     match probe {
         Probe::Point(p) => {
-            let s = camera.possible_clip_space(request.ndc).stations(p, look.image, &look.viewport);
+            let s = camera.possible_clip_space(request.shot.ndc).stations(p, look.image, &look.viewport);
             let mut cells = vec![
                 wanted(texts.space_world, point(p, digits, mark)),
                 other(texts.space_view, point(s.view, digits, mark)),
@@ -76,7 +76,7 @@ pub(super) fn cells(
 /// The outcode of a point, with the planes that its bits name, and its homogeneous distances from them.
 fn clipping_cells(p: DVec3, request: &Request, (digits, mark): (usize, DecimalMark), texts: &CanvasTexts) -> [Cell; 4] {
     let cell = |space, value| Cell { space, value, wanted: true };
-    let ndc = request.camera.possible_clip_space(request.ndc).ndc();
+    let ndc = request.camera.possible_clip_space(request.shot.ndc).ndc();
     let mut code = clip_parts::outcode_of(&request.camera, p).unwrap_or([true; 6]);
     // Without a far plane nothing is beyond it.
     code[5] &= !ndc.infinite;

@@ -10,7 +10,7 @@ use crate::gui::worker::{Running, Work, Worker, one_by_one};
 use crate::picture::{Account, Picture, Renderer};
 use crate::pipeline::TooMuch;
 use crate::progress::Progress;
-use crate::views::{Overlays, Request, View};
+use crate::views::{Hover, Request, View};
 
 /// A picture to draw. Two equal jobs make the same pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,7 +87,7 @@ fn work() -> Work<Job, Outcome> {
     one_by_one(async move |job: Job, progress: &Progress| {
         let Job { mut request, draft, max_side, accounted } = job;
         if draft {
-            request.look.style.antialias = 1;
+            request = request.with_shot(|shot| shot.look.style.antialias = 1);
         }
         renderer.measure(accounted.then_some(clock::now));
         renderer.watch(progress);
@@ -103,8 +103,8 @@ fn work() -> Work<Job, Outcome> {
 }
 
 /// True for pictures that differ at most in what is pointed at.
-fn same_but_overlays(one: &Request, other: &Request) -> bool {
-    let bare = |request: &Request| Request { overlays: Overlays::default(), ..request.clone() };
+fn same_but_hover(one: &Request, other: &Request) -> bool {
+    let bare = |request: &Request| Request { hover: Hover::default(), ..request.clone() };
     bare(one) == bare(other)
 }
 
@@ -130,7 +130,7 @@ impl Rendering {
                 && last.max_side == job.max_side
                 && last.request == job.request
         };
-        let is_given_up = |up: &Job| same_but_overlays(&up.request, &job.request);
+        let is_given_up = |up: &Job| same_but_hover(&up.request, &job.request);
         if self.given_up[i].as_ref().is_some_and(is_given_up) {
             return;
         }
@@ -254,8 +254,8 @@ mod tests {
         assert_eq!(rendering.running().unwrap().0, View::Image);
         rendering.cancel();
         assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(Err(Missing::Cancelled))));
-        let pointed_at = Overlays { probe: Some(crate::views::Probe::Point(glam::DVec3::ZERO)), ..Overlays::default() };
-        let same = Job { request: Request { overlays: pointed_at, ..job(30).request }, ..job(30) };
+        let pointed_at = Hover { probe: Some(crate::views::Probe::Point(glam::DVec3::ZERO)), ..Hover::default() };
+        let same = Job { request: Request { hover: pointed_at, ..job(30).request }, ..job(30) };
         let same = Job {
             request: Request { scene: rendering.asked[2].as_ref().unwrap().request.scene.clone(), ..same.request },
             ..same

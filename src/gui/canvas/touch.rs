@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 
 use super::{Canvas, Pane, orbit};
 use crate::gui::state::State;
-use crate::views::View;
+use crate::views::{View, observer_in};
 
 impl Canvas {
     /// Lets two fingers move and zoom a three-dimensional picture; true while they are on it. What the first of them had begun before
@@ -18,7 +18,7 @@ impl Canvas {
         let height = f64::from(pane.rect.size.height);
         let moved = pane.rect.pixel(touch.center_pos) - pane.rect.pixel(touch.center_pos - touch.translation_delta);
         if pane.view != View::Image
-            && let Some(seen) = self.seen[pane.view.index()]
+            && let Some(seen) = observer_in(&self.seen, pane.view)
         {
             let at = pane.rect.pixel(touch.center_pos);
             let moved = seen.pan(moved.x, moved.y, height);

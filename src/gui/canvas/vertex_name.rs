@@ -38,7 +38,7 @@ impl VertexNames {
 
 fn of_mesh(p: DVec3, scene: &Scene, spec: &SceneSpec) -> Option<VertexName> {
     let vertex = scene.vertices().find(|vertex| vertex.p_world == p)?;
-    let of_preset = !matches!(Selected::of_object(spec, vertex.object), Some(Selected::Object(_)));
+    let of_preset = !matches!(Selected::of_object(spec, vertex.owner), Some(Selected::Object(_)));
     Some(VertexName { object: vertex.object.to_owned(), of_preset, number: vertex.index + 1 })
 }
 

@@ -2,9 +2,7 @@
 
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{
-    self, Align2, Color32, Key, RichText, ScrollArea, Stroke, StrokeKind, TextEdit, TextStyle, Ui, vec2,
-};
+use eframe::egui::{self, Align2, Color32, Key, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui, vec2};
 
 use super::{Sheet, check};
 use crate::exercises::{Answer, Ask, Kind, Unit, read_answer};
@@ -13,8 +11,10 @@ use crate::gui::mathematics;
 use crate::gui::panels::complaint;
 use crate::gui::prose;
 use crate::gui::state::{State, is_whole, joined};
+use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::{Lang, exercise_window as words, exercises as said, messages};
+use crate::limits::MAX_ANSWER;
 
 /// The type size of what was understood, in points.
 const SIZE: f32 = 13.0;
@@ -174,8 +174,10 @@ fn numbers(
                     continue;
                 }
                 let mark = marks.get(k).copied().flatten();
-                let edit = TextEdit::singleline(text).id_salt(k).desired_width(wide).align(Align2::LEFT_CENTER);
-                let response = ui.add(edit.char_limit(crate::limits::MAX_ANSWER).return_key(None));
+                let field = TextField::line(text, MAX_ANSWER)
+                    .refused_beyond()
+                    .with(|edit| edit.id_salt(k).desired_width(wide).align(Align2::LEFT_CENTER).return_key(None));
+                let response = field.show(ui, t.lang);
                 select_on_arrival(ui, &response, text);
                 let hint = if first { t.first_field_hint } else { t.answer_hint };
                 let sign = match mark {
@@ -262,9 +264,11 @@ fn camera(ui: &mut Ui, state: &State, sheet: Sheet<'_>, ask: &Ask, text: &mut St
         let set = Answer::Camera(Box::new(*state.document.camera().parameters()));
         *text = said::understood(t.lang, ask, &set);
     }
-    let field = TextEdit::multiline(text).id_salt("camera").desired_rows(2).desired_width(f32::INFINITY);
-    let field = field.font(TextStyle::Monospace).hint_text(t.camera_hint).char_limit(crate::limits::MAX_ANSWER);
-    let response = ui.add(field).accessible_name(t.your_answer);
+    let field = TextField::lines(text, MAX_ANSWER).refused_beyond().with(|edit| {
+        let edit = edit.id_salt("camera").desired_rows(2).desired_width(f32::INFINITY);
+        edit.font(TextStyle::Monospace).hint_text(t.camera_hint)
+    });
+    let response = field.show(ui, t.lang).accessible_name(t.your_answer);
     Typing { in_focus: response.has_focus(), is_done: false, first: Some(response) }
 }
 

@@ -1,19 +1,22 @@
 //! The list of exercises.
 
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{self, Button, Key, RichText, Role, TextEdit, TextStyle, Ui, WidgetInfo};
+use eframe::egui::{self, Button, Key, RichText, Role, TextStyle, Ui, WidgetInfo};
 
 use crate::exercises::{Entry, Stage};
 use crate::foreign;
 use crate::gui::state::{Chosen, Exercises};
+use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::exercise_window::Texts;
 use crate::i18n::{Lang, exercise_messages, exercises as said};
+use crate::limits::MAX_TYPED_NAME;
 
 /// The field for words; Enter opens the first exercise that is found.
 pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
-    let field = TextEdit::singleline(&mut state.wanted).hint_text(t.search).desired_width(f32::INFINITY);
-    let response = ui.add(field).explained(t.search_hint).accessible_name(t.search);
+    let field = TextField::line(&mut state.wanted, MAX_TYPED_NAME);
+    let field = field.with(|edit| edit.hint_text(t.search).desired_width(f32::INFINITY));
+    let response = field.show(ui, t.lang).explained(t.search_hint).accessible_name(t.search);
     state.answer_call(&response);
     if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
         let first = found(t.lang, state).next().cloned();

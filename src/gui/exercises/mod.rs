@@ -46,7 +46,7 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
             }
         }
         if ui.button(t.practise_next).explained(t.practise_next_hint).clicked()
-            && let Some((next, why)) = state.exercises.next()
+            && let Some((next, why)) = state.exercises.next(clock::seconds_since_1970())
         {
             state.exercises.work_on(next.clone());
             state.exercises.why = Some((next, why));

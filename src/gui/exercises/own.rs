@@ -1,7 +1,8 @@
 //! The folder of a lecturer's own exercises: opened, looked into once more, closed, and what is wrong with its files.
 
-use eframe::egui::Ui;
+use eframe::egui::{CollapsingHeader, RichText, Ui};
 
+use crate::files::BadExercise;
 use crate::foreign;
 use crate::gui::file_flow;
 use crate::gui::panels::complaint;
@@ -21,10 +22,16 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
             Ok(found) if found.entries.is_empty() && found.faults.is_empty() => {
                 ui.label(format!("{}: {}", foreign::path(&own.folder), t.own_none));
             }
+            Ok(found) if found.faults.is_empty() => {}
+            // A folder may hold many other files: they are one line until somebody wants to know.
             Ok(found) => {
-                for (path, error) in &found.faults {
-                    complaint(ui, &foreign::printable(&messages::file(t.lang, &foreign::path(path), error)));
-                }
+                let text = format!("{}: {}", t.own_passed_over, found.faults.len());
+                let heading = CollapsingHeader::new(RichText::new(text).weak()).id_salt("files that are no exercises");
+                heading.show(ui, |ui| {
+                    for BadExercise { path, error, .. } in &found.faults {
+                        complaint(ui, &foreign::printable(&messages::file(t.lang, &foreign::path(path), error)));
+                    }
+                });
             }
             Err(error) => {
                 complaint(ui, &foreign::printable(&messages::file(t.lang, &foreign::path(&own.folder), error)));

@@ -1,13 +1,15 @@
 //! What is given, how it is read, and the figure.
 
-use eframe::egui::{self, Align2, CollapsingHeader, Image, RichText, TextEdit, Ui, vec2};
+use eframe::egui::{self, Align2, CollapsingHeader, Image, RichText, Ui, vec2};
 
 use super::{Sheet, figure};
 use crate::gui::panels::complaint;
 use crate::gui::prose;
 use crate::gui::state::State;
+use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::{exercise_messages as messages, exercises as said};
+use crate::limits::MAX_EXPRESSION;
 
 /// Shows what is given.
 pub(super) fn ui(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
@@ -60,10 +62,11 @@ fn free(ui: &mut Ui, state: &mut State, sheet: Sheet<'_>) {
         for (name, value) in &exercise.free {
             ui.label(*name);
             let text = typed.free.entry((*name).to_owned()).or_default();
-            let field = TextEdit::singleline(text).hint_text(said::number(t.lang.mark(), *value)).desired_width(56.0);
-            ui.add(field.align(Align2::LEFT_CENTER).id_salt(("free", *name)))
-                .explained(t.free_hint)
-                .accessible_name(*name);
+            let field = TextField::line(text, MAX_EXPRESSION.0).refused_beyond().with(|edit| {
+                let edit = edit.hint_text(said::number(t.lang.mark(), *value)).desired_width(56.0);
+                edit.align(Align2::LEFT_CENTER).id_salt(("free", *name))
+            });
+            field.show(ui, t.lang).explained(t.free_hint).accessible_name(*name);
         }
     });
     let chosen = typed.chosen_numbers();

@@ -4,13 +4,13 @@ use eframe::egui::{self, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::measures;
 use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Writer, definition};
+use crate::figure::Measured;
 use crate::gui::mathematics::{Both, Formula as Typeset, Links, chain};
 use crate::gui::noted::noted;
 use crate::gui::state::Matrices;
 use crate::i18n::explain::{self as words, Texts};
 use crate::i18n::{Lang, notes};
 use crate::numbers::exact_form;
-use crate::views::Measured;
 
 /// The type size of formulas, in points.
 const SIZE: f32 = 14.0;

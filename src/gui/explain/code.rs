@@ -6,6 +6,7 @@ use crate::explain::Setting;
 use crate::explain::code::CodeTarget;
 use crate::gui::panels::choice;
 use crate::gui::state::State;
+use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::{code, explain};
 
@@ -25,8 +26,9 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let font = FontId::monospace(TextStyle::Small.resolve(ui.style()).size);
     // Read, selected and copied, but not changed: what would change the camera is in the other tabs.
     let mut shown = text.as_str();
-    let field = egui::TextEdit::multiline(&mut shown).font(font).desired_width(f32::INFINITY).code_editor();
-    ui.add(field).accessible_name(t.code);
+    let field = TextField::fixed_lines(&mut shown);
+    let field = field.with(|edit| edit.font(font).desired_width(f32::INFINITY).code_editor());
+    field.show(ui, lang).accessible_name(t.code);
 }
 
 /// The code for the camera as it is, in the language of the window.

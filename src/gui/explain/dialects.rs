@@ -11,9 +11,11 @@ use crate::gui::noted::{noted, noted_row};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{choice, complaint, section};
 use crate::gui::state::State;
+use crate::gui::text_field::TextField;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::{dialects, messages, window};
+use crate::limits::MAX_ANSWER;
 use crate::numbers::{is_rest, power_of_ten};
 
 /// Shows the tab.
@@ -212,12 +214,11 @@ fn pasted(ui: &mut egui::Ui, state: &mut State) {
         ui.checkbox(&mut pasted.transposed, t.transposed).explained(t.transposed_hint);
     });
     let hint = "1 0 0 0\n0 1 0 0\n0 0 -1 0\n0 0 0 1";
-    let field = egui::TextEdit::multiline(&mut pasted.text)
-        .desired_rows(4)
-        .desired_width(f32::INFINITY)
-        .hint_text(hint)
-        .font(egui::TextStyle::Monospace);
-    let field = ui.add(field).accessible_name(t.pasted);
+    let field = TextField::lines(&mut pasted.text, MAX_ANSWER).with(|edit| {
+        let edit = edit.desired_rows(4).desired_width(f32::INFINITY);
+        edit.hint_text(hint).font(egui::TextStyle::Monospace)
+    });
+    let field = field.show(ui, lang).accessible_name(t.pasted);
     noted(&field, note_on_matrix(pasted.kind));
     if pasted.text.trim().is_empty() {
         return;

@@ -7,7 +7,8 @@ use crate::camera::{Camera, Projection};
 use crate::explain::homogeneous::{Floor, projected_share};
 use crate::foreign;
 use crate::gui::noted::{noted, noted_row};
-use crate::gui::panels::section;
+use crate::gui::number_field::{NumberField, Step};
+use crate::gui::panels::{complaint, section};
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
@@ -185,12 +186,19 @@ fn middle(ui: &mut egui::Ui, t: &Texts, state: &mut State) {
     let camera = state.document.camera();
     let [w_a, w_b] = [from, to].map(|p| camera.clip_point(p).w);
     let share = &mut state.explain.share;
-    let slider = egui::Slider::new(share, 0.0..=1.0).text(t.share).custom_formatter({
-        let mark = state.settings.lang.mark();
-        move |x, _| mark.number(x, 3)
+    let lang = state.settings.lang;
+    let output = ui.horizontal(|ui| {
+        let slider = egui::Slider::new(share, 0.0..=1.0).show_value(false);
+        ui.add(slider).explained(t.share_hint).accessible_name(t.share);
+        let field = NumberField::new(t.share, Step::Add(0.1)).within(0.0..=1.0).hint(t.share_hint);
+        let output = field.show(ui, window::texts(lang), share);
+        ui.label(t.share);
+        output
     });
-    ui.add(slider).explained(t.share_hint);
     let share = *share;
+    if let Some(error) = output.inner.error {
+        complaint(ui, &error.text(lang));
+    }
     if !(w_a > 0.0 && w_b > 0.0) {
         ui.label(t.behind_middle);
         return;

@@ -67,7 +67,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let lit = answer::show(ui, writing, &name, (formula, values[row][column]), &mut state.explain.matrices);
     let lights = answer::lights(formula, lit);
     used_in(ui, state, &setting, writing, (matrix, row, column));
-    state.measured.extend(lights);
+    state.hover.measured.extend(lights);
 }
 
 /// The note on the equation in force; where there is none, on the matrix.
@@ -190,10 +190,9 @@ fn cells(
     values: &[[f64; 4]; 4],
     now: f64,
 ) -> [[Cell; 4]; 4] {
-    let explain = &state.explain;
+    let (explain, pointed) = (&state.explain, &state.hover.pointed);
     let depends = |formula: &Formula| {
-        !explain.pointed.is_empty()
-            && leaves(formula, writing.setting).iter().any(|symbol| explain.pointed.contains(symbol))
+        !pointed.is_empty() && leaves(formula, writing.setting).iter().any(|symbol| pointed.contains(symbol))
     };
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {

@@ -1,7 +1,7 @@
 //! What a symbol measures in the world.
 
 use crate::explain::{Axis, Formula, Symbol, Vector};
-use crate::views::{Measure, Measured, WindowSide};
+use crate::figure::{Measure, Measured, WindowSide};
 
 /// The length, angle or axis that a symbol measures; `None` for what is neither the camera's nor the object's.
 pub(super) fn of_symbol(symbol: Symbol) -> Option<Measured> {

@@ -1,17 +1,19 @@
 //! The tab of notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the thing itself.
 
-use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextEdit, TextStyle, Ui, WidgetInfo, vec2};
+use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};
 
 use super::answer::{self, Writing};
 use super::subject::Subject;
 use crate::explain::{Axis, Component, Symbol};
 use crate::gui::mathematics;
 use crate::gui::state::{Notes, State};
+use crate::gui::text_field::TextField;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain::{self as words, Texts};
 use crate::i18n::notes::{self, Note, Piece};
 use crate::i18n::sources::with_titles;
+use crate::limits::MAX_TYPED_NAME;
 
 /// The type size of equations, in points.
 const SIZE: f32 = 14.0;
@@ -51,8 +53,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
 
 /// The field for words; Enter reads the first note that is found.
 fn search(ui: &mut Ui, t: &Texts, state: &mut Notes) {
-    let field = TextEdit::singleline(&mut state.wanted).hint_text(t.search_notes).desired_width(f32::INFINITY);
-    let response = ui.add(field).explained(t.search_notes_hint).accessible_name(t.search_notes);
+    let field = TextField::line(&mut state.wanted, MAX_TYPED_NAME);
+    let field = field.with(|edit| edit.hint_text(t.search_notes).desired_width(f32::INFINITY));
+    let response = field.show(ui, t.lang).explained(t.search_notes_hint).accessible_name(t.search_notes);
     if response.lost_focus()
         && ui.input(|input| input.key_pressed(egui::Key::Enter))
         && let Some(first) = found(t, &state.wanted).first()

@@ -9,6 +9,7 @@ use super::steps::numbers;
 use super::{order_list, subject};
 use crate::explain::Placement;
 use crate::explain::order::{Call, Link, Reading, Stage, Unbalanced, chain, exchanged, in_force, read, same};
+use crate::figure::TransformPreview;
 use crate::geometry::{Ray, try_unit};
 use crate::gui::mathematics;
 use crate::gui::panels::{choice, complaint, section};
@@ -18,7 +19,6 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::order::{self as words, Texts};
 use crate::scene::edit::descendants;
 use crate::scene::transform::{Trs, put_on_chain};
-use crate::views::Placed;
 
 /// Shows what stays in sight above the list: of which object it is, and the button that gives it the list.
 pub(super) fn head(ui: &mut Ui, state: &mut State) {
@@ -53,6 +53,7 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     let selected = subject::selected(state);
+    state.document.show_mut().moved.clear();
     let mut order = std::mem::take(&mut state.explain.order);
     order.follow(own(selected.as_ref()));
     tab(ui, state, t, (&mut order, selected.as_ref()));
@@ -230,7 +231,7 @@ fn place(state: &mut State, selected: Subject<'_>, stage: Stage, wrong: bool) {
         Some(Ray { origin: parent.transform_point3(axis.origin), direction })
     });
     if change.is_finite() {
-        state.explain.placed.push(Placed { objects, change, world_from_frame, axis, wrong });
+        state.document.show_mut().moved.push(TransformPreview { objects, change, world_from_frame, axis, wrong });
     }
 }
 

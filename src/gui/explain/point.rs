@@ -13,10 +13,11 @@ use crate::gui::noted::noted_row;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::complaint;
 use crate::gui::state::{Space, State};
+use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain_point::{self, Texts};
 use crate::i18n::{messages, notes, window};
-use crate::limits::MAX_NAMED_POINTS;
+use crate::limits::{MAX_NAMED_POINTS, MAX_TYPED_NAME};
 use crate::views::Probe;
 
 /// Shows the tab.
@@ -79,8 +80,9 @@ fn name(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
     let old = points[index].name.clone();
     let kept = state.follow.typing.take().filter(|(of, ..)| *of == old);
     let (_, mut text, was_left) = kept.unwrap_or_else(|| (old.clone(), old.clone(), false));
-    let field = egui::TextEdit::singleline(&mut text).id(egui::Id::unique(("point name", &old))).desired_width(150.0);
-    let response = ui.add(field).explained(t.name_hint).accessible_name(t.name);
+    let field = TextField::line(&mut text, MAX_TYPED_NAME);
+    let field = field.with(|edit| edit.id(egui::Id::unique(("point name", &old))).desired_width(150.0));
+    let response = field.show(ui, state.settings.lang).explained(t.name_hint).accessible_name(t.name);
     let left = response.lost_focus();
     let wanted = text.trim().to_owned();
     if wanted == old || left && ui.input(|input| input.key_pressed(Key::Escape)) {

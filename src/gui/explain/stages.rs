@@ -82,7 +82,7 @@ fn list(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
         let report = state.explain.reports.iter().find(|report| report.stage == stage);
         let text = RichText::new(format!("{}. {name}", i + 1));
         let text = if report.is_some_and(|report| !report.ran) { text.strikethrough().weak() } else { text };
-        let button = egui::Button::selectable(state.layout.stage == Some(stage), text);
+        let button = egui::Button::selectable(state.shown_stage() == Some(stage), text);
         let response = ui.add(button);
         noted(&response, notes::of_stage(stage));
         let said = report.map(|report| pipeline::line(lang, report)).unwrap_or_default();
@@ -94,27 +94,25 @@ fn list(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
 
 /// From nothing to the whole image; the arrow keys move the slider.
 fn scrubber(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
-    let share = &mut state.explain.painted;
-    let old = *share;
+    let old = state.painted_share().unwrap_or(1.0);
+    let mut share = old;
     ui.horizontal(|ui| {
         for (sign, name, to) in
-            [("|◀", t.nothing, 0.0), ("◀", t.fewer, *share - STEP), ("▶", t.more, *share + STEP), ("▶|", t.all, 1.0)]
+            [("|◀", t.nothing, 0.0), ("◀", t.fewer, share - STEP), ("▶", t.more, share + STEP), ("▶|", t.all, 1.0)]
         {
             if ui.button(sign).explained(name).accessible_name(name).clicked() {
-                *share = to;
+                share = to;
             }
         }
     });
     ui.scope(|ui| {
         theme::strengthen_rail(ui);
         ui.spacing_mut().slider_width = (ui.available_width() - 16.0).max(80.0);
-        let slider = Slider::new(share, 0.0..=1.0).show_value(false).smart_aim(false);
+        let slider = Slider::new(&mut share, 0.0..=1.0).show_value(false).smart_aim(false);
         ui.add(slider).explained(t.scrubber).accessible_name(t.scrubber);
     });
-    *share = share.clamp(0.0, 1.0);
     if old.to_bits() != share.to_bits() {
-        // A picture that is begun has not been through any stage.
-        state.layout.stage = None;
+        state.paint_share(share);
         ui.ctx().request_repaint();
     }
 }

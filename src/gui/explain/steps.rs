@@ -6,10 +6,11 @@ use eframe::egui::{self, Button, Id, Key, Modifiers, RichText, Slider, Ui};
 use glam::DMat4;
 
 use crate::camera::{Camera, Decomposition, Factor};
+use crate::figure::ShownStep;
 use crate::gui::file_flow;
 use crate::gui::noted::noted;
 use crate::gui::panels::values::brackets;
-use crate::gui::state::{Purpose, State, Steps};
+use crate::gui::state::{Purpose, State, Steps, end_of, step_at, time_of};
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain::{self as words, Texts};
@@ -23,17 +24,20 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(lang);
     let camera = state.document.camera().clone();
     let now = ui.input(|input| input.time);
-    sources(ui, lang, &camera, &mut state.explain.steps);
-    let Some(factors) = camera.decomposed(state.explain.steps.decomposition) else {
-        ui.label(command_line::no_steps(lang, state.explain.steps.decomposition));
+    let way = sources(ui, lang, &camera, state.explain.steps.way);
+    let mut shown = state.shown().step.filter(|step| step.way == way).unwrap_or(ShownStep { way, at: None });
+    state.explain.steps.way = way;
+    let Some(factors) = camera.decomposed(way) else {
+        ui.label(command_line::no_steps(lang, way));
+        state.document.show_mut().step = Some(shown);
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
-        file_flow::ask(ui.ctx(), state, Purpose::Film(state.explain.steps.decomposition));
+        file_flow::ask(ui.ctx(), state, Purpose::Film(way));
     }
     let steps = &mut state.explain.steps;
-    steps.advance(now);
-    controls(ui, t, &camera, steps, now);
+    shown = steps.advance(shown, now, &camera);
+    controls(ui, t, &camera, (steps, &mut shown), now);
     if steps.plays() {
         // Whole steps do not move in between.
         let pause = if state.settings.reduce_motion { 200 } else { 0 };
@@ -42,8 +46,9 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     if !state.layout.is_shown(View::Canonical) {
         ui.label(t.steps_hidden);
     }
-    list(ui, lang, &camera, &factors, steps);
-    let done = whole(steps.time(&camera));
+    list(ui, lang, &camera, &factors, (&mut state.explain.steps, &mut shown));
+    state.document.show_mut().step = Some(shown);
+    let done = whole(time_of(shown, &camera));
     let number = |value: f64| lang.mark().number(value, state.settings.digits.min(5));
     ui.separator();
     match done.checked_sub(1).and_then(|last| factors.get(last)) {
@@ -57,11 +62,10 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         }
     }
     ui.separator();
-    let decomposition = steps.decomposition;
-    let ndc = decomposition.ndc();
+    let ndc = way.ndc();
     let expected = camera.possible_clip_space(ndc).clip_from_world();
     let (ratio, rest) = compared(&product(&factors), &expected);
-    let said = words::comparison(lang, decomposition, ratio, rest);
+    let said = words::comparison(lang, way, ratio, rest);
     theme::wrapped(ui, &said, &egui::TextStyle::Body, ui.visuals().text_color());
 }
 
@@ -86,7 +90,7 @@ fn compared(product: &DMat4, expected: &DMat4) -> (f64, f64) {
 }
 
 /// Whose steps; those that the camera has not are greyed, with the reason.
-fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, steps: &mut Steps) {
+fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, mut way: Decomposition) -> Decomposition {
     ui.horizontal_wrapped(|ui| {
         for decomposition in Decomposition::ALL {
             let has = camera.decomposed(decomposition).is_some();
@@ -94,21 +98,20 @@ fn sources(ui: &mut Ui, lang: Lang, camera: &Camera, steps: &mut Steps) {
             let visuals = ui.visuals();
             let color = if has { visuals.text_color() } else { visuals.weak_text_color() };
             let lowered = theme::lowered(ui, &name, &egui::TextStyle::Button, color);
-            let button = Button::selectable(steps.decomposition == decomposition, lowered).frame_when_inactive(true);
+            let button = Button::selectable(way == decomposition, lowered).frame_when_inactive(true);
             let response = ui.add_enabled(has, button).explained(decomposition.source());
             let response = response.accessible_name(name.replace(['{', '}'], ""));
             if response.explained_disabled(command_line::no_steps(lang, decomposition)).clicked() {
-                steps.decomposition = decomposition;
+                way = decomposition;
             }
         }
     });
+    way
 }
 
 /// To the beginning, a step back, play or hold, a step forward, to the end; and the slider over all of them.
-fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, steps: &mut Steps, now: f64) {
-    #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
-    let count = steps.count(camera) as f64;
-    let time = steps.time(camera);
+fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, (steps, shown): (&mut Steps, &mut ShownStep), now: f64) {
+    let (count, time) = (end_of(shown.way, camera), time_of(*shown, camera));
     let mut wanted = None;
     ui.horizontal(|ui| {
         let mut button = |ui: &mut Ui, sign: &str, name: &str, to: f64| {
@@ -120,7 +123,7 @@ fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, steps: &mut Steps, now: f64
         button(ui, "◀", t.step_back, before(time));
         let (sign, name) = if steps.plays() { ("||", t.hold) } else { ("▶", t.play) };
         if ui.button(sign).explained(name).accessible_name(name).clicked() {
-            steps.play_or_hold(now, camera);
+            *shown = steps.play_or_hold(*shown, now);
         }
         button(ui, "▶|", t.step_forward, after(time));
         button(ui, "▶▶|", t.to_cube, count);
@@ -128,7 +131,7 @@ fn controls(ui: &mut Ui, t: &Texts, camera: &Camera, steps: &mut Steps, now: f64
     wanted = wanted.or(scrubber(ui, t, time, count));
     if let Some(time) = wanted {
         steps.hold();
-        steps.go_to(time, camera);
+        *shown = step_at(shown.way, time, camera);
     }
 }
 
@@ -182,9 +185,9 @@ fn tenth(time: f64, by: f64) -> f64 {
 }
 
 /// The steps in their order, each a way to it; where the axes turn around, it is said.
-fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], steps: &mut Steps) {
+fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], (steps, shown): (&mut Steps, &mut ShownStep)) {
     let labels = pictures::labels(lang);
-    let done = whole(steps.time(camera));
+    let done = whole(time_of(*shown, camera));
     let mut left_handed = false;
     for (i, factor) in factors.iter().enumerate() {
         let text = format!("{}. {}", i + 1, labels.step(factor.step));
@@ -195,7 +198,8 @@ fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], steps: &mu
         if button.clicked() {
             steps.hold();
             #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]
-            steps.go_to((i + 1) as f64, camera);
+            let time = (i + 1) as f64;
+            *shown = step_at(shown.way, time, camera);
         }
         if factor.left_handed != left_handed {
             left_handed = factor.left_handed;

@@ -4,10 +4,11 @@ use glam::DMat4;
 
 use crate::camera::Camera;
 use crate::explain::{Placement, Setting};
+use crate::figure::Measured;
 use crate::gui::state::{Selected, State, preset_objects};
-use crate::scene::edit::placements;
+use crate::scene::edit::placement;
 use crate::scene::transform::Trs;
-use crate::views::{Measured, ObjectTransform};
+use crate::views::ObjectTransform;
 
 /// What the symbols get their numbers from, without the rest of the window.
 pub(super) struct Subject {
@@ -38,7 +39,7 @@ impl Subject {
 pub(in crate::gui) fn object_transform(state: &State) -> Option<ObjectTransform> {
     let of_object = |m: &Measured| matches!(m, Measured::Translate(_) | Measured::Rotate(_) | Measured::Scale(_));
     let (_, Placement { translate, rotate, scale, parent, .. }) =
-        state.measured.iter().any(of_object).then(|| selected(state)).flatten()?;
+        state.hover.measured.iter().any(of_object).then(|| selected(state)).flatten()?;
     let world_from_parent = parent.unwrap_or(DMat4::IDENTITY);
     Some(ObjectTransform { world_from_parent, trs: Trs { translate, rotate, scale } })
 }
@@ -51,12 +52,11 @@ pub(super) fn selected(state: &State) -> Option<(String, Placement)> {
         Selected::OfPreset(name) => (name, preset_objects(scene.preset).into_iter().find(|o| o.name == *name)?),
         Selected::Light(_) => return None,
     };
-    let placed = placements(scene).ok()?;
-    let parent: Option<DMat4> = match &spec.parent {
-        Some(parent) => Some(*placed.get(parent)?),
+    let parent = match &spec.parent {
+        Some(parent) => Some(placement(scene, parent).ok()??),
         None => None,
     };
+    let world_from_object = placement(scene, name).ok()??;
     let (translate, rotate, scale) = (spec.translate, spec.rotate, spec.scale);
-    let placement = Placement { translate, rotate, scale, parent, world_from_object: *placed.get(name)? };
-    Some((name.clone(), placement))
+    Some((name.clone(), Placement { translate, rotate, scale, parent, world_from_object }))
 }

@@ -1,21 +1,24 @@
 //! One triangle step by step: its corners in each space, the cuts, the pixels that it covers and their depths.
 
-use std::sync::Arc;
-
-use eframe::egui::{self, DragValue, RichText, Ui};
+use eframe::egui::{self, RichText, Ui};
 use glam::DVec3;
 
+use crate::camera::ImageSize;
+use crate::figure::{ShownTriangle, TriangleStep, View};
 use crate::gui::noted::{noted, noted_row};
+use crate::gui::number_field::{NumberField, Step};
+use crate::gui::panels::complaint;
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::notes;
 use crate::i18n::pictures::labels;
 use crate::i18n::triangle::{self as words, Texts};
+use crate::i18n::{Lang, window};
 use crate::numbers::DecimalMark;
 use crate::picture::TrianglePixels;
 use crate::pipeline::Stage;
 use crate::pipeline::one_triangle::TriangleSteps;
-use crate::views::{Labels, Request, Size, Stepped, TriangleStep, View};
+use crate::views::{Labels, Request, Size};
 
 /// What a step is written with.
 struct Page<'a> {
@@ -23,6 +26,21 @@ struct Page<'a> {
     labels: &'a Labels,
     mark: DecimalMark,
     digits: usize,
+}
+
+/// A field for a whole number from 0 to `last`.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "its field takes whole numbers of u32 alone"
+)]
+fn whole_number(ui: &mut Ui, lang: Lang, (name, hint): (&str, &str), now: u32, last: u32) -> u32 {
+    let field = NumberField::new(name, Step::Add(1.0)).of("triangle").whole().within(0.0..=f64::from(last));
+    let mut value = f64::from(now.min(last));
+    if let Some(error) = field.hint(hint).show(ui, window::texts(lang), &mut value).error {
+        complaint(ui, &error.text(lang));
+    }
+    value as u32
 }
 
 /// Shows the chooser, and the steps of what is chosen.
@@ -37,9 +55,10 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let request = Request::of(document.figure(), View::Image, document.camera(), &scene, labels, size);
     chooser(ui, t, state, &request);
     let Some((steps, pixels)) = state.explain.triangle.found(&request) else { return };
-    choose_step(ui, t, state);
+    let Some(mut shown) = state.shown().triangle.clone() else { return };
+    choose_step(ui, t, &mut shown.step);
     let page = Page { t, labels, mark: state.settings.lang.mark(), digits: state.settings.digits };
-    let step = state.explain.triangle.step;
+    let step = shown.step;
     let top = ui.cursor().min;
     match step {
         TriangleStep::View => page.spaces(ui, &steps),
@@ -49,19 +68,14 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         TriangleStep::Divide => page.divide(ui, &steps),
         TriangleStep::Viewport => page.viewport(ui, &steps),
         TriangleStep::Pixels => page.pixels(ui, pixels.as_deref()),
-        TriangleStep::Depth => page.depth(ui, pixels.as_deref(), state),
+        TriangleStep::Depth => page.depth(ui, pixels.as_deref(), state.document.figure().image, &mut shown.pixel),
     }
     let row = egui::Rect::from_min_max(top, egui::pos2(ui.max_rect().right(), ui.cursor().min.y));
     noted_row(ui, row, notes::of_stage(stage_of(step)));
-    let triangle = &mut state.explain.triangle;
-    triangle.shown = Some(Arc::new(Stepped {
-        step,
-        corners: steps.corners.map(|corner| corner.world),
-        outside: steps.corners.map(|corner| corner.outside.contains(&true)),
-        left: steps.left.iter().map(|corner| (corner.name, corner.world)).collect(),
-        rows: pixels.as_ref().map(|pixels| pixels.rows.clone()).unwrap_or_default(),
-        pixel: pixels.as_ref().and_then(|pixels| tested_pixel(pixels, triangle.pixel)),
-    }));
+    if state.shown().triangle.as_ref() != Some(&shown) {
+        state.document.show_mut().triangle = Some(shown);
+        ui.ctx().request_repaint();
+    }
 }
 
 /// The stage that does a step.
@@ -77,12 +91,6 @@ fn stage_of(step: TriangleStep) -> Stage {
     }
 }
 
-/// The pixel that was asked for; without one, one in the middle of the triangle.
-fn tested_pixel(pixels: &TrianglePixels, asked: Option<[u32; 2]>) -> Option<[u32; 2]> {
-    let [y, first, after] = *pixels.rows.get(pixels.rows.len() / 2)?;
-    Some(asked.unwrap_or([u32::midpoint(first, after.saturating_sub(1)), y]))
-}
-
 fn chooser(ui: &mut Ui, t: &Texts, state: &mut State, request: &Request) {
     let objects: Vec<(&str, usize)> = request
         .scene
@@ -91,8 +99,8 @@ fn chooser(ui: &mut Ui, t: &Texts, state: &mut State, request: &Request) {
         .filter(|object| object.faces && !object.mesh.triangles.is_empty())
         .map(|object| (object.name.as_str(), object.mesh.triangles.len()))
         .collect();
-    let triangle = &mut state.explain.triangle;
-    let mut chosen = triangle.chosen.clone();
+    let shown = state.shown().triangle.clone();
+    let mut chosen = shown.as_ref().map(|shown| (shown.object.clone(), shown.index));
     ui.horizontal_wrapped(|ui| {
         let name = chosen.as_ref().map_or("–", |(name, _)| name).to_owned();
         let response = egui::ComboBox::from_id_salt("object of the triangle")
@@ -109,22 +117,28 @@ fn chooser(ui: &mut Ui, t: &Texts, state: &mut State, request: &Request) {
         if let Some((name, index)) = &mut chosen {
             let count = objects.iter().find(|(object, _)| object == name).map_or(0, |(_, count)| *count);
             let last = u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);
-            ui.add(DragValue::new(index).range(0..=last).speed(1.0)).explained(t.number).accessible_name(t.number);
+            *index = whole_number(ui, t.lang, (t.number, t.number), *index, last);
             ui.label(format!("0 … {last}"));
             if ui.button("✕").explained(t.release).accessible_name(t.release).clicked() {
                 chosen = None;
             }
         }
     });
-    if chosen != triangle.chosen {
-        (triangle.chosen, triangle.pixel) = (chosen, None);
+    if chosen != shown.as_ref().map(|shown| (shown.object.clone(), shown.index)) {
+        choose(state, chosen);
         ui.ctx().request_repaint();
     }
 }
 
-fn choose_step(ui: &mut Ui, t: &Texts, state: &mut State) {
-    let triangle = &mut state.explain.triangle;
-    let at = triangle.step as usize;
+/// Follows another triangle at the same step, or none.
+fn choose(state: &mut State, chosen: Option<(String, u32)>) {
+    let step = state.shown().triangle.as_ref().map(|shown| shown.step).unwrap_or_default();
+    let triangle = chosen.map(|(object, index)| ShownTriangle { object, index, step, pixel: None });
+    state.document.show_mut().triangle = triangle;
+}
+
+fn choose_step(ui: &mut Ui, t: &Texts, step: &mut TriangleStep) {
+    let at = *step as usize;
     let mut to = at;
     ui.horizontal_wrapped(|ui| {
         for (sign, name, next) in [("◀", t.previous, at.saturating_sub(1)), ("▶", t.next, at + 1)] {
@@ -132,17 +146,17 @@ fn choose_step(ui: &mut Ui, t: &Texts, state: &mut State) {
                 to = next.min(TriangleStep::ALL.len() - 1);
             }
         }
-        for (i, step) in TriangleStep::ALL.into_iter().enumerate() {
-            let button = egui::Button::selectable(i == to, words::step(t, step)).frame_when_inactive(true);
+        for (i, each) in TriangleStep::ALL.into_iter().enumerate() {
+            let button = egui::Button::selectable(i == to, words::step(t, each)).frame_when_inactive(true);
             let response = ui.add(button);
-            noted(&response, notes::of_stage(stage_of(step)));
+            noted(&response, notes::of_stage(stage_of(each)));
             if response.clicked() {
                 to = i;
             }
         }
     });
     if to != at {
-        triangle.step = TriangleStep::ALL[to];
+        *step = TriangleStep::ALL[to];
         ui.ctx().request_repaint();
     }
 }
@@ -267,27 +281,24 @@ impl Page<'_> {
         }
     }
 
-    fn depth(&self, ui: &mut Ui, pixels: Option<&TrianglePixels>, state: &mut State) {
+    fn depth(&self, ui: &mut Ui, pixels: Option<&TrianglePixels>, image: ImageSize, asked: &mut Option<[u32; 2]>) {
         if !self.covers(ui, pixels) {
             return;
         }
-        let Some((pixels, pixel)) = pixels.and_then(|p| Some((p, tested_pixel(p, state.explain.triangle.pixel)?)))
-        else {
+        let Some((pixels, pixel)) = pixels.and_then(|p| Some((p, p.tested(*asked)?))) else {
             return;
         };
-        let image = state.document.figure().image;
         let mut now = pixel;
         ui.label(self.t.pixel);
         ui.horizontal(|ui| {
             for ((name, size), value) in [("i", image.width), ("j", image.height)].into_iter().zip(&mut now) {
                 ui.label(name);
-                let field = DragValue::new(value).range(0..=size.saturating_sub(1)).speed(1.0);
-                ui.add(field).explained(self.t.pixel_hint).accessible_name(name);
+                let last = size.saturating_sub(1);
+                *value = whole_number(ui, self.t.lang, (name, self.t.pixel_hint), *value, last);
             }
         });
         if now != pixel {
-            state.explain.triangle.pixel = Some(now);
-            ui.ctx().request_repaint();
+            *asked = Some(now);
         }
         let Some(tested) = pixels.test(now) else {
             ui.label(self.t.not_covered);
@@ -307,18 +318,14 @@ impl Page<'_> {
 /// there is neither.
 pub(in crate::gui) fn clicked(state: &mut State, request: &Request, pointer: glam::DVec2) -> bool {
     use crate::views::pick::{image_pixel, triangle_in_image};
-    let triangle = &mut state.explain.triangle;
     let pixel = image_pixel(request, pointer);
-    let is_covered = |[x, y]: [u32; 2]| {
-        let rows = triangle.shown.as_ref().map(|shown| shown.rows.as_slice()).unwrap_or_default();
-        rows.iter().any(|[row, first, after]| *row == y && (*first..*after).contains(&x))
-    };
-    if triangle.step == TriangleStep::Depth
-        && let Some(pixel) = pixel.filter(|pixel| is_covered(*pixel))
-    {
-        triangle.pixel = Some(pixel);
+    let shown = state.shown().triangle.clone();
+    let at_depth = shown.filter(|shown| shown.step == TriangleStep::Depth);
+    let found = at_depth.and_then(|shown| Some((shown, state.explain.triangle.found(request)?.1?)));
+    if let Some((shown, _)) = found.filter(|(_, pixels)| pixel.is_some_and(|pixel| pixels.covers(pixel))) {
+        state.document.show_mut().triangle = Some(ShownTriangle { pixel, ..shown });
     } else if let Some((object, index)) = triangle_in_image(request, pointer) {
-        triangle.choose(&request.scene.objects[object].name, index);
+        choose(state, Some((request.scene.objects[object].name.clone(), index)));
     } else {
         return false;
     }

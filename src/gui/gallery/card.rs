@@ -142,7 +142,11 @@ fn draw(
     let mut figure = opened.figure;
     figure.style.theme = theme;
     let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
-    let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), Reach::of(opened.from_picture, false));
+    let reach = match source {
+        Source::Shipped(_) => Reach::Figure,
+        Source::File(path) => Reach::of(path, opened.from_picture, false),
+    };
+    let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), reach);
     let scene = scene_of(&figure, &mut |wanted| files.read(wanted), progress);
     let scene = SharedScene::new(scene.map_err(|error| messages::scene(lang, &error))?);
     let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(lang), SIZE);

@@ -110,10 +110,10 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
     ui.add_space(1.0);
     noted_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
-    if state.ghost.is_none() && hovered && !ui.input(|input| input.pointer.any_down()) {
+    if state.hover.ghost.is_none() && hovered && !ui.input(|input| input.pointer.any_down()) {
         let before = state.document.camera().clone();
         let operation = stepped(freedom, state.operations.steps[freedom as usize], true);
-        state.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
+        state.hover.ghost = Some(Ghost { before, operation, convention: state.operations.convention });
     }
 }
 
@@ -195,7 +195,8 @@ fn slider(ui: &mut egui::Ui, t: &Texts, state: &mut State, freedom: Freedom) {
     if response.dragged() {
         let convention = state.operations.convention;
         if let Some(scrub) = state.operations.scrub.as_mut().filter(|scrub| scrub.freedom == freedom) {
-            state.ghost = Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
+            state.hover.ghost =
+                Some(Ghost { before: scrub.start.clone(), operation: pulled(freedom, amount), convention });
             if scrub.amount != amount {
                 scrub.amount = amount;
                 let done = if amount == 0.0 {

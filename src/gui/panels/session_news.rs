@@ -1,8 +1,9 @@
 //! What there is to say about windows that did not close and about what is kept of this one: each line stays until the user has
 //! closed it, or until it is no longer so.
 
-use eframe::egui::{self, Align, Label, Layout, RichText};
+use eframe::egui::{self, Label, RichText};
 
+use crate::gui::focus::with_room_before;
 use crate::gui::session::News;
 use crate::gui::state::{State, about_session};
 use crate::i18n::window;
@@ -18,34 +19,37 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
     egui::Panel::top("session news").show(ui, |ui| {
         for (index, news) in state.file_flow.news.iter().enumerate() {
             ui.push_id(index, |ui| {
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    if ui.button(t.close).clicked() {
-                        closed = Some(index);
-                    }
-                    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                        let text = about_session(lang, news);
-                        let text = match news {
-                            News::Restored => RichText::new(text),
-                            News::RestoredInPart(..)
-                            | News::Damaged(_)
-                            | News::Unreadable(..)
-                            | News::Taken
-                            | News::NotWritten(..)
-                            | News::NoSlot
-                            | News::PreferencesSetAside(_)
-                            | News::PreferencesNotWritten(..)
-                            | News::ProgressSetAside(_)
-                            | News::ProgressNotWritten(..) => {
-                                RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color)
-                            }
-                        };
-                        ui.add(Label::new(text).truncate());
+                // A row has its own height: all that the panel had before would make it grow with each frame.
+                ui.horizontal(|ui| {
+                    let line = |ui: &mut egui::Ui| {
+                        ui.add(Label::new(text(ui, about_session(lang, news), news)).truncate());
+                    };
+                    with_room_before(ui, line, |ui| {
+                        if ui.button(t.close).clicked() {
+                            closed = Some(index);
+                        }
                     });
                 });
             });
         }
     });
     if let Some(index) = closed {
-        state.file_flow.news.remove(index);
+        state.file_flow.news.close(index);
+    }
+}
+
+/// A line, marked where something has gone wrong.
+fn text(ui: &egui::Ui, text: String, news: &News) -> RichText {
+    match news {
+        News::Restored => RichText::new(text),
+        News::RestoredInPart(..)
+        | News::Damaged(_)
+        | News::Unusable(..)
+        | News::Taken
+        | News::NoSlot
+        | News::PreferencesSetAside(_)
+        | News::ProgressSetAside(_)
+        | News::NotKept(_)
+        | News::NoHome => RichText::new(format!("⚠ {text}")).color(ui.visuals().warn_fg_color),
     }
 }

@@ -11,21 +11,24 @@ use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError};
 use crate::gui::session::aside;
 use crate::gui::worker::{Worker, one_by_one};
+use crate::limits::MAX_KEPT_BYTES;
 use crate::progress::Progress;
 
 /// How long is waited for what is being written before the window closes.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
 
-/// The file as it is, empty where there is none; what cannot be understood is set aside under another name.
+/// The file as it is, empty where there is none; what cannot be understood, or is far too large, is set aside under another name.
 pub(super) fn read<T: Default>(
     file: &Path,
     understood: fn(&str) -> Option<T>,
 ) -> Result<(T, Option<PathBuf>), FileError> {
-    let bytes = match files::read_file(file) {
+    let bytes = match files::read_at_most(file, MAX_KEPT_BYTES) {
         Err(FileError::Read(error)) if error.kind() == io::ErrorKind::NotFound => return Ok(Default::default()),
-        bytes => bytes?,
+        Err(FileError::TooLarge) => None,
+        bytes => Some(bytes?),
     };
-    if let Some(document) = String::from_utf8(bytes).ok().and_then(|text| understood(&text)) {
+    let text = bytes.and_then(|bytes| String::from_utf8(bytes).ok());
+    if let Some(document) = text.and_then(|text| understood(&text)) {
         return Ok((document, None));
     }
     let aside = aside(file);
@@ -60,14 +63,20 @@ pub(super) struct Writing<C: Change> {
     worker: Worker<C, Result<C::Written, FileError>>,
     /// What is being written, or could not be.
     asked: Option<C>,
-    /// It has been said that something cannot be written.
+    /// It has been said that the file cannot be used.
     told: bool,
 }
 
 impl<C: Change> Writing<C> {
-    pub(super) fn new(name: &'static str) -> Self {
+    /// `told`: it has been said already that the file cannot be used.
+    pub(super) fn new(name: &'static str, told: bool) -> Self {
         let worker = Worker::new(name, clock::now, || one_by_one(async |change: C, _: &Progress| change.write()));
-        Self { worker, asked: None, told: false }
+        Self { worker, asked: None, told }
+    }
+
+    /// True from when the file cannot be used until something is written to it.
+    pub(super) fn is_failing(&self) -> bool {
+        self.told
     }
 
     /// True while something is being written: what is asked for waits until then.
@@ -87,7 +96,10 @@ impl<C: Change> Writing<C> {
     pub(super) fn take(&mut self, patience: Duration) -> Option<Result<(C, C::Written), FileError>> {
         let [Some(done)] = self.worker.take(patience) else { return None };
         match done.outcome? {
-            Ok(written) => Some(Ok((self.asked.take()?, written))),
+            Ok(written) => {
+                self.told = false;
+                Some(Ok((self.asked.take()?, written)))
+            }
             Err(error) => (!std::mem::replace(&mut self.told, true)).then_some(Err(error)),
         }
     }

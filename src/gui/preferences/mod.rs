@@ -16,11 +16,11 @@ use std::path::{Path, PathBuf};
 use toml_edit::{DocumentMut, Value};
 
 use super::asked::LANGUAGES;
-use super::export::{DPI, LETTERS, LINES, SIDE_CM};
 use super::state::{ExplainTab, State};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;
 use crate::figure::words::{self, THEMES, Words};
+use crate::limits::{PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES};
 use crate::numbers::EXACT_DIGITS;
 use crate::views::{Arrangement, View, Views};
 pub use store::Preferences;
@@ -87,7 +87,7 @@ macro_rules! key {
 }
 
 /// Every key but the steps of operations and [`RECENT`].
-const KEYS: [Key; 32] = [
+const KEYS: [Key; 33] = [
     key!("language", one of LANGUAGES, settings.lang),
     key!("theme", one of THEMES, settings.theme),
     Key {
@@ -123,6 +123,7 @@ const KEYS: [Key; 32] = [
         },
     },
     key!("reduce_motion", switch, settings.reduce_motion),
+    key!("save_explained", switch, settings.saves_explained),
     key!("convention", one of CONVENTIONS, operations.convention),
     Key {
         name: "ndc",
@@ -190,17 +191,17 @@ const KEYS: [Key; 32] = [
     key!("export_on_paper", switch, export.on_paper),
     key!("export_transparent", switch, export.transparent),
     key!("export_crop", switch, export.crop),
-    key!("export_width_cm", within SIDE_CM, export.paper.size[0]),
-    key!("export_height_cm", within SIDE_CM, export.paper.size[1]),
-    key!("export_dpi", within DPI, export.paper.dpi),
-    key!("export_letters", within LETTERS, export.paper.letters),
+    key!("export_width_cm", within PAPER_CM, export.paper.size[0]),
+    key!("export_height_cm", within PAPER_CM, export.paper.size[1]),
+    key!("export_dpi", within PAPER_DPI, export.paper.dpi),
+    key!("export_letters", within PAPER_LETTERS, export.paper.letters),
     // 0: in proportion to the letters.
     Key {
         name: "export_lines",
         of: |state| state.export.paper.lines.unwrap_or_default().into(),
         apply: |state, value| match number(value) {
             Some(0.0) => state.export.paper.lines = None,
-            lines => put(&mut state.export.paper.lines, lines.filter(|lines| LINES.contains(lines)).map(Some)),
+            lines => put(&mut state.export.paper.lines, lines.filter(|lines| PAPER_LINES.contains(lines)).map(Some)),
         },
     },
 ];
@@ -301,6 +302,7 @@ mod tests {
         let settings = &mut changed.settings;
         (settings.lang, settings.theme, settings.zoom, settings.digits) = (Lang::PtBr, Theme::Dark, 1.3, 9);
         (settings.panels.wanted, settings.reduce_motion) = ([false, false, true], true);
+        settings.saves_explained = false;
         changed.layout.arrangement = Some(Arrangement::Beside);
         (changed.layout.shown, changed.layout.strip) = ([true, false, true], true);
         changed.operations.convention = Convention::Vtk;

@@ -14,7 +14,7 @@ use super::answers::{self, NOTHING};
 use super::kept_file::{Change, PATIENCE, Writing, locked, read};
 use crate::exercises::Progress;
 use crate::files::{self, FileError, Overwrite, disk};
-use crate::gui::session::News;
+use crate::gui::session::{Keeping, News};
 use crate::gui::state::{Done, Message, State};
 
 /// What one window has done.
@@ -86,14 +86,16 @@ impl KeptProgress {
     pub(super) fn begin(folder: &Path, state: &mut State, preferences: &DocumentMut) -> Self {
         let file = folder.join("progress.toml");
         let mut news = Vec::new();
-        match read(&file, understood) {
+        let result = read(&file, understood);
+        let writing = Writing::new("progress", result.is_err());
+        match result {
             Ok(((document, progress), set_aside)) => {
                 state.exercises.progress = progress;
                 let typed = answers::read(&document).map(|(chosen, table)| (chosen, answers::typed(table)));
                 state.exercises.typed.extend(typed);
                 news.extend(set_aside.map(News::ProgressSetAside));
             }
-            Err(error) => news.push(News::Unreadable(file.clone(), error)),
+            Err(error) => news.push(News::not_kept(Keeping::Progress, file.clone(), error)),
         }
         let kept = answers::values(state).collect();
         for (chosen, table) in answers::read(preferences) {
@@ -103,7 +105,7 @@ impl KeptProgress {
             state.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
         }
         state.exercises.file = Some(file.clone());
-        Self { file, writing: Writing::new("progress"), kept, news }
+        Self { file, writing, kept, news }
     }
 
     /// Writes down what was done, beside the window's thread. What cannot be written is tried again with what is done next.
@@ -134,6 +136,11 @@ impl KeptProgress {
         self.job(state).is_empty()
     }
 
+    /// True while it cannot be kept.
+    pub(super) fn is_failing(&self) -> bool {
+        self.writing.is_failing()
+    }
+
     /// What there is to say about it, each once.
     pub(super) fn news(&mut self) -> Vec<News> {
         std::mem::take(&mut self.news)
@@ -150,7 +157,7 @@ impl KeptProgress {
     pub(super) fn take(&mut self, state: &mut State, patience: Duration) {
         match self.writing.take(patience) {
             Some(Ok((job, written))) => self.took(state, job, written),
-            Some(Err(error)) => self.news.push(News::ProgressNotWritten(self.file.clone(), error)),
+            Some(Err(error)) => self.news.push(News::not_kept(Keeping::Progress, self.file.clone(), error)),
             None => {}
         }
     }

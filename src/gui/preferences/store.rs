@@ -12,7 +12,7 @@ use super::progress::KeptProgress;
 use super::{RECENT, answers, apply, recent, values};
 use crate::files::{self, FileError, Overwrite};
 use crate::gui::asked::Asked;
-use crate::gui::session::News;
+use crate::gui::session::{Keeping, News};
 use crate::gui::state::{State, merged};
 
 /// What one window has changed.
@@ -96,22 +96,25 @@ impl Preferences {
     #[must_use]
     pub fn begin(folder: &Path, state: &mut State, asked: Asked) -> Self {
         let file = folder.join("preferences.toml");
+        files::remove_left_over(folder);
         let mut news = Vec::new();
         let mut kept_before = DocumentMut::new();
-        match read(&file, document) {
+        let result = read(&file, document);
+        let writing = Writing::new("preferences", result.is_err());
+        match result {
             Ok((document, set_aside)) => {
                 apply(&document, state);
                 kept_before = document;
                 news.extend(set_aside.map(News::PreferencesSetAside));
             }
-            Err(error) => news.push(News::Unreadable(file.clone(), error)),
+            Err(error) => news.push(News::not_kept(Keeping::Preferences, file.clone(), error)),
         }
         asked.apply(state);
         let progress = KeptProgress::begin(folder, state, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state);
-        Self { file, writing: Writing::new("preferences"), kept, remembered, news, progress, has_answers }
+        Self { file, writing, kept, remembered, news, progress, has_answers }
     }
 
     /// Sets a key as the system wants it, unless the user has chosen otherwise; that is not remembered.
@@ -154,6 +157,12 @@ impl Preferences {
         news
     }
 
+    /// Those of them that can be kept, as far as is known.
+    pub fn kept(&self) -> impl Iterator<Item = Keeping> {
+        let kept = [(Keeping::Preferences, self.writing.is_failing()), (Keeping::Progress, self.progress.is_failing())];
+        kept.into_iter().filter(|(_, fails)| !fails).map(|(what, _)| what)
+    }
+
     /// What is not in the file yet.
     fn job(&self, state: &State) -> Job {
         let mut changed = values(state);
@@ -173,7 +182,7 @@ impl Preferences {
                 state.recent.files = merged(&state.recent.new, &recent);
                 self.news.extend(set_aside.map(News::PreferencesSetAside));
             }
-            Some(Err(error)) => self.news.push(News::PreferencesNotWritten(self.file.clone(), error)),
+            Some(Err(error)) => self.news.push(News::not_kept(Keeping::Preferences, self.file.clone(), error)),
             None => {}
         }
     }
@@ -273,6 +282,30 @@ pub(super) mod tests {
     }
 
     #[test]
+    fn a_file_that_is_far_too_large_is_set_aside_unread() {
+        let folder = Folder::new("large");
+        fs::create_dir_all(&folder.0).unwrap();
+        let names = ["preferences", "progress"];
+        for name in names {
+            // A hole: it takes no room on the disk.
+            let file = fs::File::create(folder.0.join(format!("{name}.toml"))).unwrap();
+            file.set_len(200 << 20).unwrap();
+        }
+        let (mut state, mut preferences) = folder.window();
+        assert!(matches!(&preferences.news()[..], [News::PreferencesSetAside(_), News::ProgressSetAside(_)]));
+        for name in names {
+            assert_eq!(fs::metadata(folder.0.join(format!("{name}.damaged"))).unwrap().len(), 200 << 20);
+        }
+        state.settings.digits = 4;
+        preferences.finish(&mut state);
+        assert_eq!(folder.text(), "digits = 4\n");
+        // What is large and right is taken.
+        let text = format!("{}digits = 5\n", "# long\n".repeat(100_000));
+        fs::write(folder.0.join("preferences.toml"), text).unwrap();
+        assert_eq!(folder.window().0.settings.digits, 5);
+    }
+
+    #[test]
     fn a_language_that_was_asked_for_is_not_remembered() {
         let folder = Folder::new("language");
         let mut state = State::new(Start::default()).unwrap();
@@ -307,11 +340,18 @@ pub(super) mod tests {
         let folder = Folder::new("refused");
         fs::create_dir_all(folder.0.join("preferences.toml")).unwrap();
         let (mut state, mut preferences) = folder.window();
-        assert!(matches!(&preferences.news()[..], [News::Unreadable(..)]));
-        for digits in [3, 4] {
+        assert!(matches!(&preferences.news()[..], [News::NotKept(_)]));
+        let mut write = |digits| {
             state.settings.digits = digits;
             keep(&mut preferences, &mut state);
-        }
-        assert_eq!(preferences.news().len(), 1);
+            (preferences.news().len(), preferences.kept().collect::<Vec<_>>())
+        };
+        assert_eq!(write(3), (0, vec![Keeping::Progress]));
+        assert_eq!(write(4), (0, vec![Keeping::Progress]));
+        fs::remove_dir(folder.0.join("preferences.toml")).unwrap();
+        assert_eq!(write(6), (0, vec![Keeping::Preferences, Keeping::Progress]));
+        fs::remove_file(folder.0.join("preferences.toml")).unwrap();
+        fs::create_dir(folder.0.join("preferences.toml")).unwrap();
+        assert_eq!(write(7), (1, vec![Keeping::Progress]));
     }
 }

@@ -6,8 +6,10 @@
 //! understood is put aside, not removed.
 
 mod kept;
+mod news;
 mod writer;
 
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
@@ -18,8 +20,9 @@ use super::gallery::Source;
 use crate::clock;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
-use crate::limits::MAX_SESSIONS;
+use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
 use kept::{Kept, Restored};
+pub use news::{Keeping, News, NewsList, NotKept};
 use writer::Writer;
 
 /// A figure that the window has shown for so long does not keep the program from starting.
@@ -44,33 +47,6 @@ pub struct LeftOver {
     pub written: Option<SystemTime>,
     /// The program ended while, or soon after, it was being restored.
     pub did_not_survive: bool,
-}
-
-/// What there is to say about what is kept of windows; each is said once.
-#[derive(Debug)]
-pub enum News {
-    /// What was left is back.
-    Restored,
-    /// It is back without these keys of the figure, which are not known here; the whole is kept in this file.
-    RestoredInPart(Vec<String>, PathBuf),
-    /// What was left cannot be understood, and is kept in this file.
-    Damaged(PathBuf),
-    /// What was left in this file cannot be read.
-    Unreadable(PathBuf, FileError),
-    /// Another window has taken it up, or removed it.
-    Taken,
-    /// What this window shows cannot be written down at this path.
-    NotWritten(PathBuf, FileError),
-    /// Too many windows have left something: this one has no slot.
-    NoSlot,
-    /// The preferences cannot be understood, and are kept in this file.
-    PreferencesSetAside(PathBuf),
-    /// The preferences cannot be written to this file.
-    PreferencesNotWritten(PathBuf, FileError),
-    /// What is kept of exercises cannot be understood, and is kept in this file.
-    ProgressSetAside(PathBuf),
-    /// What is kept of exercises cannot be written to this file.
-    ProgressNotWritten(PathBuf, FileError),
 }
 
 /// The sessions of this user: that of this window, and what others have left.
@@ -104,6 +80,7 @@ impl Sessions {
             failed_at: None,
             told: false,
         };
+        files::remove_left_over(folder);
         sessions.look();
         let safe = sessions.left.iter().filter(|left| !left.did_not_survive);
         let latest = safe.max_by_key(|left| left.written).map(|left| left.slot).filter(|_| restore);
@@ -133,7 +110,7 @@ impl Sessions {
     /// Removes what is left in a slot: the user does not want it.
     pub fn discard(&mut self, slot: usize) {
         self.left.retain(|left| left.slot != slot);
-        if self.lock(slot).is_some() {
+        if let Ok(Some(_lock)) = self.lock(slot) {
             let _ = disk::remove(&self.file(slot));
         }
         // There may be a slot for this window now.
@@ -199,7 +176,7 @@ impl Sessions {
     }
 
     /// The lock of a slot, unless a window has it.
-    fn lock(&self, slot: usize) -> Option<Lock> {
+    fn lock(&self, slot: usize) -> io::Result<Option<Lock>> {
         disk::try_lock(&self.folder.join(format!("session-{slot}.lock")))
     }
 
@@ -207,14 +184,17 @@ impl Sessions {
         for slot in 0..MAX_SESSIONS {
             let file = self.file(slot);
             // Without a file the slot is not even touched.
-            if !disk::exists(&file) || self.lock(slot).is_none() {
+            if !disk::exists(&file) {
                 continue;
             }
+            // Held while it is read: no window that starts in between takes it for its own.
+            let Ok(Some(_lock)) = self.lock(slot) else { continue };
             let written = disk::written(&file);
-            let kept = match files::read_file(&file) {
+            let kept = match files::read_at_most(&file, MAX_SESSION_BYTES) {
                 Ok(bytes) => Kept::read(&bytes),
+                Err(FileError::TooLarge) => None,
                 Err(error) => {
-                    self.news.push(News::Unreadable(file, error));
+                    self.news.push(News::Unusable(file, error));
                     continue;
                 }
             };
@@ -235,11 +215,17 @@ impl Sessions {
         }
         for slot in 0..MAX_SESSIONS {
             let file = self.file(slot);
-            if !disk::exists(&file)
-                && let Some(lock) = self.lock(slot)
-            {
-                self.own = Some(Writer::new(file, lock));
-                return;
+            if disk::exists(&file) {
+                continue;
+            }
+            match self.lock(slot) {
+                Ok(Some(lock)) => {
+                    self.own = Some(Writer::new(file, lock));
+                    return;
+                }
+                Ok(None) => {}
+                // That of the others would not be better.
+                Err(error) => return self.fail(FileError::Write(error)),
             }
         }
         self.failed_at = Some(clock::now());
@@ -251,7 +237,7 @@ impl Sessions {
     fn fail(&mut self, error: FileError) {
         self.failed_at = Some(clock::now());
         if !std::mem::replace(&mut self.told, true) {
-            self.news.push(News::NotWritten(self.folder.clone(), error));
+            self.news.push(News::not_kept(Keeping::Session, self.folder.clone(), error));
         }
     }
 
@@ -263,16 +249,16 @@ impl Sessions {
     /// Makes what is left in a slot the session of this window. Without being `asked` for, only where that can be noted first.
     fn take_up(&mut self, slot: usize, asked: bool) -> Option<Document> {
         let file = self.file(slot);
-        let lock = self.lock(slot).filter(|_| disk::exists(&file));
+        let lock = self.lock(slot).ok().flatten().filter(|_| disk::exists(&file));
         let Some(lock) = lock else {
             self.left.retain(|left| left.slot != slot);
             self.news.push(News::Taken);
             return None;
         };
-        let bytes = match files::read_file(&file) {
+        let bytes = match files::read_at_most(&file, MAX_SESSION_BYTES) {
             Ok(bytes) => bytes,
             Err(error) => {
-                self.news.push(News::Unreadable(file, error));
+                self.news.push(News::Unusable(file, error));
                 return None;
             }
         };
@@ -294,7 +280,7 @@ impl Sessions {
             let aside = aside(&file);
             match disk::write(&aside, &bytes) {
                 Ok(()) => News::RestoredInPart(unknown, aside),
-                Err(error) => News::NotWritten(aside, FileError::Write(error)),
+                Err(error) => News::Unusable(aside, FileError::Write(error)),
             }
         });
         if let Some(own) = self.own.take() {

@@ -236,7 +236,9 @@ fn what_cannot_be_written_is_said_once_and_tried_again() {
     assert!(left.is_none());
     sessions.write(&changed());
     sessions.write(&change(changed(), 43.0));
-    assert!(matches!(&sessions.news()[..], [News::NotWritten(path, FileError::Write(_))] if *path == place.0));
+    assert!(
+        matches!(&sessions.news()[..], [News::NotKept(NotKept { path, error: FileError::Write(_), .. })] if *path == place.0)
+    );
     fs::remove_file(&place.0).unwrap();
     sessions.failed_at = Some(Duration::ZERO);
     std::thread::sleep(RETRY.saturating_sub(clock::now()));
@@ -248,7 +250,7 @@ fn what_cannot_be_written_is_said_once_and_tried_again() {
     fs::write(&place.0, "").unwrap();
     sessions.write(&change(changed(), 44.0));
     sessions.write(&change(changed(), 45.0));
-    assert!(matches!(sessions.news()[..], [News::NotWritten(..)]));
+    assert!(matches!(sessions.news()[..], [News::NotKept(_)]));
     fs::remove_file(&place.0).unwrap();
     fs::create_dir_all(&place.0).unwrap();
     // Nothing has changed since: after some seconds it is tried again.
@@ -317,9 +319,19 @@ fn a_folder_in_the_place_of_a_session_is_said_and_left() {
     fs::create_dir_all(place.0.join("session-0.json")).unwrap();
     let (mut sessions, left) = place.begin(true);
     assert!(left.is_none());
-    assert!(matches!(sessions.news()[..], [News::Unreadable(_, FileError::Directory)]));
+    assert!(matches!(sessions.news()[..], [News::Unusable(_, FileError::Directory)]));
     sessions.write(&changed());
     assert_eq!(place.names(), ["session-0.json", "session-1.json"]);
+}
+
+#[test]
+fn a_session_that_is_far_too_large_is_put_aside_unread() {
+    let place = Place::new("large");
+    fs::create_dir_all(&place.0).unwrap();
+    fs::File::create(place.0.join("session-0.json")).unwrap().set_len(MAX_SESSION_BYTES + 1).unwrap();
+    let (mut sessions, left) = place.begin(true);
+    assert!(left.is_none());
+    assert!(matches!(&sessions.news()[..], [News::Damaged(path)] if path.ends_with("session-0.damaged")));
 }
 
 #[test]

@@ -12,6 +12,7 @@ use crate::figure::Figure;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
 use crate::gui::document::Document;
+use crate::gui::history::Revision;
 use crate::gui::worker::{Worker, one_by_one};
 use crate::progress::Progress;
 
@@ -19,11 +20,13 @@ use crate::progress::Progress;
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// What is to be written down.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 struct Note {
     place: Place,
     source: String,
     figure: Figure,
+    /// Which scene the figure has.
+    revision: Revision,
     restoring: bool,
 }
 
@@ -32,24 +35,35 @@ impl Note {
         self.restoring == restoring
             && self.place == Place::of(document)
             && self.source == document.source()
-            && self.figure == *document.figure()
+            && self.has_figure_of(document)
+    }
+
+    fn has_figure_of(&self, document: &Document) -> bool {
+        let Figure { camera, image, undistorted, viewport, scene, points, style, reveal, world, observers, show } =
+            document.figure();
+        let own = &self.figure;
+        (camera, image, undistorted, viewport) == (&own.camera, &own.image, &own.undistorted, &own.viewport)
+            && (style, reveal, world, observers) == (&own.style, &own.reveal, &own.world, &own.observers)
+            && *points == own.points
+            && *show == own.show
+            && (self.revision == document.revision() || *scene == own.scene)
     }
 }
 
 /// What the slot is to hold; `None`: nothing.
 struct Job {
     file: PathBuf,
-    note: Option<Note>,
+    note: Option<Arc<Note>>,
     /// The slot belongs to this window until the job is done, also where the window is gone before.
     _lock: Arc<Lock>,
 }
 
 impl Job {
     fn run(self) -> Result<(), FileError> {
-        let Some(Note { place, source, figure, restoring }) = self.note else {
+        let Some(note) = self.note else {
             return disk::remove(&self.file).map_err(FileError::Write);
         };
-        let kept = Kept::new(&place, source, &figure, restoring);
+        let kept = Kept::new(&note.place, note.source.clone(), &note.figure, note.restoring);
         let text = serde_json::to_vec(&kept).map_err(|error| FileError::Write(error.into()))?;
         files::save(&self.file, &text, Overwrite::Writable)
     }
@@ -68,7 +82,7 @@ pub(super) struct Writer {
     lock: Arc<Lock>,
     worker: Worker<Job, Result<(), FileError>>,
     /// What was asked for last; `None` before anything was.
-    asked: Option<Option<Note>>,
+    asked: Option<Option<Arc<Note>>>,
 }
 
 impl Writer {
@@ -88,11 +102,14 @@ impl Writer {
 
     /// Writes the document down; where nothing would be lost with it, removes what was written down before.
     pub(super) fn ask(&mut self, ctx: &egui::Context, document: &Document, restoring: bool) {
-        let note = is_worth_keeping(document).then(|| Note {
-            place: Place::of(document),
-            source: document.source().to_owned(),
-            figure: document.figure().clone(),
-            restoring,
+        let note = is_worth_keeping(document).then(|| {
+            Arc::new(Note {
+                place: Place::of(document),
+                source: document.source().to_owned(),
+                figure: document.figure().clone(),
+                revision: document.revision(),
+                restoring,
+            })
         });
         self.asked = Some(note.clone());
         self.worker.ask(ctx, 0, Job { file: self.file.clone(), note, _lock: Arc::clone(&self.lock) });

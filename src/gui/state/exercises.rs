@@ -345,19 +345,19 @@ impl Exercises {
         seeds.map(|(chosen, _)| chosen.seed).max().unwrap_or_default()
     }
 
-    /// What is practised next, and why; not what is worked on already.
+    /// What is practised next, and why; not what is worked on already. `now`: seconds since the beginning of 1970.
     #[must_use]
-    pub fn next(&self) -> Option<(Chosen, Why)> {
+    pub fn next(&self, now: u64) -> Option<(Chosen, Why)> {
         let all: Vec<&Entry> = self.entries().collect();
-        let next = self.next_of(&all).filter(|(chosen, _)| self.open.as_ref() != Some(chosen));
+        let next = self.next_of(&all, now).filter(|(chosen, _)| self.open.as_ref() != Some(chosen));
         next.or_else(|| {
             let is_open = |entry: &Entry| self.open.as_ref().is_some_and(|open| open.id == entry.id);
-            self.next_of(&all.iter().copied().filter(|entry| !is_open(entry)).collect::<Vec<_>>())
+            self.next_of(&all.iter().copied().filter(|entry| !is_open(entry)).collect::<Vec<_>>(), now)
         })
     }
 
-    fn next_of(&self, entries: &[&Entry]) -> Option<(Chosen, Why)> {
-        let next = self.progress.practise_next(entries.iter().copied())?;
+    fn next_of(&self, entries: &[&Entry], now: u64) -> Option<(Chosen, Why)> {
+        let next = self.progress.practise_next(entries.iter().copied(), now)?;
         // Of what was not judged yet, what was typed is gone on with.
         let begun = entries.iter().find(|entry| entry.id == next.id && self.progress.tried(&next.id).is_none());
         let seed = begun.map_or(next.seed, |entry| self.seed_of(entry));
@@ -455,7 +455,7 @@ mod tests {
     #[test]
     fn what_is_practised_next_is_not_what_is_worked_on_and_goes_on_with_what_was_typed() {
         let mut state = Exercises::default();
-        let next = |state: &Exercises| state.next().map(|(chosen, why)| (chosen.id, chosen.seed, why));
+        let next = |state: &Exercises| state.next(1_000).map(|(chosen, why)| (chosen.id, chosen.seed, why));
         assert_eq!(next(&state), Some(("0-5.1".to_owned(), 0, Why::NotSolved)));
         state.open = Some(Chosen { id: "0-5.1".to_owned(), seed: 0 });
         assert_eq!(next(&state), Some(("0-5.2".to_owned(), 0, Why::NotSolved)));

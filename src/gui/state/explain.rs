@@ -4,13 +4,11 @@ use super::matrices::Matrices;
 use super::notes::Notes;
 use super::order::Order;
 use super::steps::Steps;
-use super::triangle::OneTriangle;
 use crate::camera::{CameraError, MatrixKind};
-use crate::explain::Symbol;
 use crate::explain::code::CodeTarget;
 use crate::explain::vocabulary::{Quantity, Vocabulary};
+use crate::picture::FollowedTriangle;
 use crate::pipeline::StageReport;
-use crate::views::Placed;
 
 /// A tab of the side of explanations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -49,18 +47,12 @@ pub struct Explain {
     pub steps: Steps,
     /// The tab of order.
     pub order: Order,
-    /// The object by the list of transforms, and by another one; written by the tab of order in each frame, shown in the world.
-    pub placed: Vec<Placed>,
     /// The tab of notes.
     pub notes: Notes,
-    /// The parameters that are pointed at in another panel; written by the panels in each frame.
-    pub pointed: Vec<Symbol>,
     /// Where along a segment a point is whose image is asked for, 0 … 1.
     pub share: f64,
-    /// How much of the image is painted while the tab of stages is shown, 0 … 1.
-    pub painted: f64,
-    /// The triangle that is followed step by step.
-    pub triangle: OneTriangle,
+    /// The numbers of the triangle that is followed step by step.
+    pub triangle: FollowedTriangle,
     /// How the picture of the strip came about, stage by stage; written by the pictures while the tab of stages is shown.
     pub reports: Vec<StageReport>,
     /// For what the code is.
@@ -93,14 +85,11 @@ impl Default for Explain {
         Self {
             tab: ExplainTab::default(),
             matrices: Matrices::default(),
-            pointed: Vec::new(),
             steps: Steps::default(),
             order: Order::default(),
-            placed: Vec::new(),
             notes: Notes::default(),
             share: 0.5,
-            painted: 1.0,
-            triangle: OneTriangle::default(),
+            triangle: FollowedTriangle::default(),
             reports: Vec::new(),
             code: CodeTarget::default(),
             refused: None,

@@ -10,7 +10,7 @@ use crate::gui::comparison::Comparison;
 use crate::gui::export::{Export, Exported, Exporting};
 use crate::gui::native::OpenFileDialog;
 use crate::gui::preview::Preview;
-use crate::gui::session::News;
+use crate::gui::session::NewsList;
 use crate::gui::watch::Watch;
 use crate::gui::worker::Running;
 
@@ -147,7 +147,7 @@ pub struct FileFlow {
     /// What another program has written into the figure's file, as long as that has to be said.
     pub theirs: Option<Theirs>,
     /// What there is to say about sessions, until the user has closed it.
-    pub(in crate::gui) news: Vec<News>,
+    pub(in crate::gui) news: NewsList,
     /// What has been said about the file, and is not said again.
     pub(in crate::gui) decided: Option<Theirs>,
     /// What a window left in this slot is wanted now.

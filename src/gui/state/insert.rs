@@ -7,7 +7,7 @@ use crate::camera::Camera;
 use crate::geometry::Aabb;
 use crate::i18n::scenes;
 use crate::numbers;
-use crate::scene::edit::{free_name, placements};
+use crate::scene::edit::{free_name, placement};
 use crate::scene::palette::least_used;
 use crate::scene::{Object, ObjectSpec, Scene, SceneSpec, Shape};
 use crate::views::pick::can_be_seen_by;
@@ -29,7 +29,7 @@ impl State {
         let name = free_name(scene, &object.name);
         let parent_from_world = parent
             .as_ref()
-            .and_then(|parent| Some(placements(scene).ok()?.get(parent)?.inverse()))
+            .and_then(|parent| Some(placement(scene, parent).ok()??.inverse()))
             .filter(DMat4::is_finite)
             .unwrap_or(DMat4::IDENTITY);
         let translate =

@@ -1,6 +1,5 @@
 //! How the room in the window is shared, and what is asked of the pictures.
 
-use crate::pipeline::Stage;
 use crate::views::observer::Viewpoint;
 use crate::views::{Arrangement, View};
 
@@ -28,8 +27,6 @@ pub struct Layout {
     pub strip: bool,
     /// Whose stages.
     pub strip_of: View,
-    /// The stage of which the picture shows what goes in and what comes out, while the stages are shown.
-    pub stage: Option<Stage>,
 }
 
 impl Default for Layout {
@@ -41,7 +38,6 @@ impl Default for Layout {
             linked: false,
             strip: false,
             strip_of: View::Image,
-            stage: None,
         }
     }
 }

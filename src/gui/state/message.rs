@@ -6,7 +6,7 @@ use crate::camera::CameraError;
 use crate::files::FileError;
 use crate::foreign;
 use crate::gui::export::ExportError;
-use crate::gui::session::News;
+use crate::gui::session::{Keeping, News};
 use crate::i18n::{Lang, exercise_messages, explain_point, faults, messages, scenes, sessions, sharing, window};
 use crate::limits::MAX_SESSIONS;
 use crate::pipeline::TooMuch;
@@ -24,12 +24,16 @@ pub enum Message {
         /// How many there are.
         of: usize,
     },
+    /// Why a file was passed over, and how many more were.
+    AndMore(Box<Self>, usize),
     /// There is no figure before this one.
     FirstFigure,
     /// There is no figure after this one.
     LastFigure,
     /// This file has been opened.
     Opened(PathBuf),
+    /// Of so many files that were dropped at once, this one was taken.
+    FirstOfDropped(PathBuf, usize),
     /// This file has been written.
     Saved(PathBuf),
     /// This file was handed to the browser.
@@ -91,6 +95,7 @@ impl Message {
             | Self::FirstFigure
             | Self::LastFigure
             | Self::Opened(_)
+            | Self::FirstOfDropped(..)
             | Self::Saved(_)
             | Self::Downloaded(_)
             | Self::LinkCopied(_)
@@ -106,6 +111,7 @@ impl Message {
             Self::NotExported(_, NotExported(error)) => !matches!(error, ExportError::Cancelled),
             Self::File(..)
             | Self::NotOpened(..)
+            | Self::AndMore(..)
             | Self::Camera(_)
             | Self::Scene(_)
             | Self::TooMuch(_)
@@ -126,17 +132,21 @@ impl Message {
         let text = match self {
             Self::NumbersCopied => t.copied.to_owned(),
             Self::Step { number, of } => format!("{number} / {of}"),
+            Self::AndMore(first, more) => exercise_messages::and_more(lang, &first.text(lang), *more),
             Self::FirstFigure => t.first_figure.to_owned(),
             Self::LastFigure => t.last_figure.to_owned(),
             Self::Opened(path) => format!("{} {}", t.opened, foreign::path(path)),
+            Self::FirstOfDropped(path, count) => sessions::first_of_dropped(lang, &foreign::path(path), *count),
             Self::Saved(path) => format!("{} {}", t.saved, foreign::path(path)),
             Self::Downloaded(path) => format!("{} {}", sharing::texts(lang).downloaded, foreign::path(path)),
             Self::LinkCopied(characters) => {
                 format!("{} {characters} {}", sharing::texts(lang).copied, sharing::texts(lang).characters)
             }
             Self::LinkOpened => sharing::texts(lang).opened.to_owned(),
-            Self::File(path, error) => messages::file(lang, &foreign::path(path), error),
-            Self::NotOpened(path, error) => format!("{}: {}", foreign::path(path), messages::camera(lang, error)),
+            Self::File(path, error) => messages::file(lang, &messages::opened(lang, path), error),
+            Self::NotOpened(path, error) => {
+                format!("{}: {}", messages::opened(lang, path), messages::camera(lang, error))
+            }
             Self::Camera(error) => faults::camera_error(lang, error),
             Self::Scene(error) => messages::scene(lang, error),
             Self::TooMuch(too_much) => messages::too_much(lang, too_much),
@@ -173,19 +183,15 @@ pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
             sessions::in_part(lang, &foreign::within(&keys.join(", "), 200), &foreign::path(path))
         }
         News::Damaged(path) => sessions::damaged(lang, &foreign::path(path)),
-        News::Unreadable(path, error) => messages::file(lang, &foreign::path(path), error),
+        News::Unusable(path, error) => messages::file(lang, &foreign::path(path), error),
         News::Taken => t.taken.to_owned(),
-        News::NotWritten(path, error) => {
-            sessions::not_written(lang, &messages::file(lang, &foreign::path(path), error))
-        }
         News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
         News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &foreign::path(path)),
-        News::PreferencesNotWritten(path, error) => {
-            sessions::preferences_not_written(lang, &messages::file(lang, &foreign::path(path), error))
-        }
         News::ProgressSetAside(path) => sessions::progress_set_aside(lang, &foreign::path(path)),
-        News::ProgressNotWritten(path, error) => {
-            sessions::progress_not_written(lang, &messages::file(lang, &foreign::path(path), error))
+        News::NotKept(not_kept) => {
+            let what = [Keeping::Session, Keeping::Preferences, Keeping::Progress].map(|what| not_kept.is_about(what));
+            sessions::not_kept(lang, what, &messages::file(lang, &foreign::path(&not_kept.path), &not_kept.error))
         }
+        News::NoHome => sessions::no_home(lang).to_owned(),
     }
 }

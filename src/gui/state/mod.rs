@@ -17,8 +17,8 @@ mod operations;
 mod order;
 mod recent;
 mod scene_tree;
+mod shown;
 mod steps;
-mod triangle;
 mod view_history;
 
 use glam::DVec3;
@@ -27,12 +27,11 @@ use crate::appearance::{Style, Theme};
 use crate::camera::{Camera, CameraError, Operation};
 use crate::explain::Matrix;
 use crate::figure::points::free_name;
-use crate::figure::{Figure, NamedPoint, Outside, Reveal};
+use crate::figure::{Figure, NamedPoint, Observers};
 use crate::files::{SourceFile, figure_from};
 use crate::i18n::{Lang, faults};
 use crate::limits::MAX_NAMED_POINTS;
-use crate::pipeline::Stage;
-use crate::views::{Ghost, Measured, Normalizing, Probe, View};
+use crate::views::Probe;
 pub use annotations::Annotations;
 pub use coach::{Advice, Coach};
 pub use conventions::Conventions;
@@ -57,8 +56,9 @@ pub use recent::Recent;
 pub(super) use recent::merged;
 pub(super) use scene_tree::{Draft, Typing, preset_objects};
 pub use scene_tree::{SceneTree, Selected};
-pub use steps::Steps;
-pub use triangle::OneTriangle;
+use shown::OpenPanels;
+pub use shown::PanelHover;
+pub use steps::{Steps, count, end_of, step_at, time_of};
 pub use view_history::ViewHistory;
 
 use super::Start;
@@ -97,6 +97,8 @@ pub struct Settings {
     pub theme: Theme,
     /// What would move is at its end at once.
     pub reduce_motion: bool,
+    /// What is explained in the pictures is saved with the figure.
+    pub saves_explained: bool,
     /// The pictures alone, without menus: a figure in somebody's page.
     pub bare: bool,
 }
@@ -157,10 +159,12 @@ pub struct State {
     pub observer_change: Option<ObserverChange>,
     /// True where no field on the screen says what is wrong with the parameters (its section is closed).
     pub problem_out_of_sight: bool,
-    /// The operation that is being tried or pointed at; written by the panel in each frame, shown in the world.
-    pub ghost: Option<Ghost>,
-    /// What is pointed at in the panels; written by them in each frame, shown in the world.
-    pub measured: Vec<Measured>,
+    /// What the panels point at in this frame.
+    pub hover: PanelHover,
+    /// From where the pictures were seen last; `None`: they have not been shown.
+    pub seen: Observers,
+    /// The panels that were open in the last frame, of those that explain something in the pictures.
+    pub(in crate::gui) open_panels: OpenPanels,
     /// What is pointed at; written by the pictures, shown by the panel.
     pub probe: Option<Probe>,
     /// The files that were opened or saved last.
@@ -228,6 +232,7 @@ impl State {
                 digits: 5,
                 theme: Theme::default(),
                 reduce_motion: false,
+                saves_explained: true,
                 bare: false,
             },
             in_browser: cfg!(target_arch = "wasm32"),
@@ -244,8 +249,9 @@ impl State {
             shown_since: None,
             observer_change: None,
             problem_out_of_sight: false,
-            ghost: None,
-            measured: Vec::new(),
+            hover: PanelHover::default(),
+            seen: Observers::default(),
+            open_panels: OpenPanels::default(),
             probe: None,
             recent: Recent::default(),
             gallery: Gallery::default(),
@@ -361,66 +367,6 @@ impl State {
     /// True while meshes are read or pictures written.
     pub(in crate::gui) fn runs(&self) -> bool {
         self.scene_cache.running().is_some() || self.file_flow.running().next().is_some()
-    }
-
-    /// How far the canonical picture is on its way, while the tab of steps is shown.
-    #[must_use]
-    pub fn normalizing(&self) -> Option<Normalizing> {
-        let shown = self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Steps;
-        let mut normalizing = self.explain.steps.normalizing(self.document.camera()).filter(|_| shown)?;
-        if self.settings.reduce_motion && self.explain.steps.plays() {
-            normalizing.time = normalizing.time.floor();
-        }
-        Some(normalizing)
-    }
-
-    /// How much of the image is painted, while the tab of stages is shown and it is not all.
-    #[must_use]
-    pub fn begun(&self) -> Option<f64> {
-        Some(self.explain.painted).filter(|painted| self.shows_stages() && *painted < 1.0)
-    }
-
-    /// True while the tab of stages is shown.
-    pub(in crate::gui) fn shows_stages(&self) -> bool {
-        self.settings.panels().is_shown(Side::Explain) && self.explain.tab == ExplainTab::Stages
-    }
-
-    /// True while anything tells what each stage did.
-    pub(in crate::gui) fn accounts_for_stages(&self) -> bool {
-        self.layout.strip || self.shows_stages()
-    }
-
-    /// The stage of which the picture of the strip shows what goes in and what comes out.
-    #[must_use]
-    pub fn shown_stage(&self) -> Option<Stage> {
-        self.layout.stage.filter(|_| self.accounts_for_stages())
-    }
-
-    /// Shows what goes into a stage and what comes out, of the whole image; or no more.
-    pub(in crate::gui) fn toggle_stage(&mut self, stage: Stage) {
-        self.layout.stage = Some(stage).filter(|_| self.layout.stage != Some(stage));
-        self.explain.painted = 1.0;
-    }
-
-    /// What a picture shows of the pipeline's inner work: what the figure wants, and while a stage of the image is shown, what belongs
-    /// to it in the pictures beside.
-    pub(in crate::gui) fn revealed(&self, view: View) -> Reveal {
-        let reveal = self.document.figure().reveal;
-        let beside = self.layout.strip_of == View::Image && view != View::Image;
-        match self.shown_stage().filter(|_| beside) {
-            Some(Stage::CullObjects | Stage::CullFaces) => Reveal { culled: true, ..reveal },
-            Some(Stage::Clip) => {
-                let outside = if reveal.outside == Outside::Usual { Outside::Tinted } else { reveal.outside };
-                Reveal { clipping: true, outside, ..reveal }
-            }
-            Some(_) | None => reveal,
-        }
-    }
-
-    /// True while the canonical picture is on its way: what is in it is not where the canonical volume has it, and nothing can be picked.
-    #[must_use]
-    pub fn is_on_the_way(&self) -> bool {
-        self.explain.steps.left > 0.0 && self.normalizing().is_some()
     }
 
     /// Shows why an entry of a matrix is what it is; the entry takes the keyboard.

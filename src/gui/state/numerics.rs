@@ -10,11 +10,11 @@ use crate::gui::worker::{Running, Work, Worker, one_by_one};
 use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::Progress;
 
-/// What a study is asked with.
-type Asked = (Study, Effort);
+/// What a study is asked with, and the number of the request.
+type Asked = (u64, Study, Effort);
 
-/// The study, and what was found, where it was not given up.
-type Measured = (Study, Option<Findings>);
+/// The number of the request, the study, and what was found, where it was not given up.
+type Measured = (u64, Study, Option<Findings>);
 
 /// The panel of studies.
 #[derive(Debug)]
@@ -33,16 +33,18 @@ pub struct Numerics {
     pub effort: Effort,
     found: BTreeMap<&'static str, Findings>,
     worker: Worker<Asked, Measured>,
-    measuring: Option<Study>,
+    /// The study that is being measured, with the number of its request: one that was given up may still come to its end.
+    measuring: Option<(u64, Study)>,
+    requests: u64,
 }
 
 impl Default for Numerics {
     fn default() -> Self {
         let work = || -> Work<Asked, Measured> {
-            one_by_one(async |(study, effort): Asked, progress: &Progress| {
+            one_by_one(async |(request, study, effort): Asked, progress: &Progress| {
                 let findings = numerics::run(study, &effort, progress).await;
                 // What was cancelled is not whole.
-                (study, (!progress.is_cancelled()).then_some(findings))
+                (request, study, (!progress.is_cancelled()).then_some(findings))
             })
         };
         Self {
@@ -55,6 +57,7 @@ impl Default for Numerics {
             found: BTreeMap::new(),
             worker: Worker::new("numerics", clock::now, work),
             measuring: None,
+            requests: 0,
         }
     }
 }
@@ -62,8 +65,9 @@ impl Default for Numerics {
 impl Numerics {
     /// Measures the study that is shown, beside the window's thread.
     pub fn measure(&mut self, ctx: &egui::Context) {
-        self.measuring = Some(self.study);
-        self.worker.ask(ctx, 0, (self.study, self.effort));
+        self.requests += 1;
+        self.measuring = Some((self.requests, self.study));
+        self.worker.ask(ctx, 0, (self.requests, self.study, self.effort));
     }
 
     /// Gives up what is being measured.
@@ -76,7 +80,7 @@ impl Numerics {
     #[must_use]
     pub fn measuring(&self) -> Option<(Study, Option<f32>)> {
         let share = self.worker.running().and_then(|Running { now, .. }| now).and_then(|(_, share)| share);
-        self.measuring.map(|study| (study, share))
+        self.measuring.map(|(_, study)| (study, share))
     }
 
     /// What has been found about a study.
@@ -90,15 +94,39 @@ impl Numerics {
         let [done] = self.worker.take(patience);
         let Some(done) = done else { return };
         // Where the work panicked nothing was found, and the button is there again.
-        if let Some((study, findings)) = done.outcome {
+        if let Some((request, study, findings)) = done.outcome {
             if let Some(findings) = findings {
                 self.found.insert(study.name(), findings);
             }
-            if self.measuring == Some(study) {
+            if self.measuring == Some((request, study)) {
                 self.measuring = None;
             }
         } else {
             self.measuring = None;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The one that was given up comes to its end later, and says nothing of the one that is wanted now.
+    #[test]
+    fn a_study_that_is_given_up_and_begun_again_is_measured_until_it_is_found() {
+        let ctx = egui::Context::default();
+        let mut numerics = Numerics {
+            study: Study::Basis,
+            effort: Effort { seed: 1, seconds: 0.0, thorough: false },
+            ..Numerics::default()
+        };
+        numerics.measure(&ctx);
+        numerics.cancel();
+        numerics.measure(&ctx);
+        while numerics.found(Study::Basis).is_none() {
+            assert!(numerics.measuring().is_some(), "the button would measure it a second time");
+            numerics.take(Duration::from_secs(60));
+        }
+        assert!(numerics.measuring().is_none());
     }
 }

@@ -19,13 +19,11 @@ pub enum Selected {
 }
 
 impl Selected {
-    /// What an object of the built scene stands for, by its name.
+    /// What an object of the built scene stands for, by the name of its [`owner`](crate::scene::Object::owner).
     #[must_use]
     pub fn of_object(scene: &SceneSpec, name: &str) -> Option<Self> {
-        let whole = name.split_once('/').map_or(name, |(whole, _)| whole);
-        let own = [name, whole].into_iter().find(|name| scene.objects.iter().any(|o| o.name == *name));
-        if let Some(own) = own {
-            return Some(Self::Object(own.to_owned()));
+        if scene.objects.iter().any(|object| object.name == name) {
+            return Some(Self::Object(name.to_owned()));
         }
         let is_of_preset = preset_objects(scene.preset).iter().any(|o| o.name == name);
         is_of_preset.then(|| Self::OfPreset(name.to_owned()))

@@ -44,7 +44,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
         if state.settings.aspect_follows_image && state.document.draft().window.is_none() {
             symbols.push(Symbol::Aspect);
         }
-        point_at(ui, &mut state.explain.pointed, size.response.rect, &symbols);
+        point_at(ui, &mut state.hover.pointed, size.response.rect, &symbols);
         complain(ui, t, &size.inner);
         let size = ImageSize { width: to_side(m), height: to_side(n) };
         if size != state.document.figure().image {
@@ -127,7 +127,7 @@ fn viewport(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
                     [field(of[0].1).show(ui, t, first), field(of[1].1).show(ui, t, second)]
                 })
             });
-            point_at(ui, &mut state.explain.pointed, pair.response.rect, &of.map(|(symbol, _)| symbol));
+            point_at(ui, &mut state.hover.pointed, pair.response.rect, &of.map(|(symbol, _)| symbol));
             complain(ui, t, &pair.inner);
         };
         let [mut x, mut y] = [f64::from(new.x), f64::from(new.y)];

@@ -12,6 +12,7 @@ use glam::DVec3;
 use super::{complaint, row};
 use crate::camera::{Camera, CameraError, Parameters};
 use crate::explain::Symbol;
+use crate::figure::{Measure, Measured, WindowSide};
 use crate::gui::command::Command;
 use crate::gui::focus::keep_in_sight;
 use crate::gui::noted::{has_focus, noted_row};
@@ -23,7 +24,6 @@ use crate::i18n::window::{self, Texts};
 use crate::i18n::{Lang, faults, notes, scenes};
 use crate::numbers;
 use crate::scene::Preset;
-use crate::views::{Measure, Measured, WindowSide};
 
 /// Shows the panel's content: one of its tabs.
 pub fn ui(ui: &mut egui::Ui, state: &mut State) {
@@ -81,8 +81,8 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
     camera::placement(ui, &mut form);
     camera::projection(ui, &mut form, state);
     camera::window(ui, &mut form);
-    state.measured = form.measured;
-    state.explain.pointed = form.pointed;
+    state.hover.measured = form.measured;
+    state.hover.pointed = form.pointed;
     state.problem_out_of_sight = form.error.is_some() && !form.said;
     match form.replaced {
         Some(camera) => state.document.set_camera(camera),

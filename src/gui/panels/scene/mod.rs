@@ -11,6 +11,7 @@ use eframe::egui::{self, RichText};
 
 use super::{choice, row, section};
 use crate::explain::Symbol;
+use crate::figure::Measured;
 use crate::gui::focus::keep_in_sight;
 use crate::gui::noted::{has_focus, noted_row};
 use crate::gui::number_field::FieldOutput;
@@ -24,7 +25,6 @@ use crate::limits::MAX_SIDE;
 use crate::scene::edit::{self, Children};
 use crate::scene::transform::{below, topmost};
 use crate::scene::{Preset, SceneError, SceneSpec, check};
-use crate::views::Measured;
 
 /// A change that the tree or a button asks for.
 enum Edit {
@@ -220,8 +220,8 @@ impl Form {
 
     /// Takes the scene over where it is possible; otherwise the fields keep it, and the figure the last one that was.
     fn finish(self, state: &mut State) {
-        state.measured.extend_from_slice(&self.measured);
-        state.explain.pointed.extend_from_slice(&self.pointed);
+        state.hover.measured.extend_from_slice(&self.measured);
+        state.hover.pointed.extend_from_slice(&self.pointed);
         if self.scene == self.base {
             state.tree.draft = None;
             return;

@@ -14,14 +14,15 @@ use crate::gui::noted::{noted, noted_row};
 use crate::gui::number_field::{FieldError, NumberField, Step};
 use crate::gui::panels::{Vector, complaint, row};
 use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
+use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::{self, Texts, preset_object};
-use crate::i18n::{faults, messages, notes};
-use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::i18n::{Lang, faults, messages, notes};
+use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED, MAX_TYPED_NAME, MIN_SEGMENTS};
 use crate::numbers::without_rests;
-use crate::scene::edit::{self, Children, descendants, placements};
+use crate::scene::edit::{self, Children, descendants, placement};
 use crate::scene::transform;
-use crate::scene::{ObjectPaint, ObjectSpec, SceneError, SceneSpec, Shape, ShapeData};
+use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData};
 use crate::views::Transforming;
 
 /// The fields of the object at this place of the list; what its buttons ask for.
@@ -83,12 +84,10 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
     let mut typing = typing(state, name, "name").unwrap_or_else(|| Typing::of(name, "name", name));
     let mut left = false;
     row(ui, "", t.name, t.name_hint, |ui| {
-        let field = egui::TextEdit::singleline(&mut typing.text)
-            .id(egui::Id::unique(("object name", name)))
-            .desired_width(150.0)
-            .align(egui::Align2::LEFT_CENTER)
-            .margin(egui::Margin::symmetric(4, 2));
-        let response = ui.add(field).explained(t.name_hint).accessible_name(t.name);
+        let id = egui::Id::unique(("object name", name));
+        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED_NAME, (id, 150.0))
+            .explained(t.name_hint)
+            .accessible_name(t.name);
         left = response.lost_focus();
     });
     let wanted = typing.text.trim().to_owned();
@@ -118,6 +117,21 @@ fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
         _ => {}
     }
     state.tree.typing = Some(typing);
+}
+
+/// A field that is as high as those of numbers.
+fn text_field(
+    ui: &mut egui::Ui,
+    lang: Lang,
+    text: &mut String,
+    most: usize,
+    (id, width): (egui::Id, f32),
+) -> egui::Response {
+    let field = TextField::line(text, most).with(|edit| {
+        let edit = edit.id(id).desired_width(width).align(egui::Align2::LEFT_CENTER);
+        edit.margin(egui::Margin::symmetric(4, 2))
+    });
+    field.show(ui, lang)
 }
 
 /// What is being typed for an object.
@@ -247,12 +261,10 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
     row(ui, "", t.color, t.color_hint, |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.checkbox(&mut is_automatic, t.color_auto).explained(t.color_auto_hint);
-        let field = egui::TextEdit::singleline(&mut typing.text)
-            .id(egui::Id::unique(("object colour", &owner)))
-            .desired_width(66.0)
-            .align(egui::Align2::LEFT_CENTER)
-            .margin(egui::Margin::symmetric(4, 2));
-        let response = ui.add(field).explained(t.color_hint).accessible_name(format!("{} #", t.color));
+        let id = egui::Id::unique(("object colour", &owner));
+        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED_NAME, (id, 66.0))
+            .explained(t.color_hint)
+            .accessible_name(format!("{} #", t.color));
         (editing, left) = (response.has_focus(), response.lost_focus());
         let mut bytes = [now.r, now.g, now.b, now.a];
         let picker = ui.color_edit_button_srgba_unmultiplied(&mut bytes).accessible_name(t.color);
@@ -379,12 +391,10 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
     let mut typing = typing(state, owner, "path").unwrap_or_else(|| Typing::of(owner, "path", path));
     let mut left = false;
     row(ui, "", t.path, t.path_hint, |ui| {
-        let field = egui::TextEdit::singleline(&mut typing.text)
-            .id(egui::Id::unique(("object file", owner)))
-            .desired_width(110.0)
-            .align(egui::Align2::LEFT_CENTER)
-            .margin(egui::Margin::symmetric(4, 2));
-        let response = ui.add(field).explained(t.path_hint).accessible_name(t.path);
+        let id = egui::Id::unique(("object file", owner));
+        let response = text_field(ui, t.lang, &mut typing.text, MAX_TYPED, (id, 110.0))
+            .explained(t.path_hint)
+            .accessible_name(t.path);
         if ui.button(t.browse).clicked() {
             file_flow::ask(ui.ctx(), state, Purpose::Mesh(MeshFor::Object(owner.to_owned())));
         }
@@ -456,7 +466,7 @@ fn delete(ui: &mut egui::Ui, form: &Form, names: &BTreeSet<String>) -> Option<Ed
 /// The matrix that takes the object to the world.
 fn matrix(ui: &mut egui::Ui, form: &Form, name: &str) {
     let t = form.t;
-    let Some(matrix) = placement(&form.scene, name) else { return };
+    let Ok(Some(matrix)) = placement(&form.scene, name) else { return };
     let shown = egui::CollapsingHeader::new(t.matrix).default_open(false).show_unindented(ui, |ui| {
         egui::Grid::new("world matrix").num_columns(4).spacing([10.0, 1.0]).show(ui, |ui| {
             for row in matrix.transpose().to_cols_array_2d() {
@@ -468,9 +478,4 @@ fn matrix(ui: &mut egui::Ui, form: &Form, name: &str) {
         });
     });
     noted(&shown.header_response, notes::of_matrix(Matrix::Model));
-}
-
-fn placement(scene: &SceneSpec, name: &str) -> Option<glam::DMat4> {
-    let all: Result<_, SceneError> = placements(scene);
-    all.ok()?.get(name).copied()
 }

@@ -37,6 +37,9 @@ struct Row {
     hint: &'static str,
 }
 
+/// Rows that are farther out of sight than so many are not there, for keys and screen readers either: each costs its time in each frame.
+const FAR: f32 = 150.0;
+
 /// An object that is being dragged, by name.
 struct Dragged(String);
 
@@ -55,6 +58,11 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
         egui::ScrollArea::vertical().id_salt("tree").max_height(height).auto_shrink([false, true]).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             for row in &rows {
+                let place = Rect::from_min_size(ui.cursor().min, vec2(ui.available_width(), row_height(ui)));
+                if !place.intersects(ui.clip_rect().expand2(vec2(0.0, FAR * row_height(ui)))) {
+                    ui.advance_cursor_after_rect(place);
+                    continue;
+                }
                 let is_also = matches!(&row.what, Some(Selected::Object(name)) if state.tree.also().contains(name));
                 let is_selected = row.what.is_some() && row.what == selected || is_also;
                 let response = show(ui, row, is_selected);
@@ -165,10 +173,13 @@ fn follow(ui: &egui::Ui, name: &str) {
     painter.galley(place.min, galley, ui.visuals().text_color());
 }
 
+fn row_height(ui: &egui::Ui) -> f32 {
+    ui.spacing().interact_size.y - 2.0
+}
+
 /// Draws a row: triangle, colour, name, kind.
 fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
-    let height = ui.spacing().interact_size.y - 2.0;
-    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), height));
+    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), row_height(ui)));
     let sense = if matches!(row.what, Some(Selected::Object(_))) { Sense::click_and_drag() } else { Sense::CLICK };
     let response = ui.interact(rect, Id::unique(("row of the scene", format!("{:?} {}", row.what, row.kind))), sense);
     response.widget_info(|| WidgetInfo::selected(Role::TreeItem, true, selected, &row.shown));

@@ -9,27 +9,29 @@ use crate::geometry::Ray;
 use crate::scene::{Line, Object, ObjectPaint, primitives};
 
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
-use super::{Palette, Placed, Request};
+use super::{Palette, Request};
+use crate::figure::TransformPreview;
 
 /// Adds the objects that are shown where they are not.
 pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
-    for (k, placed) in request.overlays.placed.iter().enumerate() {
-        let color = if placed.wrong { palette.wrong } else { palette.ghost };
-        bodies(builder, request, placed, color);
-        axes(builder, placed, k + 1, color);
-        if let Some(axis) = placed.axis {
+    for (k, preview) in request.shot.show.moved.iter().enumerate() {
+        let color = if preview.wrong { palette.wrong } else { palette.ghost };
+        bodies(builder, request, preview, color);
+        axes(builder, preview, k + 1, color);
+        if let Some(axis) = preview.axis {
             about(builder, axis, color);
         }
     }
 }
 
 /// The objects as glass, and of those without faces their strokes; what is scaled to nothing has no faces to be seen. Where they stand already, there is nothing to add.
-fn bodies(builder: &mut SceneBuilder, request: &Request, placed: &Placed, color: Rgba) {
+fn bodies(builder: &mut SceneBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
     let mut add = |name: &str, mesh, world_from_object: DMat4| {
         if world_from_object.determinant().abs() <= f64::MIN_POSITIVE {
             return;
         }
         builder.scene.objects.push(Object {
+            part_of: None,
             name: format!("{name} moved"),
             mesh,
             world_from_object,
@@ -41,25 +43,22 @@ fn bodies(builder: &mut SceneBuilder, request: &Request, placed: &Placed, color:
             outline: None,
         });
     };
-    if placed.objects.is_empty() {
-        return add("cube", Arc::new(primitives::cube()), placed.world_from_frame);
+    if preview.objects.is_empty() {
+        return add("cube", Arc::new(primitives::cube()), preview.world_from_frame);
     }
-    if placed.change.abs_diff_eq(DMat4::IDENTITY, 1e-9) {
+    if preview.change.abs_diff_eq(DMat4::IDENTITY, 1e-9) {
         return;
     }
-    let shown = |object: &&Object| {
-        let whole = object.name.split_once('/').map_or(object.name.as_str(), |(whole, _)| whole);
-        placed.objects.contains(&object.name) || placed.objects.contains(whole)
-    };
+    let shown = |object: &&Object| preview.objects.contains(object.owner());
     for object in request.scene.objects.iter().filter(shown).filter(|object| object.faces) {
-        add(&object.name, Arc::clone(&object.mesh), placed.change * object.world_from_object);
+        add(&object.name, Arc::clone(&object.mesh), preview.change * object.world_from_object);
     }
     for object in request.scene.objects.iter().filter(shown).filter(|object| !object.faces) {
-        bare(builder, object, placed.change * object.world_from_object, color);
+        bare(builder, object, preview.change * object.world_from_object, color);
     }
-    let lines = request.scene.grids.iter().filter(|(name, _)| placed.objects.contains(name));
+    let lines = request.scene.grids.iter().filter(|(name, _)| preview.objects.contains(name));
     for line in lines.flat_map(|(_, range)| request.scene.lines.get(range.clone()).unwrap_or_default()) {
-        let points = line.points.iter().map(|p| placed.change.transform_point3(*p)).collect();
+        let points = line.points.iter().map(|p| preview.change.transform_point3(*p)).collect();
         builder.line(points, color, 1.0, Dash::Solid);
     }
 }
@@ -78,9 +77,9 @@ fn bare(builder: &mut SceneBuilder, object: &Object, world_from_object: DMat4, c
 }
 
 /// The columns of its matrix: where they begin, and as long as they are. Nothing hides them.
-fn axes(builder: &mut SceneBuilder, placed: &Placed, number: usize, color: Rgba) {
-    let origin = placed.world_from_frame.w_axis.truncate();
-    let columns = [placed.world_from_frame.x_axis, placed.world_from_frame.y_axis, placed.world_from_frame.z_axis];
+fn axes(builder: &mut SceneBuilder, preview: &TransformPreview, number: usize, color: Rgba) {
+    let origin = preview.world_from_frame.w_axis.truncate();
+    let columns = [preview.world_from_frame.x_axis, preview.world_from_frame.y_axis, preview.world_from_frame.z_axis];
     for (column, name) in columns.into_iter().zip(["x", "y", "z"]) {
         let tip = origin + column.truncate();
         let style = LineStyle { color, width: 2.0, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: true };
@@ -111,13 +110,13 @@ mod tests {
     use crate::figure::{Figure, Observer};
     use crate::i18n::{Lang, pictures};
     use crate::views::timed_pipeline::TimedPipeline;
-    use crate::views::{Overlays, SharedScene, Size, View, frame};
+    use crate::views::{SharedScene, Size, View, frame};
 
-    fn drawn(placed: Vec<Placed>) -> Drawing {
-        drawn_in(&SharedScene::default(), placed)
+    fn drawn(moved: Vec<TransformPreview>) -> Drawing {
+        drawn_in(&SharedScene::default(), moved)
     }
 
-    fn drawn_in(scene: &SharedScene, placed: Vec<Placed>) -> Drawing {
+    fn drawn_in(scene: &SharedScene, moved: Vec<TransformPreview>) -> Drawing {
         let (figure, camera) = (Figure::default(), Camera::new(&Parameters::default()).unwrap());
         let size = Size { width: 600, height: 400, scale: 1.0 };
         let observer = Observer {
@@ -128,17 +127,15 @@ mod tests {
             roll: 0.0,
             parallel: false,
         };
-        let request = Request {
-            observer: Some(observer),
-            overlays: Overlays { placed, ..Overlays::default() },
-            ..Request::of(&figure, View::World, &camera, scene, pictures::labels(Lang::En), size)
-        };
+        let request = Request::of(&figure, View::World, &camera, scene, pictures::labels(Lang::En), size)
+            .with_shot(|shot| shot.show.moved = moved)
+            .seen_by(Some(observer));
         frame(&request, None, &mut TimedPipeline::default()).drawing
     }
 
     #[test]
     fn each_has_its_axes_and_what_is_scaled_to_nothing_no_body() {
-        let placed = |scale: DVec3, wrong| Placed {
+        let preview = |scale: DVec3, wrong| TransformPreview {
             objects: BTreeSet::new(),
             change: DMat4::IDENTITY,
             world_from_frame: DMat4::from_translation(DVec3::X) * DMat4::from_scale(scale),
@@ -146,14 +143,14 @@ mod tests {
             wrong,
         };
         let plain = drawn(Vec::new());
-        let two = drawn(vec![placed(DVec3::ONE, false), placed(DVec3::ONE, true)]);
+        let two = drawn(vec![preview(DVec3::ONE, false), preview(DVec3::ONE, true)]);
         let texts: Vec<&str> = two.labels.iter().map(|label| label.text.as_str()).collect();
         for name in ["x_1", "y_1", "z_1", "x_2", "y_2", "z_2"] {
             assert!(texts.contains(&name), "{texts:?}");
         }
         assert!(two.surfaces.len() > plain.surfaces.len());
         // No faces are added for what is flat.
-        let flat = drawn(vec![placed(DVec3::new(1.0, 0.0, 1.0), false)]);
+        let flat = drawn(vec![preview(DVec3::new(1.0, 0.0, 1.0), false)]);
         assert_eq!(flat.surfaces.len(), plain.surfaces.len());
     }
 
@@ -170,21 +167,21 @@ mod tests {
         let spec = SceneSpec { preset: Preset::Empty, objects, lights: Vec::new() };
         let style = crate::appearance::Style::default();
         let scene = SharedScene::new(build(&spec, &style, &mut |_| unreachable!("no file is named")).unwrap());
-        let placed = |name: &str| Placed {
+        let preview = |name: &str| TransformPreview {
             objects: BTreeSet::from([name.to_owned()]),
             change: DMat4::from_translation(DVec3::new(0.0, 2.0, 0.0)),
             world_from_frame: DMat4::IDENTITY,
             axis: None,
             wrong: false,
         };
-        // Those of the colour of what is placed: the world is drawn around what there is.
+        // Those of the colour of what is preview: the world is drawn around what there is.
         let color = Palette::of(style.theme).ghost;
         let polylines = |drawing: &Drawing| {
             let own = drawing.strokes.iter().filter(|set| set.style.color == color);
             own.map(|set| set.polylines.len()).sum::<usize>()
         };
         let [none, points, grid, segments] =
-            ["none", "points", "grid", "segments"].map(|name| drawn_in(&scene, vec![placed(name)]));
+            ["none", "points", "grid", "segments"].map(|name| drawn_in(&scene, vec![preview(name)]));
         assert_eq!(points.marks.len() - none.marks.len(), 3);
         // Points have no strokes: those that are there are of the axes.
         assert_eq!([&grid, &segments].map(|drawing| polylines(drawing) - polylines(&points)), [10, 2]);

@@ -33,8 +33,9 @@ pub(super) fn show(
     again: impl FnOnce(&Scene, &Style) -> Drawing,
 ) {
     let Some(work) = frame.work.take() else { return };
-    let palette = Palette::of(request.look.style.theme);
+    let palette = Palette::of(request.shot.look.style.theme);
     frame.before = before(work.stage, &frame.drawing, (scene, style), again, request);
+    frame.dropped_faces = work.dropped.iter().map(|polygon| dropped_face(polygon, palette)).collect();
     draw(&mut frame.drawing, &work, request, palette);
     frame.work = Some(work);
 }
@@ -69,7 +70,7 @@ fn before(
         | Stage::Viewport => return None,
     };
     before.labels.clear();
-    let palette = Palette::of(request.look.style.theme);
+    let palette = Palette::of(request.shot.look.style.theme);
     match stage {
         Stage::HiddenSurfaces => before.surfaces.iter_mut().for_each(|surface| surface.depth_test = false),
         Stage::Fill => {
@@ -155,7 +156,7 @@ fn strokes(sides: &[[[f32; 3]; 2]], style: LineStyle) -> StrokeSet {
 }
 
 fn mark(position: [f32; 3], color: Rgba, radius: f32, request: &Request) -> Mark {
-    let palette = Palette::of(request.look.style.theme);
+    let palette = Palette::of(request.shot.look.style.theme);
     Mark {
         position,
         shape: MarkShape::Disc,
@@ -166,20 +167,22 @@ fn mark(position: [f32; 3], color: Rgba, radius: f32, request: &Request) -> Mark
     }
 }
 
+/// A face that the stage drops, as glass.
+fn dropped_face(polygon: &[[f32; 3]], palette: Palette) -> Surface {
+    let corners = u32::try_from(polygon.len()).unwrap_or(0);
+    Surface {
+        positions: polygon.to_vec(),
+        inverse_w: Vec::new(),
+        triangles: (2..corners).map(|i| [0, i - 1, i]).collect(),
+        paint: Paint::Solid(palette.back.with_alpha(GLASS)),
+        translucent: true,
+        depth_test: false,
+    }
+}
+
 /// What goes in dashed, what comes out over it.
 fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Palette) {
     let [color_in, color_out] = colors(palette);
-    for polygon in &work.dropped {
-        let corners = u32::try_from(polygon.len()).unwrap_or(0);
-        drawing.surfaces.push(Surface {
-            positions: polygon.clone(),
-            inverse_w: Vec::new(),
-            triangles: (2..corners).map(|i| [0, i - 1, i]).collect(),
-            paint: Paint::Solid(palette.back.with_alpha(GLASS)),
-            translucent: true,
-            depth_test: false,
-        });
-    }
     let thin = stroke_of(color_in, request);
     // Wide enough to be seen on both sides of what comes out.
     let dashed = LineStyle { dash: Dash::Dashed, width: 3.0 * thin.width, ..thin };
@@ -265,7 +268,7 @@ pub(super) fn part(frame: &mut Frame, request: &Request) {
     if !matches!(work.stage, Stage::Lines | Stage::Write) {
         before.labels.clone_from(&drawing.labels);
     }
-    let palette = Palette::of(request.look.style.theme);
+    let palette = Palette::of(request.shot.look.style.theme);
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let (middle, height, scale) = ((drawing.width / 2) as f32, drawing.height as f32, request.size.scale);
     for drawing in [before, drawing] {

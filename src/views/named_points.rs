@@ -12,7 +12,7 @@ pub fn point_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> 
         return None;
     }
     let place = |p| pick::place(request, Probe::Point(p));
-    let distances = request.points.iter().enumerate().filter_map(|(i, point)| {
+    let distances = request.shot.points.iter().enumerate().filter_map(|(i, point)| {
         let distance = place(point.position)?.distance(pointer);
         (distance <= reach).then_some((i, distance))
     });

@@ -9,50 +9,55 @@ use crate::scene::Line;
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{SceneBuilder, TYPE, stroke};
-use super::overlays::{Stepped, TriangleStep};
 use super::pixels::PixelRect;
-use super::{Palette, Request};
+use super::{Palette, Request, TriangleOverlay};
+use crate::figure::TriangleStep;
 
 /// How much of what is under it shows through a covered pixel.
 const GLASS: u8 = 130;
 
 /// Its corners, and from the cuts on what is left of it.
-fn shown(stepped: &Stepped) -> Vec<(char, DVec3)> {
-    match stepped.step {
+fn shown(triangle: &TriangleOverlay) -> Vec<(char, DVec3)> {
+    match triangle.step {
         TriangleStep::View | TriangleStep::Facing | TriangleStep::Outcodes => {
-            "abc".chars().zip(stepped.corners).collect()
+            "abc".chars().zip(triangle.corners).collect()
         }
         TriangleStep::Cuts
         | TriangleStep::Divide
         | TriangleStep::Viewport
         | TriangleStep::Pixels
-        | TriangleStep::Depth => stepped.left.clone(),
+        | TriangleStep::Depth => triangle.left.clone(),
     }
 }
 
 /// The sides, the corners and their names, at places of a picture.
-fn draw(builder: &mut SceneBuilder, stepped: &Stepped, palette: Palette, place: impl Fn(DVec3) -> Option<DVec3>) {
+fn draw(
+    builder: &mut SceneBuilder,
+    triangle: &TriangleOverlay,
+    palette: Palette,
+    place: impl Fn(DVec3) -> Option<DVec3>,
+) {
     let line = |builder: &mut SceneBuilder, points: &[DVec3], color: Rgba, width: f32, dash: Dash| {
         // Whatever is before it.
         let style = stroke(color, width, dash, HiddenLines::Shown);
         builder.scene.lines.push(Line { points: points.to_vec(), style });
     };
     let closed = |points: Vec<DVec3>| points.iter().copied().chain(points.first().copied()).collect::<Vec<_>>();
-    let whole: Option<Vec<DVec3>> = stepped.corners.iter().map(|&p| place(p)).collect();
-    let corners = shown(stepped);
+    let whole: Option<Vec<DVec3>> = triangle.corners.iter().map(|&p| place(p)).collect();
+    let corners = shown(triangle);
     if let Some(whole) = whole {
         line(builder, &closed(whole), palette.probe, 1.2, Dash::Dashed);
     }
     let polygon: Option<Vec<DVec3>> = corners.iter().map(|&(_, p)| place(p)).collect();
-    let color = if stepped.step == TriangleStep::Cuts { palette.cut } else { palette.probe };
+    let color = if triangle.step == TriangleStep::Cuts { palette.cut } else { palette.probe };
     if let Some(polygon) = polygon {
         line(builder, &closed(polygon), color, 2.6, Dash::Solid);
     }
     for (name, p) in corners {
         let Some(p) = place(p) else { continue };
         let is_new = name > 'c';
-        let is_outside = "abc".find(name).is_some_and(|i| stepped.outside[i]);
-        let marks_outside = stepped.step == TriangleStep::Outcodes && is_outside;
+        let is_outside = "abc".find(name).is_some_and(|i| triangle.outside[i]);
+        let marks_outside = triangle.step == TriangleStep::Outcodes && is_outside;
         let (shape, color) = match (is_new, marks_outside) {
             (true, _) => (MarkShape::Diamond, palette.cut),
             (false, true) => (MarkShape::Cross, palette.wrong),
@@ -65,16 +70,16 @@ fn draw(builder: &mut SceneBuilder, stepped: &Stepped, palette: Palette, place: 
 
 /// In the world; in its first steps with the way from the eye to each corner.
 pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
-    let Some(stepped) = &request.overlays.stepped else { return };
-    draw(builder, stepped, palette, Some);
-    if matches!(stepped.step, TriangleStep::View | TriangleStep::Divide) {
+    let Some(triangle) = &request.triangle else { return };
+    draw(builder, triangle, palette, Some);
+    if matches!(triangle.step, TriangleStep::View | TriangleStep::Divide) {
         let eye = request.camera.position();
-        for (_, p) in shown(stepped) {
+        for (_, p) in shown(triangle) {
             builder.line(vec![eye, p], palette.probe, 1.0, Dash::Dotted);
         }
     }
-    if stepped.step == TriangleStep::Facing {
-        let [a, b, c] = stepped.corners;
+    if triangle.step == TriangleStep::Facing {
+        let [a, b, c] = triangle.corners;
         let normal = (b - a).cross(c - a);
         let length = (normal.length().sqrt() * 0.7).max(f64::MIN_POSITIVE);
         builder.vector((a + b + c) / 3.0, normal.normalize_or_zero() * length, palette.probe, 1.8, "N");
@@ -83,26 +88,26 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
 
 /// In the canonical volume: what can be divided.
 pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
-    let Some(stepped) = &request.overlays.stepped else { return };
+    let Some(triangle) = &request.triangle else { return };
     let canonical = CanonicalBox::of(request);
     let inside = |p: DVec3| displayed_ndc(&request.camera, p).filter(|p| p.abs().max_element() <= 1.0 + 1e-6);
-    draw(builder, stepped, palette, |p| inside(p).map(|p| canonical.place(p)));
+    draw(builder, triangle, palette, |p| inside(p).map(|p| canonical.place(p)));
 }
 
 /// In the image: its sides and corners as far as they are in it.
 pub(super) fn in_image(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
-    let Some(stepped) = &request.overlays.stepped else { return };
-    draw(builder, stepped, palette, Some);
+    let Some(triangle) = &request.triangle else { return };
+    draw(builder, triangle, palette, Some);
 }
 
 /// The pixels that it covers, in the frame of the image.
 #[expect(clippy::cast_possible_truncation, reason = "pixels")]
 pub(super) fn pixels(drawing: &mut Drawing, frame: PixelRect, request: &Request, palette: Palette) {
-    let Some(stepped) = &request.overlays.stepped else { return };
-    if !matches!(stepped.step, TriangleStep::Pixels | TriangleStep::Depth) {
+    let Some(triangle) = &request.triangle else { return };
+    if !matches!(triangle.step, TriangleStep::Pixels | TriangleStep::Depth) {
         return;
     }
-    let image = request.look.image;
+    let image = request.shot.look.image;
     let scale = [f64::from(frame.width) / f64::from(image.width), f64::from(frame.height) / f64::from(image.height)];
     let mut area = |[y, first, after]: [u32; 3], fill: Rgba, least: f64| {
         let size = [(f64::from(after - first) * scale[0]).max(least), scale[1].max(least)].map(|v| v as f32);
@@ -112,10 +117,10 @@ pub(super) fn pixels(drawing: &mut Drawing, frame: PixelRect, request: &Request,
         ];
         drawing.areas.push(Area { corner, size, radius: 0.0, fill });
     };
-    for &row in &stepped.rows {
+    for &row in &triangle.rows {
         area(row, palette.probe.with_alpha(GLASS), 0.0);
     }
-    if let Some([x, y]) = stepped.pixel.filter(|_| stepped.step == TriangleStep::Depth) {
+    if let Some([x, y]) = triangle.pixel.filter(|_| triangle.step == TriangleStep::Depth) {
         area([y, x, x + 1], palette.ink, 5.0 * f64::from(request.size.scale));
     }
 }

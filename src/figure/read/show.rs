@@ -1,0 +1,137 @@
+//! The `[show]` of a figure file.
+
+use glam::DVec3;
+
+use super::camera;
+use super::section::{Fault, Section};
+use crate::figure::error::{Allowed, Problem};
+use crate::figure::words::{MEASURES, STAGE_PICTURES, STAGES, TRIANGLE_STEPS, WAYS};
+use crate::figure::{Show, ShownProbe, ShownStep, ShownTriangle, StagePicture, TransformPreview, TriangleStep};
+use crate::geometry::Ray;
+use crate::limits::{MAX_SHOWN_OBJECTS, MAX_STEPS};
+
+/// Reads the section; what is at fault shows nothing.
+pub(super) fn show(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Show {
+    let painted = section.is_present("painted").then(|| section.number_in("painted", 0.0, 1.0, 1.0));
+    let [step_section, triangle_section, probe_section] =
+        ["step", "triangle", "probe"].map(|key| section.section(key, &format!("[show] {key}.")));
+    let answer_section = section.section("answer", "[show.answer]");
+    let (stage, stage_of) =
+        (section.choice("stage", STAGES), section.word("stage_of", STAGE_PICTURES, StagePicture::default()));
+    let (measure, measure_of) = (section.words("measure", MEASURES), section.text("measure_of"));
+    let moved = section.sections("moved", "[[show.moved]]");
+    faults.extend(section.finish());
+    Show {
+        stage,
+        stage_of,
+        painted,
+        step: step(step_section, faults),
+        triangle: triangle(triangle_section, faults),
+        measure,
+        measure_of,
+        probe: probe(probe_section, faults),
+        moved: previews(moved, faults),
+        answer: answer_section.is_table().then(|| camera(answer_section, faults)),
+    }
+}
+
+/// What a section says, where nothing of it is at fault.
+fn good<T>(section: Section<'_>, found: Option<T>, faults: &mut Vec<Fault>) -> Option<T> {
+    let of_section = section.finish();
+    let is_good = of_section.iter().all(Fault::is_unknown_key);
+    faults.extend(of_section);
+    found.filter(|_| is_good)
+}
+
+fn step(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownStep> {
+    if !section.is_table() {
+        return None;
+    }
+    let way = section.choice("way", WAYS);
+    if way.is_none() && !section.is_present("way") {
+        section.missing("way", Allowed::Word { words: WAYS.iter().map(|(word, _)| *word).collect(), near: None });
+    }
+    let at = section.is_present("at").then(|| section.number_in("at", 0.0, MAX_STEPS, 0.0));
+    good(section, way.map(|way| ShownStep { way, at }), faults)
+}
+
+fn triangle(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownTriangle> {
+    if !section.is_table() {
+        return None;
+    }
+    let object = section.text("object");
+    if object.is_none() && !section.is_present("object") {
+        section.missing("object", Allowed::Text);
+    }
+    let index = section.integer("index", 0, i64::from(u32::MAX), 0);
+    let step = section.word("step", TRIANGLE_STEPS, TriangleStep::default());
+    let pixel = section.whole_pair("pixel", 0);
+    good(section, object.map(|object| ShownTriangle { object, index, step, pixel }), faults)
+}
+
+fn probe(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<ShownProbe> {
+    if !section.is_table() {
+        return None;
+    }
+    let given: Vec<&str> = ["world", "window", "pixel"].into_iter().filter(|key| section.is_present(key)).collect();
+    let world = section.vector("world", DVec3::ZERO);
+    let (window, pixel) = (section.pair("window"), section.whole_pair("pixel", i64::MIN));
+    let found = match given.as_slice() {
+        ["world"] => Some(ShownProbe::World(world)),
+        ["window"] => window.map(ShownProbe::Window),
+        ["pixel"] => pixel.map(ShownProbe::Pixel),
+        [_, second, ..] => {
+            section.refuse(second, Allowed::Either("world, window", "pixel"));
+            None
+        }
+        [] | [_] => {
+            section.missing("world", Allowed::Vector);
+            None
+        }
+    };
+    good(section, found, faults)
+}
+
+fn previews(sections: Vec<Section<'_>>, faults: &mut Vec<Fault>) -> Vec<TransformPreview> {
+    if let Some(beyond) = sections.get(MAX_SHOWN_OBJECTS) {
+        let problem = Problem::TooMany { count: sections.len(), limit: MAX_SHOWN_OBJECTS };
+        faults.push(Fault { at: beyond.start(), key: "[[show.moved]]".to_owned(), problem });
+        return Vec::new();
+    }
+    sections.into_iter().filter_map(|section| preview(section, faults)).collect()
+}
+
+fn preview(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<TransformPreview> {
+    for key in ["change", "frame"] {
+        if !section.is_present(key) {
+            section.missing(key, Allowed::Matrix);
+        }
+    }
+    let (change, frame) = (section.matrix("change"), section.matrix("frame"));
+    let objects = section.list("objects", Allowed::Texts, |name| Some(name.to_owned())).into_iter().collect();
+    let wrong = section.switch("wrong");
+    let axis = axis(section.section("axis", "[[show.moved]] axis."), faults);
+    let found = change.zip(frame).map(|(change, world_from_frame)| TransformPreview {
+        objects,
+        change,
+        world_from_frame,
+        axis,
+        wrong,
+    });
+    good(section, found, faults)
+}
+
+fn axis(mut section: Section<'_>, faults: &mut Vec<Fault>) -> Option<Ray> {
+    if !section.is_table() {
+        return None;
+    }
+    let origin = section.vector("origin", DVec3::ZERO);
+    let direction = section.vector("direction", DVec3::Y);
+    if direction == DVec3::ZERO {
+        section.refuse("direction", Allowed::NonZeroVector);
+    }
+    // As it was written, where it is a unit vector but for rounding.
+    let length = direction.length();
+    let direction = if (length - 1.0).abs() < 1e-12 { direction } else { direction.normalize_or_zero() };
+    good(section, Some(Ray { origin, direction }), faults)
+}

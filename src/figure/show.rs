@@ -1,0 +1,189 @@
+//! What pictures show of an explanation: the `[show]` section of a figure.
+
+use std::collections::BTreeSet;
+
+use glam::{DMat4, DVec2, DVec3};
+
+use super::View;
+use crate::camera::{Decomposition, Parameters};
+use crate::geometry::Ray;
+use crate::stage::Stage;
+
+/// The `[show]` section: what was chosen or pinned to be explained in the pictures. The default shows nothing of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Show {
+    /// A stage: what goes in and what comes out.
+    pub stage: Option<Stage>,
+    /// The picture in which the stage is shown, and whose pipeline it is a stage of; the others show what belongs to it.
+    pub stage_of: StagePicture,
+    /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None`: all, with everything else.
+    pub painted: Option<f64>,
+    /// The canonical picture on its way from the world.
+    pub step: Option<ShownStep>,
+    /// A triangle on its way through the pipeline, in all pictures.
+    pub triangle: Option<ShownTriangle>,
+    /// Lengths, angles and coordinates that light up in the world.
+    pub measure: Vec<Measured>,
+    /// The object whose translation, rotation and scale are measured.
+    pub measure_of: Option<String>,
+    /// A point or a ray that is marked in all pictures.
+    pub probe: Option<ShownProbe>,
+    /// Objects where lists of transforms would put them, in the world; their axes are numbered in this order.
+    pub moved: Vec<TransformPreview>,
+    /// A second camera, such as the one that a wrong answer describes, in the world.
+    pub answer: Option<Parameters>,
+}
+
+/// The picture of a stage: the image unless something else is said.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct StagePicture(pub View);
+
+impl Default for StagePicture {
+    fn default() -> Self {
+        Self(View::Image)
+    }
+}
+
+/// How far the canonical picture has come on the way of a decomposition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShownStep {
+    /// Whose steps.
+    pub way: Decomposition,
+    /// How many steps are done, whole or between: 0 is the world; `None`, or more than there are: all.
+    pub at: Option<f64>,
+}
+
+/// A triangle that is followed step by step.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ShownTriangle {
+    /// The name of its object.
+    pub object: String,
+    /// Its index in the mesh, from 0.
+    pub index: u32,
+    /// The step that lights up.
+    pub step: TriangleStep,
+    /// The pixel (i, j) of the image whose depth is tested, (0, 0) at the top left; `None`: one in its middle.
+    pub pixel: Option<[u32; 2]>,
+}
+
+/// A step of a triangle.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum TriangleStep {
+    /// Object → world → view.
+    #[default]
+    View,
+    /// Is it seen from its front?
+    Facing,
+    /// View → clip, with outcodes.
+    Outcodes,
+    /// The planes cut.
+    Cuts,
+    /// ÷ w.
+    Divide,
+    /// NDC → pixels.
+    Viewport,
+    /// The pixels that it covers.
+    Pixels,
+    /// The depth at one of them.
+    Depth,
+}
+
+impl TriangleStep {
+    /// All, in order.
+    pub const ALL: [Self; 8] =
+        [Self::View, Self::Facing, Self::Outcodes, Self::Cuts, Self::Divide, Self::Viewport, Self::Pixels, Self::Depth];
+}
+
+/// What is probed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ShownProbe {
+    /// A point of the world.
+    World(DVec3),
+    /// A point (x_p, y_p) of the view window, whose ray is shown.
+    Window(DVec2),
+    /// The centre of a pixel (i, j), whose ray is shown.
+    Pixel([i64; 2]),
+}
+
+/// A length or an angle of the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Measure {
+    /// F
+    Near,
+    /// B
+    Far,
+    /// D
+    Distance,
+    /// W
+    Width,
+    /// H
+    Height,
+    /// θ/2
+    HalfAngle,
+}
+
+impl Measure {
+    /// All.
+    pub const ALL: [Self; 6] = [Self::Near, Self::Far, Self::Distance, Self::Width, Self::Height, Self::HalfAngle];
+}
+
+/// What a parameter, or the entry of a matrix, measures in the world. Axes are 0 … 2: of the camera **u**, **v**, **n**.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Measured {
+    /// A length or an angle.
+    Dimension(Measure),
+    /// A component of an axis of the camera along one of the world: `u_x`.
+    Axis(usize, usize),
+    /// −**u** · **c**: where the world's origin is along an axis of the camera, seen from C.
+    OriginAlong(usize),
+    /// A coordinate of C.
+    Position(usize),
+    /// A coordinate of PF.
+    FocalPoint(usize),
+    /// A component of VUP.
+    ViewUp(usize),
+    /// l, r, b, t: a side of the window, from the foot of DOP.
+    Side(WindowSide),
+    /// A coordinate of an object's translation, along an axis of its parent.
+    Translate(usize),
+    /// An object's rotation about an axis.
+    Rotate(usize),
+    /// An object's scale along one of its own axes.
+    Scale(usize),
+}
+
+impl Measured {
+    /// True for what is measured of an object, and not of the camera.
+    #[must_use]
+    pub const fn is_of_object(self) -> bool {
+        matches!(self, Self::Translate(_) | Self::Rotate(_) | Self::Scale(_))
+    }
+}
+
+/// A side of the view window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum WindowSide {
+    /// l
+    Left,
+    /// r
+    Right,
+    /// b
+    Bottom,
+    /// t
+    Top,
+}
+
+/// Objects where a list of transforms puts them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransformPreview {
+    /// The names of the objects; without any, a cube is shown.
+    pub objects: BTreeSet<String>,
+    /// What takes them there from where they are in the world.
+    pub change: DMat4,
+    /// The matrix that the list leads to, in the world: its columns are the axes.
+    pub world_from_frame: DMat4,
+    /// About what they have turned last.
+    pub axis: Option<Ray>,
+    /// By another list, on purpose.
+    pub wrong: bool,
+}

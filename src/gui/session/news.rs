@@ -1,0 +1,214 @@
+//! What there is to say about what is kept of windows: each thing once, until the user has closed it or it is no longer so.
+
+use std::io::ErrorKind;
+use std::mem::{Discriminant, discriminant};
+use std::path::PathBuf;
+
+use crate::files::FileError;
+use crate::scene::system_kind;
+
+/// What there is to say about what is kept of windows; each is said once.
+#[derive(Debug)]
+pub enum News {
+    /// What was left is back.
+    Restored,
+    /// It is back without these keys of the figure, which are not known here; the whole is kept in this file.
+    RestoredInPart(Vec<String>, PathBuf),
+    /// What was left cannot be understood, and is kept in this file.
+    Damaged(PathBuf),
+    /// This file of what was left cannot be read or written.
+    Unusable(PathBuf, FileError),
+    /// Another window has taken it up, or removed it.
+    Taken,
+    /// Too many windows have left something: this one has no slot.
+    NoSlot,
+    /// The preferences cannot be understood, and are kept in this file.
+    PreferencesSetAside(PathBuf),
+    /// What is kept of exercises cannot be understood, and is kept in this file.
+    ProgressSetAside(PathBuf),
+    /// Something cannot be kept.
+    NotKept(NotKept),
+    /// Nothing can be kept: the system names no folder for it.
+    NoHome,
+}
+
+/// What is kept for the user.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keeping {
+    /// What this window shows, against a crash.
+    Session,
+    /// The preferences.
+    Preferences,
+    /// What was done with exercises.
+    Progress,
+}
+
+/// What cannot be kept, all of it for one cause.
+#[derive(Debug)]
+pub struct NotKept {
+    what: Vec<Keeping>,
+    /// The first file or folder that cannot be used.
+    pub path: PathBuf,
+    /// Why it cannot.
+    pub error: FileError,
+}
+
+/// Why something cannot be kept, whether it was read or written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Cause {
+    System(ErrorKind),
+    Other(Discriminant<FileError>),
+}
+
+impl NotKept {
+    fn cause(&self) -> Cause {
+        match &self.error {
+            FileError::Read(error) | FileError::Write(error) => {
+                Cause::System(system_kind(error.kind(), error.raw_os_error()))
+            }
+            other => Cause::Other(discriminant(other)),
+        }
+    }
+
+    /// True where this is not kept.
+    #[must_use]
+    pub fn is_about(&self, what: Keeping) -> bool {
+        self.what.contains(&what)
+    }
+}
+
+impl News {
+    /// This cannot be kept, for this reason.
+    #[must_use]
+    pub fn not_kept(what: Keeping, path: PathBuf, error: FileError) -> Self {
+        Self::NotKept(NotKept { what: vec![what], path, error })
+    }
+}
+
+/// What is said now.
+#[derive(Debug, Default)]
+pub struct NewsList {
+    shown: Vec<News>,
+    /// Causes that the user has closed, and whether they had been told of the session, whose loss is the gravest.
+    closed: Vec<(Cause, bool)>,
+}
+
+impl NewsList {
+    /// What is said, in the order in which it came.
+    pub fn iter(&self) -> impl Iterator<Item = &News> {
+        self.shown.iter()
+    }
+
+    /// True where nothing is.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.shown.is_empty()
+    }
+
+    /// Says something. What is not kept for a cause that is said already joins that; what has been closed does not come back.
+    pub fn tell(&mut self, news: News) {
+        let News::NotKept(not_kept) = news else { return self.shown.push(news) };
+        let cause = not_kept.cause();
+        let session = not_kept.is_about(Keeping::Session);
+        if self.closed.iter().any(|(closed, of_session)| *closed == cause && *of_session >= session) {
+            return;
+        }
+        let same = |news: &&mut News| matches!(news, News::NotKept(shown) if shown.cause() == cause);
+        match self.shown.iter_mut().find(same) {
+            Some(News::NotKept(shown)) => {
+                let new = not_kept.what.into_iter().filter(|what| !shown.what.contains(what));
+                shown.what.extend(new.collect::<Vec<_>>());
+            }
+            _ => self.shown.push(News::NotKept(not_kept)),
+        }
+    }
+
+    /// Does not say this any more: the user has read it.
+    pub fn close(&mut self, index: usize) {
+        if index < self.shown.len()
+            && let News::NotKept(closed) = self.shown.remove(index)
+        {
+            self.closed.push((closed.cause(), closed.is_about(Keeping::Session)));
+        }
+    }
+
+    /// This is kept again: what is said of it goes, and what comes later is new.
+    pub fn is_kept(&mut self, what: Keeping) {
+        for news in &mut self.shown {
+            if let News::NotKept(shown) = news {
+                shown.what.retain(|other| *other != what);
+            }
+        }
+        self.shown.retain(|news| match news {
+            News::NotKept(shown) => !shown.what.is_empty(),
+            News::NoSlot => what != Keeping::Session,
+            _ => true,
+        });
+        if what == Keeping::Session {
+            self.closed.retain(|(_, of_session)| !of_session);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io;
+
+    use super::*;
+
+    fn not_kept(what: Keeping, kind: ErrorKind) -> News {
+        News::not_kept(what, PathBuf::from("/home/me"), FileError::Write(kind.into()))
+    }
+
+    fn told(list: &NewsList) -> Vec<Vec<Keeping>> {
+        let what = |news: &News| if let News::NotKept(not_kept) = news { not_kept.what.clone() } else { Vec::new() };
+        list.iter().map(what).collect()
+    }
+
+    #[test]
+    fn what_has_one_cause_is_one_line_and_does_not_come_back() {
+        use Keeping::{Preferences, Progress, Session};
+        let mut list = NewsList::default();
+        list.tell(not_kept(Preferences, ErrorKind::PermissionDenied));
+        list.tell(News::not_kept(Session, "x".into(), FileError::Read(ErrorKind::PermissionDenied.into())));
+        list.tell(not_kept(Progress, ErrorKind::PermissionDenied));
+        list.tell(not_kept(Session, ErrorKind::PermissionDenied));
+        assert_eq!(told(&list), [[Preferences, Session, Progress]]);
+        list.tell(not_kept(Preferences, ErrorKind::StorageFull));
+        assert_eq!(list.iter().count(), 2);
+        list.close(0);
+        for what in [Preferences, Progress, Session] {
+            list.tell(not_kept(what, ErrorKind::PermissionDenied));
+        }
+        assert_eq!(told(&list), [[Preferences]]);
+        // That work can be lost is said, whatever was closed before.
+        list.close(0);
+        list.tell(not_kept(Session, ErrorKind::StorageFull));
+        assert_eq!(told(&list), [[Session]]);
+        list.close(7);
+    }
+
+    #[test]
+    fn what_is_kept_again_is_not_said_any_more_and_can_fail_anew() {
+        let mut list = NewsList::default();
+        let full = || not_kept(Keeping::Session, ErrorKind::StorageFull);
+        list.tell(full());
+        list.tell(not_kept(Keeping::Preferences, ErrorKind::StorageFull));
+        list.tell(News::NoSlot);
+        list.tell(News::Restored);
+        list.is_kept(Keeping::Session);
+        assert_eq!(told(&list), [vec![Keeping::Preferences], vec![]]);
+        list.is_kept(Keeping::Preferences);
+        assert!(matches!(list.shown[..], [News::Restored]));
+        list.tell(full());
+        list.close(1);
+        list.tell(full());
+        assert_eq!(list.iter().count(), 1);
+        list.is_kept(Keeping::Session);
+        list.tell(full());
+        assert_eq!(list.iter().count(), 2);
+        let error = io::Error::other("?");
+        list.tell(News::not_kept(Keeping::Session, "x".into(), FileError::Write(error)));
+        assert_eq!(list.iter().count(), 3);
+    }
+}

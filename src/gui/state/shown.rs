@@ -1,0 +1,216 @@
+//! What the pictures show of an explanation: the `[show]` of the figure, how panels change it, and the shot that is made of it.
+
+use super::explain::ExplainTab;
+use super::{Side, State, steps};
+use crate::explain::Symbol;
+use crate::figure::{Figure, Measured, Observers, Show, ShownProbe, ShownStep, StagePicture, View};
+use crate::i18n::pictures::labels;
+use crate::stage::Stage;
+use crate::views::observer::Viewpoint;
+use crate::views::{Ghost, Look, Normalizing, Probe, Request, Shot, Size};
+
+/// What the panels point at in a frame; each frame begins with nothing.
+#[derive(Clone, Debug, Default)]
+pub struct PanelHover {
+    /// The operation that is being tried or pointed at, shown in the world.
+    pub ghost: Option<Ghost>,
+    /// What is pointed at, shown in the world.
+    pub measured: Vec<Measured>,
+    /// The parameters that are pointed at in another panel.
+    pub pointed: Vec<Symbol>,
+}
+
+/// The panels that explain something in the pictures: closing one takes back what it showed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::gui) struct OpenPanels {
+    stages: bool,
+    painting: bool,
+    steps: bool,
+    order: bool,
+}
+
+impl State {
+    /// All that the pictures show in this frame; `seen` says from where they are seen.
+    #[must_use]
+    pub fn shot(&self, seen: Observers) -> Shot {
+        let shot = Shot::of(self.document.figure());
+        let look = Look { style: self.style(), ..shot.look };
+        let mut show = shot.show;
+        if let Some(step) = show.step.as_mut().filter(|_| self.settings.reduce_motion && self.explain.steps.plays()) {
+            step.at = step.at.map(f64::floor);
+        }
+        Shot {
+            look,
+            ndc: self.settings.conventions.ndc,
+            observers: seen,
+            answered: self.answered_camera().or(shot.answered),
+            show,
+            ..shot
+        }
+    }
+
+    /// The figure that shows in any program what is on the screen now: with what is explained, and from where it is seen.
+    #[must_use]
+    pub fn figure_as_shown(&self) -> Figure {
+        Figure { observers: self.observers_as_shown(), show: self.show_as_saved(), ..self.document.figure().clone() }
+    }
+
+    /// The figure that is saved. From where nobody has turned a picture, nothing is written: whoever opens the file looks from where it suits.
+    #[must_use]
+    pub fn figure_to_save(&self) -> Figure {
+        let show = if self.settings.saves_explained { self.show_as_saved() } else { Show::default() };
+        Figure { show, ..self.document.figure().clone() }
+    }
+
+    /// From where the pictures are seen, where whoever draws the figure would not look from there of its own accord: an observer that nobody has
+    /// turned stays where it is while the camera moves.
+    fn observers_as_shown(&self) -> Observers {
+        let mut observers = self.document.figure().observers;
+        let shot = Shot::of(self.document.figure());
+        for (view, observer, seen) in [
+            (View::World, &mut observers.world, self.seen.world),
+            (View::Canonical, &mut observers.canonical, self.seen.canonical),
+        ] {
+            if observer.is_some() || !self.layout.is_shown(view) {
+                continue;
+            }
+            let [width, height] = self.picture_sizes[view.index()];
+            let size = Size { width, height, scale: self.screen_scale };
+            let labels = labels(self.settings.lang);
+            let (camera, scene) = (self.document.drawn_camera(), self.scene_cache.scene());
+            let own = Request::new(&shot, view, camera, scene, labels, size).observer_from(Viewpoint::default());
+            *observer = seen.filter(|seen| Some(*seen) != own);
+        }
+        observers
+    }
+
+    fn show_as_saved(&self) -> Show {
+        let show = &self.document.figure().show;
+        let answered = self.answered_camera().map(|camera| *camera.parameters());
+        Show { answer: answered.or(show.answer), ..show.clone() }
+    }
+
+    /// What is explained in the pictures.
+    #[must_use]
+    pub fn shown(&self) -> &Show {
+        &self.document.figure().show
+    }
+
+    /// How far the canonical picture is on its way; `None` where no way is shown, or the camera has none.
+    #[must_use]
+    pub fn normalizing(&self) -> Option<Normalizing> {
+        self.shown().step.and_then(|step| Normalizing::of(step, self.document.camera()))
+    }
+
+    /// True while the canonical picture is on its way: what is in it is not where the canonical volume has it, and nothing can be picked.
+    #[must_use]
+    pub fn is_on_the_way(&self) -> bool {
+        let camera = self.document.camera();
+        self.shown().step.is_some_and(|step| steps::time_of(step, camera) < steps::end_of(step.way, camera))
+    }
+
+    /// How much of the image is painted, where it is not all.
+    #[must_use]
+    pub fn painted_share(&self) -> Option<f64> {
+        self.shown().painted
+    }
+
+    /// Paints so much of the image.
+    pub(in crate::gui) fn paint_share(&mut self, share: f64) {
+        let show = self.document.show_mut();
+        show.painted = Some(share.clamp(0.0, 1.0)).filter(|share| *share < 1.0);
+        // A picture of which a part is painted has not been through any stage.
+        show.stage = None;
+    }
+
+    /// The stage whose input and output a picture shows.
+    #[must_use]
+    pub fn shown_stage(&self) -> Option<Stage> {
+        self.shown().stage
+    }
+
+    /// Shows what goes into a stage and what comes out, of the whole picture whose stages are listed; or no more.
+    pub(in crate::gui) fn toggle_stage(&mut self, stage: Stage) {
+        let of = StagePicture(self.layout.strip_of);
+        let show = self.document.show_mut();
+        (show.stage, show.stage_of) = match show.stage {
+            Some(shown) if shown == stage => (None, StagePicture::default()),
+            _ => (Some(stage), of),
+        };
+        show.painted = None;
+    }
+
+    /// Lists the stages of a picture; the stage that is shown is shown there.
+    pub(in crate::gui) fn list_stages_of(&mut self, view: View) {
+        self.layout.strip_of = view;
+        let show = self.document.show_mut();
+        if show.stage.is_some() {
+            show.stage_of = StagePicture(view);
+        }
+    }
+
+    /// Takes away the stage that is shown.
+    pub(in crate::gui) fn release_stage(&mut self) {
+        let show = self.document.show_mut();
+        (show.stage, show.stage_of) = (None, StagePicture::default());
+    }
+
+    /// What is pinned.
+    #[must_use]
+    pub fn pinned(&self) -> Option<Probe> {
+        let image = self.document.figure().image;
+        self.shown().probe.map(|probe| Probe::of(probe, self.document.camera(), image))
+    }
+
+    /// Pins something; or nothing.
+    pub(in crate::gui) fn pin(&mut self, probe: Option<Probe>) {
+        self.document.show_mut().probe = probe.map(|probe| match probe {
+            Probe::Point(p) => ShownProbe::World(p),
+            Probe::Window(p) => ShownProbe::Window(p),
+        });
+    }
+
+    /// True while the tab of stages is shown.
+    pub(in crate::gui) fn shows_stages(&self) -> bool {
+        self.shows_tab(ExplainTab::Stages)
+    }
+
+    /// True while anything tells what each stage did.
+    pub(in crate::gui) fn accounts_for_stages(&self) -> bool {
+        self.layout.strip || self.shows_stages()
+    }
+
+    fn shows_tab(&self, tab: ExplainTab) -> bool {
+        self.settings.panels().is_shown(Side::Explain) && self.explain.tab == tab
+    }
+
+    /// Takes back what a panel showed that has been closed since the last frame, and shows what belongs to one that has been opened.
+    pub(in crate::gui) fn follow_panels(&mut self) {
+        let now = OpenPanels {
+            stages: self.accounts_for_stages(),
+            painting: self.shows_stages(),
+            steps: self.shows_tab(ExplainTab::Steps),
+            order: self.shows_tab(ExplainTab::Order),
+        };
+        let before = std::mem::replace(&mut self.open_panels, now);
+        if before.stages && !now.stages {
+            self.release_stage();
+        }
+        let way = self.explain.steps.way;
+        let show = self.document.show_mut();
+        if before.painting && !now.painting {
+            (show.painted, show.triangle) = (None, None);
+        }
+        if before.order && !now.order {
+            show.moved.clear();
+        }
+        match (before.steps, now.steps) {
+            (true, false) => show.step = None,
+            (false, true) => show.step = show.step.or(Some(ShownStep { way, at: None })),
+            _ => {}
+        }
+        if let Some(step) = show.step {
+            self.explain.steps.way = step.way;
+        }
+    }
+}

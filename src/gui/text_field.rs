@@ -1,0 +1,88 @@
+//! The fields of the window in which text is typed, and how much of it each takes.
+//!
+//! What is pasted may be any file that somebody had on the clipboard: it is cut before it is laid out, and that is said beside the
+//! field. No other file makes fields of egui's own, which take everything.
+
+use eframe::egui::{Event, Response, TextEdit, Ui};
+
+use super::tooltip;
+use crate::i18n::{Lang, messages};
+use crate::limits::MAX_TYPED;
+
+/// A field for a text of at most so many characters.
+pub(super) struct TextField<'t> {
+    edit: TextEdit<'t>,
+    most: usize,
+    says: bool,
+}
+
+impl<'t> TextField<'t> {
+    /// One line.
+    pub(super) fn line(text: &'t mut String, most: usize) -> Self {
+        Self { edit: TextEdit::singleline(text), most, says: true }
+    }
+
+    /// Several lines.
+    pub(super) fn lines(text: &'t mut String, most: usize) -> Self {
+        Self { edit: TextEdit::multiline(text), most, says: true }
+    }
+
+    /// One line that is read, selected and copied, but not changed.
+    pub(super) fn fixed_line(text: &'t mut &str) -> Self {
+        Self { edit: TextEdit::singleline(text), most: usize::MAX, says: false }
+    }
+
+    /// As [`Self::fixed_line`], of several lines.
+    pub(super) fn fixed_lines(text: &'t mut &str) -> Self {
+        Self { edit: TextEdit::multiline(text), most: usize::MAX, says: false }
+    }
+
+    /// For a text that is refused where it is too long, with words of its own: one character more than is allowed has room.
+    pub(super) fn refused_beyond(self) -> Self {
+        Self { most: self.most.saturating_add(1), says: false, ..self }
+    }
+
+    /// How it looks.
+    pub(super) fn with(self, look: impl FnOnce(TextEdit<'t>) -> TextEdit<'t>) -> Self {
+        Self { edit: look(self.edit), ..self }
+    }
+
+    /// Shows the field. While it is full, that is said beside it.
+    pub(super) fn show(self, ui: &mut Ui, lang: Lang) -> Response {
+        let (output, text) = self.edit.char_limit(self.most).show_returning_text(ui);
+        let response = output.response.response;
+        if self.says && response.has_focus() && text.as_str().chars().nth(self.most.saturating_sub(1)).is_some() {
+            tooltip::beside(&response, |ui| drop(ui.label(messages::at_most_characters(lang, self.most))));
+        }
+        response
+    }
+}
+
+/// Cuts what comes from the clipboard to what the largest field takes, and one character more.
+pub(super) fn cut_pasted(events: &mut [Event]) {
+    for event in events {
+        if let Event::Paste(text) | Event::Text(text) = event
+            && let Some((end, _)) = text.char_indices().nth(MAX_TYPED + 1)
+        {
+            text.truncate(end);
+            text.shrink_to_fit();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_pasted_is_cut_where_no_field_has_room_for_it() {
+        let long = "θ".repeat(10 * MAX_TYPED);
+        let mut events = [Event::Paste(long.clone()), Event::Text(long), Event::Paste("θ = 45°".to_owned())];
+        cut_pasted(&mut events);
+        let lengths = events.map(|event| match event {
+            Event::Paste(text) | Event::Text(text) => text.chars().count(),
+            _ => 0,
+        });
+        assert_eq!(lengths, [MAX_TYPED + 1, MAX_TYPED + 1, 7]);
+    }
+}

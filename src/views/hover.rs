@@ -1,0 +1,147 @@
+//! What only the pointer makes: what is pointed at, tried, and can be dragged. No file holds it.
+
+use glam::{DMat4, DVec2, DVec3};
+
+use super::View;
+use crate::camera::{Camera, Convention, ImageSize, Operation};
+use crate::figure::{Measured, ShownProbe, TriangleStep};
+use crate::scene::transform::Trs;
+
+/// What only the pointer makes, in the pictures of a frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Hover {
+    /// What is under the pointer, marked in all three pictures where nothing is pinned.
+    pub probe: Option<Probe>,
+    /// The operation that is being tried, shown in the world.
+    pub ghost: Option<Ghost>,
+    /// The handle under the pointer, drawn stronger, in the world.
+    pub hot: Option<Handle>,
+    /// By this what is selected can be moved, turned or scaled, in the world.
+    pub gizmo: Option<TransformGizmo>,
+    /// What is pointed at in a panel: these lengths, angles and coordinates are shown in the world.
+    pub measured: Vec<Measured>,
+    /// The object of which parts are pointed at.
+    pub object: Option<ObjectTransform>,
+}
+
+impl Hover {
+    /// What a picture shows of it.
+    #[must_use]
+    pub fn seen_in(&self, view: View) -> Self {
+        match view {
+            View::World => self.clone(),
+            View::Canonical | View::Image => Self { probe: self.probe, ..Self::default() },
+        }
+    }
+}
+
+/// The transform of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectTransform {
+    /// What its parent does to it.
+    pub world_from_parent: DMat4,
+    /// Its own.
+    pub trs: Trs,
+}
+
+/// A triangle that is followed step by step, as the pictures show it. Points are of the world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TriangleOverlay {
+    /// Which step lights up.
+    pub step: TriangleStep,
+    /// Its corners, a, b, c.
+    pub corners: [DVec3; 3],
+    /// Those of them that are outside of a plane.
+    pub outside: [bool; 3],
+    /// What clipping leaves of it, with the names of its corners.
+    pub left: Vec<(char, DVec3)>,
+    /// Rows of pixels of the image, m × n, that it covers: j, the first i and the one after the last.
+    pub rows: Vec<[u32; 3]>,
+    /// The pixel of which the depth is tested.
+    pub pixel: Option<[u32; 2]>,
+}
+
+/// What is pointed at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Probe {
+    /// A point of the world, such as a vertex.
+    Point(DVec3),
+    /// A point (x_p, y_p) of the view window, such as the centre of a pixel: its ray is shown.
+    Window(DVec2),
+}
+
+impl Probe {
+    /// What a probe of a figure is to a camera with an image of this size.
+    #[must_use]
+    pub fn of(shown: ShownProbe, camera: &Camera, image: ImageSize) -> Self {
+        match shown {
+            ShownProbe::World(p) => Self::Point(p),
+            ShownProbe::Window(p) => Self::Window(p),
+            #[expect(clippy::cast_precision_loss, reason = "pixels of an image")]
+            ShownProbe::Pixel([i, j]) => {
+                let center = DVec2::new(i as f64, j as f64) + 0.5;
+                Self::Window(image.window_from_image(&camera.window(), center))
+            }
+        }
+    }
+}
+
+/// An operation and the camera before it; the camera after it is the one of the [`Request`](super::Request).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ghost {
+    /// The camera before.
+    pub before: Camera,
+    /// What is done to it.
+    pub operation: Operation,
+    /// The sign rule of rotations.
+    pub convention: Convention,
+}
+
+/// Something that can be dragged in the world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Handle {
+    /// C
+    Position,
+    /// PF
+    FocalPoint,
+    /// The tip of VUP.
+    ViewUp,
+    /// The front face.
+    Near,
+    /// The back face.
+    Far,
+}
+
+/// What a [`TransformGizmo`] does; the letters are those of the fields.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Transforming {
+    /// Three arrows move (T).
+    #[default]
+    Move,
+    /// Three rings turn (R).
+    Turn,
+    /// Three bars scale (S), and their middle scales in all directions.
+    Scale,
+}
+
+/// Where the gizmo stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TransformGizmo {
+    /// What it does.
+    pub does: Transforming,
+    /// Its middle (world).
+    pub origin: DVec3,
+    /// Its axes (world), unit vectors; they need not be at right angles.
+    pub axes: [DVec3; 3],
+    /// The part under the pointer, drawn stronger.
+    pub hot: Option<GizmoPart>,
+}
+
+/// What can be taken of a [`TransformGizmo`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GizmoPart {
+    /// That of an axis: 0 is x.
+    Axis(usize),
+    /// The middle.
+    Middle,
+}

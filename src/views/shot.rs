@@ -1,0 +1,158 @@
+//! All that pictures show, as one value: what a file, a link, a session and an export can hold. What only the pointer makes is
+//! [`Hover`](super::Hover).
+
+use std::sync::Arc;
+
+use glam::DMat4;
+
+use super::{ObjectTransform, View};
+use crate::appearance::Style;
+use crate::camera::{Camera, ImageSize, Ndc, Viewport};
+use crate::figure::{Figure, NamedPoint, Observers, Outside, Reveal, Show, StagePicture, WorldLook};
+use crate::scene::SceneSpec;
+use crate::scene::edit::{object_named, placements};
+use crate::scene::transform::Trs;
+use crate::stage::Stage;
+
+/// All that pictures show of a scene and a camera.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shot {
+    /// How everything looks.
+    pub look: Look,
+    /// The points that are followed.
+    pub points: Arc<[NamedPoint]>,
+    /// Whose NDC the canonical volume and the numbers are in.
+    pub ndc: Ndc,
+    /// From where the three-dimensional pictures are seen.
+    pub observers: Observers,
+    /// What is explained in the pictures.
+    pub show: Show,
+    /// The second camera of `show`, which may know more than its parameters.
+    pub answered: Option<Camera>,
+    /// The transform of the object that `show` measures.
+    pub measured_object: Option<ObjectTransform>,
+}
+
+impl Shot {
+    /// What a figure shows.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        let show = figure.show.clone();
+        let measures_object = show.measure.iter().any(|measured| measured.is_of_object());
+        let object = show.measure_of.as_deref().filter(|_| measures_object);
+        Self {
+            look: Look::of(figure),
+            points: figure.points.as_slice().into(),
+            ndc: Ndc::default(),
+            observers: figure.observers,
+            answered: show.answer.and_then(|parameters| Camera::new(&parameters).ok()),
+            measured_object: object.and_then(|name| transform_of(&figure.scene, name)),
+            show,
+        }
+    }
+
+    /// What is seen of it in one of the pictures: what belongs to the others is at its default, so that it changes nothing here.
+    #[must_use]
+    pub fn seen_in(&self, view: View) -> Self {
+        let show = &self.show;
+        let stage = show.stage.filter(|_| show.stage_of.0 == view);
+        let everywhere = Show {
+            stage,
+            stage_of: stage.map_or_else(StagePicture::default, |_| show.stage_of),
+            triangle: show.triangle.clone(),
+            probe: show.probe,
+            ..Show::default()
+        };
+        let look = Look { reveal: self.revealed_in(view), ..self.look };
+        let seen = Self {
+            look,
+            points: Arc::clone(&self.points),
+            ndc: self.ndc,
+            observers: Observers::default(),
+            show: everywhere,
+            answered: None,
+            measured_object: None,
+        };
+        match view {
+            View::World => Self {
+                observers: Observers { world: self.observers.world, ..Observers::default() },
+                show: Show { measure: show.measure.clone(), moved: show.moved.clone(), ..seen.show },
+                answered: self.answered.clone(),
+                measured_object: self.measured_object,
+                ..seen
+            },
+            View::Canonical => Self {
+                observers: Observers { canonical: self.observers.canonical, ..Observers::default() },
+                // Steps end in the convention of those who take them.
+                ndc: show.step.map_or(self.ndc, |step| step.way.ndc()),
+                show: Show { step: show.step, ..seen.show },
+                ..seen
+            },
+            View::Image => Self { show: Show { painted: show.painted, ..seen.show }, ..seen },
+        }
+    }
+
+    /// What a picture shows of the pipeline's inner work: what is asked for, and while a stage of the image is shown, what belongs to it in
+    /// the pictures beside.
+    fn revealed_in(&self, view: View) -> Reveal {
+        let reveal = self.look.reveal;
+        let beside = self.show.stage_of == StagePicture::default() && view != View::Image;
+        match self.show.stage.filter(|_| beside) {
+            Some(Stage::CullObjects | Stage::CullFaces) => Reveal { culled: true, ..reveal },
+            Some(Stage::Clip) => {
+                let outside = if reveal.outside == Outside::Usual { Outside::Tinted } else { reveal.outside };
+                Reveal { clipping: true, outside, ..reveal }
+            }
+            Some(_) | None => reveal,
+        }
+    }
+}
+
+/// The transform of an object of a scene; `None` where there is none of this name, or the scene is impossible.
+fn transform_of(scene: &SceneSpec, name: &str) -> Option<ObjectTransform> {
+    let spec = object_named(scene, name)?;
+    let world_from_parent = match &spec.parent {
+        Some(parent) => *placements(scene).ok()?.get(parent)?,
+        None => DMat4::IDENTITY,
+    };
+    let trs = Trs { translate: spec.translate, rotate: spec.rotate, scale: spec.scale };
+    Some(ObjectTransform { world_from_parent, trs })
+}
+
+/// What a picture depends on besides camera, scene and observer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// `[image]`
+    pub image: ImageSize,
+    /// `[image] undistorted`
+    pub undistorted: bool,
+    /// `[viewport]`: the figure's, or the whole image.
+    pub viewport: Viewport,
+    /// `[style]`
+    pub style: Style,
+    /// `[reveal]`
+    pub reveal: Reveal,
+    /// `[world]`
+    pub world: WorldLook,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self::of(&Figure::default())
+    }
+}
+
+impl Look {
+    /// As a figure wants it.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        let Figure { image, undistorted, viewport, style, reveal, world, .. } = *figure;
+        Self { image, undistorted, viewport: viewport.unwrap_or_else(|| Viewport::whole(image)), style, reveal, world }
+    }
+
+    /// Width / height of the image as it is shown: m / n, whatever the window, or that of the window.
+    #[must_use]
+    pub fn image_aspect(&self, camera: &Camera) -> f64 {
+        if self.undistorted { camera.window().aspect() } else { self.image.aspect() }
+    }
+}

@@ -1,0 +1,152 @@
+//! What happens to files and clocks while a window is open: said, and nothing is lost.
+#![cfg(unix)]
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::fs::{self, File};
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+
+use camera_lab::gui::state::Chosen;
+use camera_lab::i18n::Lang;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+
+use super::exercises;
+use super::files::{Dropped, Folder};
+use super::window::Window;
+
+fn pipe(path: &Path) {
+    assert!(Command::new("mkfifo").arg(path).status().is_ok_and(|status| status.success()));
+}
+
+impl Window {
+    fn drop_files<'a>(&mut self, paths: impl IntoIterator<Item = &'a Path>) {
+        let dropped = &mut self.harness.input_mut().dropped_files;
+        dropped.extend(paths.into_iter().map(|path| Arc::new(Dropped(path.to_owned())) as _));
+        self.run();
+    }
+}
+
+#[test]
+fn what_is_no_figure_is_refused_when_it_is_dropped_and_the_figure_stays() {
+    let folder = Folder::new("dropped-else");
+    let huge = folder.file("huge.toml");
+    // A hole, which takes no room on the disk.
+    File::create(&huge).unwrap().set_len(5 << 30).unwrap();
+    fs::create_dir(folder.file("folder.toml")).unwrap();
+    pipe(&folder.file("pipe.toml"));
+    let mut window = Window::new(Lang::En);
+    for (name, said) in [
+        ("huge.toml", "huge.toml is larger than any figure or picture; allowed: at most 1 GiB"),
+        ("folder.toml", "folder.toml is a directory"),
+        ("pipe.toml", "pipe.toml is a device, a pipe or a socket"),
+        ("gone.toml", "gone.toml cannot be read: there is no such file"),
+    ] {
+        window.drop_files([&*folder.file(name)]);
+        assert!(window.says(said), "{:?}", window.state().message);
+        assert_eq!(window.state().document.name(), None);
+    }
+    // With changes, it is asked before, and what was changed is there after all.
+    window.enter("B", "40");
+    window.drop_files([&*huge]);
+    window.click("Don't save");
+    assert!(window.says("huge.toml is larger than any figure"));
+    assert_eq!(window.state().document.draft().far, 40.0);
+    assert!(window.state().document.is_changed());
+}
+
+#[test]
+fn meshes_that_are_none_stand_in_the_scene_with_the_reason() {
+    let folder = Folder::new("dropped-meshes");
+    File::create(folder.file("huge.obj")).unwrap().set_len(5 << 30).unwrap();
+    fs::create_dir(folder.file("folder.glb")).unwrap();
+    pipe(&folder.file("pipe.gltf"));
+    let mut window = Window::new(Lang::En);
+    for (name, said) in [("huge.obj", "512 MiB"), ("folder.glb", "a directory"), ("pipe.gltf", "a pipe")] {
+        window.drop_files([&*folder.file(name)]);
+        window.wait(|window| window.says(said));
+    }
+    assert_eq!(window.state().document.figure().scene.objects.len(), 3);
+    for left in (0..3).rev() {
+        window.command_key(Key::Z);
+        assert_eq!(window.state().document.figure().scene.objects.len(), left);
+    }
+}
+
+#[test]
+fn of_a_thousand_files_one_is_taken_and_that_is_said() {
+    let folder = Folder::new("dropped-many");
+    let paths: Vec<_> = (0..1000).map(|i| folder.file(&format!("{i}.toml"))).collect();
+    fs::write(&paths[0], "[camera]\nfar = 61.0\n[scene]\npreset = \"empty\"\n").unwrap();
+    let mut window = Window::new(Lang::En);
+    window.drop_files(paths.iter().map(|path| &**path));
+    assert_eq!(window.state().document.draft().far, 61.0);
+    let said = window.state().message.as_ref().unwrap().text(Lang::En);
+    assert!(said.starts_with("Of 1000 files, the window takes one: ") && said.ends_with("0.toml"), "{said}");
+    // What is wrong with the one is more than how many there are.
+    window.drop_files(paths[1..].iter().map(|path| &**path));
+    assert!(window.says("1.toml cannot be read"));
+    assert_eq!(window.state().document.draft().far, 61.0);
+}
+
+#[test]
+fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
+    let folder = Folder::new("exercises-go");
+    let lecture = folder.file("lecture");
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises/field-of-view.toml");
+    let put = || {
+        fs::create_dir_all(&lecture).unwrap();
+        fs::copy(source, lecture.join("a.toml")).unwrap();
+    };
+    put();
+    let mut window = exercises::window(Lang::En);
+    window.app_mut().state.exercises.look_into(Some(lecture.clone()));
+    window.harness.key_press_modifiers(Modifiers::ALT, Key::X);
+    window.run();
+    let chosen = Chosen { id: "field-of-view".to_owned(), seed: 0 };
+    let open = |window: &mut Window| {
+        window.app_mut().state.exercises.work_on(chosen.clone());
+        window.run();
+    };
+    let again = |window: &mut Window| {
+        window.app_mut().state.exercises.leave();
+        window.run();
+        window.click("Read it again");
+    };
+    open(&mut window);
+    window.harness.get_all_by_role(Role::TextInput).next().unwrap().click();
+    window.run();
+    window.harness.event(Event::Text("89".to_owned()));
+    window.run();
+    let typed = |window: &Window| {
+        let mut fields = window.harness.get_all_by_role(Role::TextInput);
+        fields.any(|field| field.value().as_deref() == Some("89"))
+    };
+    assert!(typed(&window));
+    // Gone: what is open is worked on, and judged.
+    fs::remove_dir_all(&lecture).unwrap();
+    window.command_key(Key::Enter);
+    assert!(typed(&window) && window.says("wrong"));
+    again(&mut window);
+    assert!(window.says("lecture cannot be read: there is no such file"));
+    assert!(window.state().exercises.entry("field-of-view").is_none());
+    // A pipe in the place of its file: said at once, and nobody waits for it.
+    fs::create_dir_all(&lecture).unwrap();
+    pipe(&lecture.join("a.toml"));
+    window.click("Read it again");
+    window.click("Passed over in the folder: 1");
+    assert!(window.says("a.toml is a device, a pipe or a socket"));
+    // A file in the place of the folder.
+    fs::remove_dir_all(&lecture).unwrap();
+    fs::write(&lecture, "?").unwrap();
+    window.click("Read it again");
+    assert!(window.says("lecture cannot be read: a part of the path is not a directory"));
+    // It is back, and what was typed as well.
+    fs::remove_file(&lecture).unwrap();
+    put();
+    window.click("Read it again");
+    open(&mut window);
+    assert!(typed(&window));
+}
