@@ -1,4 +1,5 @@
-//! Tries cameras, operations, points and scenes that nobody would write: `cargo run --release --example stress -- [COUNT] [SEED] [FIRST]`.
+//! Tries cameras, operations, points and scenes that nobody would write:
+//! `cargo run --release --example stress -- [COUNT] [SEED] [FIRST]`.
 //!
 //! Prints the seed; a case that fails, panics or takes longer than a second is told with the arguments that repeat it.
 #![expect(clippy::print_stdout, reason = "a program")]

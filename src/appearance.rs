@@ -55,8 +55,8 @@ impl Rgba {
         a.max(b) / a.min(b)
     }
 
-    /// This colour where a stroke in it can be seen on `ground` (contrast at least 3); else the nearest one on the way to black
-    /// or to white, whichever `ground` is farther from. The opacity stays.
+    /// This colour where a stroke in it can be seen on `ground` (contrast at least 3); else the nearest one on the way
+    /// to black or to white, whichever `ground` is farther from. The opacity stays.
     #[must_use]
     pub fn legible_on(self, ground: Self) -> Self {
         const ENOUGH: f64 = 3.0;
@@ -246,8 +246,8 @@ impl LineStyle {
         }
     }
 
-    /// The length of the arrow head on a stroke of this length, both in pixels: short strokes get small heads, and none below a
-    /// few pixels. A head is 0.76 as wide as it is long; the stroke goes on for a fifth of it inside.
+    /// The length of the arrow head on a stroke of this length, both in pixels: short strokes get small heads, and none
+    /// below a few pixels. A head is 0.76 as wide as it is long; the stroke goes on for a fifth of it inside.
     #[must_use]
     pub fn head_length(self, stroke_length: f32) -> f32 {
         let length = (4.0 * self.width + 4.0).min(0.6 * stroke_length);

@@ -42,7 +42,8 @@ pub enum Look {
 }
 
 impl Chart {
-    /// The whole powers of ten between which all points lie, at least one decade along each axis: `[[x₀, x₁], [y₀, y₁]]`.
+    /// The whole powers of ten between which all points lie, at least one decade along each axis:
+    /// `[[x₀, x₁], [y₀, y₁]]`.
     #[must_use]
     pub fn range(&self) -> [[f64; 2]; 2] {
         let points = || self.series.iter().flat_map(|series| &series.points);

@@ -18,8 +18,8 @@ pub fn now() -> Duration {
     START.get_or_init(Instant::now).elapsed()
 }
 
-/// The shortest time that the clock tells apart: some nanoseconds on a system; in a browser, which keeps its clock coarse, up to a
-/// millisecond (W3C, *High Resolution Time*, "Clock resolution").
+/// The shortest time that the clock tells apart: some nanoseconds on a system; in a browser, which keeps its clock
+/// coarse, up to a millisecond (W3C, *High Resolution Time*, "Clock resolution").
 #[must_use]
 pub fn resolution() -> Duration {
     /// A clock that stands still for so many looks has no better one.

@@ -11,8 +11,8 @@
 //! atom    = number | "pi" | "(" sum ")" | function "(" sum ")" | "√" unit
 //! ```
 //!
-//! A comma is a decimal point. An angle is a quantity of its own: degrees do not add to lengths, and `sin(30°)` is exactly ½.
-//! Where an angle is expected, `pi` is 180° and a plain number is in degrees.
+//! A comma is a decimal point. An angle is a quantity of its own: degrees do not add to lengths, and `sin(30°)` is
+//! exactly ½. Where an angle is expected, `pi` is 180° and a plain number is in degrees.
 
 use std::ops::Range;
 

@@ -1,5 +1,5 @@
-//! How text is shown that came from outside: paths, names, words of files. What a terminal would obey, and what turns the order
-//! of writing round, is written as an escape; and nobody gets to read five megabytes.
+//! How text is shown that came from outside: paths, names, words of files. What a terminal would obey, and what turns
+//! the order of writing round, is written as an escape; and nobody gets to read five megabytes.
 
 use std::path::Path;
 

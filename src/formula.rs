@@ -1,7 +1,7 @@
 //! Mathematics between dollar signs in texts from outside: what may stand there.
 //!
-//! LaTeX, which sets it on a sheet, is a language in which a text can read files and run programs. So only what is listed here is let through:
-//! whatever else there is, and whatever comes later, is not.
+//! LaTeX, which sets it on a sheet, is a language in which a text can read files and run programs. So only what is
+//! listed here is let through: whatever else there is, and whatever comes later, is not.
 
 use std::fmt::Write as _;
 
@@ -160,8 +160,8 @@ pub fn check(text: &str) -> Result<(), FormulaError> {
 
 /// Holds that a formula is mathematics; `latex` stands between the dollar signs.
 ///
-/// *Guarantees*: LaTeX that sets it between dollar signs with amsmath and amssymb reads no file, runs no program, defines nothing, and is
-/// in words again at its end.
+/// *Guarantees*: LaTeX that sets it between dollar signs with amsmath and amssymb reads no file, runs no program,
+/// defines nothing, and is in words again at its end.
 ///
 /// # Errors
 /// What is wrong with it.

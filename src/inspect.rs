@@ -25,7 +25,8 @@ pub struct Report {
     pub basis: BasisReport,
     /// The view window on the plane z_c = −F.
     pub window: WindowReport,
-    /// The convention of NDC: [`Ndc::name`](crate::camera::Ndc::name). What follows of M_p, clip coordinates and NDC is in it.
+    /// The convention of NDC: [`Ndc::name`](crate::camera::Ndc::name). What follows of M_p, clip coordinates and NDC is
+    /// in it.
     pub ndc: &'static str,
     /// M_v, rows.
     pub view_matrix: [[f64; 4]; 4],
@@ -157,7 +158,8 @@ pub struct WarningReport {
     pub message: String,
 }
 
-/// A whole number that may be too great for an integer type; written without a fraction where JSON readers keep it whole.
+/// A whole number that may be too great for an integer type; written without a fraction where JSON readers keep it
+/// whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Whole(pub f64);
 

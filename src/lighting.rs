@@ -10,10 +10,10 @@ pub(crate) type Eight<S> = [f32x8<S>; 3];
 
 /// The colour that the viewer gets from a point of a surface: the one formula for faces, vertices and pixels.
 ///
-/// `color · (ambient + diffuse Σ max(0, n·l)) + white · specular Σ max(0, n·h)^shininess`, with **h** halfway between the
-/// directions to the light and to the viewer, and no specular term where the light is behind the surface. `normal` and
-/// `position` are in view space; the normal may have any length, and without one only the ambient share is left. With
-/// `two_sided`, a normal that points away from the viewer is turned round. Alpha is not touched. `[2]`, `[3]` §1.8
+/// `color · (ambient + diffuse Σ max(0, n·l)) + white · specular Σ max(0, n·h)^shininess`, with **h** halfway between
+/// the directions to the light and to the viewer, and no specular term where the light is behind the surface. `normal`
+/// and `position` are in view space; the normal may have any length, and without one only the ambient share is left.
+/// With `two_sided`, a normal that points away from the viewer is turned round. Alpha is not touched. `[2]`, `[3]` §1.8
 #[must_use]
 pub fn shade(lighting: &Lighting, normal: [f32; 3], position: [f32; 3], color: Rgba) -> Rgba {
     let lit = with_vectors!(simd => {

@@ -2,7 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-/// The longest side of a picture in pixels: the rasterizer counts in 1/16 of a pixel, and has room for this and a border.
+/// The longest side of a picture in pixels: the rasterizer counts in 1/16 of a pixel, and has room for this and a
+/// border.
 pub const MAX_SIDE: u32 = 16_384;
 
 /// The most pixels of a picture: 15360 × 8640, with a little room.
@@ -17,7 +18,8 @@ pub const PAPER_CM: RangeInclusive<f64> = 0.1..=1000.0;
 /// Pixels per inch of paper: from the wall of a lecture hall to the films that printers expose, with a little room.
 pub const PAPER_DPI: RangeInclusive<f64> = 1.0..=10_000.0;
 
-/// The height of letters on paper, in points: what is smaller is not ink any more, what is larger (35 cm) is no name in a picture.
+/// The height of letters on paper, in points: what is smaller is not ink any more, what is larger (35 cm) is no name in
+/// a picture.
 pub const PAPER_LETTERS: RangeInclusive<f64> = 0.5..=1000.0;
 
 /// The width of lines on paper, in points: from what no printer can do to what covers a picture.
@@ -26,7 +28,8 @@ pub const PAPER_LINES: RangeInclusive<f64> = 0.01..=100.0;
 /// What pictures, strokes and letters are multiplied by: from a stamp to sixteen screens.
 pub const SCALE: RangeInclusive<f64> = 0.1..=16.0;
 
-/// How long a step of an animation takes, in seconds: shorter ones cannot be followed, longer ones take more pictures than a file has use for.
+/// How long a step of an animation takes, in seconds: shorter ones cannot be followed, longer ones take more pictures
+/// than a file has use for.
 pub const STEP_SECONDS: RangeInclusive<f64> = 0.1..=60.0;
 
 /// How long `accuracy` measures times, in seconds: an hour; 0 leaves them out.
@@ -50,8 +53,8 @@ pub const MAX_MERIDIANS: u32 = 16;
 /// No mesh has more vertices than this: they are counted with 32 bits, with room for those that cutting makes.
 pub const MAX_VERTICES: usize = 1 << 31;
 
-/// The most objects of a scene, the parts of its meshes among them: so many take about a gigabyte and some seconds to be drawn, and a mesh file
-/// can begin one with each face.
+/// The most objects of a scene, the parts of its meshes among them: so many take about a gigabyte and some seconds to
+/// be drawn, and a mesh file can begin one with each face.
 pub const MAX_OBJECTS: usize = 1 << 17;
 
 /// The most lights of a scene: each is computed at each pixel, and more than a few can hardly be told apart.
@@ -60,7 +63,8 @@ pub const MAX_LIGHTS: usize = 1024;
 /// The most named points of a figure: more names and rays can hardly be told apart in a picture.
 pub const MAX_NAMED_POINTS: usize = 32;
 
-/// The most objects whose place by a list of transforms a figure shows (`[[show.moved]]`): more axes can hardly be told apart.
+/// The most objects whose place by a list of transforms a figure shows (`[[show.moved]]`): more axes can hardly be told
+/// apart.
 pub const MAX_SHOWN_OBJECTS: usize = 32;
 
 /// The most steps that a way to the canonical volume can be asked for; no way has more than eight.
@@ -81,36 +85,39 @@ pub const MAX_LINK_CHARACTERS: usize = 8000;
 /// The longest file of any kind in bytes: more than any picture or mesh that can be shown.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
 
-/// The most bytes that a figure makes the program read, meshes and what they name together: some five million triangles as
-/// text. What a mesh becomes in memory is several times as much.
+/// The most bytes that a figure makes the program read, meshes and what they name together: some five million triangles
+/// as text. What a mesh becomes in memory is several times as much.
 pub const MAX_SCENE_BYTES: usize = 512 << 20;
 
-/// The most items of sparse accessors that are 0 because no bytes stand behind them: a line of JSON can ask for billions.
+/// The most items of sparse accessors that are 0 because no bytes stand behind them: a line of JSON can ask for
+/// billions.
 pub const MAX_ZEROS: usize = 1 << 20;
 
-/// The most pieces into which faces are split to be put in order: what crosses one another makes pieces by the cube. So many take
-/// more than a second and 260 MiB; 400 plates that all cross would take eight million, half a minute and 5 GiB.
+/// The most pieces into which faces are split to be put in order: what crosses one another makes pieces by the cube. So
+/// many take more than a second and 260 MiB; 400 plates that all cross would take eight million, half a minute and 5
+/// GiB.
 pub const MAX_PIECES: usize = 1 << 19;
 
 /// The most bytes that the corners of these pieces take: there is no bound to how many corners a piece can have.
 pub const MAX_PIECE_BYTES: usize = 256 << 20;
 
-/// The most steps in which strokes are held against faces and one another, for outputs without a depth buffer: so many take some
-/// seconds. What is kept counts as several steps, so that it takes some hundred MiB at most.
+/// The most steps in which strokes are held against faces and one another, for outputs without a depth buffer: so many
+/// take some seconds. What is kept counts as several steps, so that it takes some hundred MiB at most.
 pub const MAX_STROKE_STEPS: usize = 1 << 28;
 
-/// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper ones
-/// would need more of the stack.
+/// The longest expression in characters, and how deep its parentheses may be nested: more than anybody types; deeper
+/// ones would need more of the stack.
 pub const MAX_EXPRESSION: (usize, u32) = (500, 60);
 
-/// The most characters of a name, a colour or words to look for that are typed: more than a picture or a list has room for.
+/// The most characters of a name, a colour or words to look for that are typed: more than a picture or a list has room
+/// for.
 pub const MAX_TYPED_NAME: usize = 200;
 
 /// The most characters of a path or an address that are typed: Windows' longest path, four times the longest link.
 pub const MAX_TYPED: usize = 1 << 15;
 
-/// The longest formula of a text in characters, and how deep its pairs may be nested: more than a line has, and less than the stack of what
-/// sets it.
+/// The longest formula of a text in characters, and how deep its pairs may be nested: more than a line has, and less
+/// than the stack of what sets it.
 pub const MAX_FORMULA: (usize, usize) = (1000, 30);
 
 /// The longest answer to an exercise in bytes: a matrix of roots takes a few hundred.
@@ -131,8 +138,8 @@ pub const MAX_EXERCISE_NAME: usize = 64;
 /// The most undo steps that are kept: more than anybody goes back.
 pub const MAX_UNDO_STEPS: usize = 500;
 
-/// The most bytes of scenes that undo keeps besides the one that is shown: several steps of the largest figures, all steps of
-/// usual ones. One step is kept however large it is.
+/// The most bytes of scenes that undo keeps besides the one that is shown: several steps of the largest figures, all
+/// steps of usual ones. One step is kept however large it is.
 pub const MAX_UNDO_BYTES: usize = 64 << 20;
 
 /// The longest list of points that the panel shows as fields; longer ones are edited in the file.

@@ -1,4 +1,5 @@
-//! Hands the arguments to the command line, and opens the window when there is no subcommand. In a browser there is the window alone.
+//! Hands the arguments to the command line, and opens the window when there is no subcommand. In a browser there is the
+//! window alone.
 
 // A double click opens no console; what is printed goes through `camera-lab.com` (dist/windows/console).
 #![cfg_attr(all(windows, feature = "gui"), windows_subsystem = "windows")]
@@ -46,7 +47,8 @@ mod system {
         cli::fail(1, &camera_lab::i18n::command_line::not_built_in(opening.lang))
     }
 
-    /// Says why there is no window. Windows has no console for a program that was opened by a double click: there it is a box.
+    /// Says why there is no window. Windows has no console for a program that was opened by a double click: there it is
+    /// a box.
     fn no_window(status: u8, message: &str) -> ExitCode {
         #[cfg(all(windows, feature = "gui"))]
         if std::env::var_os("CAMERA_LAB_CONSOLE").is_none() {

@@ -11,7 +11,8 @@ pub use exact::{ExactForm, exact_form};
 /// More digits than these are exact: the shortest text that reads back as the same `f64`.
 pub const EXACT_DIGITS: usize = 17;
 
-/// `value` with so many significant digits; from [`EXACT_DIGITS`] on, the shortest text that reads back as the same `f64`.
+/// `value` with so many significant digits; from [`EXACT_DIGITS`] on, the shortest text that reads back as the same
+/// `f64`.
 #[must_use]
 pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
@@ -68,7 +69,8 @@ impl DecimalMark {
         }
     }
 
-    /// Numbers one after the other; what is zero but for the rounding of its neighbours is 0, unless all digits are wanted.
+    /// Numbers one after the other; what is zero but for the rounding of its neighbours is 0, unless all digits are
+    /// wanted.
     #[must_use]
     pub fn list(self, values: &[f64], digits: usize) -> String {
         let numbers = without_rests(values, digits).into_iter().map(|v| self.number(v, digits));
@@ -90,8 +92,8 @@ impl DecimalMark {
         format!("({})", self.list(values, digits))
     }
 
-    /// `value` in full where that `fits`, else rounded to as many digits as fit, which are no more than anybody reads; as short as
-    /// can be where nothing fits.
+    /// `value` in full where that `fits`, else rounded to as many digits as fit, which are no more than anybody reads;
+    /// as short as can be where nothing fits.
     #[must_use]
     pub fn fitted(self, value: f64, fits: impl Fn(&str) -> bool) -> String {
         let exact = self.number(value, EXACT_DIGITS);
@@ -109,7 +111,8 @@ impl DecimalMark {
     }
 }
 
-/// The values, with 0 for what can be a rest of rounding beside the greatest of them. With [`EXACT_DIGITS`] as they are.
+/// The values, with 0 for what can be a rest of rounding beside the greatest of them. With [`EXACT_DIGITS`] as they
+/// are.
 #[must_use]
 pub fn without_rests(values: &[f64], digits: usize) -> Vec<f64> {
     let greatest = values.iter().fold(0.0_f64, |greatest, v| greatest.max(v.abs()));
@@ -131,7 +134,8 @@ pub fn fraction(value: f64) -> Option<String> {
     })
 }
 
-/// The shortest text with a point or an exponent that reads back as the same `f64`, as programs write it: `2.0`, `1e300`.
+/// The shortest text with a point or an exponent that reads back as the same `f64`, as programs write it: `2.0`,
+/// `1e300`.
 #[must_use]
 pub fn exact(value: f64) -> String {
     format!("{value:?}")
@@ -179,8 +183,8 @@ pub fn in_threes(n: usize) -> String {
     out
 }
 
-/// The multiple of a power of ten, not above `unit`, that is nearest to `value`; never −0. Where `unit` is so small or so
-/// large that there is no such power, `value` itself.
+/// The multiple of a power of ten, not above `unit`, that is nearest to `value`; never −0. Where `unit` is so small or
+/// so large that there is no such power, `value` itself.
 #[must_use]
 pub fn round_to(value: f64, unit: f64) -> f64 {
     let power = unit.abs().log10().floor();
@@ -220,7 +224,8 @@ fn trim(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
-/// The order of names in which people expect them: numbers in them count as numbers (2 before 10), and capitals do not count.
+/// The order of names in which people expect them: numbers in them count as numbers (2 before 10), and capitals do not
+/// count.
 #[must_use]
 pub fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut rest_a, mut rest_b) = (a, b);

@@ -1,7 +1,8 @@
 //! How far long work has come, and whether it is still wanted: shared by whoever does it and whoever waits for it.
 //!
-//! Where there are no threads, long work is done in slices, something else between two of them: it is written as a future, which pauses
-//! where a step is done. Nothing wakes it: whoever does it [polls](Future::poll) it when there is time, or does it [all at once](at_once).
+//! Where there are no threads, long work is done in slices, something else between two of them: it is written as a
+//! future, which pauses where a step is done. Nothing wakes it: whoever does it [polls](Future::poll) it when there is
+//! time, or does it [all at once](at_once).
 
 use std::future::poll_fn;
 use std::pin::pin;
@@ -29,7 +30,8 @@ impl Doing {
     pub const ALL: [Self; 5] = [Self::Reading, Self::Ordering, Self::Painting, Self::Encoding, Self::Measuring];
 }
 
-/// How far one piece of work has come. A clone is of the same work. What is done never depends on it, but for being given up.
+/// How far one piece of work has come. A clone is of the same work. What is done never depends on it, but for being
+/// given up.
 #[derive(Clone, Debug, Default)]
 pub struct Progress(Arc<State>);
 

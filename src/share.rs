@@ -33,7 +33,8 @@ pub enum ShareError {
     TooLarge,
 }
 
-/// The link to the figure with this text. `address` is that of the page which opens it; empty: what stands after the address alone.
+/// The link to the figure with this text. `address` is that of the page which opens it; empty: what stands after the
+/// address alone.
 ///
 /// # Errors
 /// [`ShareError::TooLong`].

@@ -1,7 +1,7 @@
 //! Wide vectors: the one door to the library that has them, which is young and may change.
 //!
-//! Whatever is computed in vectors has the same bits on every machine: no operation is fused with another, and none is left to
-//! an instruction that only approximates.
+//! Whatever is computed in vectors has the same bits on every machine: no operation is fused with another, and none is
+//! left to an instruction that only approximates.
 
 use std::sync::LazyLock;
 
@@ -46,10 +46,11 @@ macro_rules! with_vectors {
 }
 pub(crate) use with_vectors;
 
-// Rounding without an instruction for it, on every machine alike: a float has so many bits that next to a large enough number
-// there are none left for fractions. Adding such a number rounds (ties go to the even neighbour), and the low bits of the sum
-// **are** the integer; the high bits are those of the number that was added, as long as the sum does not leave the range in
-// which floats have this spacing. Between 2²³ and 2²⁴ the spacing of an `f32` is 1, between 2⁵² and 2⁵³ that of an `f64`.
+// Rounding without an instruction for it, on every machine alike: a float has so many bits that next to a large enough
+// number there are none left for fractions. Adding such a number rounds (ties go to the even neighbour), and the low
+// bits of the sum **are** the integer; the high bits are those of the number that was added, as long as the sum does
+// not leave the range in which floats have this spacing. Between 2²³ and 2²⁴ the spacing of an `f32` is 1, between 2⁵²
+// and 2⁵³ that of an `f64`.
 
 /// For numbers of −2²² … 2²²: in the middle of the range, so that either sign has room.
 pub(crate) const ROUND_F32: f32 = 1.5 * 8_388_608.0;

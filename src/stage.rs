@@ -89,8 +89,8 @@ impl Stage {
         }
     }
 
-    /// The stage in whose loop this one runs, so that it has no time of its own: what is done to a number while it is at hand
-    /// costs less than a walk over all numbers for each stage.
+    /// The stage in whose loop this one runs, so that it has no time of its own: what is done to a number while it is
+    /// at hand costs less than a walk over all numbers for each stage.
     #[must_use]
     pub fn timed_with(self) -> Option<Self> {
         match self {

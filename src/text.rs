@@ -1,5 +1,5 @@
-//! Labels in the bundled font: how much room they take, and their outlines as points and curves. Pixels and vector output are
-//! fed by the same functions, so both agree.
+//! Labels in the bundled font: how much room they take, and their outlines as points and curves. Pixels and vector
+//! output are fed by the same functions, so both agree.
 
 use std::sync::LazyLock;
 
@@ -8,7 +8,8 @@ use skrifa::metrics::GlyphMetrics;
 use skrifa::outline::{DrawSettings, OutlineGlyphCollection, OutlinePen};
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 
-/// A font that comes with the program. A page has fewer characters of it, with the same outlines (`dist/web/fonts.sh`): it is downloaded.
+/// A font that comes with the program. A page has fewer characters of it, with the same outlines (`dist/web/fonts.sh`):
+/// it is downloaded.
 #[cfg(not(target_arch = "wasm32"))]
 macro_rules! font {
     ($name:literal) => {
@@ -126,9 +127,10 @@ pub fn x_height(size: f32) -> f32 {
     FONT.as_ref().map_or(0.0, |font| font.x_height * size)
 }
 
-/// The outline of `text` at `size` (height of the em in pixels): filled by the non-zero rule it is the text. The origin is
-/// the left end of the baseline, y points down. `_c` and `_{abc}` are set as subscripts. A character that the font lacks
-/// becomes the font's box. Empty where there is nothing to fill (no text, blanks only, or a size that is not positive).
+/// The outline of `text` at `size` (height of the em in pixels): filled by the non-zero rule it is the text. The origin
+/// is the left end of the baseline, y points down. `_c` and `_{abc}` are set as subscripts. A character that the font
+/// lacks becomes the font's box. Empty where there is nothing to fill (no text, blanks only, or a size that is not
+/// positive).
 #[must_use]
 pub fn outline(text: &str, size: f32) -> Vec<Element> {
     let mut elements = Vec::new();
@@ -262,7 +264,8 @@ mod tests {
             }
         }
         let read = |name: &str| std::fs::read(root.join("assets/fonts").join(name)).unwrap();
-        // Code and columns of numbers are written with few signs; what is missing there is looked for in the other font.
+        // Code and columns of numbers are written with few signs; what is missing there is looked for in the other
+        // font.
         for (name, least) in [("DejaVuSans.ttf", 1200), ("DejaVuSansMono.ttf", 400)] {
             let (whole, page) = (read(name), read(&format!("page/{name}")));
             let page_font = FontRef::new(&page).unwrap();

@@ -1,5 +1,5 @@
-//! A lecturer's exercise, made of the keys that there are with values that fit, nearly fit, or do not: it is refused with a line and a key, or all that it
-//! asks can be answered rightly.
+//! A lecturer's exercise, made of the keys that there are with values that fit, nearly fit, or do not: it is refused
+//! with a line and a key, or all that it asks can be answered rightly.
 #![no_main]
 
 mod notation;

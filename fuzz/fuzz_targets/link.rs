@@ -1,4 +1,5 @@
-//! A link holds the figure that was put into it, whatever a mail program adds; anything else that looks like one is a text, an error, or no link.
+//! A link holds the figure that was put into it, whatever a mail program adds; anything else that looks like one is a
+//! text, an error, or no link.
 #![no_main]
 
 use arbitrary::Arbitrary;

@@ -1,4 +1,5 @@
-//! Pictures of any size, with letters and lines of any height and width, are drawn or refused: on paper, of one picture or of three.
+//! Pictures of any size, with letters and lines of any height and width, are drawn or refused: on paper, of one picture
+//! or of three.
 #![no_main]
 
 use std::sync::LazyLock;

@@ -8,8 +8,8 @@ use crate::geometry::double_double::Dd;
 
 /// What of a camera depends on the convention of NDC. Made by [`Camera::clip_space`].
 ///
-/// Each matrix is computed from the parameters in double-double and rounded once: none is another one that was changed after it had
-/// been rounded.
+/// Each matrix is computed from the parameters in double-double and rounded once: none is another one that was changed
+/// after it had been rounded.
 #[derive(Clone, Copy, Debug)]
 pub struct ClipSpace<'a> {
     camera: &'a Camera,
@@ -20,7 +20,8 @@ pub struct ClipSpace<'a> {
 impl Camera {
     /// The clip space of this camera in a convention.
     ///
-    /// *Guarantees*: entries are finite, as those of the notes are: |z|, |d| and what is divided by F are never greater than there.
+    /// *Guarantees*: entries are finite, as those of the notes are: |z|, |d| and what is divided by F are never greater
+    /// than there.
     ///
     /// # Errors
     /// [`InfiniteParallel`]: parallel projection without a far plane.
@@ -123,7 +124,8 @@ impl<'a> ClipSpace<'a> {
         })
     }
 
-    /// What Z and W are multiplied by for the fourth row of the inverse in perspective, and Z and 1 for its third in parallel projection.
+    /// What Z and W are multiplied by for the fourth row of the inverse in perspective, and Z and 1 for its third in
+    /// parallel projection.
     fn depth_row_inverted(&self) -> [Dd; 2] {
         let (near, far) = (Dd::new(self.camera.near()), Dd::new(self.camera.far()));
         let half = |x: Dd| x.scaled(-1);

@@ -1,4 +1,5 @@
-//! M_p M_v as a product of steps, as each of the notes takes them: what turns the view volume into the canonical one, one step at a time.
+//! M_p M_v as a product of steps, as each of the notes takes them: what turns the view volume into the canonical one,
+//! one step at a time.
 //!
 //! | steps | perspective | parallel |
 //! | --- | --- | --- |
@@ -108,11 +109,11 @@ impl Decomposition {
 }
 
 impl Camera {
-    /// The steps, first to last; `None` where the source has none: `[1]` and `[3]` know symmetric windows only, and `[1]` has one matrix for
-    /// parallel projection.
+    /// The steps, first to last; `None` where the source has none: `[1]` and `[3]` know symmetric windows only, and
+    /// `[1]` has one matrix for parallel projection.
     ///
-    /// *Guarantees*: their product, last to first, is M_p M_v in [`Decomposition::ndc`], up to the rounding of plain `f64` (in
-    /// perspective up to a positive factor, which the division takes out).
+    /// *Guarantees*: their product, last to first, is M_p M_v in [`Decomposition::ndc`], up to the rounding of plain
+    /// `f64` (in perspective up to a positive factor, which the division takes out).
     #[must_use]
     pub fn decomposed(&self, decomposition: Decomposition) -> Option<Vec<Factor>> {
         let symmetric = self.has_symmetric_window();
@@ -228,8 +229,8 @@ impl Step {
 }
 
 impl Factor {
-    /// The step where z points towards the viewer before and after it: how a right-handed picture shows it. `before`: whether the space
-    /// before it is left-handed.
+    /// The step where z points towards the viewer before and after it: how a right-handed picture shows it. `before`:
+    /// whether the space before it is left-handed.
     #[must_use]
     pub fn displayed(&self, before: bool) -> DMat4 {
         let side = |left_handed: bool| if left_handed { mirror() } else { DMat4::IDENTITY };

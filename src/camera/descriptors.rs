@@ -48,7 +48,8 @@ pub enum Amount {
 pub struct Descriptor {
     /// Which one.
     pub freedom: Freedom,
-    /// The operation, as it is written on the command line; where two have the same word, their numbers follow it in order.
+    /// The operation, as it is written on the command line; where two have the same word, their numbers follow it in
+    /// order.
     pub word: &'static str,
     /// What its number is.
     pub amount: Amount,
@@ -197,7 +198,8 @@ fn allowed(descriptor: &Descriptor) -> String {
 impl FromStr for Operation {
     type Err = OperationError;
 
-    /// Reads `NAME=VALUE`, where the value is an expression, as of [`expression::evaluate`]; of `pan` it is two of them, `DX,DY`.
+    /// Reads `NAME=VALUE`, where the value is an expression, as of [`expression::evaluate`]; of `pan` it is two of
+    /// them, `DX,DY`.
     fn from_str(text: &str) -> Result<Self, OperationError> {
         let (name, value) = text.split_once('=').ok_or_else(|| OperationError::NoValue { text: text.to_owned() })?;
         let mut moved = OPERATIONS.iter().filter(|descriptor| descriptor.word == name.trim());

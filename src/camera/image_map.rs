@@ -1,8 +1,8 @@
 //! Window ↔ image, `[0]` Eqs. (5.22) and (5.23), and the viewport with its depth range, Eqs. (5.24) and (5.25).
 //!
-//! The notes write the maps for a symmetric window; with l, r, b, t they read i : m = (x_p − l) : W and j : n = (t − y_p) : H.
-//! The pixel (i, j) owns its left and its upper border. So the right and the lower border of the window belong to the
-//! pixels i = m and j = n, which lie outside the image: [`ImageSize::contains`] says so.
+//! The notes write the maps for a symmetric window; with l, r, b, t they read i : m = (x_p − l) : W and j : n = (t −
+//! y_p) : H. The pixel (i, j) owns its left and its upper border. So the right and the lower border of the window
+//! belong to the pixels i = m and j = n, which lie outside the image: [`ImageSize::contains`] says so.
 
 use glam::DVec2;
 
@@ -31,14 +31,15 @@ impl ImageSize {
         f64::from(self.width) / f64::from(self.height)
     }
 
-    /// Is (i, j), as (5.22) gives it, a pixel of the image? Not on the right and on the lower border, where i = m, j = n.
+    /// Is (i, j), as (5.22) gives it, a pixel of the image? Not on the right and on the lower border, where i = m, j =
+    /// n.
     #[must_use]
     pub fn contains(self, pixel: DVec2) -> bool {
         pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < f64::from(self.width) && pixel.y < f64::from(self.height)
     }
 
-    /// The image coordinates (x to the right, y down, (0, 0) the corner at the top left) of a window point, before (5.22)
-    /// takes the floor.
+    /// The image coordinates (x to the right, y down, (0, 0) the corner at the top left) of a window point, before
+    /// (5.22) takes the floor.
     #[must_use]
     pub fn image_from_window(self, window: &ViewWindow, point: DVec2) -> DVec2 {
         DVec2::new(

@@ -13,9 +13,9 @@
 //! | image | pixels | (0, 0) is the top left corner, y down | [`ImageSize::image_from_window`] (5.22) |
 //! | viewport | pixels, depth | (0, 0) is the bottom left corner, y up | (5.24), (5.25) |
 //!
-//! The model computes in double-double (106 bits) and rounds once, so that numbers are right to the last digit also where
-//! the formulas cancel, overflow or nearly divide by zero. `docs/equations.md` has each equation with its function and
-//! its test.
+//! The model computes in double-double (106 bits) and rounds once, so that numbers are right to the last digit also
+//! where the formulas cancel, overflow or nearly divide by zero. `docs/equations.md` has each equation with its
+//! function and its test.
 
 mod basis;
 mod clip_space;
@@ -213,8 +213,8 @@ impl Camera {
 
     /// l, r, b, t on the plane z_c = −F: as given, or H = 2 F tan(θ/2) high, `[0]` Eq. (5.5), and A times as wide.
     ///
-    /// *Guarantees*: rounded once. Near 180° the tangent comes from the complement 180° − θ, and whatever the angle, its
-    /// half is reduced in degrees: tan 45° is 1.
+    /// *Guarantees*: rounded once. Near 180° the tangent comes from the complement 180° − θ, and whatever the angle,
+    /// its half is reduced in degrees: tan 45° is 1.
     ///
     /// ```
     /// # use camera_lab::camera::{Camera, Parameters};

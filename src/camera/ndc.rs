@@ -11,8 +11,9 @@
 /// | `vulkan` | 0 | 1 | down |
 /// | all of them `reversed` | 1 | 0 | as it is |
 ///
-/// OpenGL reversed has 0 … 1 as well, which is `glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)`: in −1 … 1 the digits that reversing is to
-/// win are lost around 0 again. `infinite` lets B → ∞, where z_n has the limit that B had: nothing is too far away.
+/// OpenGL reversed has 0 … 1 as well, which is `glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)`: in −1 … 1 the digits
+/// that reversing is to win are lost around 0 again. `infinite` lets B → ∞, where z_n has the limit that B had: nothing
+/// is too far away.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Ndc {
     /// Whose.
@@ -105,7 +106,8 @@ impl Ndc {
         }
     }
 
-    /// Are the axes x_n, y_n, z_n, as they lie before the eye, right-handed? Those of `[0]` are not; turning y or z round changes it.
+    /// Are the axes x_n, y_n, z_n, as they lie before the eye, right-handed? Those of `[0]` are not; turning y or z
+    /// round changes it.
     #[must_use]
     pub const fn is_right_handed(self) -> bool {
         self.y_points_down() != self.reversed

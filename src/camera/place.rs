@@ -26,8 +26,9 @@ impl ClipSpace<'_> {
     /// # Errors
     /// [`NoWayBack`]: no point has these coordinates.
     ///
-    /// In perspective NDC tell the sides of the eye apart: behind it, and only there, `z_n` is beyond what it tends to at infinity. So the
-    /// NDC that the division makes of a point behind the eye lead back to it; only those of its plane, and of infinity, have no point.
+    /// In perspective NDC tell the sides of the eye apart: behind it, and only there, `z_n` is beyond what it tends to
+    /// at infinity. So the NDC that the division makes of a point behind the eye lead back to it; only those of its
+    /// plane, and of infinity, have no point.
     pub fn world_of(&self, image: ImageSize, viewport: &Viewport, place: Place) -> Result<DVec3, NoWayBack> {
         let camera = self.camera();
         let (world, depth) = match place {
@@ -59,7 +60,8 @@ impl ClipSpace<'_> {
         [along(w.left, w.right, w.width(), ndc.x), along(w.bottom, w.top, w.height(), y)]
     }
 
-    /// The distance from the plane of the eye, below 0 behind it: in perspective z_n = d/distance − z, in parallel projection z_n = d − z distance.
+    /// The distance from the plane of the eye, below 0 behind it: in perspective z_n = d/distance − z, in parallel
+    /// projection z_n = d − z distance.
     fn distance_of_ndc(&self, z_n: f64) -> Result<Dd, NoWayBack> {
         let (z, depth) = (self.lens.z, self.lens.depth);
         match self.camera().projection() {

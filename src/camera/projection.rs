@@ -1,4 +1,5 @@
-//! The matrices of `[0]` §5.3: view (5.7), projection (5.13) to (5.16), their product and their inverses, in closed form.
+//! The matrices of `[0]` §5.3: view (5.7), projection (5.13) to (5.16), their product and their inverses, in closed
+//! form.
 //!
 //! Everything is computed in double-double and rounded once, so that an entry is the `f64` nearest to the exact value
 //! (but for ties too close to call), however large far/near, C or the lack of symmetry.
@@ -26,8 +27,8 @@ pub(super) struct Lens {
 impl Camera {
     /// M_v, `[0]` Eq. (5.7).
     ///
-    /// *Guarantees*: −**u** · **c** and its neighbours are rounded once, from unrounded **u**, **v**, **n**: what cancels
-    /// costs no digits, and a zero is a zero.
+    /// *Guarantees*: −**u** · **c** and its neighbours are rounded once, from unrounded **u**, **v**, **n**: what
+    /// cancels costs no digits, and a zero is a zero.
     ///
     /// ```
     /// # use camera_lab::camera::{Camera, Parameters};
@@ -119,9 +120,9 @@ impl Lens {
 
 /// The entries of M_p in a convention of NDC: those of `[0]` for −1 … 1 and y up.
 ///
-/// From z_n = (z z_c + d) / w at F and at B, where z_n is z₀ and z₁: z = (z₀ F − z₁ B)/(B − F) and d = (z₀ − z₁) B F/(B − F) in
-/// perspective, z = (z₀ − z₁)/(B − F) and d = (z₀ B − z₁ F)/(B − F) in parallel projection. With B → ∞ in perspective, z → −z₁ and
-/// d → (z₀ − z₁) F.
+/// From z_n = (z z_c + d) / w at F and at B, where z_n is z₀ and z₁: z = (z₀ F − z₁ B)/(B − F) and d = (z₀ − z₁) B F/(B
+/// − F) in perspective, z = (z₀ − z₁)/(B − F) and d = (z₀ B − z₁ F)/(B − F) in parallel projection. With B → ∞ in
+/// perspective, z → −z₁ and d → (z₀ − z₁) F.
 ///
 /// Differences are exact sums, quotients come before products: (B + F)/(B − F) and 2BF/(B − F) overflow only where they
 /// are not `f64`s themselves.

@@ -1,7 +1,8 @@
 //! A matrix → its camera: (5.7) and (5.13) to (5.16) read backwards, in any convention of NDC.
 //!
-//! What a matrix does not hold is taken from the camera that is there, and said ([`Unknown`]): D (a direction has no length), VUP (only **v** is known), and
-//! in parallel projection C along **n** (moving the eye along its line of sight changes nothing).
+//! What a matrix does not hold is taken from the camera that is there, and said ([`Unknown`]): D (a direction has no
+//! length), VUP (only **v** is known), and in parallel projection C along **n** (moving the eye along its line of sight
+//! changes nothing).
 
 use glam::{DMat4, DVec3, DVec4};
 
@@ -27,7 +28,8 @@ pub enum Unknown {
     ViewUp,
     /// C lies anywhere along **n**: F is the one that was there.
     PositionAlongNormal,
-    /// Only where the window lies beside the axis *and* where C lies sideways together are known: the window is symmetric.
+    /// Only where the window lies beside the axis *and* where C lies sideways together are known: the window is
+    /// symmetric.
     WindowCentre,
     /// The far plane is at infinity: B is the one that was there.
     Far,
@@ -129,7 +131,8 @@ const SLACK: f64 = 2e-3;
 /// Below it nothing is said: the digits of an `f64` are all there.
 const EXACT: f64 = 1e-9;
 
-/// The camera of a matrix that acts on column vectors, in a convention of NDC. What the matrix does not hold comes from `current`.
+/// The camera of a matrix that acts on column vectors, in a convention of NDC. What the matrix does not hold comes from
+/// `current`.
 ///
 /// ```
 /// use camera_lab::camera::{MatrixKind, Ndc, Parameters, Projection, recover};

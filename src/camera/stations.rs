@@ -55,17 +55,17 @@ impl Camera {
     /// ```
     ///
     /// *Guarantees*: computed in double-double and rounded at the end. W = 0 is recognised: (p − C) · **n** is an exact
-    /// sum of products, of which what lies below 2⁻⁹⁶ of the summands counts as zero; and so does, beside what p and C are apart, what
-    /// rounding their coordinates to `f64`s can have made of a point in the plane of the eye. z_c keeps its digits.
-    /// Floors are those of the exact numbers: what differs from a whole number by no more than the noise of 106 bits is
-    /// that number.
+    /// sum of products, of which what lies below 2⁻⁹⁶ of the summands counts as zero; and so does, beside what p and C
+    /// are apart, what rounding their coordinates to `f64`s can have made of a point in the plane of the eye. z_c keeps
+    /// its digits. Floors are those of the exact numbers: what differs from a whole number by no more than the noise of
+    /// 106 bits is that number.
     #[must_use]
     pub fn stations(&self, p_world: DVec3, image: ImageSize, viewport: &Viewport) -> Stations {
         self.notes_clip_space().stations(p_world, image, viewport)
     }
 
-    /// (x_n, y_n) of a point of an object with this model matrix, computed in double-double and rounded at the end; `None` where it is not
-    /// before the eye.
+    /// (x_n, y_n) of a point of an object with this model matrix, computed in double-double and rounded at the end;
+    /// `None` where it is not before the eye.
     pub(crate) fn exact_ndc(&self, world_from_object: &DMat4, p_object: DVec3) -> Option<DVec2> {
         let column = |k: usize, factor: f64| Dd3::from(world_from_object.col(k).truncate()) * Dd::new(factor);
         let world = column(0, p_object.x) + column(1, p_object.y) + column(2, p_object.z) + column(3, 1.0);
@@ -80,8 +80,9 @@ impl Camera {
         self.pose.position_rest()
     }
 
-    /// True for a point whose depth (p − C) · **n** is less than half a unit in the last place of each coordinate of p and C can make
-    /// it, and nothing beside the distance of the two: of a point so near to C that all of p − C is such a rest, nothing is known.
+    /// True for a point whose depth (p − C) · **n** is less than half a unit in the last place of each coordinate of p
+    /// and C can make it, and nothing beside the distance of the two: of a point so near to C that all of p − C is such
+    /// a rest, nothing is known.
     fn is_beside_the_eye(&self, p_world: DVec3, view: Dd3) -> bool {
         const NOTHING: f64 = 1.0 / (1u64 << 30) as f64;
         let half_ulp = |x: f64| (x.abs().next_up() - x.abs()) / 2.0;
@@ -92,8 +93,9 @@ impl Camera {
         view.z < slack && view.z <= NOTHING * view.x.max(view.y)
     }
 
-    /// The point from which x_c and y_c of `p_world` are measured: C, or PF where C is so much farther away that even double-double would
-    /// keep too little of p − C. Both give the same, since **u** and **v** are perpendicular to C − PF.
+    /// The point from which x_c and y_c of `p_world` are measured: C, or PF where C is so much farther away that even
+    /// double-double would keep too little of p − C. Both give the same, since **u** and **v** are perpendicular to C −
+    /// PF.
     pub(super) fn sideways_origin(&self, p_world: DVec3) -> Dd3 {
         /// Up to here a difference of 106 bits has more than 30 bits to spare.
         const MUCH_FARTHER: f64 = (1u64 << 20) as f64;
@@ -102,8 +104,8 @@ impl Camera {
         if far(position) > MUCH_FARTHER * far(focal_point) { focal_point } else { position }
     }
 
-    /// A world point in the VRC, and how much of it may be noise, sideways and along **n**: of the differences what rounding C (or PF) has
-    /// left, and of the products.
+    /// A world point in the VRC, and how much of it may be noise, sideways and along **n**: of the differences what
+    /// rounding C (or PF) has left, and of the products.
     fn exact_view_point(&self, p_world: DVec3) -> (Dd3, [f64; 2]) {
         let Frame { u, v, n, .. } = &self.frame;
         let [(aside, made_of_aside), (ahead, made_of_ahead)] =
@@ -119,7 +121,8 @@ impl Camera {
     }
 }
 
-/// p − `origin`, and the size of what it is made of in each coordinate in which `origin` is the result of operations, and not exact.
+/// p − `origin`, and the size of what it is made of in each coordinate in which `origin` is the result of operations,
+/// and not exact.
 fn difference(p_world: DVec3, origin: Dd3) -> (Dd3, DVec3) {
     let is_rounded = origin.to_array().map(|x| x.parts()[1] != 0.0);
     let sizes = (p_world.abs() + origin.value().abs()).to_array();
@@ -128,7 +131,8 @@ fn difference(p_world: DVec3, origin: Dd3) -> (Dd3, DVec3) {
 }
 
 impl ClipSpace<'_> {
-    /// A world point in every space; clip coordinates, NDC and `inside` are those of the convention, all others do not depend on it.
+    /// A world point in every space; clip coordinates, NDC and `inside` are those of the convention, all others do not
+    /// depend on it.
     ///
     /// *Guarantees*: those of [`Camera::stations`].
     #[must_use]

@@ -135,14 +135,15 @@ impl Camera {
         stretched.then(|| Warning::AspectMismatch { window, image: image.aspect() })
     }
 
-    /// The smallest difference of depth that a depth buffer of 24 bits keeps at a depth in front of the eye, in scene units: one
-    /// step over dZ/dz of (5.25), BF / ((B − F) z²) in perspective and 1 / (B − F) in parallel projection. Infinite where an `f64` has no such
-    /// number.
+    /// The smallest difference of depth that a depth buffer of 24 bits keeps at a depth in front of the eye, in scene
+    /// units: one step over dZ/dz of (5.25), BF / ((B − F) z²) in perspective and 1 / (B − F) in parallel projection.
+    /// Infinite where an `f64` has no such number.
     #[must_use]
     pub fn depth_step(&self, depth: f64) -> f64 {
         let (near, far) = (self.near(), self.far());
         match self.projection() {
-            // Quotients before products: nothing underflows on the way; what overflows there is tried in the order in which it does not.
+            // Quotients before products: nothing underflows on the way; what overflows there is tried in the order in
+            // which it does not.
             Projection::Perspective => {
                 let share = 1.0 - near / far;
                 let step = depth / near * share * depth / STEPS;
@@ -152,7 +153,8 @@ impl Camera {
         }
     }
 
-    /// The greatest coordinate of C or PF over D: how many times farther from the origin a camera is than from what it looks at.
+    /// The greatest coordinate of C or PF over D: how many times farther from the origin a camera is than from what it
+    /// looks at.
     #[must_use]
     pub fn origin_ratio(&self) -> f64 {
         self.position().abs().max(self.focal_point().abs()).max_element() / self.distance()

@@ -60,8 +60,8 @@ pub enum NoWayBack {
 impl ClipSpace<'_> {
     /// The world point at the centre of pixel (i, j) that has the depth Z of (5.25).
     ///
-    /// With t = (Z − n)/(f − n), 0 on the near plane and 1 on the far one: −z_c = F + t (B − F) in parallel projection, and
-    /// `1/(−z_c)` = (1 − t)/F + t/B in perspective, where nothing cancels however large B/F.
+    /// With t = (Z − n)/(f − n), 0 on the near plane and 1 on the far one: −z_c = F + t (B − F) in parallel projection,
+    /// and `1/(−z_c)` = (1 − t)/F + t/B in perspective, where nothing cancels however large B/F.
     ///
     /// ```
     /// use camera_lab::camera::{Camera, ImageSize, Parameters, Viewport};

@@ -1,4 +1,5 @@
-//! `camera-lab animate`: the view volume becomes the canonical one, step by step, as an animation or as a strip of stills.
+//! `camera-lab animate`: the view volume becomes the canonical one, step by step, as an animation or as a strip of
+//! stills.
 
 use super::args::AnimateArgs;
 use super::render::no_picture;

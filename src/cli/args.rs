@@ -100,8 +100,9 @@ pub(super) struct InspectArgs {
     /// A pixel with a depth Z of (5.25): its centre is followed back to the world, step by step
     #[arg(long = "depth-pixel", value_name = "I,J,Z", allow_hyphen_values = true)]
     depth_pixels: Vec<String>,
-    /// Whose normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too: glClipControl with zero to one), -infinite
-    /// lets the far plane go to infinity (in perspective). Vulkan's y points down; pixels, window and viewport are the same in all
+    /// Whose normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too: glClipControl with
+    /// zero to one), -infinite lets the far plane go to infinity (in perspective). Vulkan's y points down; pixels,
+    /// window and viewport are the same in all
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     pub(super) ndc: Ndc,
     /// How the numbers are written
@@ -121,24 +122,27 @@ pub(super) struct RenderArgs {
     /// Width and height in pixels; without it, the figure's image size (for `all`: of each picture)
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// Multiplies width, height, strokes and letters, 0.1 to 16. Without it and --letters, strokes and letters of a picture larger than
-    /// 1920x1080 grow with it, by the smaller of width/1920 and height/1080
+    /// Multiplies width, height, strokes and letters, 0.1 to 16. Without it and --letters, strokes and letters of a
+    /// picture larger than 1920x1080 grow with it, by the smaller of width/1920 and height/1080
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     scale: Option<String>,
-    /// Width in centimetres on paper, in place of --size; without --height-cm, the height follows from the figure's image
+    /// Width in centimetres on paper, in place of --size; without --height-cm, the height follows from the figure's
+    /// image
     #[arg(long, value_name = "CM", allow_hyphen_values = true, conflicts_with_all = ["size", "scale"])]
     width_cm: Option<String>,
     /// Height in centimetres on paper; `all` then arranges the three so that they become as large as the paper allows
     #[arg(long, value_name = "CM", allow_hyphen_values = true, requires = "width_cm")]
     height_cm: Option<String>,
-    /// Pixels per inch on paper, 300 where it is not given; it is written into a PNG or JPEG where it or --width-cm is given
+    /// Pixels per inch on paper, 300 where it is not given; it is written into a PNG or JPEG where it or --width-cm is
+    /// given
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     dpi: Option<String>,
-    /// Height of the letters of names in points on paper; strokes are in proportion. On a sheet of all three they are smaller, as long as
-    /// they can be read (6 points), where a picture has no room for them
+    /// Height of the letters of names in points on paper; strokes are in proportion. On a sheet of all three they are
+    /// smaller, as long as they can be read (6 points), where a picture has no room for them
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
-    /// Width of the edges of solids in points on paper, other strokes in proportion; without it, in proportion to the letters
+    /// Width of the edges of solids in points on paper, other strokes in proportion; without it, in proportion to the
+    /// letters
     #[arg(long, value_name = "PT", allow_hyphen_values = true)]
     lines: Option<String>,
     /// Without ground; not for JPEG, which has no transparency
@@ -232,8 +236,8 @@ pub(super) struct DiagnoseArgs {
     /// Sentences to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
-    /// Write the figure, its operations applied, with the repair of the first finding to the file of -o; comments stay. Where there is
-    /// nothing to repair, or no repair, that is said, and the figure is written without one
+    /// Write the figure, its operations applied, with the repair of the first finding to the file of -o; comments stay.
+    /// Where there is nothing to repair, or no repair, that is said, and the figure is written without one
     #[arg(long, requires = "output")]
     pub(super) repair: bool,
     /// The figure file to write
@@ -248,7 +252,8 @@ pub(super) struct AnimateArgs {
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
-    /// Whose steps: `notes` [0] T, R, M_p, division; `box` [2] S T P; `scale` [1] M_xyscale M_pers; `normalised` [3] N_persp M_P, N_ort
+    /// Whose steps: `notes` [0] T, R, M_p, division; `box` [2] S T P; `scale` [1] M_xyscale M_pers; `normalised` [3]
+    /// N_persp M_P, N_ort
     #[arg(long, value_enum, default_value_t)]
     pub(super) steps: Decomposition,
     /// Width and height of each picture in pixels
@@ -278,15 +283,16 @@ pub(super) struct FigureArgs {
     // The words stand in `OPERATIONS`.
     #[arg(long = "op", value_name = "NAME=VALUE", allow_hyphen_values = true, help = operations_help())]
     operations: Vec<String>,
-    /// What the pictures explain, as a key of `[show]` of a figure file with a TOML value: `stage="clip"`, `step={way="notes",at=2.5}`,
-    /// `measure=["F","theta"]`; without a value, nothing
+    /// What the pictures explain, as a key of `[show]` of a figure file with a TOML value: `stage="clip"`,
+    /// `step={way="notes",at=2.5}`, `measure=["F","theta"]`; without a value, nothing
     #[arg(long = "show", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     show: Vec<String>,
     /// Signs of the rotations: by the right-hand rule, or as VTK has them (elevation and roll the other way)
     #[arg(long, value_enum, default_value_t)]
     convention: ConventionArg,
-    /// Let the figure name any file of this machine. Without it, what a mesh names (materials, buffers) must lie in the mesh's
-    /// folder or below, and what a figure inside a picture names in the picture's. Nothing comes from another machine
+    /// Let the figure name any file of this machine. Without it, what a mesh names (materials, buffers) must lie in the
+    /// mesh's folder or below, and what a figure inside a picture names in the picture's. Nothing comes from another
+    /// machine
     #[arg(long)]
     pub(super) allow_files: bool,
     /// Language of the window, of messages, and of words in pictures

@@ -81,8 +81,8 @@ pub(super) struct CheckArgs {
     pub(super) id: String,
     #[command(flatten)]
     pub(super) numbers: NumbersArgs,
-    /// An answer: a number or an expression (1/sqrt(3), 45°), [a, b, c], [[…], […]], a choice, or key=value; … of [camera]; ? for an entry
-    /// that is not known
+    /// An answer: a number or an expression (1/sqrt(3), 45°), [a, b, c], [[…], […]], a choice, or key=value; … of
+    /// [camera]; ? for an entry that is not known
     #[arg(long = "answer", value_name = "NAME=VALUE", allow_hyphen_values = true, required = true)]
     answers: Vec<String>,
     /// How many hints the text gives for a wrong answer, 0 to 9; JSON has all
@@ -103,7 +103,8 @@ pub(super) struct SheetArgs {
     /// With the answers and the way to them
     #[arg(long)]
     pub(super) answers: bool,
-    /// The file to write: .md or .tex; pictures that are to be matched go beside it, as OUT-1.png where the first exercise has one
+    /// The file to write: .md or .tex; pictures that are to be matched go beside it, as OUT-1.png where the first
+    /// exercise has one
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: PathBuf,
 }

@@ -1,7 +1,8 @@
 //! The command line: one file per subcommand, and what they share.
 //!
-//! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in the
-//! language of `--lang` or of the system; what is written to standard output or into a picture never depends on the system.
+//! Exit status: 0 done; 1 the work could not be completed; 2 bad input. Errors go to standard error, one paragraph, in
+//! the language of `--lang` or of the system; what is written to standard output or into a picture never depends on the
+//! system.
 
 mod accuracy;
 mod animate;
@@ -59,8 +60,8 @@ pub enum Asked {
     Done(ExitCode),
     /// The window.
     Window(Box<Opening>),
-    /// The window, with what cannot be opened: its exit status, and what is to be said. Where a program has no console, a line on
-    /// standard error is not seen.
+    /// The window, with what cannot be opened: its exit status, and what is to be said. Where a program has no console,
+    /// a line on standard error is not seen.
     NoWindow {
         /// The exit status.
         status: u8,
@@ -150,8 +151,8 @@ fn print(bytes: &[u8], lang: Lang) -> Result<(), Failure> {
     })
 }
 
-/// Opens the figure of the arguments and applies their operations. The figure has the parameters of the camera that is given
-/// back; the camera knows more digits of them.
+/// Opens the figure of the arguments and applies their operations. The figure has the parameters of the camera that is
+/// given back; the camera knows more digits of them.
 fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), Failure> {
     let name = messages::opened(lang, path);
     // What is wrong with the arguments is said first: it does not depend on the file.
@@ -164,8 +165,8 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
     Ok((opened, camera))
 }
 
-/// The scene of a figure; its meshes are looked for beside the figure file. Says on standard error which files are missing
-/// without which it can be drawn.
+/// The scene of a figure; its meshes are looked for beside the figure file. Says on standard error which files are
+/// missing without which it can be drawn.
 fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<Scene, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut files = FigureFiles::new(folder, Reach::of(path, opened.from_picture, args.allow_files));

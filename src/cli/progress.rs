@@ -13,7 +13,8 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// How often it is said anew.
 const STEP: Duration = Duration::from_millis(100);
 
-/// Does `work`. Where standard error is a terminal, a line there says what is being done, from half a second on until it is done.
+/// Does `work`. Where standard error is a terminal, a line there says what is being done, from half a second on until
+/// it is done.
 pub(super) fn watched<T>(lang: Lang, work: impl FnOnce(&Progress) -> T) -> T {
     if io::stderr().is_terminal() { told(lang, &mut io::stderr(), PATIENCE, work) } else { work(&Progress::default()) }
 }

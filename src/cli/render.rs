@@ -71,7 +71,8 @@ pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, he
     }
 }
 
-/// A picture with strokes and letters as they are wanted: by a scale, by the height of letters in pixels, or as on a screen.
+/// A picture with strokes and letters as they are wanted: by a scale, by the height of letters in pixels, or as on a
+/// screen.
 fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -> Size {
     let letters = paper.and_then(|paper| Some(paper.pixels(paper.letters?)));
     #[expect(clippy::cast_possible_truncation, reason = "the height of letters")]
@@ -82,8 +83,8 @@ fn sized(width: u32, height: u32, scale: Option<f32>, paper: Option<&OnPaper>) -
     }
 }
 
-/// Width and height in pixels of a picture so many centimetres wide; where nothing is said, as high as the figure's image, or as three of
-/// them side by side.
+/// Width and height in pixels of a picture so many centimetres wide; where nothing is said, as high as the figure's
+/// image, or as three of them side by side.
 fn on_paper(paper: &OnPaper, width: f64, height: Option<f64>, image: ImageSize, all: bool) -> [u64; 2] {
     let pixels = |centimetres| paper.pixels_across(centimetres);
     let width = pixels(width);

@@ -1,20 +1,23 @@
 //! The display list: what a picture consists of, in pixels with depth. The only thing that outputs know.
 //!
 //! Pixels: (0, 0) is the top-left corner of the top-left pixel, x to the right, y down; the centre of pixel (i, j) is
-//! (i + ½, j + ½). Depth: **1 at the near plane, 0 at the far plane** (reversed, so that `f32` keeps its resolution where
-//! perspective crowds the depths), affine in the picture's plane; the greater depth is nearer. Where the volume is much deeper than what
-//! is in view of it, the depths are those of what is in view, and may be greater than 1; the frame says what they mean.
+//! (i + ½, j + ½). Depth: **1 at the near plane, 0 at the far plane** (reversed, so that `f32` keeps its resolution
+//! where perspective crowds the depths), affine in the picture's plane; the greater depth is nearer. Where the volume
+//! is much deeper than what is in view of it, the depths are those of what is in view, and may be greater than 1; the
+//! frame says what they mean.
 //!
-//! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal depths the first drawn stays), then
-//! translucent surfaces from back to front (hidden by what is opaque and nearer), then strokes,
-//! then areas in the order of the list (over all strokes, whatever their depths), then marks, then labels.
+//! Order, the same for every output, unless [`Drawing::painted_in_order`]: opaque surfaces (the nearest wins; of equal
+//! depths the first drawn stays), then translucent surfaces from back to front (hidden by what is opaque and nearer),
+//! then strokes, then areas in the order of the list (over all strokes, whatever their depths), then marks, then
+//! labels.
 //!
-//! Strokes: what a face hides of them is drawn as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a face counts
-//! as visible. Strokes hide strokes as faces hide faces: where two cross, the nearer one is painted over the other, whatever
-//! their order in the list. Where they touch, so that neither is nearer by more than what their own width spans, a visible part
-//! goes over a hidden one, then the wider stroke over the finer one (an edge over a grid line that runs up to it), then the later
-//! one over the earlier. Strokes whose hidden parts are [`Shown`](crate::appearance::HiddenLines::Shown) take no part in this:
-//! they are painted over all others, one over the other. [`order`] has these rules for numbers.
+//! Strokes: what a face hides of them is drawn as [`HiddenLines`](crate::appearance::HiddenLines) says; a stroke on a
+//! face counts as visible. Strokes hide strokes as faces hide faces: where two cross, the nearer one is painted over
+//! the other, whatever their order in the list. Where they touch, so that neither is nearer by more than what their own
+//! width spans, a visible part goes over a hidden one, then the wider stroke over the finer one (an edge over a grid
+//! line that runs up to it), then the later one over the earlier. Strokes whose hidden parts are
+//! [`Shown`](crate::appearance::HiddenLines::Shown) take no part in this: they are painted over all others, one over
+//! the other. [`order`] has these rules for numbers.
 
 pub mod order;
 
@@ -34,8 +37,8 @@ pub struct Drawing {
     pub background: Rgba,
     /// Samples per pixel for surfaces: 1, 4 or 16. Strokes and labels are always smooth.
     pub antialias: u8,
-    /// The surfaces are listed from back to front: each triangle, opaque or translucent, is painted over those before it,
-    /// whatever their depths. The last opaque one painted still leaves its depth, for what strokes and labels ask.
+    /// The surfaces are listed from back to front: each triangle, opaque or translucent, is painted over those before
+    /// it, whatever their depths. The last opaque one painted still leaves its depth, for what strokes and labels ask.
     pub painted_in_order: bool,
     /// Faces.
     pub surfaces: Vec<Surface>,

@@ -8,10 +8,11 @@ pub fn same_depth(depth: f32) -> f32 {
     1e-4 * depth.abs() + 1e-6
 }
 
-/// By how much a point may lie behind a face, and still be on it. `slope`: the change of the face's depth per pixel to the
-/// right and down.
+/// By how much a point may lie behind a face, and still be on it. `slope`: the change of the face's depth per pixel to
+/// the right and down.
 ///
-/// Corners of faces lie on a grid of the pixel, ends of strokes do not; and slopes that are kept for each pixel are rounded.
+/// Corners of faces lie on a grid of the pixel, ends of strokes do not; and slopes that are kept for each pixel are
+/// rounded.
 #[inline]
 #[must_use]
 pub fn on_a_face(depth: f32, slope: [f32; 2]) -> f32 {
@@ -19,7 +20,8 @@ pub fn on_a_face(depth: f32, slope: [f32; 2]) -> f32 {
 }
 
 /// By how much the depth of a stroke may differ between a point of its middle line and where another stroke touches it
-/// there, also at an acute angle. `radius`: half its width in pixels; `rise`: the change of its depth on `length` pixels.
+/// there, also at an acute angle. `radius`: half its width in pixels; `rise`: the change of its depth on `length`
+/// pixels.
 #[inline]
 #[must_use]
 pub fn stroke_reach(radius: f32, rise: f32, length: f32) -> f32 {
@@ -39,8 +41,9 @@ pub struct StrokePoint {
     pub width: f32,
 }
 
-/// Which of two strokes is over the other where they touch: the nearer one; where neither is nearer by more than what they
-/// reach, one that is visible over one behind a face, then the wider over the finer one, then the later in the list.
+/// Which of two strokes is over the other where they touch: the nearer one; where neither is nearer by more than what
+/// they reach, one that is visible over one behind a face, then the wider over the finer one, then the later in the
+/// list.
 #[inline]
 #[must_use]
 pub fn later_is_over(later: StrokePoint, earlier: StrokePoint) -> bool {

@@ -93,15 +93,15 @@ pub struct Ask {
     pub kind: Kind,
     /// What its numbers measure.
     pub unit: Unit,
-    /// How far each number may be from the right one. A number that is the right one rounded to three or more significant digits is right too,
-    /// except where whole numbers are asked for.
+    /// How far each number may be from the right one. A number that is the right one rounded to three or more
+    /// significant digits is right too, except where whole numbers are asked for.
     pub tolerance: f64,
     /// Whole numbers are asked for.
     pub whole: bool,
     /// The path in the report of the exercise's subject where the right answer stands, if it does.
     pub quantity: Option<String>,
-    /// The readings of what is asked: an answer that is right in one of them is right. The first is the one that the statement settles; the
-    /// others have the name of their text.
+    /// The readings of what is asked: an answer that is right in one of them is right. The first is the one that the
+    /// statement settles; the others have the name of their text.
     pub readings: Vec<Reading>,
     /// Wrong answers that a lecturer expects.
     pub own_mistakes: Vec<Arc<OwnMistake>>,
@@ -158,7 +158,8 @@ pub struct Reading {
     pub expected: Expected,
 }
 
-/// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be made there.
+/// Computes a table; with slips, as it comes out when they are made. `None`: nothing comes out, or the slip can't be
+/// made there.
 pub type Compute = Arc<dyn Fn(Slips) -> Option<Table> + Send + Sync>;
 /// What a camera must fulfil: the names of conditions, and whether it does.
 pub type Conditions = Arc<dyn Fn(&Camera) -> Vec<(&'static str, bool)> + Send + Sync>;

@@ -20,7 +20,8 @@ pub struct Judged {
     pub score: f64,
     /// Which entries are right, row by row; one for a choice; one for each condition of a camera.
     pub entries: Vec<Vec<bool>>,
-    /// The name of the reading in which it is right, or as right as can be; empty for the one that the statement settles.
+    /// The name of the reading in which it is right, or as right as can be; empty for the one that the statement
+    /// settles.
     pub reading: &'static str,
     /// The conditions that a camera has to fulfil, in the order of `entries`.
     pub conditions: Vec<&'static str>,
@@ -33,7 +34,8 @@ pub struct Judged {
 /// The known mistakes that give the numbers of an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
-    /// One, or two that were made together; the first is the one that comes first on the way. None where `own` is not among the known ones.
+    /// One, or two that were made together; the first is the one that comes first on the way. None where `own` is not
+    /// among the known ones.
     pub mistakes: Vec<Mistake>,
     /// Where a single number is at fault: its row and column, from 0.
     pub entry: Option<[usize; 2]>,
@@ -300,8 +302,8 @@ fn has_signs_of(ask: &Ask, given: &[f64], right: &Table) -> bool {
     given.iter().zip(&right.entries).all(|(given, right)| ask.accepts(Some(given.abs()), right.abs()))
 }
 
-/// What is wrong is near: rounded to fewer than three digits or decimals, or all of it within a hundredth. Nobody rounds 0.23 to 0: whole numbers below 1
-/// are a guess.
+/// What is wrong is near: rounded to fewer than three digits or decimals, or all of it within a hundredth. Nobody
+/// rounds 0.23 to 0: whole numbers below 1 are a guess.
 fn is_rounded_too_early(ask: &Ask, given: &[f64], right: &Table) -> bool {
     if ask.whole {
         return false;

@@ -1,7 +1,9 @@
-//! Exercises: those of the notes, families with numbers from a seed, and a lecturer's own; answers are judged, and wrong ones explained.
+//! Exercises: those of the notes, families with numbers from a seed, and a lecturer's own; answers are judged, and
+//! wrong ones explained.
 //!
-//! What is right is what [`Subject::value`] (the numbers of `inspect`) or a family computes; what a known [`Mistake`] gives comes from the same
-//! place with a [`Slip`] built in. An answer that is neither right nor explained is told which of its numbers are wrong.
+//! What is right is what [`Subject::value`] (the numbers of `inspect`) or a family computes; what a known [`Mistake`]
+//! gives comes from the same place with a [`Slip`] built in. An answer that is neither right nor explained is told
+//! which of its numbers are wrong.
 
 mod answer;
 mod exercise;

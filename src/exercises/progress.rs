@@ -191,9 +191,10 @@ impl Progress {
         }
     }
 
-    /// What to practise next of these: a family that shows the open mistake that was made most often; else the first that is not solved; else
-    /// the one that was tried least recently before `now`. What was tried later than that was so by a clock that ran ahead: nobody knows when, so it
-    /// comes before those that are known. `None` where there are none.
+    /// What to practise next of these: a family that shows the open mistake that was made most often; else the first
+    /// that is not solved; else the one that was tried least recently before `now`. What was tried later than that was
+    /// so by a clock that ran ahead: nobody knows when, so it comes before those that are known. `None` where there are
+    /// none.
     #[must_use]
     pub fn practise_next<'a>(&self, entries: impl IntoIterator<Item = &'a Entry>, now: u64) -> Option<Next> {
         let entries: Vec<&Entry> = entries.into_iter().collect();

@@ -38,8 +38,8 @@ impl Subject {
         Report::new(&self.figure, &self.operations, Convention::RightHand, &self.points, &self.pixels)
     }
 
-    /// The numbers at a path in that report, such as `basis.u` or `points.0.ndc`; a boolean is 1 or 0. `None`: there is nothing there, or no
-    /// numbers.
+    /// The numbers at a path in that report, such as `basis.u` or `points.0.ndc`; a boolean is 1 or 0. `None`: there is
+    /// nothing there, or no numbers.
     #[must_use]
     pub fn value(&self, path: &str) -> Option<Table> {
         let report = serde_json::to_value(self.report().ok()?).ok()?;

@@ -1,6 +1,8 @@
-//! The notes' equations as they are written down by hand, with the known mistakes built in: what a wrong answer is held against.
+//! The notes' equations as they are written down by hand, with the known mistakes built in: what a wrong answer is held
+//! against.
 //!
-//! What is right comes from the camera itself ([`Subject::value`]); this chain is only asked for what comes out when something is done wrong.
+//! What is right comes from the camera itself ([`Subject::value`]); this chain is only asked for what comes out when
+//! something is done wrong.
 
 use glam::{DMat3, DMat4, DVec2, DVec3, DVec4};
 
@@ -12,7 +14,8 @@ use crate::camera::{
 };
 use crate::geometry::Angle;
 
-/// What comes out at a path of the report when `slips` are made; `None` where that is not a number, or the path is not known.
+/// What comes out at a path of the report when `slips` are made; `None` where that is not a number, or the path is not
+/// known.
 #[must_use]
 pub(super) fn value(subject: &Subject, path: &str, slips: Slips) -> Option<Table> {
     let camera = operated(subject, slips).ok()?;

@@ -13,7 +13,8 @@ pub struct Definition {
     pub equation: &'static str,
 }
 
-/// What a symbol of the camera is made of; `None` for a parameter, which is what somebody chose, and for what a point brings along.
+/// What a symbol of the camera is made of; `None` for a parameter, which is what somebody chose, and for what a point
+/// brings along.
 #[must_use]
 pub fn definition(symbol: Symbol, setting: &Setting<'_>) -> Option<Definition> {
     let camera = setting.space().camera();

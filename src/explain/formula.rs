@@ -219,7 +219,8 @@ impl Formula {
         }
     }
 
-    /// The greatest number that is added or subtracted on the way to its value: what a rounding of the value is measured by.
+    /// The greatest number that is added or subtracted on the way to its value: what a rounding of the value is
+    /// measured by.
     #[must_use]
     pub fn magnitude(&self, setting: &Setting<'_>) -> f64 {
         match self {
@@ -253,7 +254,8 @@ impl Formula {
         }
     }
 
-    /// The symbols that stand in it, each once, in the order in which they are read; those of vectors as their components.
+    /// The symbols that stand in it, each once, in the order in which they are read; those of vectors as their
+    /// components.
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
         let mut found = Vec::new();

@@ -1,4 +1,5 @@
-//! What w does: points beside one another in (x_r, w_r), where the middle of a segment goes, and a chequered floor that is interpolated with and without it.
+//! What w does: points beside one another in (x_r, w_r), where the middle of a segment goes, and a chequered floor that
+//! is interpolated with and without it.
 //!
 //! `[2]` and `[4]`; J. F. Blinn, *Hyperbolic interpolation*, IEEE CG&A 12(4), 1992.
 
@@ -54,8 +55,8 @@ impl Floor {
         Self { corners, window, w: clip.map(|c| c.w) }
     }
 
-    /// What is seen at a window point: the colour of a square, or `None` beside the floor. `with_w`: interpolated as rasterizers do, u/w, v/w and
-    /// 1/w; else u and v alone, which is wrong where w differs.
+    /// What is seen at a window point: the colour of a square, or `None` beside the floor. `with_w`: interpolated as
+    /// rasterizers do, u/w, v/w and 1/w; else u and v alone, which is wrong where w differs.
     #[must_use]
     pub fn is_dark(&self, point: DVec2, with_w: bool) -> Option<bool> {
         const UV: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];

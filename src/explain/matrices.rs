@@ -1,4 +1,5 @@
-//! Each entry of each matrix as a formula: `[0]` §5.3 and §5.5, and what follows from them for inverses, products and other conventions.
+//! Each entry of each matrix as a formula: `[0]` §5.3 and §5.5, and what follows from them for inverses, products and
+//! other conventions.
 
 use super::formula::{minus, over, plus, sum, times};
 use super::{Axis, Component, Formula, Function, Matrix, Setting, Symbol, Vector};
@@ -21,9 +22,11 @@ pub struct MatrixFormula {
 }
 
 impl MatrixFormula {
-    /// The formulas that are in force in a setting: (5.13) to (5.16) by projection and symmetry, the third row by the convention of NDC.
+    /// The formulas that are in force in a setting: (5.13) to (5.16) by projection and symmetry, the third row by the
+    /// convention of NDC.
     ///
-    /// *Guarantees*: each entry's [`Formula::value`] is the program's number ([`Setting::matrix`]) up to the rounding of plain `f64`.
+    /// *Guarantees*: each entry's [`Formula::value`] is the program's number ([`Setting::matrix`]) up to the rounding
+    /// of plain `f64`.
     #[must_use]
     pub fn new(matrix: Matrix, setting: &Setting<'_>) -> Self {
         let entries = match matrix {

@@ -1,8 +1,8 @@
-//! Lists of transforms, as a program gives them to a stack of matrices `[4]`: each call multiplies the current matrix from the right, push
-//! keeps it, pop brings the one back that was kept last.
+//! Lists of transforms, as a program gives them to a stack of matrices `[4]`: each call multiplies the current matrix
+//! from the right, push keeps it, pop brings the one back that was kept last.
 //!
-//! A list has two readings with one result: from left to right each call moves the *frame*, along and about the axes that it has by then;
-//! from right to left each moves the *object*, along and about axes that stay `[3]`.
+//! A list has two readings with one result: from left to right each call moves the *frame*, along and about the axes
+//! that it has by then; from right to left each moves the *object*, along and about axes that stay `[3]`.
 
 use glam::{DMat4, DVec3};
 
@@ -140,8 +140,9 @@ pub fn in_force(calls: &[Call]) -> Result<Vec<usize>, Unbalanced> {
     Ok(current)
 }
 
-/// What there is after each part of a list. From left to right a part is its first calls, and the stack is as it is then; from right to
-/// left it is the last ones of those that are in force. Both begin with no call and end with the same matrix.
+/// What there is after each part of a list. From left to right a part is its first calls, and the stack is as it is
+/// then; from right to left it is the last ones of those that are in force. Both begin with no call and end with the
+/// same matrix.
 ///
 /// # Errors
 /// [`Unbalanced`]
@@ -218,8 +219,8 @@ pub struct Link {
     pub trs: Trs,
 }
 
-/// A list as a chain of T R S, the first of them nearest to the parent; one alone where the list is of the form T Rz Ry Rx S, in which
-/// calls may be missing. The product of the chain is exactly that of the list.
+/// A list as a chain of T R S, the first of them nearest to the parent; one alone where the list is of the form T Rz Ry
+/// Rx S, in which calls may be missing. The product of the chain is exactly that of the list.
 ///
 /// # Errors
 /// [`Unbalanced`]

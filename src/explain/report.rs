@@ -1,4 +1,5 @@
-//! What `camera-lab inspect` prints of points that are followed: their traces, and pixels with a depth on their way back.
+//! What `camera-lab inspect` prints of points that are followed: their traces, and pixels with a depth on their way
+//! back.
 
 use serde::Serialize;
 
@@ -49,8 +50,8 @@ impl DepthPixelReport {
     }
 }
 
-/// The report as JSON, as [`Report::to_json`], with the `trace` of each of its points where that is wanted, and with `depth_pixels` where there are
-/// such.
+/// The report as JSON, as [`Report::to_json`], with the `trace` of each of its points where that is wanted, and with
+/// `depth_pixels` where there are such.
 #[must_use]
 pub fn json(report: &Report, setting: &Setting<'_>, traced: bool, depth_pixels: &[DepthPixelReport]) -> String {
     // Neither a report nor a trace has anything that could fail to become a JSON value.

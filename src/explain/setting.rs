@@ -52,7 +52,8 @@ impl<'a> Setting<'a> {
         Self { point: Some(self.space.stations(world, self.image, &self.viewport)), local: None, ..self }
     }
 
-    /// With the point to which a pixel with a depth leads back, as it is on that way: before anything is rounded to whole pixels.
+    /// With the point to which a pixel with a depth leads back, as it is on that way: before anything is rounded to
+    /// whole pixels.
     #[must_use]
     pub fn with_way_back(self, way: &WayBack) -> Self {
         let setting = self.with_point(way.world);
@@ -149,7 +150,8 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// (5.24) before the floor and (5.25) as a matrix; in other conventions for their range of z_n and their direction of y.
+    /// (5.24) before the floor and (5.25) as a matrix; in other conventions for their range of z_n and their direction
+    /// of y.
     fn depth_and_window(&self) -> DMat4 {
         let v = &self.viewport;
         let (width, height) = (f64::from(v.width) / 2.0, f64::from(v.height) / 2.0);

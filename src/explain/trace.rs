@@ -21,7 +21,8 @@ pub struct Step {
     pub matrix: Option<[[f64; 4]; 4]>,
     /// What is multiplied, divided or mapped.
     pub input: Vec<f64>,
-    /// What is added up, a row for each number of `output`. In a row that is floored the last but what does not belong under the floor is what the floor takes away.
+    /// What is added up, a row for each number of `output`. In a row that is floored the last but what does not belong
+    /// under the floor is what the floor takes away.
     pub terms: Vec<Vec<f64>>,
     /// What comes out: the numbers of `camera-lab inspect`.
     pub output: Vec<f64>,
@@ -40,7 +41,8 @@ pub struct Step {
 }
 
 impl Step {
-    /// How far the terms of each row, added as they stand, are from the output: what rounding the factors to `f64` costs.
+    /// How far the terms of each row, added as they stand, are from the output: what rounding the factors to `f64`
+    /// costs.
     #[must_use]
     pub fn rests(&self) -> Vec<f64> {
         self.terms.iter().zip(&self.output).map(|(terms, out)| terms.iter().sum::<f64>() - out).collect()
@@ -142,8 +144,8 @@ fn matrix_step(
     Step { matrix: Some(numbers), by: Some(matrix), ..step }
 }
 
-/// The way of the setting's point, from its object (where it was given there) or from the world to pixel and viewport. It ends with
-/// clip coordinates where w = 0; empty without a point.
+/// The way of the setting's point, from its object (where it was given there) or from the world to pixel and viewport.
+/// It ends with clip coordinates where w = 0; empty without a point.
 #[must_use]
 pub fn forward(setting: &Setting<'_>) -> Vec<Step> {
     let Some(point) = setting.point() else { return Vec::new() };
@@ -166,7 +168,8 @@ pub fn forward(setting: &Setting<'_>) -> Vec<Step> {
     steps
 }
 
-/// By M_v; where the terms of the matrix cancel so far that its rows no longer add up (C far from the origin), by p − C, as the program computes.
+/// By M_v; where the terms of the matrix cancel so far that its rows no longer add up (C far from the origin), by p −
+/// C, as the program computes.
 fn to_view(setting: &Setting<'_>) -> Step {
     let (input, output) = (Component::THREE.map(Symbol::World), Component::THREE.map(Symbol::View));
     let by_matrix = matrix_step(setting, ("world", "view"), "(5.7)", Matrix::View, input, &output);
@@ -223,7 +226,8 @@ fn to_pixel(setting: &Setting<'_>) -> Step {
     step(setting, ("window", "pixel"), "(5.22)", input, rows)
 }
 
-/// (5.24) and (5.25). They are the notes', whose NDC has a far plane: without one, the same convention with one is used.
+/// (5.24) and (5.25). They are the notes', whose NDC has a far plane: without one, the same convention with one is
+/// used.
 fn to_viewport(setting: &Setting<'_>) -> Step {
     let ndc = setting.space().ndc();
     if ndc.infinite {
@@ -246,11 +250,11 @@ fn to_viewport(setting: &Setting<'_>) -> Step {
     step(setting, ("ndc", "viewport"), "(5.24), (5.25)", input, rows)
 }
 
-/// The way back from the centre of a pixel with a depth Z: (5.23), (5.25), then the inverses of M_p and M_v. Empty where it leads beyond all
-/// numbers.
+/// The way back from the centre of a pixel with a depth Z: (5.23), (5.25), then the inverses of M_p and M_v. Empty
+/// where it leads beyond all numbers.
 ///
-/// The formulas have their numbers in [`Step::setting`] of the setting [with the way](Setting::with_way_back). Without a far plane the
-/// convention with one is used, as Z of (5.25) has one.
+/// The formulas have their numbers in [`Step::setting`] of the setting [with the way](Setting::with_way_back). Without
+/// a far plane the convention with one is used, as Z of (5.25) has one.
 #[must_use]
 pub fn back(setting: &Setting<'_>, way: &WayBack) -> Vec<Step> {
     if setting.space().ndc().infinite {

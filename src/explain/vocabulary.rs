@@ -109,7 +109,8 @@ pub enum Limitation {
     LeftHanded,
     /// `z_near` and `z_far` are coordinates there, negative.
     Coordinates,
-    /// y points down, and pixels are counted from the centre of the first one in some books; here from its corner, as in (5.22).
+    /// y points down, and pixels are counted from the centre of the first one in some books; here from its corner, as
+    /// in (5.22).
     YDown,
 }
 
@@ -160,8 +161,8 @@ impl Vocabulary {
         })
     }
 
-    /// The parameters of the camera with one of the numbers changed. Whether they are those of a camera, [`Camera::new`] says.
-    /// [`Quantity::Axis`] and [`Quantity::Fixed`] change nothing.
+    /// The parameters of the camera with one of the numbers changed. Whether they are those of a camera,
+    /// [`Camera::new`] says. [`Quantity::Axis`] and [`Quantity::Fixed`] change nothing.
     #[must_use]
     pub fn set(self, camera: &Camera, image: ImageSize, quantity: Quantity, value: f64) -> Parameters {
         let mut p = *camera.parameters();

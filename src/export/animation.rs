@@ -56,9 +56,9 @@ pub enum AnimationError {
 /// One unit of a picture's time is so many seconds.
 pub const TICK: f64 = 0.01;
 
-/// The file of so many pictures, which begins again at its end. `next` gives each of them, of one size and without transparency, with the ticks of
-/// [`TICK`] for which it is shown; of the pictures only one is in memory.
-/// It pauses where `next` does.
+/// The file of so many pictures, which begins again at its end. `next` gives each of them, of one size and without
+/// transparency, with the ticks of [`TICK`] for which it is shown; of the pictures only one is in memory. It pauses
+/// where `next` does.
 ///
 /// # Errors
 /// [`AnimationError`].
@@ -104,8 +104,8 @@ pub async fn animation(
 /// Colours of a GIF's picture at most.
 const COLORS: usize = 256;
 
-/// The colours that most pixels have, as they are, and for each pixel the nearest of them: a quantiser that looks for averages makes thin lines of
-/// green and of blue one colour, since there is so little of each.
+/// The colours that most pixels have, as they are, and for each pixel the nearest of them: a quantiser that looks for
+/// averages makes thin lines of green and of blue one colour, since there is so little of each.
 fn indexed(picture: &Pixmap) -> (Vec<u8>, Vec<u8>) {
     let color = |p: &PremultipliedColorU8| [p.red(), p.green(), p.blue()];
     // Pixels beside one another are mostly equal: their colour is looked up once.

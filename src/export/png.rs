@@ -68,9 +68,9 @@ impl From<DecodingError> for PngError {
     }
 }
 
-/// The PNG of `pixmap`, with `figure` (the text of a figure file) and what else is `said` of the picture in iTXt chunks, and, for paper, `dpi` (pixels per inch) in a pHYs chunk,
-/// as pixels per metre; what is too fine or too coarse for that chunk is left out. Opaque pictures have no alpha channel.
-/// It pauses after each row.
+/// The PNG of `pixmap`, with `figure` (the text of a figure file) and what else is `said` of the picture in iTXt
+/// chunks, and, for paper, `dpi` (pixels per inch) in a pHYs chunk, as pixels per metre; what is too fine or too coarse
+/// for that chunk is left out. Opaque pictures have no alpha channel. It pauses after each row.
 ///
 /// *Guarantees*: the same picture and text give the same bytes.
 ///
@@ -133,9 +133,11 @@ fn density(dpi: f64) -> Option<PixelDimensions> {
 /// The figure file in a PNG, of at most `limit` bytes; `None` for a PNG without one.
 ///
 /// # Errors
-/// [`PngError::Damaged`] when the bytes are not a whole PNG, [`PngError::TooLong`] for a longer text, however well it is packed.
+/// [`PngError::Damaged`] when the bytes are not a whole PNG, [`PngError::TooLong`] for a longer text, however well it
+/// is packed.
 pub fn figure_text(bytes: &[u8], limit: usize) -> Result<Option<String>, PngError> {
-    // A fault in a text of another program is none of ours; only where no figure is found, it may have been the figure's.
+    // A fault in a text of another program is none of ours; only where no figure is found, it may have been the
+    // figure's.
     if let Some(text) = text_with(DecodeOptions::default(), bytes, limit)? {
         return Ok(Some(text));
     }
@@ -172,7 +174,8 @@ pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(SIGNATURE)
 }
 
-/// The bytes of the figure file in `bytes`, which are a figure file themselves or a picture that holds one of at most `limit` bytes.
+/// The bytes of the figure file in `bytes`, which are a figure file themselves or a picture that holds one of at most
+/// `limit` bytes.
 ///
 /// # Errors
 /// [`PngError`] for a picture that is damaged, holds no figure, or too long a one.

@@ -4,8 +4,8 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::Rgba;
 
-/// The pictures from left to right, their middles at one height, with `gap` pixels of `ground` between them. `None` where the sheet would
-/// be empty or too large for memory.
+/// The pictures from left to right, their middles at one height, with `gap` pixels of `ground` between them. `None`
+/// where the sheet would be empty or too large for memory.
 #[must_use]
 pub fn row(pictures: &[Pixmap], gap: u32, ground: Rgba) -> Option<Pixmap> {
     let length = length(pictures, Pixmap::width, gap)?;

@@ -1,5 +1,5 @@
-//! A figure: camera parameters, image, viewport, scene, points, style, what is revealed of the pipeline, observers, and what is explained in the
-//! pictures. One figure file is one `Figure`.
+//! A figure: camera parameters, image, viewport, scene, points, style, what is revealed of the pipeline, observers, and
+//! what is explained in the pictures. One figure file is one `Figure`.
 
 mod edit;
 pub mod error;
@@ -38,8 +38,8 @@ pub struct Figure {
     pub camera: Parameters,
     /// `[image]`
     pub image: ImageSize,
-    /// `[image] undistorted`: the image is shown with the aspect of the view window, as the eye would see it, and not as the m × n
-    /// image of `[0]` Eq. (5.22).
+    /// `[image] undistorted`: the image is shown with the aspect of the view window, as the eye would see it, and not
+    /// as the m × n image of `[0]` Eq. (5.22).
     pub undistorted: bool,
     /// `[viewport]`; `None`: the whole image, depth 0 … 1.
     pub viewport: Option<Viewport>,
@@ -53,7 +53,8 @@ pub struct Figure {
     pub reveal: Reveal,
     /// `[world]`
     pub world: WorldLook,
-    /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be seen.
+    /// `[observers]`: from where the world and the canonical volume are seen; `None`: from where everything can be
+    /// seen.
     pub observers: Observers,
     /// `[show]`: what is explained in the pictures.
     pub show: Show,

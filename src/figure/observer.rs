@@ -5,13 +5,14 @@ use glam::DVec3;
 use crate::camera::{Camera, CameraError, Parameters, Projection};
 use crate::geometry::{Aabb, Angle};
 
-/// The observer's vertical view angle: narrow, so that the picture's own perspective does not compete with the one it shows.
+/// The observer's vertical view angle: narrow, so that the picture's own perspective does not compete with the one it
+/// shows.
 pub const VIEW_ANGLE: Angle = Angle::from_degrees(28.0);
 /// Half of [`VIEW_ANGLE`].
 pub const HALF_VIEW_ANGLE: Angle = Angle::from_degrees(VIEW_ANGLE.degrees() / 2.0);
 
-/// How many times the observer's distance a depth range may be in parallel projection, where depth is linear and kept in
-/// `f32`: beyond it, faces that touch would flicker.
+/// How many times the observer's distance a depth range may be in parallel projection, where depth is linear and kept
+/// in `f32`: beyond it, faces that touch would flicker.
 const PARALLEL_DEPTH: f64 = 100.0;
 
 /// Who looks at a three-dimensional picture: an orbit about a target.
@@ -25,16 +26,16 @@ pub struct Observer {
     pub azimuth: f64,
     /// Degrees above the ground, −90 … 90.
     pub elevation: f64,
-    /// Degrees by which the eye is turned about its line of sight, counter-clockwise as seen in the picture: the picture turns
-    /// clockwise.
+    /// Degrees by which the eye is turned about its line of sight, counter-clockwise as seen in the picture: the
+    /// picture turns clockwise.
     pub roll: f64,
     /// Parallel (true) or perspective projection of this picture.
     pub parallel: bool,
 }
 
 impl Observer {
-    /// Turns about the target. The scene follows the pointer: `dx_deg` > 0 turns what is in front to the right, `dy_deg` > 0
-    /// turns it down, so that the eye rises.
+    /// Turns about the target. The scene follows the pointer: `dx_deg` > 0 turns what is in front to the right,
+    /// `dy_deg` > 0 turns it down, so that the eye rises.
     #[must_use]
     pub fn orbit(self, dx_deg: f64, dy_deg: f64) -> Self {
         // Across and along the ground, which lies aslant for a rolled eye.

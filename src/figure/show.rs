@@ -14,9 +14,11 @@ use crate::stage::Stage;
 pub struct Show {
     /// A stage: what goes in and what comes out.
     pub stage: Option<Stage>,
-    /// The picture in which the stage is shown, and whose pipeline it is a stage of; the others show what belongs to it.
+    /// The picture in which the stage is shown, and whose pipeline it is a stage of; the others show what belongs to
+    /// it.
     pub stage_of: StagePicture,
-    /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None`: all, with everything else.
+    /// The first share (0 … 1) of the image's triangles alone is painted, in the order of painting; `None`: all, with
+    /// everything else.
     pub painted: Option<f64>,
     /// The canonical picture on its way from the world.
     pub step: Option<ShownStep>,
@@ -127,7 +129,8 @@ impl Measure {
     pub const ALL: [Self; 6] = [Self::Near, Self::Far, Self::Distance, Self::Width, Self::Height, Self::HalfAngle];
 }
 
-/// What a parameter, or the entry of a matrix, measures in the world. Axes are 0 … 2: of the camera **u**, **v**, **n**.
+/// What a parameter, or the entry of a matrix, measures in the world. Axes are 0 … 2: of the camera **u**, **v**,
+/// **n**.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Measured {
     /// A length or an angle.

@@ -7,6 +7,7 @@ pub struct WorldLook {
     pub section: bool,
     /// F, B, D, W, H and θ/2 as dimension lines.
     pub dimensions: bool,
-    /// How opaque the image on the view window is, 0 … 1; `None`: opaque, but faint where it would hide much of the scene.
+    /// How opaque the image on the view window is, 0 … 1; `None`: opaque, but faint where it would hide much of the
+    /// scene.
     pub window_opacity: Option<f64>,
 }

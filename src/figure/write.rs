@@ -213,8 +213,8 @@ fn table<'a>(keys: impl IntoIterator<Item = (&'a str, Value)>) -> Table {
     table
 }
 
-/// A text in double quotes on one line, where the library would take several lines for one with a line end: those change with
-/// the line ends of the file. (What JSON escapes is what TOML does, but for the DEL character.)
+/// A text in double quotes on one line, where the library would take several lines for one with a line end: those
+/// change with the line ends of the file. (What JSON escapes is what TOML does, but for the DEL character.)
 fn quoted(text: &str) -> Value {
     let quoted = serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007F");
     let mut value = quoted.parse().unwrap_or_else(|_| Value::from(text));
@@ -222,8 +222,8 @@ fn quoted(text: &str) -> Value {
     value
 }
 
-/// The shortest decimal number that reads back as the same `f64`; as a float of Rust is written, since that of the library has
-/// hundreds of zeros where it is very large or small.
+/// The shortest decimal number that reads back as the same `f64`; as a float of Rust is written, since that of the
+/// library has hundreds of zeros where it is very large or small.
 fn number(x: f64) -> Value {
     let mut value = numbers::exact(x).parse().unwrap_or_else(|_| Value::from(x));
     // Spaces around it are those of its place.

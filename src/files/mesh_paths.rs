@@ -6,8 +6,8 @@ use super::{is_network, whole};
 use crate::figure::Figure;
 use crate::scene::Shape;
 
-/// How a figure in this folder names a file: relative to the folder where the file lies in it, with slashes; else by its
-/// whole path.
+/// How a figure in this folder names a file: relative to the folder where the file lies in it, with slashes; else by
+/// its whole path.
 #[must_use]
 pub fn named_in_figure(folder: Option<&Path>, path: &Path) -> String {
     let file = whole(path);
@@ -26,8 +26,9 @@ fn whole_folder(folder: &Path) -> PathBuf {
     whole(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
 }
 
-/// A figure that names files as from the folder `from`, as it is written into the folder `to`: in another one it names its meshes anew, so
-/// that they are the same files. A figure without a folder names them as from where the program was started.
+/// A figure that names files as from the folder `from`, as it is written into the folder `to`: in another one it names
+/// its meshes anew, so that they are the same files. A figure without a folder names them as from where the program was
+/// started.
 #[must_use]
 pub fn for_folder(figure: &Figure, from: Option<&Path>, to: Option<&Path>) -> Figure {
     let mut figure = figure.clone();

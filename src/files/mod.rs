@@ -191,8 +191,8 @@ pub fn whole(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// True for paths that begin with two slashes or backslashes, as Windows names other machines (`\\\\host\\share`). Its long names
-/// of local disks (`\\\\?\\C:\\`) begin so too, and are local.
+/// True for paths that begin with two slashes or backslashes, as Windows names other machines (`\\\\host\\share`). Its
+/// long names of local disks (`\\\\?\\C:\\`) begin so too, and are local.
 #[must_use]
 pub fn is_network(path: &Path) -> bool {
     let text = path.as_os_str().as_encoded_bytes();

@@ -25,8 +25,8 @@ pub enum Reach {
 }
 
 impl Reach {
-    /// The reach of a figure that came in a picture or in a file of its own with this path, or in a link; `allowed`: the user lets it name
-    /// any file.
+    /// The reach of a figure that came in a picture or in a file of its own with this path, or in a link; `allowed`:
+    /// the user lets it name any file.
     #[must_use]
     pub fn of(path: &Path, from_picture: bool, allowed: bool) -> Self {
         let has_folder = !path.as_os_str().is_empty() && share::link_of(path).is_none();
@@ -41,8 +41,8 @@ impl Reach {
 
 /// Reads what one figure names.
 ///
-/// *Guarantees*: nothing but regular files of this machine, within the reach, and never more than [`MAX_SCENE_BYTES`] of them in
-/// all. What lies outside is not even looked at: whether it exists cannot be told from the message.
+/// *Guarantees*: nothing but regular files of this machine, within the reach, and never more than [`MAX_SCENE_BYTES`]
+/// of them in all. What lies outside is not even looked at: whether it exists cannot be told from the message.
 #[derive(Clone, Debug)]
 pub struct FigureFiles {
     folder: PathBuf,
@@ -70,7 +70,8 @@ impl FigureFiles {
         MAX_SCENE_BYTES - self.left
     }
 
-    /// The files that meshes name and that could not be read. A mesh without its material library is drawn all the same.
+    /// The files that meshes name and that could not be read. A mesh without its material library is drawn all the
+    /// same.
     #[must_use]
     pub fn unread(&self) -> &[ReadError] {
         &self.unread

@@ -1,8 +1,8 @@
 //! Saving: the file is there afterwards as a whole, or, after an error, as it was before; and it stays what it was.
 //!
-//! The new bytes go into a temporary file beside the old one, which is then renamed. That would cut hard links, and give the file
-//! another owner where the user may write it without owning it: such a file, and one in a folder where nothing can be made, is
-//! written in place.
+//! The new bytes go into a temporary file beside the old one, which is then renamed. That would cut hard links, and
+//! give the file another owner where the user may write it without owning it: such a file, and one in a folder where
+//! nothing can be made, is written in place.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, Metadata, OpenOptions};
@@ -15,12 +15,13 @@ use crate::scene::system_kind;
 
 /// Saves `bytes` under `path`.
 ///
-/// *Guarantees*: after an error the file is as it was. A link stays a link, also one that leads nowhere yet; permissions stay, and
-/// hard links, owner and group as far as the system allows. What an earlier run left behind when it was killed is removed.
+/// *Guarantees*: after an error the file is as it was. A link stays a link, also one that leads nowhere yet;
+/// permissions stay, and hard links, owner and group as far as the system allows. What an earlier run left behind when
+/// it was killed is removed.
 ///
 /// # Errors
-/// [`FileError::Write`] where the system refuses; [`FileError::ReadOnly`] as `overwrite` has it; [`FileError::Directory`],
-/// [`FileError::Network`] and [`FileError::ReservedName`] for such paths.
+/// [`FileError::Write`] where the system refuses; [`FileError::ReadOnly`] as `overwrite` has it;
+/// [`FileError::Directory`], [`FileError::Network`] and [`FileError::ReservedName`] for such paths.
 pub fn save(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), FileError> {
     check_path(path)?;
     let target = end_of_links(path).map_err(FileError::Write)?;
@@ -114,7 +115,8 @@ fn take_the_place(temporary: &mut Temporary, target: &Path, before: &Metadata) -
     temporary.rename(target)
 }
 
-/// Writes over the old bytes, and puts them back where the new ones find no room; what cannot be read is not written over.
+/// Writes over the old bytes, and puts them back where the new ones find no room; what cannot be read is not written
+/// over.
 fn write_in_place(mut file: File, path: &Path, bytes: &[u8]) -> io::Result<()> {
     let old = fs::read(path)?;
     let mut put = |bytes: &[u8]| {
@@ -141,7 +143,8 @@ fn has_other_names(_: &Metadata) -> bool {
     false
 }
 
-/// A new file in the folder of another one, which it can become in one step. Locked while its program lives; removed unless renamed.
+/// A new file in the folder of another one, which it can become in one step. Locked while its program lives; removed
+/// unless renamed.
 struct Temporary {
     path: PathBuf,
     file: File,
@@ -238,8 +241,8 @@ pub fn remove_left_over(folder: &Path) {
     }
 }
 
-/// Between making a file and locking it there is a moment. The process of a file may live where its number says nothing: on another
-/// machine, or in a container of its own.
+/// Between making a file and locking it there is a moment. The process of a file may live where its number says
+/// nothing: on another machine, or in a container of its own.
 fn settled_after(process: u32) -> Duration {
     let is_gone = Path::new("/proc/self").exists() && !Path::new(&format!("/proc/{process}")).exists();
     Duration::from_secs(if is_gone { 2 } else { 60 })

@@ -127,8 +127,8 @@ impl Dd {
         (self + other).without_noise(self.hi.abs() + other.hi.abs())
     }
 
-    /// The greatest whole number that is not above it. What lies within `noise` (at most 2⁻²⁰) of a whole number is that
-    /// number.
+    /// The greatest whole number that is not above it. What lies within `noise` (at most 2⁻²⁰) of a whole number is
+    /// that number.
     pub(crate) fn floor(self, noise: f64) -> f64 {
         let nearest = self.hi.round();
         let off = (self - Self::new(nearest)).hi;

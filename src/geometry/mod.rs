@@ -37,8 +37,8 @@ impl Angle {
 
     /// Sine and cosine.
     ///
-    /// *Guarantees*: both are the `f64` nearest to the true value (but for ties too close to call). The angle is reduced
-    /// in degrees, exactly: multiples of 30°, 45° and 90° give what they should, and whole turns change no bit.
+    /// *Guarantees*: both are the `f64` nearest to the true value (but for ties too close to call). The angle is
+    /// reduced in degrees, exactly: multiples of 30°, 45° and 90° give what they should, and whole turns change no bit.
     #[must_use]
     pub fn sin_cos(self) -> (f64, f64) {
         let (sine, cosine) = double_double::sin_cos_degrees(self.degrees);

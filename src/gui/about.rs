@@ -1,5 +1,5 @@
-//! What this program is: its version, its licence, and what others have written of what it is made of. Inside, so that one file that is
-//! handed on tells it too.
+//! What this program is: its version, its licence, and what others have written of what it is made of. Inside, so that
+//! one file that is handed on tells it too.
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 

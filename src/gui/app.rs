@@ -120,7 +120,8 @@ impl App {
         self.tell_news();
     }
 
-    /// Says what there is to say about sessions and preferences, each until it is closed; that nothing is written, as long as that is so.
+    /// Says what there is to say about sessions and preferences, each until it is closed; that nothing is written, as
+    /// long as that is so.
     fn tell_news(&mut self) {
         let said = &mut self.state.file_flow.news;
         if let Some(preferences) = &mut self.preferences {

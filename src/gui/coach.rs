@@ -1,4 +1,5 @@
-//! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say, with repairs.
+//! The coach: in an empty image why it is empty, under the pictures a few words, and in a dialog all there is to say,
+//! with repairs.
 
 mod depth;
 

@@ -412,7 +412,8 @@ impl Command {
         !(state.in_browser && matches!(self, Self::Recent | Self::Quit))
     }
 
-    /// True where its keys do something that people want of every browser: a new window or tab, the address, reloading, zooming, other tabs.
+    /// True where its keys do something that people want of every browser: a new window or tab, the address, reloading,
+    /// zooming, other tabs.
     fn has_keys_of_browsers(self) -> bool {
         matches!(
             self,

@@ -295,7 +295,8 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         (t.show_image, pictures.keys_in_image),
     ];
     ui.heading(t.help);
-    // As high from the first frame on as it is going to be: a dialog that grows moves its buttons away from the pointer.
+    // As high from the first frame on as it is going to be: a dialog that grows moves its buttons away from the
+    // pointer.
     let height = (ui.ctx().content_rect().height() - 160.0).max(120.0);
     let area = egui::ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
     area.show(ui, |ui| {

@@ -108,8 +108,8 @@ impl Document {
         &self.camera
     }
 
-    /// The camera that pictures are drawn with: that of the figure's parameters, as a file can hold them, so that a picture that is exported, or drawn from
-    /// the file or a link, is that on the screen.
+    /// The camera that pictures are drawn with: that of the figure's parameters, as a file can hold them, so that a
+    /// picture that is exported, or drawn from the file or a link, is that on the screen.
     #[must_use]
     pub fn drawn_camera(&self) -> &Camera {
         &self.drawn
@@ -133,8 +133,8 @@ impl Document {
         self.problem.as_ref()
     }
 
-    /// Takes new camera parameters: where they are possible they become the figure's, otherwise the last good ones stay and
-    /// [`Self::problem`] says why.
+    /// Takes new camera parameters: where they are possible they become the figure's, otherwise the last good ones stay
+    /// and [`Self::problem`] says why.
     pub fn set_parameters(&mut self, parameters: Parameters) {
         if self.draft == parameters {
             return;
@@ -169,12 +169,14 @@ impl Document {
         self.revision
     }
 
-    /// The observers: where one looks from is kept in the file, but it is neither a change of the figure nor an undo step.
+    /// The observers: where one looks from is kept in the file, but it is neither a change of the figure nor an undo
+    /// step.
     pub fn observers_mut(&mut self) -> &mut Observers {
         &mut self.figure.observers
     }
 
-    /// What is explained in the pictures: kept in the file as the observers are, and neither a change of the figure nor an undo step.
+    /// What is explained in the pictures: kept in the file as the observers are, and neither a change of the figure nor
+    /// an undo step.
     pub fn show_mut(&mut self) -> &mut Show {
         &mut self.figure.show
     }
@@ -200,8 +202,8 @@ impl Document {
         }
     }
 
-    /// Makes an undo step of what has changed since the last one. Call it when no pointer or key is held, so that a drag is
-    /// one step.
+    /// Makes an undo step of what has changed since the last one. Call it when no pointer or key is held, so that a
+    /// drag is one step.
     pub fn commit(&mut self) {
         self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
     }
@@ -247,7 +249,8 @@ impl Document {
         Ok(())
     }
 
-    /// Shows another figure, as one undo step. The file stays with the figure that is left: saving asks for another one, until undoing has led back.
+    /// Shows another figure, as one undo step. The file stays with the figure that is left: saving asks for another
+    /// one, until undoing has led back.
     ///
     /// # Errors
     /// As for [`Self::replace`].
@@ -284,12 +287,12 @@ impl Document {
 
     /// Does an operation to the camera.
     ///
-    /// *Guarantees*: the camera keeps what it knows beyond the `f64`s of its parameters, so that errors do not add up: twelve
-    /// turns by 30° give it back bit for bit.
+    /// *Guarantees*: the camera keeps what it knows beyond the `f64`s of its parameters, so that errors do not add up:
+    /// twelve turns by 30° give it back bit for bit.
     ///
     /// # Errors
-    /// [`CameraError`] where the operation has no result, or where what is being edited is not a camera; nothing has changed
-    /// then.
+    /// [`CameraError`] where the operation has no result, or where what is being edited is not a camera; nothing has
+    /// changed then.
     pub fn operate(&mut self, operation: Operation, convention: Convention) -> Result<(), CameraError> {
         self.operate_from(&self.camera.clone(), operation, convention)
     }
@@ -312,7 +315,8 @@ impl Document {
         Ok(())
     }
 
-    /// The name of the file, without its folder; of a figure of the program that has no file yet, the one that it could have.
+    /// The name of the file, without its folder; of a figure of the program that has no file yet, the one that it could
+    /// have.
     #[must_use]
     pub fn name(&self) -> Option<String> {
         match (&self.path, self.shipped) {
@@ -371,7 +375,8 @@ impl Document {
         self.path = None;
     }
 
-    /// True where closing would lose something. From where the pictures are seen does not count, nor what is explained in them.
+    /// True where closing would lose something. From where the pictures are seen does not count, nor what is explained
+    /// in them.
     #[must_use]
     pub fn is_changed(&self) -> bool {
         let Figure {

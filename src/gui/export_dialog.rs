@@ -72,7 +72,8 @@ fn on_checkbox() -> Id {
     Id::unique("checkbox of the export dialog has the focus")
 }
 
-/// Enter exports wherever it has nothing else to do: where nothing has the focus, and on checkboxes, which the space bar switches.
+/// Enter exports wherever it has nothing else to do: where nothing has the focus, and on checkboxes, which the space
+/// bar switches.
 fn enter(ui: &egui::Ui) -> bool {
     let free = ui.memory(|memory| memory.focused()).is_none() && !egui::Popup::is_any_open(ui.ctx());
     let on_checkbox = ui.data_mut(|data| data.remove_temp::<bool>(on_checkbox())).is_some();
@@ -256,7 +257,8 @@ fn paper(ui: &mut egui::Ui, t: &'static Texts, export: &mut Export, crowded: Opt
     errors
 }
 
-/// The width of lines, which follows the letters as long as it has none of its own; what is wrong with what was typed there.
+/// The width of lines, which follows the letters as long as it has none of its own; what is wrong with what was typed
+/// there.
 fn lines(ui: &mut egui::Ui, t: &'static Texts, lines: &mut Option<f64>, as_letters: f64) -> Option<Fault> {
     let mut fault = None;
     row(ui, "", t.export_lines, t.export_lines_hint, |ui| {

@@ -79,8 +79,8 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
     }
 }
 
-/// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no places where files go:
-/// there, only the name of a figure is asked for.
+/// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no places
+/// where files go: there, only the name of a figure is asked for.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     let t = window::texts(state.settings.lang);
     let writes = matches!(purpose, Purpose::Save(_) | Purpose::Export(_) | Purpose::Film(_) | Purpose::Progress);
@@ -392,7 +392,8 @@ fn say_saved(state: &mut State, path: PathBuf) {
     state.say(if state.in_browser { Message::Downloaded(path) } else { Message::Saved(path) });
 }
 
-/// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was restored.
+/// Looks whether another program has changed the figure's file: when the window gets the focus, and where it was
+/// restored.
 fn watch(ctx: &egui::Context, state: &mut State) {
     let focused = ctx.input(|input| input.raw.events.contains(&egui::Event::WindowFocused(true)));
     if std::mem::take(&mut state.file_flow.look) || focused {
@@ -408,7 +409,8 @@ fn watch(ctx: &egui::Context, state: &mut State) {
     }
 }
 
-/// What happens by itself in each frame: answers of dialogs and of exports, dropped files, the window's own close button.
+/// What happens by itself in each frame: answers of dialogs and of exports, dropped files, the window's own close
+/// button.
 pub fn poll(ctx: &egui::Context, state: &mut State) {
     if let Some((purpose, answer)) = state.file_flow.asking.as_mut().and_then(|(p, a)| Some((p.clone(), a.poll()?))) {
         state.file_flow.asking = None;
@@ -467,8 +469,8 @@ fn take_file(ctx: &egui::Context, state: &mut State, path: PathBuf) {
     state.settings.tab = Tab::Scene;
 }
 
-/// Tells what came of the pictures that were being written. A window that waits for them closes with the last one, unless one has
-/// failed: that would be told to nobody.
+/// Tells what came of the pictures that were being written. A window that waits for them closes with the last one,
+/// unless one has failed: that would be told to nobody.
 fn take_exports(ctx: &egui::Context, state: &mut State) {
     let mut failed = false;
     for (path, result) in state.file_flow.exported() {

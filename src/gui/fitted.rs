@@ -12,7 +12,8 @@ pub(super) fn words(text: &str, fits: impl Fn(&str) -> bool) -> String {
     ends.map(shorter).filter(|shortened| fits(shortened)).last().unwrap_or_else(|| "…".to_owned())
 }
 
-/// A text, or as many of its parts (between `·`, semicolons and sentences) as fit; of the first, if need be, only its first words.
+/// A text, or as many of its parts (between `·`, semicolons and sentences) as fit; of the first, if need be, only its
+/// first words.
 pub(super) fn parts(text: &str, fits: impl Fn(&str) -> bool) -> String {
     let is_end = |at: &usize| [" · ", "; ", ". "].iter().any(|mark| text[*at..].starts_with(mark));
     let ends = text.char_indices().map(|(at, _)| at).filter(is_end).map(|at| &text[..at]).chain([text]);

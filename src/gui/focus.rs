@@ -1,5 +1,5 @@
-//! The keyboard's way through the window: from region to region, what has the focus made visible and brought into sight, lists
-//! that Enter closes.
+//! The keyboard's way through the window: from region to region, what has the focus made visible and brought into
+//! sight, lists that Enter closes.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -124,8 +124,9 @@ impl Focus {
     }
 }
 
-/// Tab goes through the window as it is read: menus, parameters, pictures, operations and numbers. egui goes through controls as they are
-/// laid out, and the panel on the right is laid out before the pictures, which take the room that is left.
+/// Tab goes through the window as it is read: menus, parameters, pictures, operations and numbers. egui goes through
+/// controls as they are laid out, and the panel on the right is laid out before the pictures, which take the room that
+/// is left.
 fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
     let pressed = |shift: bool| {
         ctx.input(|input| {
@@ -158,8 +159,8 @@ fn go_on_as_read(ctx: &Context, regions: &Regions, now: Option<Id>) {
     }
 }
 
-/// What takes the focus in the window itself, as it was in the last frame: first all but the panel on the right and the one of studies, which
-/// are laid out before the pictures; then those two.
+/// What takes the focus in the window itself, as it was in the last frame: first all but the panel on the right and the
+/// one of studies, which are laid out before the pictures; then those two.
 fn as_read(ctx: &Context, regions: &Regions) -> Vec<Id> {
     /// A panel's frame, and the handle by which it is made wider.
     const MARGIN: f32 = 12.0;
@@ -173,7 +174,8 @@ fn as_read(ctx: &Context, regions: &Regions) -> Vec<Id> {
         let mut order = Vec::new();
         for widget in all {
             let begins = |region: Option<&(Region, Id, Rect)>| region.is_some_and(|(_, id, _)| widget.id == *id);
-            // Its controls come one after the other, up to the next region's; the pictures above it begin with their titles.
+            // Its controls come one after the other, up to the next region's; the pictures above it begin with their
+            // titles.
             in_numerics = begins(numerics) || (in_numerics && !regions.0.iter().any(|(_, id, _)| widget.id == *id));
             in_numbers |= begins(numbers);
             let center = widget.rect.center();
@@ -231,7 +233,8 @@ fn close_id() -> Id {
     Id::unique("close the list")
 }
 
-/// Makes a part of the window a region that Ctrl+Tab goes to; `name` is for screen readers. Tab goes on to its first control.
+/// Makes a part of the window a region that Ctrl+Tab goes to; `name` is for screen readers. Tab goes on to its first
+/// control.
 pub(super) fn region(ui: &Ui, rect: Rect, region: Region, name: &str) {
     let id = Id::unique(("region", region));
     let response = ui.interact(rect, id, Sense::FOCUSABLE);
@@ -261,8 +264,8 @@ pub(super) fn keep_in_sight(ui: &Ui) {
     }
 }
 
-/// Controls at the right end of a row, in the order in which they are read, which is the order in which Tab goes through them: a
-/// layout from right to left would turn it round.
+/// Controls at the right end of a row, in the order in which they are read, which is the order in which Tab goes
+/// through them: a layout from right to left would turn it round.
 pub(super) fn at_right<R>(ui: &mut Ui, controls: impl FnOnce(&mut Ui) -> R) -> R {
     with_room_before(ui, |_| (), controls)
 }

@@ -16,8 +16,8 @@ pub(super) const REACH: f32 = 10.0;
 #[derive(Clone, Debug)]
 pub(super) struct HandleDrag {
     handle: Handle,
-    /// The picture and the pointer (pixels) from which the motion is measured: those of the press, or, with the camera of the
-    /// moment, those in which the modifier changed.
+    /// The picture and the pointer (pixels) from which the motion is measured: those of the press, or, with the camera
+    /// of the moment, those in which the modifier changed.
     pressed: Request,
     from: DVec2,
     vertical: bool,
@@ -49,8 +49,8 @@ impl HandleDrag {
         self.before.clone()
     }
 
-    /// The parameters with the pointer at `to` (pixels); `None` where they are not a camera, so that the last one stays and
-    /// [`HandleDrag::stopped`] says why.
+    /// The parameters with the pointer at `to` (pixels); `None` where they are not a camera, so that the last one stays
+    /// and [`HandleDrag::stopped`] says why.
     pub(super) fn moved(&mut self, now: &Request, to: DVec2, modifiers: Modifiers) -> Option<Parameters> {
         if self.vertical != vertical(modifiers) {
             self.vertical = !self.vertical;

@@ -9,7 +9,8 @@ use crate::figure::{Figure, NamedPoint, Observers, Reveal, Show, WorldLook};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
-/// Which scene: where two numbers are the same, so are the scenes, which can be large. Of other numbers nothing is said.
+/// Which scene: where two numbers are the same, so are the scenes, which can be large. Of other numbers nothing is
+/// said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Revision(u64);
 

@@ -1,5 +1,6 @@
-//! Keys in their order: what is typed before Tab is for the field that has the focus then, and what comes after it for the next
-//! one, also where both come in one frame. The focus moves at the beginning of a frame, before any field reads what was typed.
+//! Keys in their order: what is typed before Tab is for the field that has the focus then, and what comes after it for
+//! the next one, also where both come in one frame. The focus moves at the beginning of a frame, before any field reads
+//! what was typed.
 
 use eframe::egui::{Event, Key};
 
@@ -10,7 +11,8 @@ pub(super) struct KeyOrder {
 }
 
 impl KeyOrder {
-    /// Leaves of the events of a frame those up to the next Tab, or a Tab alone; true where others wait for the next frame.
+    /// Leaves of the events of a frame those up to the next Tab, or a Tab alone; true where others wait for the next
+    /// frame.
     pub(super) fn hold(&mut self, events: &mut Vec<Event>) -> bool {
         let mut all = std::mem::take(&mut self.waiting);
         all.append(events);

@@ -1,4 +1,5 @@
-//! Formulas set as `KaTeX` sets them: `RaTeX` says where each glyph and each line stands, the window paints them with the fonts of `KaTeX`.
+//! Formulas set as `KaTeX` sets them: `RaTeX` says where each glyph and each line stands, the window paints them with
+//! the fonts of `KaTeX`.
 
 use std::sync::Arc;
 

@@ -52,7 +52,8 @@ pub(in crate::gui) fn finish(state: &mut State) {
     state.say_camera_error(done);
 }
 
-/// Where the eye sees the camera go: an arrow for its place, its look or its turn; `None` where it goes nowhere sideways.
+/// Where the eye sees the camera go: an arrow for its place, its look or its turn; `None` where it goes nowhere
+/// sideways.
 pub(in crate::gui) fn arrow(before: &Camera, freedom: Freedom, forwards: bool, convention: Convention) -> Option<char> {
     let unit = match freedom.descriptor().amount {
         Amount::Angle => 1.0,

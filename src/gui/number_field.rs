@@ -1,8 +1,8 @@
 //! A field for one number: drag it, type a number or an expression, or step it with the arrow keys.
 //!
-//! egui's own field drops a text that it cannot read, and rounds the value that it shows before it is edited. This one keeps a
-//! faulty text, with the reason, until it is mended, changes the value only when something else was typed, and shows it rounded
-//! to what fits where there is no room for all of it.
+//! egui's own field drops a text that it cannot read, and rounds the value that it shows before it is edited. This one
+//! keeps a faulty text, with the reason, until it is mended, changes the value only when something else was typed, and
+//! shows it rounded to what fits where there is no room for all of it.
 
 use std::ops::RangeInclusive;
 
@@ -23,7 +23,8 @@ use crate::numbers::{self, round_to};
 pub enum Step {
     /// An arrow key adds or takes this; dragging a tenth of it for each point.
     Add(f64),
-    /// An arrow key multiplies or divides by this; dragging by its tenth root for each point. For what is never 0 or less.
+    /// An arrow key multiplies or divides by this; dragging by its tenth root for each point. For what is never 0 or
+    /// less.
     Multiply(f64),
 }
 
@@ -242,7 +243,8 @@ impl<'a> NumberField<'a> {
         FieldOutput { error }
     }
 
-    /// Arrow keys while it is edited, and what a screen reader asks for; the result is what cannot be taken over of that.
+    /// Arrow keys while it is edited, and what a screen reader asks for; the result is what cannot be taken over of
+    /// that.
     fn step_by_keys(
         &self,
         ui: &egui::Ui,

@@ -1,4 +1,5 @@
-//! What the plots of the window have in common: they stand still, and their logarithmic axes are marked at powers of ten.
+//! What the plots of the window have in common: they stand still, and their logarithmic axes are marked at powers of
+//! ten.
 
 use std::ops::RangeInclusive;
 
@@ -6,7 +7,8 @@ use egui_plot::{GridInput, GridMark, Plot};
 
 use crate::chart::power_of_ten;
 
-/// A plot that neither moves nor zooms, and shows no coordinates of its own: what is under the pointer is read out beside it.
+/// A plot that neither moves nor zooms, and shows no coordinates of its own: what is under the pointer is read out
+/// beside it.
 pub(super) fn still(plot: Plot<'_>) -> Plot<'_> {
     plot.show_x(false).show_y(false).allow_drag(false).allow_zoom(false).allow_scroll(false).allow_boxed_zoom(false)
 }

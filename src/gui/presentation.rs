@@ -35,8 +35,8 @@ pub(super) const ARROWS: [(KeyboardShortcut, Command); 2] = [
     (KeyboardShortcut::new(Modifiers::NONE, Key::ArrowLeft), Command::PreviousFigure),
 ];
 
-/// Esc, where it means nothing else: takes away what lies over the pictures; leaves the presentation where nothing does. The command that
-/// is called.
+/// Esc, where it means nothing else: takes away what lies over the pictures; leaves the presentation where nothing
+/// does. The command that is called.
 pub(super) fn escape(ctx: &Context, state: &mut State) -> Option<Command> {
     let shown = state.settings.presentation || state.annotations.any();
     let busy = ctx.text_edit_focused() || ctx.any_popup_open() || state.file_flow.dialog.is_some();

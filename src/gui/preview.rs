@@ -1,5 +1,5 @@
-//! The picture that the export dialog shows, and the one that it copies: drawn beside the window's thread, in the same way as the one
-//! that is written.
+//! The picture that the export dialog shows, and the one that it copies: drawn beside the window's thread, in the same
+//! way as the one that is written.
 
 use std::time::Duration;
 
@@ -63,8 +63,8 @@ fn work() -> Work<Job, Drawn> {
 }
 
 impl Preview {
-    /// Takes what has been drawn, and has the picture drawn anew where it is to be another one; `room`: width and height in pixels
-    /// of the place for it.
+    /// Takes what has been drawn, and has the picture drawn anew where it is to be another one; `room`: width and
+    /// height in pixels of the place for it.
     pub(super) fn follow(&mut self, ctx: &Context, export: &Export, room: [f32; 2], subject: impl FnOnce() -> Subject) {
         let [shown, copied] = self.worker.take(Duration::ZERO);
         match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {

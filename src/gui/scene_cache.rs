@@ -1,5 +1,5 @@
-//! The scene that the pictures show, made anew only when the figure's has changed. Mesh files are read beside the window's
-//! thread: until one is there, and where one cannot be read, the rest of the scene is shown without it.
+//! The scene that the pictures show, made anew only when the figure's has changed. Mesh files are read beside the
+//! window's thread: until one is there, and where one cannot be read, the rest of the scene is shown without it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -215,8 +215,9 @@ impl SceneCache {
         self.reader.bytes.clear();
     }
 
-    /// Makes the scene, in the colours of `theme`, where the figure's has changed, or a mesh file has been read. Meshes are looked for beside the figure file.
-    /// Waits up to `patience` for a file that is being begun; `ctx` is asked for a frame when one is read.
+    /// Makes the scene, in the colours of `theme`, where the figure's has changed, or a mesh file has been read. Meshes
+    /// are looked for beside the figure file. Waits up to `patience` for a file that is being begun; `ctx` is asked for
+    /// a frame when one is read.
     ///
     /// # Errors
     /// What cannot be read or built. It is said once, not in each frame.

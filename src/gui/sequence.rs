@@ -1,8 +1,8 @@
-//! The figures one after the other, as in a lecture: those of the folder of the open one in natural order, or those of the program; also
-//! after a figure whose folder cannot be looked into, as in a page.
+//! The figures one after the other, as in a lecture: those of the folder of the open one in natural order, or those of
+//! the program; also after a figure whose folder cannot be looked into, as in a page.
 //!
-//! Nobody is asked on the way: a figure with changes is kept, and is as it was left when one comes back to it. It is asked about
-//! when the window is closed.
+//! Nobody is asked on the way: a figure with changes is kept, and is as it was left when one comes back to it. It is
+//! asked about when the window is closed.
 
 use crate::files::{SHIPPED_FIGURES, open_figure};
 use crate::gui::document::Document;
@@ -75,8 +75,8 @@ fn keep_and_show(state: &mut State, source: Option<Source>, document: Document) 
     state.annotations.blank = false;
 }
 
-/// Goes on to the next figure, or back to the one before. What cannot be opened is passed over, and said. True where the window
-/// shows another figure now.
+/// Goes on to the next figure, or back to the one before. What cannot be opened is passed over, and said. True where
+/// the window shows another figure now.
 pub(super) fn step(state: &mut State, forwards: bool) -> bool {
     state.document.commit();
     let (places, at) = places(state);

@@ -1,7 +1,7 @@
 //! The fields of the window in which text is typed, and how much of it each takes.
 //!
-//! What is pasted may be any file that somebody had on the clipboard: it is cut before it is laid out, and that is said beside the
-//! field. No other file makes fields of egui's own, which take everything.
+//! What is pasted may be any file that somebody had on the clipboard: it is cut before it is laid out, and that is said
+//! beside the field. No other file makes fields of egui's own, which take everything.
 
 use eframe::egui::{Event, Response, TextEdit, Ui};
 
@@ -37,7 +37,8 @@ impl<'t> TextField<'t> {
         Self { edit: TextEdit::multiline(text), most: usize::MAX, says: false }
     }
 
-    /// For a text that is refused where it is too long, with words of its own: one character more than is allowed has room.
+    /// For a text that is refused where it is too long, with words of its own: one character more than is allowed has
+    /// room.
     pub(super) fn refused_beyond(self) -> Self {
         Self { most: self.most.saturating_add(1), says: false, ..self }
     }

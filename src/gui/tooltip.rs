@@ -19,8 +19,8 @@ fn key() -> Id {
     Id::unique("tooltips beside the panel")
 }
 
-/// From here on tooltips of what is in this panel stand at its side and cover none of its other fields: `RIGHT_START` to its
-/// right, `LEFT_START` to its left.
+/// From here on tooltips of what is in this panel stand at its side and cover none of its other fields: `RIGHT_START`
+/// to its right, `LEFT_START` to its left.
 pub(super) fn beside_panel(ui: &Ui, align: RectAlign) {
     let beside = Beside { panel: ui.max_rect(), layer: ui.layer_id(), align };
     ui.ctx().data_mut(|data| data.insert_temp(key(), beside));

@@ -31,7 +31,8 @@ pub(super) fn one_by_one<Job: 'static, Outcome: 'static>(
     Box::new(move |job, progress| {
         let kept = Rc::clone(&kept);
         Box::pin(async move {
-            // It is there: no job is begun before the one before has come to its end, and after a panic all of it is made anew.
+            // It is there: no job is begun before the one before has come to its end, and after a panic all of it is
+            // made anew.
             let mut work = kept.take()?;
             let outcome = work(job, &progress).await;
             kept.set(Some(work));
@@ -40,8 +41,9 @@ pub(super) fn one_by_one<Job: 'static, Outcome: 'static>(
     })
 }
 
-/// Does one job after the other. Of each slot the latest job wins: one that has not been begun is forgotten when the next comes.
-/// Every slot that waits gets the same share of the time: a light job is not as late as a heavy one, and none starves.
+/// Does one job after the other. Of each slot the latest job wins: one that has not been begun is forgotten when the
+/// next comes. Every slot that waits gets the same share of the time: a light job is not as late as a heavy one, and
+/// none starves.
 pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     shared: Arc<Shared<Job, Outcome, SLOTS>>,
     place: Place<Job, Outcome, SLOTS>,
@@ -131,7 +133,8 @@ impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
 }
 
 impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Job, Outcome, SLOTS> {
-    /// `make` makes what does the jobs: on the thread, with the first job, and anew after a panic. `name` is the thread's.
+    /// `make` makes what does the jobs: on the thread, with the first job, and anew after a panic. `name` is the
+    /// thread's.
     pub(super) fn new(name: &'static str, clock: fn() -> Duration, make: fn() -> Work<Job, Outcome>) -> Self {
         let mailbox = Mailbox {
             wanted: std::array::from_fn(|_| None),
@@ -267,7 +270,8 @@ fn work<Job, Outcome, const SLOTS: usize>(
         drop(mailbox);
 
         let start = clock();
-        // A panic here is a bug, but not one for which the window should stand still for ever: what it left half done is made anew.
+        // A panic here is a bug, but not one for which the window should stand still for ever: what it left half done
+        // is made anew.
         let outcome = catch_unwind(AssertUnwindSafe(|| at_once(work(job, shared.progress.clone())))).ok().flatten();
         if outcome.is_none() {
             work = make();
@@ -415,7 +419,8 @@ mod tests {
         worker.cancel();
         assert_eq!(frame(&mut worker), [None, Some((22, 40))]);
         assert!(!worker.is_pending(1) && worker.running().is_none());
-        // What was given up is wanted when it is asked for anew, and no slice of it took long: nothing has to be told before.
+        // What was given up is wanted when it is asked for anew, and no slice of it took long: nothing has to be told
+        // before.
         worker.ask(&ctx, 1, 30);
         assert_eq!(frame(&mut worker), [None; 2]);
         assert_eq!(worker.running().map(|running| running.time.as_millis()), Some(40));

@@ -1,7 +1,7 @@
 //! What is wrong with a camera, an operation or a question about it, or may not have been meant, in both languages.
 //!
-//! Keys, words of the figure file, and numbers are the same in every language. Each function is one exhaustive `match`: an
-//! error without a text does not compile.
+//! Keys, words of the figure file, and numbers are the same in every language. Each function is one exhaustive `match`:
+//! an error without a text does not compile.
 
 use super::Lang;
 use super::expressions::in_expression;

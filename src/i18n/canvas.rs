@@ -3,7 +3,8 @@
 use super::Lang;
 use crate::views::{Arrangement, View};
 
-/// The texts of the canvas in one language, under a name that tells them from the window's, which are often at hand too.
+/// The texts of the canvas in one language, under a name that tells them from the window's, which are often at hand
+/// too.
 pub type CanvasTexts = Texts;
 
 texts! {

@@ -240,8 +240,8 @@ pub fn two_planes(lang: Lang, share: f64) -> String {
     }
 }
 
-/// Why something is not in the picture, with the names concerned, as they are called in this language; `scene`: the figure's, whose own
-/// objects have their names from its author.
+/// Why something is not in the picture, with the names concerned, as they are called in this language; `scene`: the
+/// figure's, whose own objects have their names from its author.
 #[must_use]
 pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &SceneSpec) -> String {
     if finding.cause == Cause::EmptyScene {

@@ -277,8 +277,8 @@ fn escaped(text: &str) -> String {
     latex
 }
 
-/// Markdown that does no more than show its words: no HTML, no links or pictures, which may name files, no commands of TeX outside of
-/// formulas, which some programs hand on.
+/// Markdown that does no more than show its words: no HTML, no links or pictures, which may name files, no commands of
+/// TeX outside of formulas, which some programs hand on.
 fn inert(markdown: &str) -> String {
     let mut inert = String::with_capacity(markdown.len());
     for (k, part) in markdown.split('$').enumerate() {

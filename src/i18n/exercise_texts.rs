@@ -1,7 +1,7 @@
 //! The texts of exercises, written in `assets/exercises`.
 //!
-//! A file is read line by line. `# id: title` begins an exercise: its other lines are paragraphs of the statement in Markdown, and `? name: text`
-//! what is asked. `# name` begins a list of `- name: text`.
+//! A file is read line by line. `# id: title` begins an exercise: its other lines are paragraphs of the statement in
+//! Markdown, and `? name: text` what is asked. `# name` begins a list of `- name: text`.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

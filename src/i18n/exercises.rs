@@ -83,7 +83,8 @@ pub fn reading(lang: Lang, name: &'static str) -> &'static str {
     listed(lang, "readings", name)
 }
 
-/// The name of a choice that was typed by its name or by its word in either language, yes and no also as `inspect` writes them, true and false; what was typed, where it is neither.
+/// The name of a choice that was typed by its name or by its word in either language, yes and no also as `inspect`
+/// writes them, true and false; what was typed, where it is neither.
 #[must_use]
 pub fn typed_choice<'a>(ask: &'a Ask, typed: &'a str) -> &'a str {
     let Kind::Choice(choices) = &ask.kind else { return typed };
@@ -123,8 +124,8 @@ pub fn mistake(lang: Lang, mistake: Mistake) -> [&'static str; 3] {
     std::array::from_fn(|_| parts.next().unwrap_or_default())
 }
 
-/// What the diagnosis of a wrong answer says: the mistakes, one after the other, and where a single number is at fault. `None`: nothing explains
-/// the answer.
+/// What the diagnosis of a wrong answer says: the mistakes, one after the other, and where a single number is at fault.
+/// `None`: nothing explains the answer.
 #[must_use]
 pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     let diagnosis = judged.diagnosis.as_ref()?;

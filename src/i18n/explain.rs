@@ -238,8 +238,8 @@ pub fn handedness(lang: Lang, hand: &str) -> String {
     }
 }
 
-/// What the product of all steps is beside M_p M_v in the convention in which they end: `ratio` times it, but for `rest`, which is measured by
-/// the greatest entry.
+/// What the product of all steps is beside M_p M_v in the convention in which they end: `ratio` times it, but for
+/// `rest`, which is measured by the greatest entry.
 #[must_use]
 pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f64) -> String {
     const ROUNDING: f64 = 1e-9;

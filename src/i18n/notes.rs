@@ -1,8 +1,9 @@
-//! The notes: a short text for each symbol, operation, equation, step and stage, in both languages, written in `assets/notes`.
+//! The notes: a short text for each symbol, operation, equation, step and stage, in both languages, written in
+//! `assets/notes`.
 //!
-//! A file is read line by line: `# ` begins a group, `## id: title` a note, `$$…$$` is an equation set apart, `≠ ` begins what the lecture notes
-//! print differently, `[` the place in them, `→ ` the identifiers of other notes; every other line is a paragraph, with mathematics
-//! between `$`.
+//! A file is read line by line: `# ` begins a group, `## id: title` a note, `$$…$$` is an equation set apart, `≠ `
+//! begins what the lecture notes print differently, `[` the place in them, `→ ` the identifiers of other notes; every
+//! other line is a paragraph, with mathematics between `$`.
 
 use std::sync::LazyLock;
 

@@ -151,8 +151,8 @@ pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
     }
 }
 
-/// Why an object alone cannot hold a list, and what holds it: the call at `place`, from 0, comes too late for T Rz Ry Rx S, and so many groups are
-/// made.
+/// Why an object alone cannot hold a list, and what holds it: the call at `place`, from 0, comes too late for T Rz Ry
+/// Rx S, and so many groups are made.
 #[must_use]
 pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> String {
     let (number, symbol) = (place + 1, call.symbol().replace('_', ""));

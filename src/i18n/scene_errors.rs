@@ -24,8 +24,8 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
     }
 }
 
-/// Why an object or a light cannot be so: in full as it stands after the key, else as it stands beside the field. The full form in
-/// English is the error's own.
+/// Why an object or a light cannot be so: in full as it stands after the key, else as it stands beside the field. The
+/// full form in English is the error's own.
 pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
     let english = |beside_field: &str| Wording::new(error.to_string(), beside_field);
     match (lang, error) {

@@ -26,7 +26,8 @@ pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
     }
 }
 
-/// What cannot be kept: what this window shows, preferences, progress with exercises; `why` is a sentence with the name of the file.
+/// What cannot be kept: what this window shows, preferences, progress with exercises; `why` is a sentence with the name
+/// of the file.
 #[must_use]
 pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
     let not_remembered = match (lang, preferences, progress) {

@@ -16,8 +16,8 @@ pub struct ExactForm {
 /// Greater numerators and denominators are harder to read than decimals.
 const MOST: i64 = 999;
 
-/// The form of a number that is a fraction or the root of one to the last digits of an `f64`; `None` for all others, and for numbers that read as
-/// well without one: whole numbers, and decimals of three digits at most.
+/// The form of a number that is a fraction or the root of one to the last digits of an `f64`; `None` for all others,
+/// and for numbers that read as well without one: whole numbers, and decimals of three digits at most.
 #[must_use]
 pub fn exact_form(value: f64) -> Option<ExactForm> {
     let size = value.abs();

@@ -1,5 +1,5 @@
-//! Numbers that look random and are the same everywhere and for ever for the same seed, as the errors of a study and the numbers of an
-//! exercise have to be.
+//! Numbers that look random and are the same everywhere and for ever for the same seed, as the errors of a study and
+//! the numbers of an exercise have to be.
 
 use glam::DVec3;
 

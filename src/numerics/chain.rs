@@ -1,4 +1,5 @@
-//! The textbook chain, once, for every kind of number: **u** **v** **n**, M_v, the window, M_p as the notes `[0]` print them.
+//! The textbook chain, once, for every kind of number: **u** **v** **n**, M_v, the window, M_p as the notes `[0]` print
+//! them.
 //!
 //! Nothing here is careful: no scaling, no compensation. What care is worth is what the studies measure.
 

@@ -1,5 +1,5 @@
-//! The charts of a study: for each case the error over the parameter, and the error over the time where the inputs are stiffest, with the
-//! Pareto front.
+//! The charts of a study: for each case the error over the parameter, and the error over the time where the inputs are
+//! stiffest, with the Pareto front.
 
 use super::{Findings, OWN, Row};
 use crate::chart::{Chart, Look, Series};

@@ -1,4 +1,5 @@
-//! The formats of depth buffers: what each keeps of a depth in a convention of NDC, and so which surfaces it tells apart.
+//! The formats of depth buffers: what each keeps of a depth in a convention of NDC, and so which surfaces it tells
+//! apart.
 
 use crate::camera::{Api, ClipSpace, Ndc, Projection};
 use crate::numerics::OWN;
@@ -23,8 +24,9 @@ impl Range {
         Self { projection: camera.projection(), far: camera.far() / camera.near(), ndc: space.ndc() }
     }
 
-    /// What is stored for a depth, 0 … 1, before it is put into a format; `reversed`: 1 at F, 0 at B. The transformation is done in
-    /// single precision, as graphics cards do: z_n = (z_c entries of M_p) / w, and (z_n + 1)/2 where z_n goes from −1 to 1.
+    /// What is stored for a depth, 0 … 1, before it is put into a format; `reversed`: 1 at F, 0 at B. The
+    /// transformation is done in single precision, as graphics cards do: z_n = (z_c entries of M_p) / w, and (z_n +
+    /// 1)/2 where z_n goes from −1 to 1.
     fn stored(&self, z: f64, reversed: bool) -> f32 {
         #[expect(clippy::cast_possible_truncation, reason = "single precision is what is studied")]
         let (depth, far) = (z as f32, if self.ndc.infinite { f32::INFINITY } else { self.far as f32 });
@@ -104,7 +106,8 @@ impl Format {
         }
     }
 
-    /// The length of one step at depth `z`, for the program's own with its scale: a unit of what is stored over its derivative.
+    /// The length of one step at depth `z`, for the program's own with its scale: a unit of what is stored over its
+    /// derivative.
     pub(in crate::numerics) fn step(self, range: &Range, own: &DepthScale, z: f64) -> f64 {
         if self != Self::Own {
             return self.step_in_range(range, z);
@@ -159,7 +162,8 @@ pub enum Seen {
     Through,
 }
 
-/// Two planes as a depth buffer shows them, one before the other, a gap apart: parallel, and tilted, so that they go through many depths.
+/// Two planes as a depth buffer shows them, one before the other, a gap apart: parallel, and tilted, so that they go
+/// through many depths.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TwoPlanes {
     /// Rows from the top, each of [`WIDTH`](Self::WIDTH).
@@ -174,8 +178,9 @@ impl TwoPlanes {
     /// So many gaps deep is what is in the picture: where a step is longer than the gap, there are stripes.
     const GAPS: f64 = 10.0;
 
-    /// `depth` is that of the nearest corner, in units of F, F … B. Planes that would reach beyond B begin nearer to the eye. The farther
-    /// plane is drawn last, and is seen where its value is not greater: that it is nearer cannot be known.
+    /// `depth` is that of the nearest corner, in units of F, F … B. Planes that would reach beyond B begin nearer to
+    /// the eye. The farther plane is drawn last, and is seen where its value is not greater: that it is nearer cannot
+    /// be known.
     fn drawn(format: Format, range: &Range, depth: f64, gap: f64) -> Self {
         let deep = (Self::GAPS * gap).min(0.5 * depth);
         let nearest = depth.min(range.far - deep - gap).max(1.0);
@@ -221,8 +226,8 @@ pub struct Resolution {
     pub planes: TwoPlanes,
 }
 
-/// Each format of graphics cards in a convention, at a depth from the eye, F … B, and what it makes of two planes that are `gap` away from
-/// each other there. What is reversed is among them also where the convention is not.
+/// Each format of graphics cards in a convention, at a depth from the eye, F … B, and what it makes of two planes that
+/// are `gap` away from each other there. What is reversed is among them also where the convention is not.
 #[must_use]
 pub fn resolutions(space: &ClipSpace<'_>, depth: f64, gap: f64) -> Vec<Resolution> {
     let near = space.camera().near();

@@ -1,5 +1,5 @@
-//! How near a camera is to trouble with numbers: six quantities, each judged by thresholds that stand here with their reasons.
-//! Where a [`Warning`] says something, the line that it belongs to is not good.
+//! How near a camera is to trouble with numbers: six quantities, each judged by thresholds that stand here with their
+//! reasons. Where a [`Warning`] says something, the line that it belongs to is not good.
 
 use glam::DVec3;
 
@@ -86,12 +86,14 @@ impl Quantity {
 
 /// VUP and DOP closer than this cost **u** two of its digits.
 const SMALL_VUP_DEGREES: f64 = 1.0;
-/// From here on, less than one step in ten thousand is left for the back half of the volume: with 16 bits, less than seven.
+/// From here on, less than one step in ten thousand is left for the back half of the volume: with 16 bits, less than
+/// seven.
 const LARGE_RATIO: f64 = 1e4;
-/// A step of the depth buffer that is this part of what it is compared with (B in perspective, H in parallel projection) may be seen
-/// where surfaces nearly touch; [`COARSE_DEPTH`] of it is seen everywhere.
+/// A step of the depth buffer that is this part of what it is compared with (B in perspective, H in parallel
+/// projection) may be seen where surfaces nearly touch; [`COARSE_DEPTH`] of it is seen everywhere.
 const VISIBLE_STEP: f64 = 6e-4;
-/// From here on, single precision (7 digits), in which graphics cards compute, has three digits left: one pixel in a thousand.
+/// From here on, single precision (7 digits), in which graphics cards compute, has three digits left: one pixel in a
+/// thousand.
 const RATHER_FAR: f64 = 1e4;
 /// A volume this much longer than wide is seen in the pictures of it as a needle or as a sheet.
 const SLENDER: f64 = 100.0;

@@ -17,8 +17,9 @@ pub(super) struct Off {
     pub(super) bits: f64,
 }
 
-/// log₂ of one more than the number of `f64`s between two numbers: 0 where they are equal, 64 where one of them is not a number.
-/// The measure of P. Panchekha et al., *Automatically improving accuracy for floating point expressions* (2015).
+/// log₂ of one more than the number of `f64`s between two numbers: 0 where they are equal, 64 where one of them is not
+/// a number. The measure of P. Panchekha et al., *Automatically improving accuracy for floating point expressions*
+/// (2015).
 pub(super) fn bits_off(computed: f64, exact: f64) -> f64 {
     if computed.is_nan() || exact.is_nan() {
         return 64.0;
@@ -51,7 +52,8 @@ pub(super) struct Watch {
 
 /// Passes over the inputs that are timed at least, where time is taken at all, after one that warms up.
 const LEAST_PASSES: usize = 3;
-/// What is shorter than so many ticks of the clock is not timed by itself, but as often as it takes: a tenth is off at most.
+/// What is shorter than so many ticks of the clock is not timed by itself, but as often as it takes: a tenth is off at
+/// most.
 const TICKS: u32 = 10;
 /// More passes tell nothing new.
 const MOST_PASSES: usize = 2000;
@@ -90,8 +92,8 @@ impl Trial {
         results
     }
 
-    /// Times `pass`, which does `items` things: once to warm up, then as often as the watch allows; the median of the passes counts, or of
-    /// batches of them where the clock is too coarse for one.
+    /// Times `pass`, which does `items` things: once to warm up, then as often as the watch allows; the median of the
+    /// passes counts, or of batches of them where the clock is too coarse for one.
     pub(super) fn time_whole(&mut self, watch: &Watch, items: usize, mut pass: impl FnMut()) {
         let mut timed = |passes: u32| {
             let start = clock::now();

@@ -1,8 +1,9 @@
-//! Error against run time: each [`Study`] takes a place where a graphics programmer has a choice, runs all methods on the same seeded
-//! inputs, and measures how far each is from a reference of [`PRECISION`](reference::PRECISION) bits, and how long it takes.
+//! Error against run time: each [`Study`] takes a place where a graphics programmer has a choice, runs all methods on
+//! the same seeded inputs, and measures how far each is from a reference of [`PRECISION`](reference::PRECISION) bits,
+//! and how long it takes.
 //!
-//! The textbook chain is written once, in [`chain`], for every kind of number ([`Real`](real::Real)). The program's own code is not made
-//! generic: it is one of the methods, [`OWN`], called as the program calls it.
+//! The textbook chain is written once, in [`chain`], for every kind of number ([`Real`](real::Real)). The program's own
+//! code is not made generic: it is one of the methods, [`OWN`], called as the program calls it.
 
 pub mod chain;
 pub mod charts;
@@ -140,7 +141,8 @@ pub struct Row {
     pub nanos: f64,
     /// log₂ of the distance from the truth in units of the last place of an `f64`, averaged.
     pub bits: f64,
-    /// No other method of the same case and parameter is at least as fast and at least as right, and better in one of the two.
+    /// No other method of the same case and parameter is at least as fast and at least as right, and better in one of
+    /// the two.
     pub pareto: bool,
     /// What the theory predicts for `error`, where it does.
     #[serde(skip_serializing_if = "Option::is_none")]

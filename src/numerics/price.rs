@@ -1,5 +1,5 @@
-//! What the promise costs: the camera model in double-double against the textbook chain in plain `f64`, for the numbers of a figure and for a
-//! frame of the scene that the program begins with.
+//! What the promise costs: the camera model in double-double against the textbook chain in plain `f64`, for the numbers
+//! of a figure and for a frame of the scene that the program begins with.
 
 use std::cell::RefCell;
 use std::hint::black_box;
@@ -32,12 +32,13 @@ pub struct Cost {
 pub struct Price {
     /// Basis, window, matrices, their inverses, and the corners of the volume, from the parameters of a figure.
     pub numbers: Cost,
-    /// A frame of the scene that the program begins with, at the size of its image, from the parameters to the pixels. The pipeline is the
-    /// same in both: it has been in `f64` from the start.
+    /// A frame of the scene that the program begins with, at the size of its image, from the parameters to the pixels.
+    /// The pipeline is the same in both: it has been in `f64` from the start.
     pub frame: Cost,
 }
 
-/// Measures for about so many seconds as the effort says. `None` where it was cancelled, or no such scene could be built.
+/// Measures for about so many seconds as the effort says. `None` where it was cancelled, or no such scene could be
+/// built.
 #[must_use]
 pub fn measure(effort: &Effort, progress: &Progress) -> Option<Price> {
     let lab = Lab { effort: *effort, progress: progress.clone() };

@@ -20,9 +20,10 @@ pub struct Account {
 }
 
 impl Account {
-    /// The report of the pipeline, completed with what was done to pixels; `on_window` is the time that the image on the view
-    /// window took, if it was drawn. What is neither the pipeline's nor the rasterizer's work went into the scene that the picture shows:
-    /// the canonical volume's is clipped and projected, the world's has the camera's gear in it. It counts as traversal.
+    /// The report of the pipeline, completed with what was done to pixels; `on_window` is the time that the image on
+    /// the view window took, if it was drawn. What is neither the pipeline's nor the rasterizer's work went into the
+    /// scene that the picture shows: the canonical volume's is clipped and projected, the world's has the camera's gear
+    /// in it. It counts as traversal.
     pub(super) fn of(frame: &Frame, work: Work, on_window: Option<Duration>, total: Duration) -> Self {
         let mut stages = frame.report.clone();
         for report in stages.iter_mut().filter(|report| report.ran) {

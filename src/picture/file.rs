@@ -63,8 +63,8 @@ pub struct Form {
     pub dpi: Option<f64>,
 }
 
-/// What is in such a file: the pictures of `sheet`, and what could not be done as it was asked for; `crop`: each without the empty ground
-/// around what it shows. It pauses after each band of a picture.
+/// What is in such a file: the pictures of `sheet`, and what could not be done as it was asked for; `crop`: each
+/// without the empty ground around what it shows. It pauses after each band of a picture.
 ///
 /// # Errors
 /// [`PictureError::TooLarge`] and [`PictureError::Cancelled`].
@@ -79,10 +79,11 @@ pub async fn assembled(
     renderer.sheet(sheet, crop).await.ok_or(PictureError::TooLarge).map_err(or_cancelled)
 }
 
-/// The file that shows the pictures of `sheet`, with a figure file in it where the format can carry one. It pauses after each
-/// band of a picture and each row of a PNG; WebP and JPEG are encoded without a pause.
+/// The file that shows the pictures of `sheet`, with a figure file in it where the format can carry one. It pauses
+/// after each band of a picture and each row of a PNG; WebP and JPEG are encoded without a pause.
 ///
-/// Where a PNG shows the canonical volume in another convention than the notes', it says which, also where the picture is too small to.
+/// Where a PNG shows the canonical volume in another convention than the notes', it says which, also where the picture
+/// is too small to.
 ///
 /// *Guarantees*: the same sheet, form and text give the same bytes.
 ///

@@ -66,8 +66,8 @@ impl Film {
         Sheet { requests, arrangement: Arrangement::Row, gap: gap(self.request.size.scale), ground, crowded: None }
     }
 
-    /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format can carry one.
-    /// It pauses after each picture.
+    /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format
+    /// can carry one. It pauses after each picture.
     ///
     /// # Errors
     /// [`PictureError`].
@@ -88,7 +88,8 @@ impl Film {
         }
     }
 
-    /// The animation, a step in so many seconds; each whole step stands still for a moment. It pauses after each picture.
+    /// The animation, a step in so many seconds; each whole step stands still for a moment. It pauses after each
+    /// picture.
     ///
     /// # Errors
     /// [`PictureError`].
@@ -101,7 +102,8 @@ impl Film {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few seconds")]
         let per_step = (seconds * f64::from(PER_SECOND)).round().clamp(1.0, 10_000.0) as u32;
         let pictures = self.steps() * per_step + 1;
-        // Each picture is drawn in a moment: what is told is how many there are, and between two of them it may be given up.
+        // Each picture is drawn in a moment: what is told is how many there are, and between two of them it may be
+        // given up.
         let mut renderer = Renderer::default();
         let size = [self.request.size.width, self.request.size.height];
         progress.begin(Doing::Encoding, pictures as usize);

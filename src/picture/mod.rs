@@ -1,5 +1,5 @@
-//! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. What is on the screen, what `render` writes
-//! and what the window exports is the same, byte for byte.
+//! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. What is on the screen, what
+//! `render` writes and what the window exports is the same, byte for byte.
 
 mod account;
 mod file;
@@ -56,8 +56,8 @@ impl Picture {
         self.take_pixmap().map_or_else(Self::default, |pixmap| cropped(pixmap, margin).into())
     }
 
-    /// The picture as a PNG with a figure file in it, with what else is `said` of it, and with the number of pixels per inch of its paper.
-    /// It pauses after each row.
+    /// The picture as a PNG with a figure file in it, with what else is `said` of it, and with the number of pixels per
+    /// inch of its paper. It pauses after each row.
     ///
     /// *Guarantees*: the same picture and text give the same bytes.
     ///

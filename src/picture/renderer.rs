@@ -29,7 +29,8 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None`: no more.
+    /// Times every stage from now on, by a clock that gives the time since any moment that stays the same; `None`: no
+    /// more.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
         self.clock = clock;
     }
@@ -54,8 +55,8 @@ impl Renderer {
         at_once(self.pixels_into(request, &mut picture)).map(|_| picture)
     }
 
-    /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is `None`, the
-    /// other one is lost too. It pauses where [`Rasterizer::paint_into`] does.
+    /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is
+    /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does.
     pub async fn pixels_into(&mut self, request: &Request, picture: &mut Picture) -> Option<Account> {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
@@ -81,7 +82,8 @@ impl Renderer {
         Some(account)
     }
 
-    /// Paints what shows a stage: faces over the picture, or the half before it. `None` where there is no memory for it.
+    /// Paints what shows a stage: faces over the picture, or the half before it. `None` where there is no memory for
+    /// it.
     fn show_stage(&mut self, frame: &mut Frame, pixmap: &mut Pixmap) -> Option<()> {
         if !frame.dropped_faces.is_empty() {
             frame.drawing.surfaces.append(&mut frame.dropped_faces);
@@ -93,8 +95,9 @@ impl Renderer {
         Some(())
     }
 
-    /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty ground around what it shows. And what could
-    /// not be done in any of them as it was asked for. `None` as for [`pixels`](Self::pixels), and without pictures.
+    /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty ground around what it shows.
+    /// And what could not be done in any of them as it was asked for. `None` as for [`pixels`](Self::pixels), and
+    /// without pictures.
     pub async fn sheet(&mut self, sheet: &Sheet, crop: bool) -> Option<(Picture, Option<TooMuch>)> {
         let (mut pictures, mut too_much) = (Vec::new(), None);
         for request in &sheet.requests {
@@ -111,9 +114,9 @@ impl Renderer {
         Some((picture?, too_much))
     }
 
-    /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: what [`pixels`](Self::pixels)
-    /// paints, or what is asked for by [`Output`](crate::pipeline::Output) in the request. `None` where there is no memory for
-    /// the image on the window.
+    /// The drawing of a picture with its plan and report, for outputs that are not made of pixels: what
+    /// [`pixels`](Self::pixels) paints, or what is asked for by [`Output`](crate::pipeline::Output) in the request.
+    /// `None` where there is no memory for the image on the window.
     pub fn drawing(&mut self, request: &Request) -> Option<Frame> {
         at_once(self.timed_drawing(request)).map(|(frame, _)| frame)
     }

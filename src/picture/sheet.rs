@@ -9,7 +9,8 @@ use crate::views::{Arrangement, Palette, Request, Shot, Size, View, Views, aspec
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
 
-/// The room that a picture wants, width and height, as multiples of the height of its letters: with less, names cover what they name.
+/// The room that a picture wants, width and height, as multiples of the height of its letters: with less, names cover
+/// what they name.
 const ROOM_IN_LETTERS: [f64; 2] = [16.0, 11.0];
 
 /// The height of the smallest letters that can be read on paper, in points.
@@ -20,12 +21,13 @@ const LEAST_LETTERS: f64 = 6.0;
 pub struct OnPaper {
     /// Pixels per inch.
     pub dpi: f64,
-    /// Height of the letters of names in points; `None`: by the scale of the picture. Where there are three pictures, they are smaller
-    /// as long as they can be read if they would cover what they name: [`Sheet::crowded`] tells.
+    /// Height of the letters of names in points; `None`: by the scale of the picture. Where there are three pictures,
+    /// they are smaller as long as they can be read if they would cover what they name: [`Sheet::crowded`] tells.
     pub letters: Option<f64>,
     /// Width of the edges of solids in points, and other strokes in proportion; `None`: in proportion to the letters.
     pub lines: Option<f64>,
-    /// Three pictures are arranged so that they become as large as the shape of the paper allows; otherwise they are side by side.
+    /// Three pictures are arranged so that they become as large as the shape of the paper allows; otherwise they are
+    /// side by side.
     pub arranged: bool,
 }
 
@@ -96,7 +98,8 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// What is drawn for `views`: `request` for each of them, seen by its observer. All three together are as large as `request` says.
+    /// What is drawn for `views`: `request` for each of them, seen by its observer. All three together are as large as
+    /// `request` says.
     ///
     /// # Errors
     /// [`NoSheet`] where there is no room for three, and where they would have more pixels than any picture.
@@ -158,7 +161,8 @@ fn of(request: &Request, view: View, size: Size, shot: &Shot, paper: Option<&OnP
     request
 }
 
-/// Gives three pictures the letters that paper asks for, as far as the smallest has room for them; what to tell where it has little.
+/// Gives three pictures the letters that paper asks for, as far as the smallest has room for them; what to tell where
+/// it has little.
 fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     let room_of = |size: &Size| {
         let [wide, high] = ROOM_IN_LETTERS;

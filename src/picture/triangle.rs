@@ -1,4 +1,5 @@
-//! One triangle on its way: its steps, the pixels that it covers, its depth test at each, and what the pictures show of it.
+//! One triangle on its way: its steps, the pixels that it covers, its depth test at each, and what the pictures show of
+//! it.
 
 use std::sync::Arc;
 
@@ -34,8 +35,8 @@ pub struct Tested {
 }
 
 impl TrianglePixels {
-    /// Of a triangle (object of the scene, index in its mesh). `None` where its object is not drawn, and for images of more than
-    /// [`MAX_STEPPED_PIXELS`].
+    /// Of a triangle (object of the scene, index in its mesh). `None` where its object is not drawn, and for images of
+    /// more than [`MAX_STEPPED_PIXELS`].
     #[must_use]
     pub fn of(request: &Request, object: usize, triangle: u32) -> Option<Self> {
         let image = request.shot.look.image;
@@ -112,8 +113,8 @@ struct Kept {
 }
 
 impl FollowedTriangle {
-    /// The steps of the triangle that a request shows, and in the steps that need them its pixels. `None` where none is shown, or there is no such
-    /// triangle.
+    /// The steps of the triangle that a request shows, and in the steps that need them its pixels. `None` where none is
+    /// shown, or there is no such triangle.
     pub fn found(&mut self, request: &Request) -> Option<(TriangleSteps, Option<Arc<TrianglePixels>>)> {
         let ShownTriangle { object, index, step, .. } = request.shot.show.triangle.as_ref()?;
         let place = request.scene.objects.iter().position(|candidate| candidate.name == *object)?;

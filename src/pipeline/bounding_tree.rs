@@ -17,8 +17,8 @@ use crate::scene::{Mesh, Object, Scene};
 /// A scene that has changed a little keeps its tree; what has changed is then looked at by itself.
 #[derive(Debug, Default)]
 pub(super) struct BoundingTree {
-    /// What is known of meshes, by their address: no other mesh gets it as long as the weak pointer is kept, and a mesh does not
-    /// change as long as it is shared.
+    /// What is known of meshes, by their address: no other mesh gets it as long as the weak pointer is kept, and a mesh
+    /// does not change as long as it is shared.
     meshes: HashMap<usize, (Weak<Mesh>, Option<Bounds>)>,
     objects: Vec<Known>,
     /// Objects in the order of the leaves.
@@ -162,8 +162,8 @@ impl Known {
             && self.world_from_object == object.world_from_object
     }
 
-    /// A box in the world around the object, and the size of the numbers that its corners are summed up from. `None` without
-    /// one that can be relied on.
+    /// A box in the world around the object, and the size of the numbers that its corners are summed up from. `None`
+    /// without one that can be relied on.
     fn world_box(&self) -> Option<(Aabb, f64)> {
         let bounds = self.bounds.filter(|bounds| bounds.finite)?;
         let m = self.world_from_object;

@@ -12,8 +12,8 @@ use super::resample::{OWN_WEIGHTS, VertexOrigin};
 pub(super) struct Corner {
     /// Where it is.
     pub(super) point: ClipPoint,
-    /// Its share of each corner of the triangle (or of the two ends of the segment) that it came from: every attribute of the
-    /// corner is the sum of the triangle's attributes with these weights.
+    /// Its share of each corner of the triangle (or of the two ends of the segment) that it came from: every attribute
+    /// of the corner is the sum of the triangle's attributes with these weights.
     pub(super) weights: [f64; 3],
     /// From each plane, positive inside; 0 from those that it was cut at.
     pub(super) distances: [f64; PLANES],
@@ -47,9 +47,10 @@ impl Corner {
 
     /// Where an edge meets `plane`: what is known of the plane is exact, the rest is the mean.
     ///
-    /// A mean is rounded by the greater of the ends, and F may be far below that: then x_c of a corner on the near plane is anywhere beside
-    /// the window there, although both distances from its sides, which are means too, are positive. The distances decide, so that
-    /// neighbours agree and no plane needs to be asked that the ends are inside of; and the point is put into what they say.
+    /// A mean is rounded by the greater of the ends, and F may be far below that: then x_c of a corner on the near
+    /// plane is anywhere beside the window there, although both distances from its sides, which are means too, are
+    /// positive. The distances decide, so that neighbours agree and no plane needs to be asked that the ends are inside
+    /// of; and the point is put into what they say.
     fn crossing(polygon: &[Self], edge: &Edge, plane: usize, projector: &Projector) -> Self {
         let (inside, outside) = (&polygon[edge.inside], &polygon[edge.outside]);
         let (a, b) = (inside.point, outside.point);
@@ -92,17 +93,18 @@ pub(super) struct Clipper {
 }
 
 impl Clipper {
-    /// The part of a triangle inside `planes` (Sutherland and Hodgman, one plane after the other): a convex polygon in the
-    /// order of the triangle's corners, or nothing.
+    /// The part of a triangle inside `planes` (Sutherland and Hodgman, one plane after the other): a convex polygon in
+    /// the order of the triangle's corners, or nothing.
     ///
-    /// *Guarantees*: an edge that lies in a plane stays whole; what only touches a plane from outside is dropped; planes that
-    /// the triangle does not cross may be left out of `planes` or put into it without changing a bit of the result; a corner on
-    /// an edge has the same bits for every triangle that has the edge.
+    /// *Guarantees*: an edge that lies in a plane stays whole; what only touches a plane from outside is dropped;
+    /// planes that the triangle does not cross may be left out of `planes` or put into it without changing a bit of the
+    /// result; a corner on an edge has the same bits for every triangle that has the edge.
     pub(super) fn triangle(&mut self, projector: &Projector, corners: [ClipPoint; 3], planes: PlaneSet) -> &[Corner] {
         self.clip(projector, &corners, planes)
     }
 
-    /// The part of a segment inside the volume: its two ends, each with `true` where it is a cut; nothing where no point is inside.
+    /// The part of a segment inside the volume: its two ends, each with `true` where it is a cut; nothing where no
+    /// point is inside.
     pub(super) fn segment(&mut self, projector: &Projector, ends: [ClipPoint; 2]) -> Option<[(ClipPoint, bool); 2]> {
         let codes = ends.map(|p| outcode(projector, p));
         let either = codes[0] | codes[1];
@@ -123,8 +125,8 @@ impl Clipper {
         self.watched(projector, points, planes, |_, _, _| {})
     }
 
-    /// The part of a triangle, or of a segment, inside `planes`; tells of each plane in its turn, with the polygon before it, where each
-    /// corner that it leaves comes from.
+    /// The part of a triangle, or of a segment, inside `planes`; tells of each plane in its turn, with the polygon
+    /// before it, where each corner that it leaves comes from.
     #[inline]
     pub(super) fn watched(
         &mut self,

@@ -1,7 +1,8 @@
-//! The scene in two parts, cut at the planes of the view volume, where it stands: what clipping keeps, what it takes away, and the
-//! vertices that it makes.
+//! The scene in two parts, cut at the planes of the view volume, where it stands: what clipping keeps, what it takes
+//! away, and the vertices that it makes.
 //!
-//! Pictures are drawn without this; it is there to show what clipping does. The corners and the cuts are those of `clip`.
+//! Pictures are drawn without this; it is there to show what clipping does. The corners and the cuts are those of
+//! `clip`.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -19,8 +20,8 @@ use crate::appearance::LineStyle;
 use crate::camera::{Camera, Ndc, Projection};
 use crate::scene::{Adjacency, Line, Mesh, Object, Scene, SharedEdge};
 
-/// The bits of an outcode, `true` where a point is outside: left, right, bottom, top, near, far. `None` for a point with a
-/// coordinate that is not a number.
+/// The bits of an outcode, `true` where a point is outside: left, right, bottom, top, near, far. `None` for a point
+/// with a coordinate that is not a number.
 #[must_use]
 pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
     let projector = Projector::new(camera);
@@ -28,11 +29,12 @@ pub fn outcode_of(camera: &Camera, p_world: DVec3) -> Option<[bool; 6]> {
     (code != NOT_A_NUMBER).then(|| std::array::from_fn(|i| code >> i & 1 == 1))
 }
 
-/// The six homogeneous distances of a point, positive inside: of `[0]` w + x, w − x, w + y, w − y, w + z, w − z `[2]`; in other
-/// conventions of NDC those from the planes left, right, bottom, top, near, far, such as z and w − z for near and far.
+/// The six homogeneous distances of a point, positive inside: of `[0]` w + x, w − x, w + y, w − y, w + z, w − z `[2]`;
+/// in other conventions of NDC those from the planes left, right, bottom, top, near, far, such as z and w − z for near
+/// and far.
 ///
-/// *Guarantees*: each has the sign that the outcode goes by, also where `z_clip` would round it away. (Without a far plane the last is
-/// positive.)
+/// *Guarantees*: each has the sign that the outcode goes by, also where `z_clip` would round it away. (Without a far
+/// plane the last is positive.)
 #[must_use]
 pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64; 6] {
     let projector = Projector::new(camera);
@@ -40,7 +42,8 @@ pub fn homogeneous_distances(camera: &Camera, p_world: DVec3, ndc: Ndc) -> [f64;
     let (f, b) = (camera.near(), camera.far());
     let [at_near, at_far] = ndc.depths();
     let range = (at_near - at_far).abs();
-    // w + z = 2 B (d − F)/(B − F), w − z = 2 F (B − d)/(B − F); in parallel projection without B and F; half of it where z_n is in 0 … 1.
+    // w + z = 2 B (d − F)/(B − F), w − z = 2 F (B − d)/(B − F); in parallel projection without B and F; half of it
+    // where z_n is in 0 … 1.
     let [near, far] = match camera.projection() {
         Projection::Perspective if ndc.infinite => [near, f],
         Projection::Perspective => [b * (near / (b - f)), f * (far / (b - f))],
@@ -62,8 +65,8 @@ pub struct Parts {
     pub sides: Vec<[DVec3; 2]>,
 }
 
-/// Cuts `scene` into two at the planes of the volume of `camera`. With `edges_only` the new vertices are those of edges, else
-/// those of triangles where an object has faces.
+/// Cuts `scene` into two at the planes of the volume of `camera`. With `edges_only` the new vertices are those of
+/// edges, else those of triangles where an object has faces.
 #[must_use]
 pub fn clip_parts(scene: &Scene, camera: &Camera, edges_only: bool) -> Parts {
     let mut splitter = Splitter { projector: Projector::new(camera), parts: Parts::default(), known: HashSet::new() };

@@ -27,10 +27,11 @@ pub(super) struct Place {
     pub(super) in_view: InView,
 }
 
-/// Holds the box and the ball around an object against the six planes: what is true of the corners of a box is true of all of
-/// it, because the distances are linear before the divide; of a ball, the middle and the radius tell.
+/// Holds the box and the ball around an object against the six planes: what is true of the corners of a box is true of
+/// all of it, because the distances are linear before the divide; of a ball, the middle and the radius tell.
 ///
-/// "Inside" leaves a margin for rounding, so that an object that is not clipped would not have been changed by clipping.
+/// "Inside" leaves a margin for rounding, so that an object that is not clipped would not have been changed by
+/// clipping.
 pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObject, bounds: &Bounds) -> Place {
     const MARGIN: f64 = 1e-13;
     let corners = bounds.aabb.corners();
@@ -69,8 +70,8 @@ pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObje
     Place { containment: Containment::Crosses(ALL_PLANES & !inside), in_view }
 }
 
-/// The planes that all of a box in the world is outside of. `magnitude` is the size of the numbers from which the coordinates
-/// inside it are made; the margin is wide, since they may have been taken to view space by other steps.
+/// The planes that all of a box in the world is outside of. `magnitude` is the size of the numbers from which the
+/// coordinates inside it are made; the margin is wide, since they may have been taken to view space by other steps.
 pub(super) fn outside(projector: &Projector, aabb: &Aabb, magnitude: f64) -> PlaneSet {
     const MARGIN: f64 = 1e-9;
     let slack = slack(projector, MARGIN, magnitude + projector.magnitude());
@@ -91,10 +92,11 @@ fn slack(projector: &Projector, margin: f64, reach: f64) -> [f64; 3] {
     ]
 }
 
-/// Twice the area of a triangle on the image, positive where its corners run counter-clockwise as they are seen (y is down).
+/// Twice the area of a triangle on the image, positive where its corners run counter-clockwise as they are seen (y is
+/// down).
 ///
-/// Exact: corners on the grid of subpixels have few enough digits for every product and sum. So neighbours agree on which side
-/// of a silhouette they lie, and a closed mesh shows no holes.
+/// Exact: corners on the grid of subpixels have few enough digits for every product and sum. So neighbours agree on
+/// which side of a silhouette they lie, and a closed mesh shows no holes.
 #[inline(always)]
 pub(super) fn area_on_image(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f64 {
     let edge = |p: [f32; 3]| [f64::from(p[0]) - f64::from(a[0]), f64::from(p[1]) - f64::from(a[1])];
@@ -102,8 +104,8 @@ pub(super) fn area_on_image(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> f64 {
     e1[1] * e2[0] - e1[0] * e2[1]
 }
 
-/// The same sign for a triangle that is still to be clipped: is the eye on the outer side of its plane? Differences are taken
-/// before products, so that thin triangles far away keep their sign.
+/// The same sign for a triangle that is still to be clipped: is the eye on the outer side of its plane? Differences are
+/// taken before products, so that thin triangles far away keep their sign.
 pub(super) fn facing(projector: &Projector, [a, b, c]: [DVec3; 3]) -> f64 {
     let normal = (b - a).cross(c - a);
     if projector.perspective { -normal.dot(a) } else { normal.z }
@@ -150,8 +152,8 @@ mod tests {
 
     #[test]
     fn the_slack_is_the_size_of_the_terms_that_a_distance_is_summed_up_from() {
-        // 4 wide and 6 high on F = 1: x_c = ½ x − ½ w, y_c = ⅓ y − ⅓ w. Of coordinates no larger than 6, in perspective w too:
-        // x: 3 + (1 + ½) · 6, y: 2 + (1 + ⅓) · 6, z: 6 + 9.
+        // 4 wide and 6 high on F = 1: x_c = ½ x − ½ w, y_c = ⅓ y − ⅓ w. Of coordinates no larger than 6, in perspective
+        // w too: x: 3 + (1 + ½) · 6, y: 2 + (1 + ⅓) · 6, z: 6 + 9.
         let near = |found: [f64; 3], expected: [f64; 3]| {
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() < 1e-12 * expected, "{found} is not {expected}");
@@ -250,8 +252,8 @@ mod tests {
     #[test]
     fn the_box_and_the_ball_tell_the_more_of_the_two() {
         let eye = right_angle();
-        // The planes x = ±d are d / √2 from the point at depth d in the middle: 2.83 at 4. A box of ±2 around it crosses all four of
-        // them, a ball of 2 none, one of 3 all; and what the box leaves out the ball need not.
+        // The planes x = ±d are d / √2 from the point at depth d in the middle: 2.83 at 4. A box of ±2 around it
+        // crosses all four of them, a ball of 2 none, one of 3 all; and what the box leaves out the ball need not.
         let middle = DVec3::new(0.0, 0.0, -4.0);
         let half = DVec3::splat(2.0);
         assert_eq!(of_box(&eye, middle, half, 100.0), Containment::Crosses(0b1111));

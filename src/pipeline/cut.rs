@@ -1,9 +1,9 @@
 //! The one way in which a polygon, or a segment, is cut by a plane: where the corners of its two parts come from.
 //!
 //! A new corner lies at the mean of the two ends of an edge, weighted by their distances from the plane,
-//! `P = (d₁ P₂ + d₂ P₁) / (d₁ + d₂)` as `[2]` has it: accurate however far apart the ends lie. It is always reckoned from the end
-//! inside to the end outside, whichever comes first in the polygon, so two polygons that share an edge get the same corner to the
-//! last bit.
+//! `P = (d₁ P₂ + d₂ P₁) / (d₁ + d₂)` as `[2]` has it: accurate however far apart the ends lie. It is always reckoned
+//! from the end inside to the end outside, whichever comes first in the polygon, so two polygons that share an edge get
+//! the same corner to the last bit.
 
 /// A corner of a part of a polygon: where it comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,8 +37,9 @@ impl Edge {
 
 /// Gives the corners of the part inside a plane, and of the part outside, in the order of the polygon.
 ///
-/// `corners`: how many there are, two of a segment; `distance`: of each from the plane, positive inside. A corner in the plane
-/// belongs to both parts, and is its own cut. A part may have too few corners to be anything: what only touches the plane.
+/// `corners`: how many there are, two of a segment; `distance`: of each from the plane, positive inside. A corner in
+/// the plane belongs to both parts, and is its own cut. A part may have too few corners to be anything: what only
+/// touches the plane.
 #[inline(always)]
 pub(super) fn cut(
     corners: usize,

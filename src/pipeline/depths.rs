@@ -1,17 +1,18 @@
-//! Which distances the depths of a picture tell apart: F … B, or, where what is in view would all get the same depth then, the distances
-//! in view.
+//! Which distances the depths of a picture tell apart: F … B, or, where what is in view would all get the same depth
+//! then, the distances in view.
 
 use crate::drawing::order::same_depth;
 
-/// Depths that differ by less than the rules of the display list make of them are the same. Where that is more than this share of
-/// what is in view, the depths are spread over what is in view alone.
+/// Depths that differ by less than the rules of the display list make of them are the same. Where that is more than
+/// this share of what is in view, the depths are spread over what is in view alone.
 const ENOUGH: f64 = 0.01;
 
-/// What is thinner than this share of the numbers from which it is computed is not resolved further: it would be their rounding.
+/// What is thinner than this share of the numbers from which it is computed is not resolved further: it would be their
+/// rounding.
 const THINNEST: f64 = 1e-13;
 
-/// The unit of depth in perspective is no smaller than this share of the farthest distance in view: what is small in the scale of the
-/// depths counts as the same, whatever is nearer.
+/// The unit of depth in perspective is no smaller than this share of the farthest distance in view: what is small in
+/// the scale of the depths counts as the same, whatever is nearer.
 const UNIT: f64 = 0.01;
 
 /// Fits in single precision with all that is made of it.
@@ -19,7 +20,8 @@ const GREATEST: f64 = 1e15;
 
 /// From a distance to the depth of the display list, and back: affine in the picture, and greater where it is nearer.
 ///
-/// In parallel projection (far − d)/(far − near); in perspective the same times unit/d. With F, B and the unit F this is 1 at F and 0 at B.
+/// In parallel projection (far − d)/(far − near); in perspective the same times unit/d. With F, B and the unit F this
+/// is 1 at F and 0 at B.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthScale {
     perspective: bool,
@@ -151,7 +153,8 @@ impl DepthScale {
     }
 }
 
-/// A scene that is thin along z_n, as the canonical volume shows it: at behind + slope · (farthest − d)/w, for the distance d.
+/// A scene that is thin along z_n, as the canonical volume shows it: at behind + slope · (farthest − d)/w, for the
+/// distance d.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sheet {
     pub(super) farthest: f64,

@@ -1,7 +1,8 @@
 //! What comes of dividing by w before clipping: the mistake that homogeneous clipping is there to avoid `[2]`.
 //!
-//! Behind the eye w < 0, and the divide turns a point there round the eye to the front, upside down; an edge that passes the
-//! plane w = 0 leads to the wrong place, although both its ends have coordinates. Clipping comes too late to mend that.
+//! Behind the eye w < 0, and the divide turns a point there round the eye to the front, upside down; an edge that
+//! passes the plane w = 0 leads to the wrong place, although both its ends have coordinates. Clipping comes too late to
+//! mend that.
 
 use std::sync::Arc;
 
@@ -27,8 +28,8 @@ pub struct DividedFirst {
     pub wrong: Scene,
 }
 
-/// Divides each point of `scene` by its w as it is, and clips what comes of it to the cube of `reach` times the size of the
-/// canonical volume. A point with w = 0 takes what it belongs to with it.
+/// Divides each point of `scene` by its w as it is, and clips what comes of it to the cube of `reach` times the size of
+/// the canonical volume. A point with w = 0 takes what it belongs to with it.
 #[must_use]
 pub fn divided_first(scene: &Scene, camera: &Camera, reach: f64) -> DividedFirst {
     let divide = Divide { projector: Projector::new(camera), reach };

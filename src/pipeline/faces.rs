@@ -41,7 +41,8 @@ pub(super) struct Faces {
     pub(super) source: Vec<u32>,
     /// The vertices that clipping made.
     pub(super) cuts: Vec<VertexOrigin>,
-    /// For each [`LANES`] vertices of the mesh whether a triangle that is left has one of them; empty where nobody wants it.
+    /// For each [`LANES`] vertices of the mesh whether a triangle that is left has one of them; empty where nobody
+    /// wants it.
     pub(super) used: Vec<AtomicBool>,
     /// Triangles that were dropped because they turn away.
     pub(super) back: usize,
@@ -78,8 +79,8 @@ impl Faces {
         used.map(|(group, _)| LANES.min(count - group * LANES)).sum()
     }
 
-    /// What culling did with each triangle: `true` where it is left, `false` where it turned its back; `None` where it was outside a plane.
-    /// Is true after [`cull`](Self::cull).
+    /// What culling did with each triangle: `true` where it is left, `false` where it turned its back; `None` where it
+    /// was outside a plane. Is true after [`cull`](Self::cull).
     pub(super) fn fates(&self, triangles: &[[u32; 3]]) -> Vec<Option<bool>> {
         let crossing: HashSet<u32> =
             self.stretches.iter().flat_map(|stretch| &stretch.crossing).map(|crossing| crossing.source).collect();
@@ -165,8 +166,8 @@ impl Faces {
         }
     }
 
-    /// Cuts the triangles that cross a plane, and adds what is left of each as a fan. With `all_planes`, also against the planes
-    /// that they do not cross.
+    /// Cuts the triangles that cross a plane, and adds what is left of each as a fan. With `all_planes`, also against
+    /// the planes that they do not cross.
     pub(super) fn clip(&mut self, vertices: &Vertices, screen: &Screen, want_source: bool, all_planes: bool) {
         self.cuts.clear();
         for &Crossing { source, triangle, planes } in self.stretches.iter().flat_map(|stretch| &stretch.crossing) {
@@ -242,8 +243,8 @@ impl Culling<'_> {
     #[inline(always)]
     fn turned_here(&self, eight: &[[u32; 3]]) -> u8 {
         let positions = &self.image.positions[..];
-        // The two products of which the area is the difference, in single precision. Sides of triangles on the grid of subpixels
-        // are exact, and rounding keeps the order of the products, but for those that it makes equal.
+        // The two products of which the area is the difference, in single precision. Sides of triangles on the grid of
+        // subpixels are exact, and rounding keeps the order of the products, but for those that it makes equal.
         let (mut first, mut second) = ([0.0_f32; 8], [0.0_f32; 8]);
         for (l, &[a, b, c]) in eight.iter().enumerate().take(8) {
             let [a, b, c] = [positions.get(a as usize), positions.get(b as usize), positions.get(c as usize)];

@@ -23,7 +23,8 @@ pub const SPECULAR: f32 = 0.3;
 /// How small a highlight is.
 pub const SHININESS: f32 = 24.0;
 
-/// Lights of the scene in view space; lengths in units of B, so that they fit in single precision in worlds of any size.
+/// Lights of the scene in view space; lengths in units of B, so that they fit in single precision in worlds of any
+/// size.
 pub(super) struct Lights {
     lighting: Lighting,
     /// 1/B.
@@ -132,8 +133,8 @@ impl<'a> ObjectLight<'a> {
                 let [a, b, c] = triangle;
                 let [a, b, c] = [positions[a as usize], positions[b as usize], positions[c as usize]];
                 let (ab, ac) = (b - a, c - a);
-                // The cofactors take the normal of the object to that of the view, whatever the transform; the length is of no
-                // matter, but must fit in single precision.
+                // The cofactors take the normal of the object to that of the view, whatever the transform; the length
+                // is of no matter, but must fit in single precision.
                 let normal = ab.cross(ac);
                 points.set_normal(l, normal * power_of_two_below_inverse(normal.abs().max_element()));
                 points.colors[l] = packed(color);
@@ -198,8 +199,8 @@ impl<'a> ObjectLight<'a> {
         }
     }
 
-    /// Lights `count` points, some at a time: `points` is given the index of the first and how many, and says whether they
-    /// are wanted.
+    /// Lights `count` points, some at a time: `points` is given the index of the first and how many, and says whether
+    /// they are wanted.
     fn lit(
         &self,
         mut colors: Vec<Rgba>,

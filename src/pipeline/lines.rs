@@ -28,7 +28,8 @@ pub(super) fn in_view(scene: &Scene, projector: &Projector) -> InView {
     lines.chain(points).fold(InView::NOTHING, |all, depth| all.and(InView::between(depth, depth)))
 }
 
-/// Collects strokes. Those that follow each other in the same style become one set; the order of styles is that of the lines.
+/// Collects strokes. Those that follow each other in the same style become one set; the order of styles is that of the
+/// lines.
 pub(super) struct Strokes<'a> {
     projector: &'a Projector,
     screen: &'a Screen,
@@ -53,8 +54,8 @@ impl<'a> Strokes<'a> {
         }
     }
 
-    /// A polyline through points of view space. Where it leaves the volume it ends, and where it comes back another begins; an
-    /// arrow head stays only at the true end.
+    /// A polyline through points of view space. Where it leaves the volume it ends, and where it comes back another
+    /// begins; an arrow head stays only at the true end.
     pub(super) fn polyline(&mut self, points: impl IntoIterator<Item = DVec3>, style: LineStyle) {
         let mut points = points.into_iter().map(|p| self.projector.clip(p)).peekable();
         let Some(mut from) = points.next() else { return };

@@ -1,8 +1,9 @@
 //! Where rounding puts vertices beside their places in the picture, found by the code that draws them.
 //!
-//! Up to the viewport the pipeline computes in `f64`, behind it in single precision on a grid of subpixels. That is enough for nearly all
-//! cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex; it is not where a picture magnifies more than its
-//! coordinates have digits, or where the window stands far aside. There each vertex is held against its place in double-double.
+//! Up to the viewport the pipeline computes in `f64`, behind it in single precision on a grid of subpixels. That is
+//! enough for nearly all cameras, and [`Misplaced::bound`] proves it for an object without looking at a vertex; it is
+//! not where a picture magnifies more than its coordinates have digits, or where the window stands far aside. There
+//! each vertex is held against its place in double-double.
 
 use rayon::prelude::*;
 
@@ -68,12 +69,13 @@ impl<'a> Misplaced<'a> {
         }
     }
 
-    /// How far a point may be beside its place, pixels: if it is in the volume, its view coordinates are sums of numbers up to `summands`,
-    /// and its w is at least `w`.
+    /// How far a point may be beside its place, pixels: if it is in the volume, its view coordinates are sums of
+    /// numbers up to `summands`, and its w is at least `w`.
     ///
-    /// A view coordinate has an error e of a few roundings of its summands, and of what rounding left of C. So x_n = (s x_c − shift w)/w has
-    /// (s + 1 + |shift|) e/w, since |x_n| ≤ 1, and some roundings of 1 + |shift|, once more times that where the width of the window is a
-    /// small difference. Half the picture's size makes pixels of it, and single precision and the grid come on top.
+    /// A view coordinate has an error e of a few roundings of its summands, and of what rounding left of C. So x_n = (s
+    /// x_c − shift w)/w has (s + 1 + |shift|) e/w, since |x_n| ≤ 1, and some roundings of 1 + |shift|, once more times
+    /// that where the width of the window is a small difference. Half the picture's size makes pixels of it, and single
+    /// precision and the grid come on top.
     fn bound(&self, projector: &Projector, summands: f64, w: f64) -> f64 {
         const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
         let w = if projector.perspective { w } else { 1.0 };

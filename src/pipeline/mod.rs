@@ -12,13 +12,14 @@
 //! | order of faces, where no depth buffer decides | view | `visibility` |
 //! | edges, outlines, lines, marks, texts | world → pixels | `lines`, `outline` |
 //!
-//! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces, blending and
-//! smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
-//! What goes into a stage and comes out of it is noted by `stage_work`, where a picture shows it. [`clip_parts`], [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they show what clipping and culling do,
-//! and what would come of dividing first.
+//! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces,
+//! blending and smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
+//! What goes into a stage and comes out of it is noted by `stage_work`, where a picture shows it. [`clip_parts`],
+//! [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they show what
+//! clipping and culling do, and what would come of dividing first.
 //!
-//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which parts of its strokes faces hide,
-//! and [`stroke_order`], which of them is over which.
+//! A drawing for an output without a depth buffer is completed by [`stroke_runs`], which parts of its strokes faces
+//! hide, and [`stroke_order`], which of them is over which.
 //!
 //! Whatever is cut is cut by `cut`, and whatever vertices carry is carried over by `resample`.
 
@@ -97,8 +98,8 @@ pub struct Target {
     pub background: Rgba,
 }
 
-/// Draws `scene` as `camera` sees it. The view window fills the whole target: who wants no distortion gives a target with the
-/// window's aspect.
+/// Draws `scene` as `camera` sees it. The view window fills the whole target: who wants no distortion gives a target
+/// with the window's aspect.
 #[must_use]
 pub fn draw(scene: &Scene, camera: &Camera, target: Target, style: &Style) -> Drawing {
     Pipeline::default().frame(scene, camera, target, style, Options::default()).drawing

@@ -1,7 +1,8 @@
-//! One triangle step by step, as every triangle goes: its corners in each space, on which side of each plane they lie, what each plane
-//! cuts, and what is left, on the image.
+//! One triangle step by step, as every triangle goes: its corners in each space, on which side of each plane they lie,
+//! what each plane cuts, and what is left, on the image.
 //!
-//! Pictures are drawn without this; it is there to show what is done. The numbers are those of the functions that do it.
+//! Pictures are drawn without this; it is there to show what is done. The numbers are those of the functions that do
+//! it.
 
 use glam::{DVec2, DVec3};
 
@@ -44,7 +45,8 @@ pub struct CornerSteps {
     pub clip: DVec2,
     /// w of the clip space.
     pub w: f64,
-    /// Homogeneous distances from left, right, bottom, top, near, far, positive inside: w + x, w − x, w + y, w − y, d − F, B − d.
+    /// Homogeneous distances from left, right, bottom, top, near, far, positive inside: w + x, w − x, w + y, w − y, d −
+    /// F, B − d.
     pub distances: [f64; PLANES],
     /// The bits of the outcode: outside of which planes it is.
     pub outside: [bool; PLANES],

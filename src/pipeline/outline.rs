@@ -1,18 +1,20 @@
 //! The outline of a curved solid: its silhouette, which depends on where it is seen from, and its creases.
 //!
-//! A mesh's edge is on the silhouette where one of its two faces is seen from outside and the other is not. What is drawn is
-//! not the contour of the ideal surface but that of the mesh, which borders what is filled.
+//! A mesh's edge is on the silhouette where one of its two faces is seen from outside and the other is not. What is
+//! drawn is not the contour of the ideal surface but that of the mesh, which borders what is filled.
 
 use glam::DVec4;
 
 use crate::scene::SharedEdge;
 use crate::scene::mesh::Mesh;
 
-/// A face that is turned from the eye by less than this, in comparison with the numbers that decide it, is seen edge-on.
+/// A face that is turned from the eye by less than this, in comparison with the numbers that decide it, is seen
+/// edge-on.
 const EDGE_ON: f64 = 1e-9;
 
-/// The outline of a mesh seen from `eye`, as polylines of vertices: silhouettes, then creases, each from end to end or round
-/// to its beginning. `eye` is homogeneous, in the mesh's own space: a point, or with w = 0 the direction towards the eye.
+/// The outline of a mesh seen from `eye`, as polylines of vertices: silhouettes, then creases, each from end to end or
+/// round to its beginning. `eye` is homogeneous, in the mesh's own space: a point, or with w = 0 the direction towards
+/// the eye.
 pub(super) fn outline(mesh: &Mesh, eye: DVec4) -> Vec<Vec<u32>> {
     let adjacency = &mesh.adjacency;
     let seen: Vec<bool> = adjacency.planes.iter().map(|&plane| is_seen(plane, eye)).collect();
@@ -31,7 +33,8 @@ pub(super) fn outline(mesh: &Mesh, eye: DVec4) -> Vec<Vec<u32>> {
     chains
 }
 
-/// True where the eye is before a face. Edge-on is not, whatever rounding says: of a quadrilateral's two faces both are not.
+/// True where the eye is before a face. Edge-on is not, whatever rounding says: of a quadrilateral's two faces both are
+/// not.
 fn is_seen(plane: DVec4, eye: DVec4) -> bool {
     let size = plane.truncate().length() * eye.truncate().length() + (plane.w * eye.w).abs();
     plane.dot(eye) > EDGE_ON * size

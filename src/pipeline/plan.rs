@@ -1,7 +1,8 @@
 //! Which stages a picture needs, and why each other one is left out.
 //!
-//! A [`Plan`] is a pure function of scene, camera and style, made before anything is drawn from bounding boxes and properties
-//! of the meshes alone. It changes no pixel: with [`Options::force_all_stages`] everything runs, and the picture is the same.
+//! A [`Plan`] is a pure function of scene, camera and style, made before anything is drawn from bounding boxes and
+//! properties of the meshes alone. It changes no pixel: with [`Options::force_all_stages`] everything runs, and the
+//! picture is the same.
 
 use std::time::Duration;
 
@@ -22,7 +23,8 @@ pub struct Plan {
     pub objects: Vec<ObjectPlan>,
     /// One entry for each stage, in order.
     pub stages: Vec<StagePlan>,
-    /// What decides which face is seen: the style's choice, or what the output can do, where faces may hide each other at all.
+    /// What decides which face is seen: the style's choice, or what the output can do, where faces may hide each other
+    /// at all.
     pub order: Visibility,
     /// The depth of faces is recorded.
     pub depth: bool,
@@ -37,12 +39,14 @@ pub struct Options {
     pub force_all_stages: bool,
     /// What the drawing is for.
     pub output: Output,
-    /// The depths of the drawing are 1 at F and 0 at B, whatever is in view: for a drawing that another one is put into.
+    /// The depths of the drawing are 1 at F and 0 at B, whatever is in view: for a drawing that another one is put
+    /// into.
     pub depth_of_volume: bool,
     /// What goes into this stage and what comes out is noted in [`Frame::work`](super::Frame::work).
     pub shown: Option<Stage>,
-    /// Where this triangle (object, index in its mesh) is in the drawing is said by [`Frame::followed`](super::Frame::followed). Not
-    /// where faces are put in order, or an object becomes several surfaces.
+    /// Where this triangle (object, index in its mesh) is in the drawing is said by
+    /// [`Frame::followed`](super::Frame::followed). Not where faces are put in order, or an object becomes several
+    /// surfaces.
     pub followed: Option<(usize, u32)>,
     /// Gives the time since any moment, for the report; without it nothing is timed.
     pub clock: Option<fn() -> Duration>,

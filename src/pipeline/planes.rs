@@ -20,16 +20,18 @@ pub(super) const NOT_A_NUMBER: PlaneSet = 0b100_0000;
 /// Near and far first: then w is positive for all that follows.
 pub(super) const ORDER: [usize; PLANES] = [4, 5, 0, 1, 2, 3];
 
-/// The six homogeneous distances, positive inside: w + x, w − x, w + y, w − y, and, up to a positive factor, w + z and w − z.
+/// The six homogeneous distances, positive inside: w + x, w − x, w + y, w − y, and, up to a positive factor, w + z and
+/// w − z.
 ///
-/// w + z = 2B(d − F)/(B − F) and w − z = 2F(B − d)/(B − F) with the distance d from the eye, so d − F and B − d decide, without
-/// the cancellation of clip z.
+/// w + z = 2B(d − F)/(B − F) and w − z = 2F(B − d)/(B − F) with the distance d from the eye, so d − F and B − d decide,
+/// without the cancellation of clip z.
 #[inline(always)]
 pub(super) fn distances(projector: &Projector, p: ClipPoint) -> [f64; PLANES] {
     [p.w + p.x, p.w - p.x, p.w + p.y, p.w - p.y, p.depth - projector.near, projector.far - p.depth]
 }
 
-/// Bit `i` is set where the point is outside plane `i`; [`NOT_A_NUMBER`] where a coordinate is not a number, or too large to be cut.
+/// Bit `i` is set where the point is outside plane `i`; [`NOT_A_NUMBER`] where a coordinate is not a number, or too
+/// large to be cut.
 #[inline(always)]
 pub(super) fn outcode(projector: &Projector, p: ClipPoint) -> PlaneSet {
     let size = p.x.abs() + p.y.abs() + p.depth.abs();

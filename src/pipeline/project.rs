@@ -16,19 +16,21 @@ use crate::appearance::{LineStyle, Rgba, Shading};
 use crate::camera::Camera;
 use crate::scene::{Adjacency, Line, Mesh, Object, ObjectPaint, PointMark, Scene, SharedEdge, Text};
 
-/// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed, with z
-/// away from the eye, and this is how they are shown in a right-handed space.
+/// All of `scene` that is in the volume of `camera`, clipped and projected to `(x_n, y_n, −z_n)`: NDC are left-handed,
+/// with z away from the eye, and this is how they are shown in a right-handed space.
 ///
-/// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise); nothing is lit
-/// any more, so the meshes have no normals. No face is culled: the observer of the result stands elsewhere than the camera. An
-/// object that was cut is open, so both sides of its faces show; one that was not stays closed, and convex if it was.
+/// Colours are baked as they are lit in the world (at the vertices for Gouraud and Phong, on faces otherwise); nothing
+/// is lit any more, so the meshes have no normals. No face is culled: the observer of the result stands elsewhere than
+/// the camera. An object that was cut is open, so both sides of its faces show; one that was not stays closed, and
+/// convex if it was.
 #[must_use]
 pub fn clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     clipped_by(scene, &Projector::new(camera), shading).0
 }
 
-/// [`clipped_scene`], where all of it together is not thinner along z_n than a picture of the volume can tell: with an F or a B that is
-/// far from what there is to see, NDC make it a sheet, of which nothing is before anything else. It is shown a pixel or two thick then.
+/// [`clipped_scene`], where all of it together is not thinner along z_n than a picture of the volume can tell: with an
+/// F or a B that is far from what there is to see, NDC make it a sheet, of which nothing is before anything else. It is
+/// shown a pixel or two thick then.
 #[must_use]
 pub fn legible_clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -> Scene {
     let mut projector = Projector::new(camera);
@@ -79,20 +81,23 @@ pub fn displayed_ndc(camera: &Camera, p_world: DVec3) -> Option<DVec3> {
     (p.w > 0.0).then(|| displayed(&projector, p)).filter(|p| p.is_finite())
 }
 
-/// World points in view space, as the pictures are drawn from them: C is subtracted before anything is rotated, in `f64`.
+/// World points in view space, as the pictures are drawn from them: C is subtracted before anything is rotated, in
+/// `f64`.
 pub fn view_of(camera: &Camera) -> impl Fn(DVec3) -> DVec3 {
     let projector = Projector::new(camera);
     move |p_world| projector.view(p_world)
 }
 
-/// The depth that the depth buffer of a picture holds for a distance from the plane of the eye (scene units), and its scale.
+/// The depth that the depth buffer of a picture holds for a distance from the plane of the eye (scene units), and its
+/// scale.
 pub fn depth_buffer_of(camera: &Camera, in_view: InView) -> (DepthScale, impl Fn(f64) -> f32) {
     let projector = Projector::new(camera);
     let depths = projector.depths.resolving(in_view.clipped(camera.near(), camera.far()));
     (depths, move |distance| single(depths.depth(distance)))
 }
 
-/// What is in the volume of a segment between two world points, as it is shown in the canonical volume: `(x_n, y_n, −z_n)` of its ends.
+/// What is in the volume of a segment between two world points, as it is shown in the canonical volume:
+/// `(x_n, y_n, −z_n)` of its ends.
 pub fn clipped_segment_of(camera: &Camera) -> impl Fn([DVec3; 2]) -> Option<[DVec3; 2]> {
     let projector = Projector::new(camera);
     move |ends| {

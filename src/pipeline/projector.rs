@@ -5,8 +5,8 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use super::depths::{DepthScale, Sheet};
 use crate::camera::{Basis, Camera, Projection};
 
-/// A point of clip space, with the distance from the eye instead of z: clip z crowds the far depths together, the distance
-/// does not.
+/// A point of clip space, with the distance from the eye instead of z: clip z crowds the far depths together, the
+/// distance does not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ClipPoint {
     /// x, in \[−w, w\] inside the volume.
@@ -114,8 +114,8 @@ impl Projector {
         } else {
             (inverse * n).extend(0.0)
         };
-        // With the eye in object space, one subtraction and one 3×3 product take a vertex to view space, and objects far from
-        // the origin lose nothing. The inverse costs digits where the scales along the axes differ wildly.
+        // With the eye in object space, one subtraction and one 3×3 product take a vertex to view space, and objects
+        // far from the origin lose nothing. The inverse costs digits where the scales along the axes differ wildly.
         let condition = norm(linear) * norm(inverse);
         if determinant != 0.0 && condition < 1e3 {
             ViewFromObject {
@@ -164,7 +164,8 @@ impl ViewFromObject {
         self.linear * self.offset(p)
     }
 
-    /// From the eye to a point of the object, before anything is rotated to view space by [`of_offsets`](Self::of_offsets).
+    /// From the eye to a point of the object, before anything is rotated to view space by
+    /// [`of_offsets`](Self::of_offsets).
     #[inline(always)]
     pub(super) fn offset(&self, p: DVec3) -> DVec3 {
         match self.through_world {
@@ -203,7 +204,8 @@ impl ViewFromObject {
         self.linear
     }
 
-    /// The size of the numbers from which the view coordinates of `p` are summed up: what their rounding is measured by.
+    /// The size of the numbers from which the view coordinates of `p` are summed up: what their rounding is measured
+    /// by.
     pub(super) fn magnitude(&self, p: DVec3) -> f64 {
         match self.through_world {
             None => norm(self.linear) * (p - self.eye).length(),
@@ -211,8 +213,8 @@ impl ViewFromObject {
         }
     }
 
-    /// The size of the numbers that taking the eye to object space adds to these: the inverse of the model matrix is known to as many
-    /// digits as its condition leaves, and so is its product with C.
+    /// The size of the numbers that taking the eye to object space adds to these: the inverse of the model matrix is
+    /// known to as many digits as its condition leaves, and so is its product with C.
     pub(super) fn rest(&self) -> f64 {
         self.rest
     }
@@ -226,8 +228,8 @@ impl ViewFromObject {
         (linear.transpose() * gradient).length()
     }
 
-    /// The eye in object space, homogeneous: a point, or in parallel projection the direction towards it (w = 0). Not finite for a
-    /// flattened object.
+    /// The eye in object space, homogeneous: a point, or in parallel projection the direction towards it (w = 0). Not
+    /// finite for a flattened object.
     pub(super) fn seen_from(&self) -> DVec4 {
         self.seen_from
     }
@@ -248,13 +250,14 @@ impl ViewFromObject {
         self.determinant < 0.0
     }
 
-    /// −1 where the object is mirrored, else 1: the factor that makes of (b − a) × (c − a) the outer normal of a triangle.
+    /// −1 where the object is mirrored, else 1: the factor that makes of (b − a) × (c − a) the outer normal of a
+    /// triangle.
     pub(super) fn outward(&self) -> f64 {
         if self.mirrored() { -1.0 } else { 1.0 }
     }
 
-    /// The matrix for normals: cofactors of the linear part (the inverse transpose times the determinant, which a flattened
-    /// object has too), with the sign that keeps normals outside.
+    /// The matrix for normals: cofactors of the linear part (the inverse transpose times the determinant, which a
+    /// flattened object has too), with the sign that keeps normals outside.
     pub(super) fn normal_matrix(&self) -> DMat3 {
         let m = match self.through_world {
             None => self.linear,
@@ -265,6 +268,6 @@ impl ViewFromObject {
     }
 }
 
-/// Vertices that are taken from space to space together: an array for each coordinate, so that the loops over them become
-/// vector instructions.
+/// Vertices that are taken from space to space together: an array for each coordinate, so that the loops over them
+/// become vector instructions.
 pub(super) const BLOCK: usize = 32;

@@ -26,8 +26,8 @@ pub struct Frame {
     pub report: Vec<StageReport>,
     /// What was done, by object of the scene.
     pub objects: Vec<ObjectReport>,
-    /// What could not be done as the plan has it. Where it is the pieces, the drawing is for an output with a depth buffer, whatever was
-    /// asked for; that is said before what rounding does.
+    /// What could not be done as the plan has it. Where it is the pieces, the drawing is for an output with a depth
+    /// buffer, whatever was asked for; that is said before what rounding does.
     pub too_much: Option<TooMuch>,
     /// What the depths of the drawing mean.
     pub depths: DepthScale,
@@ -35,7 +35,8 @@ pub struct Frame {
     pub work: Option<StageWork>,
     /// Faces that only show what that stage drops: painted over the drawing, and counted by no stage.
     pub dropped_faces: Vec<Surface>,
-    /// The picture as it is before that stage, for its left half; `None` where what comes out is drawn over what goes in.
+    /// The picture as it is before that stage, for its left half; `None` where what comes out is drawn over what goes
+    /// in.
     pub before: Option<Drawing>,
     /// Where the triangle that was followed is in the drawing; `None` where none was, or its object is not drawn.
     pub followed: Option<FollowedTriangle>,

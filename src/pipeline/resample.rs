@@ -1,7 +1,7 @@
 //! What the vertices that cutting makes carry: colours, normals, texture coordinates …
 //!
-//! Everything that has attributes by vertex or by face, and is made anew after a cut, comes through here. An attribute that
-//! vertices are given one day is one more arm in [`object_paint`], [`paint_of`] or [`append`].
+//! Everything that has attributes by vertex or by face, and is made anew after a cut, comes through here. An attribute
+//! that vertices are given one day is one more arm in [`object_paint`], [`paint_of`] or [`append`].
 
 use std::sync::Arc;
 
@@ -51,8 +51,8 @@ impl VertexOrigin {
 
 /// What a vertex can carry.
 pub(super) trait Attribute: Copy {
-    /// The weighted sum. The order of the three changes nothing where one weight is 0, so that neighbours that share an edge
-    /// agree on it.
+    /// The weighted sum. The order of the three changes nothing where one weight is 0, so that neighbours that share an
+    /// edge agree on it.
     fn mean(of: [Self; 3], weights: [f64; 3]) -> Self;
 }
 
@@ -107,7 +107,8 @@ pub(super) fn face_color(paint: &ObjectPaint, face: u32, triangle: [u32; 3]) -> 
     }
 }
 
-/// The paint of a mesh whose vertices and triangles come from those of another. `sources`: the old index of each triangle.
+/// The paint of a mesh whose vertices and triangles come from those of another. `sources`: the old index of each
+/// triangle.
 pub(super) fn object_paint(
     old: &ObjectPaint,
     origins: impl Iterator<Item = VertexOrigin>,
@@ -209,8 +210,8 @@ impl Remake {
     }
 }
 
-/// An object with some of its triangles and edges only: open, unless it keeps all. `triangles`: their indices, ascending;
-/// `outlined`: the edges of the mesh's adjacency that may still be on its outline.
+/// An object with some of its triangles and edges only: open, unless it keeps all. `triangles`: their indices,
+/// ascending; `outlined`: the edges of the mesh's adjacency that may still be on its outline.
 #[must_use]
 pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, outlined: Vec<SharedEdge>) -> Object {
     let old = &object.mesh;
@@ -233,8 +234,8 @@ pub fn with_triangles(object: &Object, triangles: &[u32], edges: Vec<[u32; 2]>, 
     Object { mesh: Arc::new(mesh), paint, ..object.clone() }
 }
 
-/// A paint for a surface that takes pieces of those painted with `old`; one colour becomes a colour for each face, so that
-/// surfaces of different objects can be one.
+/// A paint for a surface that takes pieces of those painted with `old`; one colour becomes a colour for each face, so
+/// that surfaces of different objects can be one.
 pub(super) fn empty_like(old: &Paint) -> Paint {
     match old {
         Paint::Solid(_) | Paint::Faces(_) => Paint::Faces(Vec::new()),
@@ -251,8 +252,8 @@ pub(super) fn empty_like(old: &Paint) -> Paint {
     }
 }
 
-/// Adds to `paint` what vertices of these origins have of `old`, and `faces` triangles that are parts of the old triangle
-/// `source`. What `old` lacks is grey, or zero.
+/// Adds to `paint` what vertices of these origins have of `old`, and `faces` triangles that are parts of the old
+/// triangle `source`. What `old` lacks is grey, or zero.
 pub(super) fn append(paint: &mut Paint, old: &Paint, origins: &[VertexOrigin], source: u32, faces: usize) {
     fn add<T: Attribute>(values: &mut Vec<T>, origins: &[VertexOrigin], at: impl Fn(u32) -> T) {
         values.extend(origins.iter().map(|origin| origin.of(&at)));

@@ -36,13 +36,14 @@ impl Shaded<'_> {
         }
     }
 
-    /// True where the triangles of the mesh have colours, their own or those of their light, so that each face that is left must
-    /// know which one it was.
+    /// True where the triangles of the mesh have colours, their own or those of their light, so that each face that is
+    /// left must know which one it was.
     pub(super) fn colors_faces(object: &Object, lit: LitAt) -> bool {
         lit == LitAt::Faces || matches!(object.paint, ObjectPaint::Faces(_))
     }
 
-    /// The surfaces of the object: one, or with Phong shading one for each colour of its faces. Takes the faces' arrays.
+    /// The surfaces of the object: one, or with Phong shading one for each colour of its faces. Takes the faces'
+    /// arrays.
     pub(super) fn surfaces(&self, faces: &mut Faces, pool: &mut Pool) -> Vec<Surface> {
         if faces.triangles.is_empty() {
             return Vec::new();
@@ -153,7 +154,8 @@ impl Shaded<'_> {
         });
     }
 
-    /// Gouraud shading of faces that have colours of their own: no vertex is shared any more, so that each has one colour.
+    /// Gouraud shading of faces that have colours of their own: no vertex is shared any more, so that each has one
+    /// colour.
     fn unshared(&self, faces: &Faces, light: &ObjectLight, colors: &[Rgba]) -> Surface {
         let own = self.vertices.len();
         let mut paint = Vec::with_capacity(3 * faces.triangles.len());
@@ -174,7 +176,8 @@ impl Shaded<'_> {
         }
     }
 
-    /// Phong shading of faces that have colours of their own: one surface for each colour, in the order in which they occur.
+    /// Phong shading of faces that have colours of their own: one surface for each colour, in the order in which they
+    /// occur.
     fn surfaces_by_color(&self, faces: &Faces, light: &ObjectLight, pool: &mut Pool, colors: &[Rgba]) -> Vec<Surface> {
         let mut surfaces: Vec<(Rgba, Surface)> = Vec::new();
         for (triangle, &face) in faces.triangles.iter().zip(&faces.source) {

@@ -16,8 +16,8 @@ use crate::stage::Stage;
 /// So many sides, vertices and faces are noted; of more, nobody could tell one from another.
 const MOST: usize = 20_000;
 
-/// What went into a stage of a picture and what came out, as far as it lies in the picture. Points are those of the display list: pixels
-/// and depth.
+/// What went into a stage of a picture and what came out, as far as it lies in the picture. Points are those of the
+/// display list: pixels and depth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StageWork {
     /// Which stage.

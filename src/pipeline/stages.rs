@@ -1,5 +1,5 @@
-//! The stages of the pipeline, and what can be said of them: why one runs or is left out, what is planned for an object, and
-//! what was done with it.
+//! The stages of the pipeline, and what can be said of them: why one runs or is left out, what is planned for an
+//! object, and what was done with it.
 
 use super::cull::Containment;
 use super::planes::PlaneSet;
@@ -11,8 +11,8 @@ pub enum Output {
     /// Pixels, with a depth for each: what decides which face is seen is the style's choice.
     #[default]
     Pixels,
-    /// Shapes that are painted one over the other, without a depth buffer: faces are listed from back to front, split where
-    /// they cross each other's planes, or by their centroids where the style asks for the painter.
+    /// Shapes that are painted one over the other, without a depth buffer: faces are listed from back to front, split
+    /// where they cross each other's planes, or by their centroids where the style asks for the painter.
     Vectors,
 }
 
@@ -137,7 +137,8 @@ pub enum Reason {
         objects: usize,
     },
 
-    /// Left out: a convex closed object alone hides nothing of itself once its back faces are gone, and no line asks for depth.
+    /// Left out: a convex closed object alone hides nothing of itself once its back faces are gone, and no line asks
+    /// for depth.
     ConvexAlone,
     /// Runs: faces of several objects may hide each other.
     SeveralObjects {

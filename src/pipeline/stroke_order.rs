@@ -1,8 +1,8 @@
 //! The order of strokes for outputs that have no depth buffer: what is painted later covers what is painted before.
 //!
-//! Where two runs touch on the picture, the rule of [`drawing`](crate::drawing) says which is over the other. The runs are
-//! sorted so that each comes after all that it is over. Where runs lie over one another in a cycle, they are split between the
-//! places where they touch. As in the depth sort of Newell, Newell and Sancha (1972), but with strokes.
+//! Where two runs touch on the picture, the rule of [`drawing`](crate::drawing) says which is over the other. The runs
+//! are sorted so that each comes after all that it is over. Where runs lie over one another in a cycle, they are split
+//! between the places where they touch. As in the depth sort of Newell, Newell and Sancha (1972), but with strokes.
 //!
 //! A grid of squares finds what touches: the work grows with the length of all strokes, and with the square of how many
 //! segments share one square of 32 pixels.
@@ -22,10 +22,10 @@ use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 
 /// What is painted of the strokes of a drawing, from back to front.
 ///
-/// *Guarantees*: of two runs of different strokes that touch, the one that is over the other where they touch comes later.
-/// Exceptions: three or more that touch at one place and do not agree on an order there, and where a run passes another twice
-/// within the sum of their widths. Of what is split, the parts follow one another along the polyline without a gap; a part's
-/// [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
+/// *Guarantees*: of two runs of different strokes that touch, the one that is over the other where they touch comes
+/// later. Exceptions: three or more that touch at one place and do not agree on an order there, and where a run passes
+/// another twice within the sum of their widths. Of what is split, the parts follow one another along the polyline
+/// without a gap; a part's [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
 ///
 /// # Errors
 /// [`TooMuch::Strokes`].
@@ -122,8 +122,8 @@ impl Segment {
         if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 0.0 }
     }
 
-    /// Where on the picture two segments are nearest to each other, as shares of their ways; of parallel ones the middle of
-    /// where they are.
+    /// Where on the picture two segments are nearest to each other, as shares of their ways; of parallel ones the
+    /// middle of where they are.
     fn nearest(&self, other: &Self) -> [f64; 2] {
         let (d, e) = (self.along, other.along);
         let w = [other.from[0] - self.from[0], other.from[1] - self.from[1]];
@@ -149,8 +149,8 @@ impl Segment {
         sum.map(|sum| sum / count)
     }
 
-    /// Where it touches a segment of a later run, as shares of the ways: at one place, or at two where they go along each other
-    /// and one is over the other on the first part of that, below it on the rest. `None`: nowhere.
+    /// Where it touches a segment of a later run, as shares of the ways: at one place, or at two where they go along
+    /// each other and one is over the other on the first part of that, below it on the rest. `None`: nowhere.
     fn places(&self, later: &Self) -> [Option<[f64; 2]>; 2] {
         let nearest = self.nearest(later);
         let gap = distance(self.at(nearest[0]), later.at(nearest[1]));
@@ -331,8 +331,8 @@ fn for_squares(segment: &Segment, columns: usize, rows: usize, mut visit: impl F
     }
 }
 
-/// Of the contacts of two runs at one place (joints of segments) the one where they are nearest to each other. `extent`: how
-/// far along the runs a place goes.
+/// Of the contacts of two runs at one place (joints of segments) the one where they are nearest to each other.
+/// `extent`: how far along the runs a place goes.
 fn one_each(mut found: Vec<Contact>, extent: impl Fn(&Contact) -> f64) -> Vec<Contact> {
     found.sort_by(|a, b| a.runs.cmp(&b.runs).then(a.arcs[0].total_cmp(&b.arcs[0])));
     let mut places: Vec<Contact> = Vec::new();
@@ -384,7 +384,8 @@ fn in_cycles(count: usize, contacts: &[Contact]) -> Vec<bool> {
     left
 }
 
-/// Each run after all that it is over; where that leaves a choice, or no run to begin with, in the order of the drawing.
+/// Each run after all that it is over; where that leaves a choice, or no run to begin with, in the order of the
+/// drawing.
 fn back_to_front(count: usize, contacts: &[Contact]) -> Vec<usize> {
     let (next, mut before) = neighbours(count, contacts.iter().map(Contact::below_and_over));
     let mut free: BinaryHeap<Reverse<usize>> = (0..count).filter(|&k| before[k] == 0).map(Reverse).collect();

@@ -1,8 +1,9 @@
 //! The visible and the hidden runs of strokes, for outputs that have no depth buffer.
 //!
-//! A raster asks its depth buffer pixel by pixel; here each segment of a stroke is held against each triangle that it passes.
-//! Both are straight on the picture, and so are their depths (see [`drawing`](crate::drawing)): a triangle hides a segment
-//! between two points, which are found without steps (the quantitative invisibility of Appel 1967, one face at a time).
+//! A raster asks its depth buffer pixel by pixel; here each segment of a stroke is held against each triangle that it
+//! passes. Both are straight on the picture, and so are their depths (see [`drawing`](crate::drawing)): a triangle
+//! hides a segment between two points, which are found without steps (the quantitative invisibility of Appel 1967, one
+//! face at a time).
 
 use std::ops::Range;
 
@@ -41,8 +42,8 @@ impl Run {
     }
 }
 
-/// Splits the strokes of a drawing into runs, in its order. [`painted_runs`](super::stroke_order::painted_runs) has them in the
-/// order in which they are painted.
+/// Splits the strokes of a drawing into runs, in its order. [`painted_runs`](super::stroke_order::painted_runs) has
+/// them in the order in which they are painted.
 ///
 /// *Guarantees*: the runs of a polyline follow one another and make it up; a stroke on a face is visible. What is
 /// [`Shown`](HiddenLines::Shown) although hidden is one visible run.
@@ -94,7 +95,8 @@ impl Steps {
 pub(super) const LISTED: usize = 8;
 pub(super) const KEPT: usize = 64;
 
-/// Of places in a drawing, those that a face hides: of marks and labels, which are painted faintly there where they say so.
+/// Of places in a drawing, those that a face hides: of marks and labels, which are painted faintly there where they say
+/// so.
 ///
 /// # Errors
 /// [`TooMuch::Strokes`].

@@ -9,8 +9,8 @@ use crate::appearance::{HiddenLines, Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint, Scene};
 use crate::stage::Stage;
 
-/// The counts on which the plan of a frame rests, or, of what was done, its account. Of objects in view only, and of their
-/// faces only where there are any.
+/// The counts on which the plan of a frame rests, or, of what was done, its account. Of objects in view only, and of
+/// their faces only where there are any.
 pub(super) struct Survey {
     objects: usize,
     outside: usize,
@@ -80,8 +80,8 @@ impl Survey {
         }
     }
 
-    /// The same counts of what was done: an object all of whose faces were dropped or clipped away has none, and what the near
-    /// plane has cut open keeps its back faces.
+    /// The same counts of what was done: an object all of whose faces were dropped or clipped away has none, and what
+    /// the near plane has cut open keeps its back faces.
     pub(super) fn of_done(scene: &Scene, plans: &[ObjectPlan], done: &[ObjectReport], style: &Style) -> Self {
         let left = plans.iter().zip(done).map(|(plan, done)| ObjectPlan {
             faces: plan.faces && done.triangles > 0,
@@ -99,8 +99,9 @@ impl Survey {
         Self { culled: culling.culled, cut_open, ..left }
     }
 
-    /// Of a stage that works on faces, what there is to say once all is done: whether it had anything to do, and why. `None`
-    /// for other stages, and for those that decide on what **may** be seen: of these the plan says what was done.
+    /// Of a stage that works on faces, what there is to say once all is done: whether it had anything to do, and why.
+    /// `None` for other stages, and for those that decide on what **may** be seen: of these the plan says what was
+    /// done.
     pub(super) fn face_stage(&self, planned: &StagePlan, style: &Style) -> Option<(bool, Reason)> {
         let StagePlan { stage, runs, reason } = *planned;
         if !runs || reason == Reason::Forced {
@@ -135,8 +136,8 @@ impl Survey {
         }
     }
 
-    /// What decides which face is seen: the style's choice, or what the output can do; the depth buffer, which needs no order,
-    /// where no face hides another.
+    /// What decides which face is seen: the style's choice, or what the output can do; the depth buffer, which needs no
+    /// order, where no face hides another.
     pub(super) fn order(&self, style: &Style, output: Output) -> Visibility {
         match (output, style.visibility) {
             _ if self.no_faces(style).is_some() => Visibility::DepthBuffer,

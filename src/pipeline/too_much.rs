@@ -21,7 +21,8 @@ pub enum TooMuch {
         "strokes meet too many faces or one another too often to be drawn without a depth buffer (more than {MAX_STROKE_STEPS} steps); allowed: fewer edges and lines"
     )]
     Strokes,
-    /// Rounding puts vertices more than a quarter of a pixel beside their places: the picture magnifies more than coordinates have digits.
+    /// Rounding puts vertices more than a quarter of a pixel beside their places: the picture magnifies more than
+    /// coordinates have digits.
     #[error(
         "{}: the picture magnifies more than coordinates have digits; allowed: a wider window, or scene and camera nearer to the origin",
         beside(vertices)
@@ -56,7 +57,8 @@ impl TooMuch {
         (!vertices.is_empty()).then_some(Self::Rounding { vertices })
     }
 
-    /// Names no others than those that `is_known`: a picture has objects of its own besides the scene's. `None` where that leaves nothing.
+    /// Names no others than those that `is_known`: a picture has objects of its own besides the scene's. `None` where
+    /// that leaves nothing.
     #[must_use]
     pub fn about(self, is_known: impl Fn(&str) -> bool) -> Option<Self> {
         match self {

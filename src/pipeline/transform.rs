@@ -38,7 +38,8 @@ impl Vertices<'_> {
 pub(super) struct OnImage {
     /// Pixels on the grid, and depth. What lies outside the volume is anywhere in the picture.
     pub(super) positions: Vec<[f32; 3]>,
-    /// See [`DepthScale::relative_inverse_w`](super::depths::DepthScale::relative_inverse_w); empty where nobody wants it.
+    /// See [`DepthScale::relative_inverse_w`](super::depths::DepthScale::relative_inverse_w); empty where nobody wants
+    /// it.
     pub(super) inverse_w: Vec<f32>,
     /// Of each vertex; empty where none is outside any plane.
     pub(super) outcodes: Vec<PlaneSet>,
@@ -60,7 +61,8 @@ struct VertexChunk<'a> {
 }
 
 impl OnImage {
-    /// Takes each vertex once through all spaces, and holds it against the planes, if the object may cross any (`crosses`).
+    /// Takes each vertex once through all spaces, and holds it against the planes, if the object may cross any
+    /// (`crosses`).
     pub(super) fn fill(&mut self, vertices: &Vertices, screen: &Screen, crosses: bool, want_inverse_w: bool) {
         let n = vertices.len();
         self.huge = screen.half_width.max(screen.half_height) > 0.5 * 65_536.0;
@@ -143,8 +145,8 @@ pub(super) struct Screen {
     half_height: f64,
 }
 
-/// Corners of triangles lie on this grid of the pixel, so that what decides about a triangle (its orientation, its coverage)
-/// is exact arithmetic on the very numbers that are drawn.
+/// Corners of triangles lie on this grid of the pixel, so that what decides about a triangle (its orientation, its
+/// coverage) is exact arithmetic on the very numbers that are drawn.
 pub(super) const SUBPIXELS: f64 = 256.0;
 
 impl Screen {
@@ -162,8 +164,8 @@ impl Screen {
         self.half_size() + DVec2::new(ndc.x, -ndc.y) * self.half_size()
     }
 
-    /// How far [`on_grid`] may move a point of this picture, pixels: half a step of the grid in x and in y, and no more than that by
-    /// single precision, as long as that has the steps.
+    /// How far [`on_grid`] may move a point of this picture, pixels: half a step of the grid in x and in y, and no more
+    /// than that by single precision, as long as that has the steps.
     pub(super) fn of_grid(&self) -> f64 {
         let single = 2.0 * self.half_size().max_element() * f64::from(f32::EPSILON);
         2.0 * (0.5 / SUBPIXELS).max(single)

@@ -1,7 +1,7 @@
 //! The order of faces where no depth buffer decides: painter's algorithm by centroids, and by a BSP tree that splits.
 //!
-//! Both take the surfaces as they were shaded, and give them back in the order in which they are to be painted, one over the
-//! other, and how many pieces these are. Translucent faces blend as they come.
+//! Both take the surfaces as they were shaded, and give them back in the order in which they are to be painted, one
+//! over the other, and how many pieces these are. Translucent faces blend as they come.
 
 use std::collections::HashMap;
 
@@ -48,8 +48,8 @@ impl Corner {
     }
 }
 
-/// The sides of faces, with the points at which any face was split there. A face keeps its neighbour's points in its own
-/// border: both sides of the border have the same corners on the grid of the image, and no gap opens between them.
+/// The sides of faces, with the points at which any face was split there. A face keeps its neighbour's points in its
+/// own border: both sides of the border have the same corners on the grid of the image, and no gap opens between them.
 #[derive(Clone, Debug, Default)]
 struct Sides {
     known: HashMap<[u64; 6], usize>,
@@ -107,8 +107,8 @@ struct Piece {
     corners: Vec<Corner>,
 }
 
-/// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and there to
-/// be seen failing.
+/// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and
+/// there to be seen failing.
 pub(super) fn by_centroid(layers: &[Layer], projector: &Projector, screen: &Screen) -> (Vec<Surface>, usize) {
     let (all, _) = pieces(layers);
     let distance = |piece: &Piece| piece.corners.iter().map(|c| -c.view.z).sum::<f64>();
@@ -132,8 +132,8 @@ pub(super) struct TooManyPieces {
     pub(super) of_layer: Vec<usize>,
 }
 
-/// In an order that is right for each two faces: a tree of planes of faces; what crosses a plane is split (Fuchs, Kedem and
-/// Naylor 1980).
+/// In an order that is right for each two faces: a tree of planes of faces; what crosses a plane is split (Fuchs, Kedem
+/// and Naylor 1980).
 ///
 /// # Errors
 /// [`TooManyPieces`] where there would be more than `max_pieces`, or they would take more than [`MAX_PIECE_BYTES`].
@@ -359,8 +359,8 @@ impl SplitPlane {
     }
 }
 
-/// Of some planes of faces, and in large sets of some upright planes through the middle too, the one that splits least and
-/// divides most evenly; `None` where no face has an area.
+/// Of some planes of faces, and in large sets of some upright planes through the middle too, the one that splits least
+/// and divides most evenly; `None` where no face has an area.
 fn best_plane(set: &[Piece], tolerance: f64) -> Option<SplitPlane> {
     const TRIED: usize = 6;
     const LARGE: usize = 128;

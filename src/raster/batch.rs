@@ -1,8 +1,8 @@
 //! Eight triangles at a time: their boxes, and what makes them ready to be filled.
 //!
-//! Fine meshes are made of small triangles, for which most of the work is to set them up: that is done for eight at once, in
-//! 32 bits. The others go alone, through [`Triangle`](super::setup::Triangle). A triangle is treated by its box, the pixels whose
-//! samples it may own:
+//! Fine meshes are made of small triangles, for which most of the work is to set them up: that is done for eight at
+//! once, in 32 bits. The others go alone, through [`Triangle`](super::setup::Triangle). A triangle is treated by its
+//! box, the pixels whose samples it may own:
 //!
 //! | grade | its box | how it is filled |
 //! | --- | --- | --- |
@@ -11,8 +11,9 @@
 //! | small | [`small`](Batch::small): 32 × 128 pixels | by edge functions in 32 bits, tile by tile |
 //! | wide | any | between its borders in 64 bits, row by row |
 //!
-//! Tiny and small ones must also have an area, and be simple to colour ([`Colors::simple`](super::shade::Colors::simple)): no
-//! sliver, and not bent by perspective. What is coloured pixel by pixel (`per_pixel`) is always filled as wide.
+//! Tiny and small ones must also have an area, and be simple to colour
+//! ([`Colors::simple`](super::shade::Colors::simple)): no sliver, and not bent by perspective. What is coloured pixel
+//! by pixel (`per_pixel`) is always filled as wide.
 
 use std::ops::Range;
 
@@ -268,8 +269,8 @@ impl<K: Simd> SetUp<K> {
         ]
     }
 
-    /// Times the greatest difference of values at the vertices, what the terms of their gradient can be: a sliver has large ones
-    /// that nearly cancel, and then most of the gradient is rounding.
+    /// Times the greatest difference of values at the vertices, what the terms of their gradient can be: a sliver has
+    /// large ones that nearly cancel, and then most of the gradient is rounding.
     #[inline(always)]
     pub(super) fn steepness(&self) -> f32x8<K> {
         let m = self.m.map(|m| m.abs());

@@ -14,8 +14,8 @@ use super::setup::Size;
 /// Triangles that are sorted into bands as one piece of work.
 const CHUNK: usize = 8192;
 
-/// The opaque triangles of a picture by band, and the translucent ones from back to front. In a drawing that is painted in
-/// order, all triangles are treated as the opaque ones here. Kept between pictures.
+/// The opaque triangles of a picture by band, and the translucent ones from back to front. In a drawing that is painted
+/// in order, all triangles are treated as the opaque ones here. Kept between pictures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bins {
     chunks: Vec<Chunk>,
@@ -146,7 +146,8 @@ fn rows<K: Simd>(simd: K, surface: &Surface, triangles: &[[u32; 3]], many: bool,
     let batch = Batch::new(simd, &x, &y, many, size);
     let mut some = batch.some;
     if !many && (batch.one & some).any_true() {
-        // Of the triangles of a fine mesh most have one pixel in their box and do not own it: dropped here, once for all.
+        // Of the triangles of a fine mesh most have one pixel in their box and do not own it: dropped here, once for
+        // all.
         some &= !batch.one | batch.set_up(0).own_first();
     }
     let mut result = [[0; 2]; BATCH];

@@ -1,9 +1,10 @@
 //! How much of each pixel strokes cover, and which of them is in front.
 //!
-//! All pieces of a layer (the visible or the hidden parts of a set of strokes) meet in one mask, each pixel keeping the greatest
-//! share: pieces may overlap (joints, crossings, arrow heads) without a translucent colour growing darker there. Each pixel
-//! remembers what layers cover it, how much and how near, as in an A-buffer (Carpenter 1984); only when all are known are they
-//! laid on the picture, from back to front. So strokes stay as smooth where one passes before another as anywhere else.
+//! All pieces of a layer (the visible or the hidden parts of a set of strokes) meet in one mask, each pixel keeping the
+//! greatest share: pieces may overlap (joints, crossings, arrow heads) without a translucent colour growing darker
+//! there. Each pixel remembers what layers cover it, how much and how near, as in an A-buffer (Carpenter 1984); only
+//! when all are known are they laid on the picture, from back to front. So strokes stay as smooth where one passes
+//! before another as anywhere else.
 
 use std::ops::Range;
 
@@ -89,8 +90,8 @@ impl Coverage {
         self.layers.push(Layer { color: premultiply(color), depth });
     }
 
-    /// Covers what lies within `radius` of the segment a–b: a stroke with round ends. A stroke thinner than a pixel covers it
-    /// in part.
+    /// Covers what lies within `radius` of the segment a–b: a stroke with round ends. A stroke thinner than a pixel
+    /// covers it in part.
     pub(super) fn capsule(&mut self, a: Point, b: Point, radius: f32) {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let length = length(dx, dy);
@@ -146,7 +147,8 @@ impl Coverage {
         }
     }
 
-    /// Raises the shares of a row between two abscissae to what `share` says for each pixel centre, with the depth there.
+    /// Raises the shares of a row between two abscissae to what `share` says for each pixel centre, with the depth
+    /// there.
     fn row(&mut self, j: usize, from: f32, to: f32, reach: f32, share: impl Fn(f32) -> (f32, f32)) {
         let columns = pixels(from, to, 0..self.width);
         if columns.is_empty() || self.layers.is_empty() {
@@ -214,8 +216,9 @@ impl Coverage {
     }
 }
 
-/// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front: each goes below those that it is
-/// behind. ("Of the same depth" is not an order, since it is within bounds; so each is held against one after the other.)
+/// Sorts the fragments of a pixel, which come in the order of the drawing, from back to front: each goes below those
+/// that it is behind. ("Of the same depth" is not an order, since it is within bounds; so each is held against one
+/// after the other.)
 fn sort(fragments: &mut [Fragment], layers: &[Layer]) {
     for k in 1..fragments.len() {
         let mut at = k;
@@ -340,7 +343,8 @@ mod tests {
 
     #[test]
     fn a_triangle_is_smooth_over_one_pixel_of_its_border_whichever_way_it_runs() {
-        // Legs at x = 2.25 and y = 2.75; the third side is x + y = 23, on which pixels with i + j = 22 have their centre.
+        // Legs at x = 2.25 and y = 2.75; the third side is x + y = 23, on which pixels with i + j = 22 have their
+        // centre.
         let corners = [[2.25, 2.75], [20.25, 2.75], [2.25, 20.75]];
         let expected =
             [(2, 6, 191), (1, 6, 0), (6, 2, 64), (6, 3, 255), (6, 1, 0), (11, 11, 128), (10, 11, 255), (12, 11, 0)];
@@ -400,7 +404,8 @@ mod tests {
     const RED: Rgba = Rgba::rgb(255, 0, 0);
     const BLUE: Rgba = Rgba::rgb(0, 0, 255);
 
-    /// The pixels of 20 × 20 in which strokes lie, painted in this order on white: colour, ends, width, whether visible.
+    /// The pixels of 20 × 20 in which strokes lie, painted in this order on white: colour, ends, width, whether
+    /// visible.
     fn painted(strokes: &[(Rgba, [Point; 2], f32, bool)]) -> Vec<[u8; 4]> {
         let mut pixels = vec![[255; 4]; 400];
         let mut coverage = Coverage::default();
@@ -454,8 +459,8 @@ mod tests {
         assert_eq!(middle(&[(RED, level(0.5), 2.0, true), (BLUE, upright(0.5), 2.0, true)]), blue);
         assert_eq!(middle(&[(RED, level(0.5), 3.0, true), (BLUE, upright(0.5), 2.0, true)]), red);
         assert_eq!(middle(&[(RED, level(0.5), 2.0, true), (BLUE, upright(0.5), 3.0, false)]), red);
-        // A line on the ground that runs up to an edge and on under it: it is nearer on this side of the edge, and yet the edge
-        // is whole.
+        // A line on the ground that runs up to an edge and on under it: it is nearer on this side of the edge, and yet
+        // the edge is whole.
         let towards = [[10.5, 2.0, 0.42], [10.5, 18.0, 0.58]];
         let pixels = painted(&[(RED, level(0.5), 3.0, true), (BLUE, towards, 1.5, true)]);
         for row in 9..=11 {

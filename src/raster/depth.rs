@@ -76,10 +76,10 @@ impl DepthBuffer {
 
     /// True where a point (pixels and depth) can be seen: no face stands before it. A point **on** a face can be seen.
     ///
-    /// The four pixels around the point are asked, and one that has nothing before the point is enough: an edge belongs to
-    /// the faces on both of its sides, and nobody knows where between two pixels a face ends. So what is hidden by less than
-    /// two pixels is seen. Faces' planes are followed from where their depths were taken to the point, so that a steep face
-    /// does not hide the lines on it, in the corner of a room as little as on an edge.
+    /// The four pixels around the point are asked, and one that has nothing before the point is enough: an edge belongs
+    /// to the faces on both of its sides, and nobody knows where between two pixels a face ends. So what is hidden by
+    /// less than two pixels is seen. Faces' planes are followed from where their depths were taken to the point, so
+    /// that a steep face does not hide the lines on it, in the corner of a room as little as on an edge.
     pub(super) fn shows(&self, p: [f32; 3]) -> bool {
         let [x, y] = [p[0] - self.offset[0] - 0.5, p[1] - self.offset[1] - 0.5];
         let (i, j) = (floor(x), floor(y));

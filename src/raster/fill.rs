@@ -1,11 +1,11 @@
 //! A band of rows: its triangles → its samples.
 //!
-//! Eight pixels of a row are worked on together. What a pixel gets depends on its triangles alone, never on the band or the
-//! eight that it is in, nor on the machine's vectors: values are computed from the triangle's origin, not added up along the
-//! way, and no operation is fused with another.
+//! Eight pixels of a row are worked on together. What a pixel gets depends on its triangles alone, never on the band or
+//! the eight that it is in, nor on the machine's vectors: values are computed from the triangle's origin, not added up
+//! along the way, and no operation is fused with another.
 //!
-//! All of it must become one function for each set of vector instructions, hence the many `#[inline(always)]`; but where
-//! nothing is optimised that function would ask for megabytes of stack, and the longest stay on their own.
+//! All of it must become one function for each set of vector instructions, hence the many `#[inline(always)]`; but
+//! where nothing is optimised that function would ask for megabytes of stack, and the longest stay on their own.
 
 use std::ops::Range;
 
@@ -119,8 +119,8 @@ fn eight<'a, K: Simd, const S: usize, C: Colors<'a, K>>(
     let small = batch.small & set_up.has_area & colors.simple();
     let tiny = if S == 1 { batch.few & small } else { mask32x8::splat(simd, 0) };
     let mut few = Few { owned: [0; BATCH], depths: [[0.0; BATCH]; MOST], colors: [[0; BATCH]; MOST] };
-    // First what the tiny ones own, for all eight at once; it is written below, one triangle after the other, because of two that
-    // own the same pixel the first one in the list must come first.
+    // First what the tiny ones own, for all eight at once; it is written below, one triangle after the other, because
+    // of two that own the same pixel the first one in the list must come first.
     if tiny.any_true() {
         few.find(tiny, batch, &set_up, band.rows.end, &depths, &colors);
     }
@@ -180,8 +180,8 @@ struct Few {
 }
 
 impl Few {
-    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant; `end`: the end of the
-    /// band.
+    /// Goes through the boxes of the eight triangles of a batch together. `tiny`: those that are meant; `end`: the end
+    /// of the band.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn find<'a, K: Simd>(
         &mut self,
@@ -195,7 +195,8 @@ impl Few {
         let zero = u32x8::splat(tiny.witness(), 0);
         let (rows, columns) = (batch.bottom.min(end) - set_up.top, batch.right - batch.left);
         let [x, y] = set_up.first();
-        // Lane l is triangle l, and all go through the pixels of their own boxes in step: pixel (i, j) of eight boxes at a time.
+        // Lane l is triangle l, and all go through the pixels of their own boxes in step: pixel (i, j) of eight boxes
+        // at a time.
         let mut owned = zero;
         let mut row_edges = set_up.edges;
         for j in 0..FEW {
@@ -303,7 +304,8 @@ impl<K: Simd, const SQUARE: bool> Tile<K, SQUARE> {
         Self { columns: i32x8::from_slice(simd, &columns), rows: i32x8::from_slice(simd, &rows) }
     }
 
-    /// How far the centres are right of the origin, when the tile begins at column `i`. Exact: multiples of 1/256 below 2¹⁵.
+    /// How far the centres are right of the origin, when the tile begins at column `i`. Exact: multiples of 1/256 below
+    /// 2¹⁵.
     #[inline(always)]
     fn x(&self, i: i32, origin: [f32; 2]) -> f32x8<K> {
         self.columns.to_float::<f32x8<K>>() + ((i as f32 + 0.5) - origin[0])
@@ -397,8 +399,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         Self { simd, origin, z, depth_steps, depth_test, in_order, translucent, shader }
     }
 
-    /// Fills a triangle by its edge functions: for each its change to the right, its change down, and its value at the centre
-    /// of the first pixel. A `SQUARE` tile does for four columns at most.
+    /// Fills a triangle by its edge functions: for each its change to the right, its change down, and its value at the
+    /// centre of the first pixel. A `SQUARE` tile does for four columns at most.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn small<const SQUARE: bool>(
         mut self,
@@ -408,7 +410,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         functions: &[[i32; 3]; 3],
     ) {
         let tile = Tile::<K, SQUARE>::new(self.simd);
-        // The functions in whole pixels (as in `Borders`) on the tile, and by how much they are greater at other samples.
+        // The functions in whole pixels (as in `Borders`) on the tile, and by how much they are greater at other
+        // samples.
         let mut first_edges = [i32x8::splat(self.simd, 0); 3];
         let mut more = [[0; 3]; S];
         for k in 0..3 {
@@ -519,7 +522,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         }
     }
 
-    /// Paints a tile where it is covered. `center`: its depths at the centres of pixels; `own`: the pixels that are counted.
+    /// Paints a tile where it is covered. `center`: its depths at the centres of pixels; `own`: the pixels that are
+    /// counted.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn paint<const SQUARE: bool>(
         &self,
@@ -563,8 +567,8 @@ impl<K: Simd, const S: usize, P: Shader<K>> Painter<K, S, P> {
         if !any(covered) {
             return;
         }
-        // One colour for all samples of a pixel (only coverage and depth are sampled), and none where nothing is left to paint:
-        // light and textures cost more than all tests before.
+        // One colour for all samples of a pixel (only coverage and depth are sampled), and none where nothing is left
+        // to paint: light and textures cost more than all tests before.
         let mut wanted = covered[0];
         for covered in &covered[1..] {
             wanted |= *covered;

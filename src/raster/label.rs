@@ -13,8 +13,8 @@ const FADED: f32 = 0.45;
 /// Width of the halo's stroke, as a share of the type size; half of it is outside the letter.
 const HALO: f32 = 0.28;
 
-/// The farthest from the corner of the picture, in pixels, that something is drawn. Beyond it an `f32` has no pixels any more, and from some
-/// thirty times of it on the filling of paths counts past the end of its rows.
+/// The farthest from the corner of the picture, in pixels, that something is drawn. Beyond it an `f32` has no pixels
+/// any more, and from some thirty times of it on the filling of paths counts past the end of its rows.
 const FARTHEST: f32 = 16_777_216.0;
 
 /// True where a path at a place, with a stroke of some width around it, is near enough to be drawn.
@@ -73,9 +73,11 @@ pub(super) fn area(pixmap: &mut Pixmap, area: &Area) {
     }
 }
 
-/// A rectangle (left, top, right, bottom) with round corners; `None` where it is empty or one of the numbers is not finite.
+/// A rectangle (left, top, right, bottom) with round corners; `None` where it is empty or one of the numbers is not
+/// finite.
 fn rounded([left, top, right, bottom]: [f32; 4], radius: f32) -> Option<Path> {
-    /// How far the handles of a cubic curve lie from its ends, in radii, so that it is a quarter of a circle (within 0.03 %).
+    /// How far the handles of a cubic curve lie from its ends, in radii, so that it is a quarter of a circle (within
+    /// 0.03 %).
     const HANDLE: f32 = 0.552_284_8;
     let rect = tiny_skia::Rect::from_ltrb(left, top, right, bottom)?;
     let mut b = PathBuilder::new();

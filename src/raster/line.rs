@@ -1,7 +1,7 @@
 //! Strokes: what of a polyline can be seen, its dashes, its arrow head.
 //!
-//! Everything along a polyline is measured by arc length in pixels from its first point, so that dashes do not start anew
-//! where it bends or goes behind a face.
+//! Everything along a polyline is measured by arc length in pixels from its first point, so that dashes do not start
+//! anew where it bends or goes behind a face.
 
 use std::ops::Range;
 

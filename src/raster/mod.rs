@@ -1,8 +1,9 @@
 //! [`Drawing`] → pixels.
 //!
-//! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many threads as
-//! there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and with their depth,
-//! come strokes (`line`), areas, marks and texts (`label`). The bytes do not depend on the number of threads.
+//! Surfaces come first: `bins` sorts their triangles into bands of rows, and `fill` paints the bands, on as many
+//! threads as there are; `setup` knows what a triangle owns, `shade` its colours. Then, over the finished surfaces and
+//! with their depth, come strokes (`line`), areas, marks and texts (`label`). The bytes do not depend on the number of
+//! threads.
 
 mod batch;
 mod bins;
@@ -43,9 +44,11 @@ pub struct Rasterizer {
 pub struct Work {
     /// Triangles that came in.
     pub triangles: usize,
-    /// Those of them that were dropped before anything was filled: so small, or so far outside, that they own no sample.
+    /// Those of them that were dropped before anything was filled: so small, or so far outside, that they own no
+    /// sample.
     pub empty: usize,
-    /// Samples inside of triangles, as often as they are; without antialiasing a sample is a pixel. Zero without a clock.
+    /// Samples inside of triangles, as often as they are; without antialiasing a sample is a pixel. Zero without a
+    /// clock.
     pub covered: u64,
     /// Those of them that were drawn, as nothing nearer had been drawn before. Zero without a clock.
     pub written: u64,
@@ -64,8 +67,9 @@ impl Rasterizer {
         Some(pixmap)
     }
 
-    /// Paints `drawing` on `pixmap`, which is replaced if it has another size: for pictures that follow one another. False,
-    /// and nothing is painted, where [`paint`](Self::paint) would give `None`. On one thread it pauses after each band of rows.
+    /// Paints `drawing` on `pixmap`, which is replaced if it has another size: for pictures that follow one another.
+    /// False, and nothing is painted, where [`paint`](Self::paint) would give `None`. On one thread it pauses after
+    /// each band of rows.
     pub async fn paint_into(&mut self, drawing: &Drawing, pixmap: &mut Pixmap) -> bool {
         if (pixmap.width(), pixmap.height()) != (drawing.width, drawing.height) {
             let Some(fresh) = new_pixmap(drawing) else { return false };
@@ -75,7 +79,8 @@ impl Rasterizer {
         true
     }
 
-    /// Measures pictures from now on, by a clock that gives the time since any moment that stays the same; `None`: no more.
+    /// Measures pictures from now on, by a clock that gives the time since any moment that stays the same; `None`: no
+    /// more.
     pub fn measure(&mut self, clock: Option<fn() -> Duration>) {
         self.clock = clock;
     }

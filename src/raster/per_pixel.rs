@@ -1,7 +1,7 @@
 //! Light, pictures and translucent colours between vertices: what is worked out at each pixel, eight at a time.
 //!
-//! Attributes are interpolated with regard to perspective: a / w and 1 / w are affine on the picture, so the share of each
-//! vertex in a pixel is found first, and every attribute is the sum of the three values with these shares.
+//! Attributes are interpolated with regard to perspective: a / w and 1 / w are affine on the picture, so the share of
+//! each vertex in a pixel is found first, and every attribute is the sum of the three values with these shares.
 
 use crate::appearance::Texture;
 use crate::drawing::{Paint, Phong, Surface};

@@ -1,9 +1,9 @@
 //! What a triangle covers, and values that are affine over it.
 //!
-//! Positions are snapped to 1/256 pixel and everything about coverage is exact from there on, so that two triangles with a
-//! common edge never both own a pixel of it and never both leave it. With p a sample point and a → b an edge,
-//! E(p) = (b − a) × (p − a) is positive inside; where E = 0 the **top-left rule** decides: a top edge (horizontal, with the
-//! triangle below it) or a left edge owns its points, the others do not.
+//! Positions are snapped to 1/256 pixel and everything about coverage is exact from there on, so that two triangles
+//! with a common edge never both own a pixel of it and never both leave it. With p a sample point and a → b an edge,
+//! E(p) = (b − a) × (p − a) is positive inside; where E = 0 the **top-left rule** decides: a top edge (horizontal, with
+//! the triangle below it) or a left edge owns its points, the others do not.
 
 use crate::simd::prelude::*;
 use crate::simd::{Simd, f32x8, f64x4, round_bits_f64, round_bits_of_one};
@@ -16,17 +16,17 @@ pub(super) const HALF: i32 = STEPS / 2;
 pub(super) const WIDEST: i32 = 32 * STEPS;
 pub(super) const HIGHEST: i32 = 128 * STEPS;
 
-/// A position (pixels) becomes one on the grid by [`round_bits`](crate::simd::round_bits) of v · STEPS with this zero, which is
-/// not in the middle of the range: positions are hardly ever negative, and pictures are large. The lower bits are the integer,
-/// greater by `OFFSET`. If the upper bits are not those of `GRID_ZERO`, the position is not a number or out of reach:
-/// −4096 … 28671 pixels, of which a picture has 0 … 16384.
+/// A position (pixels) becomes one on the grid by [`round_bits`](crate::simd::round_bits) of v · STEPS with this zero,
+/// which is not in the middle of the range: positions are hardly ever negative, and pictures are large. The lower bits
+/// are the integer, greater by `OFFSET`. If the upper bits are not those of `GRID_ZERO`, the position is not a number
+/// or out of reach: −4096 … 28671 pixels, of which a picture has 0 … 16384.
 pub(super) const GRID_ZERO: f32 = 8_388_608.0 + 1_048_576.0;
 pub(super) const OFFSET: i32 = 1 << 20;
 /// The lower bits.
 pub(super) const FRACTION: u32 = (1 << 23) - 1;
 
-/// Places of a pixel's samples relative to its centre, in steps. 4 and 16 lie on a turned lattice: no two share a row or a
-/// column, so upright and level edges get as many shades as there are samples.
+/// Places of a pixel's samples relative to its centre, in steps. 4 and 16 lie on a turned lattice: no two share a row
+/// or a column, so upright and level edges get as many shades as there are samples.
 pub(super) fn samples(count: usize) -> &'static [[i32; 2]] {
     match count {
         1 => &[[0, 0]],
@@ -69,7 +69,8 @@ pub(super) struct Triangle {
     pub(super) v: [[i32; 2]; 3],
     /// Vertex 0 in pixels: where the planes are anchored. Exact.
     pub(super) origin: [f32; 2],
-    /// What makes a gradient of the differences to vertex 0, per pixel: ∂q/∂x = d1·m[0] − d2·m[1], ∂q/∂y = d2·m[2] − d1·m[3].
+    /// What makes a gradient of the differences to vertex 0, per pixel: ∂q/∂x = d1·m[0] − d2·m[1], ∂q/∂y = d2·m[2] −
+    /// d1·m[3].
     m: [f64; 4],
     /// Vertices 1 and 2 changed places.
     turned: bool,
@@ -113,13 +114,13 @@ impl Triangle {
     }
 }
 
-/// Where the rows of a triangle begin and end: two lines at the left, two at the right. Four at a time: the rows of the four
-/// samples of a pixel, or where a pixel has one sample, four rows that follow one another.
+/// Where the rows of a triangle begin and end: two lines at the left, two at the right. Four at a time: the rows of the
+/// four samples of a pixel, or where a pixel has one sample, four rows that follow one another.
 ///
-/// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, is not negative inside. It
-/// is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a where a > 0, and ends before that
-/// x + 1 where a < 0: in both cases at ⌊x⌋ + 1. x is at least ½/|a| ≥ 2⁻²⁵ away from whole numbers, while its three roundings
-/// together are below 2⁻¹²/|a|: the result is that of exact arithmetic.
+/// The edge function of a → b at a sample of pixel (i, j), divided by [`STEPS`] and rounded down, is not negative
+/// inside. It is a·i + b·j + c in whole numbers. Row j of that edge begins after x = −(b·j + c + ½)/a where a > 0, and
+/// ends before that x + 1 where a < 0: in both cases at ⌊x⌋ + 1. x is at least ½/|a| ≥ 2⁻²⁵ away from whole numbers,
+/// while its three roundings together are below 2⁻¹²/|a|: the result is that of exact arithmetic.
 #[derive(Clone, Copy)]
 pub(super) struct Borders<K: Simd> {
     /// x at row 0, and its change from row to row.
@@ -174,8 +175,8 @@ impl<K: Simd> Borders<K> {
         Self { lines, first, end, width: f64x4::splat(simd, f64::from(width)) }
     }
 
-    /// The first pixels of rows inside the triangle and the first ones behind it, between 0 and the width; those of rows that
-    /// have no pixel inside are equal or the wrong way round.
+    /// The first pixels of rows inside the triangle and the first ones behind it, between 0 and the width; those of
+    /// rows that have no pixel inside are equal or the wrong way round.
     #[inline(always)]
     pub(super) fn rows(&self, j: f64x4<K>) -> ([i32; ROWS], [i32; ROWS]) {
         let x = |k: usize| self.lines[k].0 + self.lines[k].1 * j;
@@ -203,8 +204,8 @@ pub(super) struct AffineValue {
 }
 
 impl AffineValue {
-    /// The values at points relative to the origin, held to the range of the vertices: rounding, and pixels whose centre lies
-    /// outside while a sample is inside, would leave it.
+    /// The values at points relative to the origin, held to the range of the vertices: rounding, and pixels whose
+    /// centre lies outside while a sample is inside, would leave it.
     #[inline(always)]
     pub(super) fn at<K: Simd>(&self, x: f32x8<K>, y: f32x8<K>) -> f32x8<K> {
         (x * self.dx + (y * self.dy + self.value)).max(self.low).min(self.high)

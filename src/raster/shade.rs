@@ -170,8 +170,8 @@ impl<K: Simd> Shader<K> for Affine<K> {
     }
 }
 
-/// Opaque colours between those of the vertices. With regard to perspective c/w and 1/w are affine on the picture; without,
-/// or where it makes no difference, the colours are.
+/// Opaque colours between those of the vertices. With regard to perspective c/w and 1/w are affine on the picture;
+/// without, or where it makes no difference, the colours are.
 pub(super) struct Gouraud<K: Simd> {
     /// Red, green, blue, divided by w if `perspective`; their ranges are not.
     affine: Affine<K>,
@@ -231,8 +231,8 @@ fn pack<K: Simd>(r: u32x8<K>, g: u32x8<K>, b: u32x8<K>) -> u32x8<K> {
     (r | (g << 8)) | ((b << 16) | 0xff00_0000)
 }
 
-/// Where the terms of a gradient (steps of 255 per pixel) can be above this, the triangle is a sliver, and the gradient mostly
-/// rounding. Below it, and less than a hundred pixels away, the error of a channel is far below half a step.
+/// Where the terms of a gradient (steps of 255 per pixel) can be above this, the triangle is a sliver, and the gradient
+/// mostly rounding. Below it, and less than a hundred pixels away, the error of a channel is far below half a step.
 const STEEPEST: f32 = 4096.0;
 
 /// The colours of vertices.
@@ -310,8 +310,8 @@ impl<'a, K: Simd> Colors<'a, K> for GouraudColors<K> {
     }
 }
 
-/// True where it makes a difference of half a step or more whether the colours of a triangle, which differ by up to `spread`
-/// (steps of 255), are interpolated with regard to perspective; 1/w goes from `far` to `near`.
+/// True where it makes a difference of half a step or more whether the colours of a triangle, which differ by up to
+/// `spread` (steps of 255), are interpolated with regard to perspective; 1/w goes from `far` to `near`.
 ///
 /// Between two vertices whose w have the ratio r, the perspective share of one differs from the affine share by at most
 /// (√r − 1)/(√r + 1) ≤ (r − 1)/4.

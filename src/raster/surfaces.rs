@@ -59,8 +59,8 @@ struct Frame<'a> {
 }
 
 impl Surfaces {
-    /// Paints background and surfaces over all of `pixmap`, and remembers their depth; and counts what is done if that is
-    /// wanted. On one thread it pauses after each band.
+    /// Paints background and surfaces over all of `pixmap`, and remembers their depth; and counts what is done if that
+    /// is wanted. On one thread it pauses after each band.
     pub(super) async fn paint(
         &mut self,
         drawing: &Drawing,

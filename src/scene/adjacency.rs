@@ -2,10 +2,12 @@
 
 use glam::{DVec3, DVec4};
 
-/// The faces of a mesh and the edges at which two of them meet. An edge that one face has alone, a border, is not among them.
+/// The faces of a mesh and the edges at which two of them meet. An edge that one face has alone, a border, is not among
+/// them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Adjacency {
-    /// The plane of each face, in the mesh's own space: the inner product with (p, 1) is positive where p is before the face.
+    /// The plane of each face, in the mesh's own space: the inner product with (p, 1) is positive where p is before the
+    /// face.
     pub planes: Vec<DVec4>,
     /// Each edge once, also where the mesh has its vertices doubled: one that two edges end at has one index in both.
     pub edges: Vec<SharedEdge>,

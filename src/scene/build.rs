@@ -16,12 +16,12 @@ use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
 use crate::foreign::shown;
 use crate::limits::MAX_OBJECTS;
 
-/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with hidden
-/// edges as it wants them.
+/// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with
+/// hidden edges as it wants them.
 ///
-/// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`; an object without a colour
-/// has its nearest ancestor's, else the next one of [`PALETTE`]. A single point carries its object's name
-/// as a label. Without lights there is one, [`DEFAULT_LIGHT`](super::DEFAULT_LIGHT).
+/// Each object's model matrix is its ancestors' times T · R · S, with R = Rz · Ry · Rx, `[3]`; an object without a
+/// colour has its nearest ancestor's, else the next one of [`PALETTE`]. A single point carries its object's name as a
+/// label. Without lights there is one, [`DEFAULT_LIGHT`](super::DEFAULT_LIGHT).
 ///
 /// *Guarantees*: all matrices are finite and, up to rounding, invertible.
 ///
@@ -123,8 +123,8 @@ impl Maker<'_, '_> {
         Ok(())
     }
 
-    /// The parts of a mesh file: named after the object, and after themselves where there are several. A colour that the figure
-    /// gives wins over those of the file's materials.
+    /// The parts of a mesh file: named after the object, and after themselves where there are several. A colour that
+    /// the figure gives wins over those of the file's materials.
     fn mesh_file(&mut self, scene: &mut Scene, placed: &Placed<'_>, path: &str, color: Rgba) -> Result<(), SceneError> {
         let name = &placed.spec.name;
         let failed = |error| SceneError::Mesh { name: name.clone(), path: path.to_owned(), error };
@@ -153,7 +153,8 @@ impl Maker<'_, '_> {
         Ok(())
     }
 
-    /// A solid, whose mesh is made once for each number of segments; faceted ones show their edges, curved ones their outline.
+    /// A solid, whose mesh is made once for each number of segments; faceted ones show their edges, curved ones their
+    /// outline.
     fn solid(
         &mut self,
         scene: &mut Scene,

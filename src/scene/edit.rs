@@ -1,7 +1,8 @@
-//! Changes of what a figure says of its scene: objects hung elsewhere, renamed and removed, a preset written out as a list.
+//! Changes of what a figure says of its scene: objects hung elsewhere, renamed and removed, a preset written out as a
+//! list.
 //!
-//! An object is known by its name. Parents are looked for among a figure's own objects, then among those of its preset; a
-//! change here never leaves an object whose parent does not exist.
+//! An object is known by its name. Parents are looked for among a figure's own objects, then among those of its preset;
+//! a change here never leaves an object whose parent does not exist.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,12 +19,13 @@ use crate::appearance::Theme;
 pub enum Children {
     /// They go with it, and theirs with them.
     Removed,
-    /// Its parent is theirs then. In the world they stay where they are, where translation, rotation and scale can say that.
+    /// Its parent is theirs then. In the world they stay where they are, where translation, rotation and scale can say
+    /// that.
     HungHigher,
 }
 
-/// The matrix world ← object of every object of a scene, by name. Of a figure's object and one of the preset with the same name
-/// it is the figure's.
+/// The matrix world ← object of every object of a scene, by name. Of a figure's object and one of the preset with the
+/// same name it is the figure's.
 ///
 /// # Errors
 /// [`SceneError`], as for building the scene.
@@ -43,7 +45,8 @@ pub fn object_named(spec: &SceneSpec, name: &str) -> Option<ObjectSpec> {
     own.or_else(|| of_preset().find(|object| object.name == name))
 }
 
-/// As [`placements`], of one object alone, and without a look at objects that it does not hang on; `None` where there is none of this name.
+/// As [`placements`], of one object alone, and without a look at objects that it does not hang on; `None` where there
+/// is none of this name.
 ///
 /// # Errors
 /// [`SceneError`] of the object, or of one that it hangs on.
@@ -100,8 +103,8 @@ pub fn descendants(spec: &SceneSpec, name: &str) -> BTreeSet<String> {
 /// Gives a figure's object another name; its children follow.
 ///
 /// # Errors
-/// [`SceneError::DuplicateName`] where another object is called so already, also one of the preset: what hangs on that would
-/// hang on this. Nothing has changed then.
+/// [`SceneError::DuplicateName`] where another object is called so already, also one of the preset: what hangs on that
+/// would hang on this. Nothing has changed then.
 pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneError> {
     if from == to {
         return Ok(());
@@ -123,11 +126,11 @@ pub fn rename(spec: &mut SceneSpec, from: &str, to: &str) -> Result<(), SceneErr
     Ok(())
 }
 
-/// Hangs a figure's object on another one, or on none. With `stay` it gets the numbers with which it stays where it is in the
-/// world; otherwise its numbers stay and it moves with its new parent.
+/// Hangs a figure's object on another one, or on none. With `stay` it gets the numbers with which it stays where it is
+/// in the world; otherwise its numbers stay and it moves with its new parent.
 ///
-/// True where it did what `stay` asks for: a scale along axes that the new parent has turned is a shear, which translation,
-/// rotation and scale cannot say. The numbers stay then.
+/// True where it did what `stay` asks for: a scale along axes that the new parent has turned is a shear, which
+/// translation, rotation and scale cannot say. The numbers stay then.
 ///
 /// # Errors
 /// [`SceneError`] where the parent does not exist or is below the object; nothing has changed then.
@@ -184,9 +187,9 @@ pub fn choose_preset(spec: &mut SceneSpec, preset: Preset) {
     }
 }
 
-/// Writes the preset's objects into the figure's list, before its own, so that they can be edited; the preset is empty then. In
-/// the colours of `theme`, and with the names that `called` gives them, numbered where others are called so. What
-/// [`Preset::beyond_objects`] names is lost. Returns the new name of each.
+/// Writes the preset's objects into the figure's list, before its own, so that they can be edited; the preset is empty
+/// then. In the colours of `theme`, and with the names that `called` gives them, numbered where others are called so.
+/// What [`Preset::beyond_objects`] names is lost. Returns the new name of each.
 pub fn write_out_preset(
     spec: &mut SceneSpec,
     theme: Theme,
@@ -219,8 +222,8 @@ pub fn write_out_preset(
     names
 }
 
-/// Gives an object the translation, rotation and scale that make this matrix parent ← object. False, and nothing done, where
-/// there are none.
+/// Gives an object the translation, rotation and scale that make this matrix parent ← object. False, and nothing done,
+/// where there are none.
 pub(super) fn put(object: &mut ObjectSpec, parent_from_object_wanted: &DMat4) -> bool {
     let wanted = DMat3::from_mat4(*parent_from_object_wanted);
     let mut lengths = DVec3::new(wanted.x_axis.length(), wanted.y_axis.length(), wanted.z_axis.length());
@@ -256,8 +259,8 @@ pub(super) fn tidy(v: DVec3) -> DVec3 {
     if rounded.is_finite() && (rounded - v).abs().max_element() <= 1e-11 * v.abs().max_element() { rounded } else { v }
 }
 
-/// Of the angles (degrees about x, y, z) that say the same rotation as these, those nearest to the ones before: what was turned
-/// about one axis alone stays so, and nothing jumps by whole turns.
+/// Of the angles (degrees about x, y, z) that say the same rotation as these, those nearest to the ones before: what
+/// was turned about one axis alone stays so, and nothing jumps by whole turns.
 fn nearest_angles(angles: DVec3, before: DVec3) -> DVec3 {
     let other = DVec3::new(angles.x + 180.0, 180.0 - angles.y, angles.z + 180.0);
     let near = |a: DVec3| a - 360.0 * ((a - before) / 360.0).round();

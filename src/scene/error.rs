@@ -4,8 +4,8 @@ use super::MeshError;
 use crate::foreign::shown;
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MIN_SEGMENTS};
 
-/// Why a specification is not a scene. Displayed, it says what is wrong with [`key`](Self::key) of [`object`](Self::object), which
-/// come before it.
+/// Why a specification is not a scene. Displayed, it says what is wrong with [`key`](Self::key) of
+/// [`object`](Self::object), which come before it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// Two objects have one name.

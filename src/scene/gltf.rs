@@ -1,5 +1,5 @@
-//! glTF 2.0 and GLB, through the crate `gltf`: it reads and checks the JSON; the bytes behind the accessors are read here,
-//! with every address checked.
+//! glTF 2.0 and GLB, through the crate `gltf`: it reads and checks the JSON; the bytes behind the accessors are read
+//! here, with every address checked.
 
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -190,8 +190,8 @@ fn buffers(
     Ok(all)
 }
 
-/// The nodes of the scene (the default one, else the first, else every node), with their matrices multiplied out. Nodes that
-/// are scaled to nothing are hidden, and so is what is below them.
+/// The nodes of the scene (the default one, else the first, else every node), with their matrices multiplied out. Nodes
+/// that are scaled to nothing are hidden, and so is what is below them.
 fn nodes(document: &Document) -> Result<Vec<(::gltf::Node<'_>, DMat4)>, MeshError> {
     let roots: Vec<_> = match document.default_scene().or_else(|| document.scenes().next()) {
         Some(scene) => scene.nodes().collect(),

@@ -7,8 +7,9 @@ pub use super::part::{Imported, Part};
 use super::{Mesh, MeshError, ReadFile, Wanted, gltf, obj};
 use crate::progress::{Progress, at_once};
 
-/// What is in the mesh file with this path and these bytes. `read_file` gives the files beside it (MTL, BIN); a material
-/// library that cannot be read is left out, its materials have no colour then. It pauses after each stretch of the file.
+/// What is in the mesh file with this path and these bytes. `read_file` gives the files beside it (MTL, BIN); a
+/// material library that cannot be read is left out, its materials have no colour then. It pauses after each stretch of
+/// the file.
 ///
 /// # Errors
 /// [`MeshError`].
@@ -40,8 +41,8 @@ fn companion(path: &str, name: &str) -> String {
     }
 }
 
-/// Mesh files that have been read, and primitives that have been made, so that a scene that is built again and again does each
-/// of this once. Whoever wants a file to be read anew starts with a new one.
+/// Mesh files that have been read, and primitives that have been made, so that a scene that is built again and again
+/// does each of this once. Whoever wants a file to be read anew starts with a new one.
 #[derive(Clone, Debug, Default)]
 pub struct MeshFiles {
     known: BTreeMap<String, Arc<Imported>>,
@@ -87,8 +88,8 @@ impl MeshFiles {
     }
 }
 
-/// Reads a mesh file: the part of building a scene that takes long, for those who want to do it beside other things. It pauses
-/// where [`import`] does.
+/// Reads a mesh file: the part of building a scene that takes long, for those who want to do it beside other things. It
+/// pauses where [`import`] does.
 ///
 /// # Errors
 /// [`MeshError`].

@@ -9,7 +9,8 @@ use super::polygon;
 use crate::geometry::Aabb;
 use crate::limits::MAX_VERTICES;
 
-/// A mesh in its object's own space. Vertices that lie on a crease are there once for each side, each with its own normal.
+/// A mesh in its object's own space. Vertices that lie on a crease are there once for each side, each with its own
+/// normal.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Vertices.
@@ -31,9 +32,9 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A polyhedron with flat faces. `faces` lists the corners of each planar face (convex or not), counter-clockwise seen
-    /// from outside; each corner becomes one vertex per face, with the face's normal. Every side of a face is an edge, once.
-    /// A face without area gets the normal +y; an index out of range leaves its face out.
+    /// A polyhedron with flat faces. `faces` lists the corners of each planar face (convex or not), counter-clockwise
+    /// seen from outside; each corner becomes one vertex per face, with the face's normal. Every side of a face is an
+    /// edge, once. A face without area gets the normal +y; an index out of range leaves its face out.
     #[must_use]
     pub fn polyhedron(corners: &[DVec3], faces: &[&[usize]]) -> Self {
         let mut mesh = Self::default();

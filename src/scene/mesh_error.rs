@@ -116,8 +116,8 @@ pub enum ObjFault {
     },
 }
 
-/// What a mesh file has that was left out, or taken otherwise than it stands, because other programs write it so; the surface
-/// is the same.
+/// What a mesh file has that was left out, or taken otherwise than it stands, because other programs write it so; the
+/// surface is the same.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MeshNotice {
     /// Corners of faces name normals or texture coordinates that are not there; told of one of them.

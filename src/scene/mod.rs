@@ -69,7 +69,8 @@ impl Scene {
         objects.chain(lines).chain(marks).reduce(Aabb::union)
     }
 
-    /// All vertices of all objects, in the world: what a probe can catch. Where a crease doubles a vertex it comes as often.
+    /// All vertices of all objects, in the world: what a probe can catch. Where a crease doubles a vertex it comes as
+    /// often.
     pub fn vertices(&self) -> impl Iterator<Item = SceneVertex<'_>> {
         self.objects.iter().flat_map(|object| {
             object.mesh.positions.iter().enumerate().map(|(index, &p)| SceneVertex {
@@ -100,12 +101,13 @@ pub struct SceneVertex<'a> {
 pub struct Object {
     /// For messages, the scene tree and the probe.
     pub name: String,
-    /// The object of the figure of whose mesh file it is a part, where that has several; names may hold any character, so that a name does not tell.
+    /// The object of the figure of whose mesh file it is a part, where that has several; names may hold any character,
+    /// so that a name does not tell.
     pub part_of: Option<Arc<str>>,
     /// The shape, shared between copies.
     pub mesh: Arc<Mesh>,
-    /// Model matrix; finite, affine. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen from outside in its own
-    /// space, and the pipeline turns the triangles round.
+    /// Model matrix; finite, affine. It may mirror (determinant < 0): the mesh stays as it is, counter-clockwise seen
+    /// from outside in its own space, and the pipeline turns the triangles round.
     pub world_from_object: DMat4,
     /// How its faces are coloured.
     pub paint: ObjectPaint,
@@ -117,8 +119,8 @@ pub struct Object {
     pub faces: bool,
     /// How its edges are drawn; `None`: not at all (except in wireframe, which draws them in the object's colour).
     pub edges: Option<LineStyle>,
-    /// How the silhouette and the creases of a curved solid are drawn, by the [`adjacency`](Mesh::adjacency) of its mesh; `None`, and in
-    /// wireframe: not at all.
+    /// How the silhouette and the creases of a curved solid are drawn, by the [`adjacency`](Mesh::adjacency) of its
+    /// mesh; `None`, and in wireframe: not at all.
     pub outline: Option<LineStyle>,
 }
 
@@ -129,7 +131,8 @@ impl Object {
         self.part_of.as_deref().unwrap_or(&self.name)
     }
 
-    /// The box around the object in the world (around its vertices, not around its turned box); `None` without vertices.
+    /// The box around the object in the world (around its vertices, not around its turned box); `None` without
+    /// vertices.
     #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
         Aabb::around(self.mesh.positions.iter().map(|&p| self.world_from_object.transform_point3(p)))

@@ -1,6 +1,6 @@
-//! Wavefront OBJ: points, normals, faces, objects, and the colours of their materials. Texture coordinates are counted and left
-//! out, as is all that is neither point, normal, face, name nor material. What other programs write wrong without harm to
-//! the surface is left out with a [`MeshNotice`].
+//! Wavefront OBJ: points, normals, faces, objects, and the colours of their materials. Texture coordinates are counted
+//! and left out, as is all that is neither point, normal, face, name nor material. What other programs write wrong
+//! without harm to the surface is left out with a [`MeshNotice`].
 
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
@@ -21,8 +21,8 @@ use crate::progress::{Doing, Progress, pause};
 /// So many bytes are read before the work is asked whether it is still wanted.
 const STRETCH: usize = 1 << 16;
 
-/// The objects of an OBJ file; one that has several materials comes in several parts, one for each, however often the file changes between
-/// them.
+/// The objects of an OBJ file; one that has several materials comes in several parts, one for each, however often the
+/// file changes between them.
 ///
 /// # Errors
 /// [`MeshError::Obj`] with the line, and [`MeshError::Cancelled`].
@@ -220,7 +220,8 @@ impl ObjFile {
         Ok(())
     }
 
-    /// What comes next belongs to another part, perhaps to one that has been there before, of the same name and material unless they change.
+    /// What comes next belongs to another part, perhaps to one that has been there before, of the same name and
+    /// material unless they change.
     fn end_part(&mut self) {
         if self.open.arities.is_empty() {
             return;
@@ -334,8 +335,8 @@ impl ObjFile {
     }
 }
 
-/// An index as it stands in the file, counted from 1: they begin with 1, and negative ones count back from the last one so
-/// far. `None` for what can never be there.
+/// An index as it stands in the file, counted from 1: they begin with 1, and negative ones count back from the last one
+/// so far. `None` for what can never be there.
 fn from_one(index: i64, so_far: usize) -> Option<usize> {
     let index = if index < 0 {
         usize::try_from(index.unsigned_abs()).ok().and_then(|back| (so_far + 1).checked_sub(back))

@@ -7,8 +7,8 @@ use crate::geometry::try_unit;
 /// A polygon with more corners is cut as if it were convex: the search for ears takes the square of their number.
 const MOST_EARS: usize = 1024;
 
-/// The doubled vector area of a polygon, planar or nearly so, by Newell's method about its first corner: along the normal,
-/// twice the area long.
+/// The doubled vector area of a polygon, planar or nearly so, by Newell's method about its first corner: along the
+/// normal, twice the area long.
 pub(super) fn doubled_area(corners: impl IntoIterator<Item = DVec3>) -> DVec3 {
     let mut corners = corners.into_iter();
     let mut sum = DVec3::ZERO;
@@ -27,8 +27,9 @@ pub(super) fn normal(corners: impl IntoIterator<Item = DVec3>) -> Option<DVec3> 
     try_unit(doubled_area(corners))
 }
 
-/// Cuts a simple polygon, planar or nearly so, into triangles with its own orientation, by cutting off ears; appends three
-/// indices into `corners` for each. Always n − 2 triangles; where the polygon crosses itself some of them overlap.
+/// Cuts a simple polygon, planar or nearly so, into triangles with its own orientation, by cutting off ears; appends
+/// three indices into `corners` for each. Always n − 2 triangles; where the polygon crosses itself some of them
+/// overlap.
 pub(super) fn triangulate(corners: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
     let n = corners.len();
     if n == 3 {
@@ -51,8 +52,8 @@ pub(super) fn triangulate(corners: &[DVec3], triangles: &mut Vec<[usize; 3]>) {
     triangles.push([left[0], left[1], left[2]]);
 }
 
-/// The polygon seen against its normal: counter-clockwise in the plane. The coordinate along which the normal is longest is
-/// left out.
+/// The polygon seen against its normal: counter-clockwise in the plane. The coordinate along which the normal is
+/// longest is left out.
 fn flatten(corners: &[DVec3]) -> Vec<DVec2> {
     let n = doubled_area(corners.iter().copied());
     let a = n.abs();

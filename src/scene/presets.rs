@@ -1,5 +1,5 @@
-//! The named scenes. Each is a list of objects like those of a figure file, and what such a list cannot say: colours of single
-//! faces, marks, labels.
+//! The named scenes. Each is a list of objects like those of a figure file, and what such a list cannot say: colours of
+//! single faces, marks, labels.
 
 use std::sync::Arc;
 
@@ -116,8 +116,8 @@ fn one_of_each(colors: &SceneColors) -> Vec<ObjectSpec> {
     std::iter::once(ObjectSpec::group("table")).chain(on_table).collect()
 }
 
-/// A house 2.6 wide with its door to the left and its window to the right of the front, chimney at the back right, and a tree:
-/// no mirror image of it looks the same.
+/// A house 2.6 wide with its door to the left and its window to the right of the front, chimney at the back right, and
+/// a tree: no mirror image of it looks the same.
 fn house(colors: &SceneColors) -> Vec<ObjectSpec> {
     let ground = ObjectSpec::new("ground", Shape::Box);
     // The roof is a prism of three sides that lies along x: √3 sx wide, 1.5 sz high, its ridge at the vertex.
@@ -203,8 +203,8 @@ fn tiled_floor(colors: &SceneColors) -> Object {
     }
 }
 
-/// `[1]`, exercises I and II with day 15 and month 8: the pyramid with its base scaled by 8 and its height by 15, moved into the
-/// first octant.
+/// `[1]`, exercises I and II with day 15 and month 8: the pyramid with its base scaled by 8 and its height by 15, moved
+/// into the first octant.
 fn pyramid() -> Vec<ObjectSpec> {
     vec![
         ObjectSpec::new("grid", Shape::Grid).at(5.0, 0.0, 5.0).scaled(5.0, 1.0, 5.0),
@@ -265,7 +265,8 @@ fn exercise_51() -> Vec<ObjectSpec> {
     ]
 }
 
-/// The way to P along **u** and **v**, and both rays: in parallel projection from P along DOP, in perspective from C through P.
+/// The way to P along **u** and **v**, and both rays: in parallel projection from P along DOP, in perspective from C
+/// through P.
 fn rays_of_exercise_51(scene: &mut Scene, colors: &SceneColors) {
     let [c, u, v] = EXERCISE_51;
     let p = c + u + v;
@@ -279,8 +280,8 @@ fn rays_of_exercise_51(scene: &mut Scene, colors: &SceneColors) {
     scene.texts.extend([(parallel, BLUE), (perspective, VERMILION)].map(|(end, color)| point_name(end, "D_R", color)));
 }
 
-/// `[0]` exercise 5.2: C = (7, 0, 0), PF = (1, 1, 1), VUP = (1, 0, 0): the camera lies on its side. A cube about PF, marked on
-/// its upper side and on the one that looks along z.
+/// `[0]` exercise 5.2: C = (7, 0, 0), PF = (1, 1, 1), VUP = (1, 0, 0): the camera lies on its side. A cube about PF,
+/// marked on its upper side and on the one that looks along z.
 fn exercise_52() -> Vec<ObjectSpec> {
     let c = DVec3::new(7.0, 0.0, 0.0);
     let n = (c - DVec3::ONE).normalize();
@@ -321,8 +322,8 @@ fn name_corners(scene: &mut Scene, colors: &SceneColors, below: impl Fn(DVec3) -
     }
 }
 
-/// Paints each face of the first object in its own colour and writes a number on it, as on a die: opposite faces add up to 7.
-/// The numbers are strokes on the faces, so they deform with them and show a mirror image at once.
+/// Paints each face of the first object in its own colour and writes a number on it, as on a die: opposite faces add up
+/// to 7. The numbers are strokes on the faces, so they deform with them and show a mirror image at once.
 fn number_the_faces(scene: &mut Scene, colors: &SceneColors) {
     // Face, its digit, the directions right and up of a reader before it; in the order of `primitives::cuboid`.
     let faces: [(DVec3, usize, DVec3, DVec3, Rgba); 6] = [

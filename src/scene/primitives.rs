@@ -1,11 +1,12 @@
 //! Tessellated solids about the y axis, `[3]` "Primitivas".
 //!
-//! Every solid is closed, with outward normals; smooth sides share their vertices, creases double them. Angles start on +x and
-//! grow counter-clockwise seen from +y; the point at angle φ is (cos φ, y, −sin φ).
+//! Every solid is closed, with outward normals; smooth sides share their vertices, creases double them. Angles start on
+//! +x and grow counter-clockwise seen from +y; the point at angle φ is (cos φ, y, −sin φ).
 //!
 //! *Edges.* Faceted solids (box, prism, pyramid) name every side of every face. Curved solids name their rims and up to
-//! [`MAX_MERIDIANS`] meridians (and as many parallels as keep the meshes of the net about square), each along sides of the
-//! tessellation: with up to [`MAX_MERIDIANS`] segments the wireframe shows the tessellation itself, with more it stays legible.
+//! [`MAX_MERIDIANS`] meridians (and as many parallels as keep the meshes of the net about square), each along sides of
+//! the tessellation: with up to [`MAX_MERIDIANS`] segments the wireframe shows the tessellation itself, with more it
+//! stays legible.
 
 use glam::{DVec2, DVec3};
 
@@ -57,8 +58,8 @@ pub fn cuboid(min: DVec3, max: DVec3) -> Mesh {
     Mesh { closed: true, convex: true, ..Mesh::polyhedron(&corners, &faces) }
 }
 
-/// A regular prism with `sides` sides, circumradius 1, from y = 0 to y = 2; one vertex of the base on −z, so that for an
-/// odd number of sides a face looks to +z.
+/// A regular prism with `sides` sides, circumradius 1, from y = 0 to y = 2; one vertex of the base on −z, so that for
+/// an odd number of sides a face looks to +z.
 #[must_use]
 pub fn prism(sides: u32) -> Mesh {
     let n = allowed(sides) as usize;
@@ -78,8 +79,8 @@ pub fn prism(sides: u32) -> Mesh {
     Mesh { closed: true, convex: true, ..Mesh::polyhedron(&corners, &faces) }
 }
 
-/// A plate with a polygonal outline in x and y, counter-clockwise seen from +z, convex or not, from z = −`half_depth` to
-/// z = `half_depth`.
+/// A plate with a polygonal outline in x and y, counter-clockwise seen from +z, convex or not, from z = −`half_depth`
+/// to z = `half_depth`.
 #[must_use]
 pub fn plate(outline: &[DVec2], half_depth: f64) -> Mesh {
     let n = outline.len();
@@ -216,8 +217,8 @@ fn add_cap(mesh: &mut Mesh, rim: impl Iterator<Item = DVec3>, normal: DVec3) {
     mesh.add_polygon(&ids);
 }
 
-/// A torus about y, centre at the origin, radii [`TORUS_RADIUS`] and [`TORUS_TUBE`]: `segments` around, half as many about
-/// the tube.
+/// A torus about y, centre at the origin, radii [`TORUS_RADIUS`] and [`TORUS_TUBE`]: `segments` around, half as many
+/// about the tube.
 #[must_use]
 pub fn torus(segments: u32) -> Mesh {
     let n = allowed(segments);
@@ -262,8 +263,8 @@ pub fn grid_lines(cells: u32) -> Vec<[DVec3; 2]> {
     lines
 }
 
-/// A tiled square on y = 0, seen from above: `nx` × `nz` tiles between two corners, two triangles a tile, row by row along x.
-/// Not closed: from below it is not there unless it is drawn on two sides.
+/// A tiled square on y = 0, seen from above: `nx` × `nz` tiles between two corners, two triangles a tile, row by row
+/// along x. Not closed: from below it is not there unless it is drawn on two sides.
 #[must_use]
 pub fn tiles(min: [f64; 2], max: [f64; 2], nx: u32, nz: u32) -> Mesh {
     let mut mesh = Mesh::default();

@@ -132,8 +132,8 @@ pub fn system_words(kind: io::ErrorKind, code: Option<i32>) -> Cow<'static, str>
     words.into()
 }
 
-/// The kind of an error of the system, also where the standard library knows none: Windows' files that another program keeps to
-/// itself (its errors 32 and 33).
+/// The kind of an error of the system, also where the standard library knows none: Windows' files that another program
+/// keeps to itself (its errors 32 and 33).
 #[must_use]
 pub fn system_kind(kind: io::ErrorKind, code: Option<i32>) -> io::ErrorKind {
     if cfg!(windows) && matches!(code, Some(32 | 33)) { io::ErrorKind::ResourceBusy } else { kind }

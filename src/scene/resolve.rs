@@ -1,4 +1,5 @@
-//! The tree of a scene: names resolved, transforms multiplied out, `[3]` "Descrição da cena"; and whether all of it is allowed.
+//! The tree of a scene: names resolved, transforms multiplied out, `[3]` "Descrição da cena"; and whether all of it is
+//! allowed.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,8 +11,8 @@ use crate::appearance::{Rgba, Theme};
 use crate::geometry::{Angle, try_unit};
 use crate::limits::{MAX_LIGHTS, MAX_SEGMENTS, MIN_SEGMENTS};
 
-/// Where the default light goes: it comes from above, behind the usual viewer at (3, 4, 5) and a little to his left, so that
-/// the three sides that he sees of a box differ and none is black.
+/// Where the default light goes: it comes from above, behind the usual viewer at (3, 4, 5) and a little to his left, so
+/// that the three sides that he sees of a box differ and none is black.
 pub const DEFAULT_LIGHT: DVec3 = DVec3::new(-0.33, -0.755, -0.6);
 
 /// Whether a scene can be built of this, but for its mesh files.

@@ -55,11 +55,12 @@ impl Soup {
         }
     }
 
-    /// The mesh. Polygons may be concave; corners that repeat the one before are left out, and so are polygons that keep
-    /// fewer than three. Given normals are taken unless one has no length; missing ones are means over the faces that meet at
-    /// a point (weighted by area), with creases at 45° and more.
+    /// The mesh. Polygons may be concave; corners that repeat the one before are left out, and so are polygons that
+    /// keep fewer than three. Given normals are taken unless one has no length; missing ones are means over the faces
+    /// that meet at a point (weighted by area), with creases at 45° and more.
     ///
-    /// *Edges* are the sides of the polygons; *closed* says that each side is met by another one in the other direction.
+    /// *Edges* are the sides of the polygons; *closed* says that each side is met by another one in the other
+    /// direction.
     pub(super) fn into_mesh(self) -> Result<Mesh, TooLarge> {
         if self.corners.len() >= MAX_VERTICES || self.positions.len() >= MAX_VERTICES {
             return Err(TooLarge);
@@ -169,8 +170,8 @@ impl Maker {
         vertex
     }
 
-    /// The vertex at point `id` that a face belongs to: the first one whose faces so far are on average within the crease
-    /// angle. Until the end `normals` holds the sum of the faces' areas.
+    /// The vertex at point `id` that a face belongs to: the first one whose faces so far are on average within the
+    /// crease angle. Until the end `normals` holds the sum of the faces' areas.
     fn smooth_vertex(&mut self, id: u32, point: DVec3, area: DVec3, face_normal: Option<DVec3>) -> u32 {
         let Some(normal) = face_normal else {
             // A face without area belongs anywhere.

@@ -8,13 +8,13 @@ use glam::DVec3;
 use crate::appearance::Rgba;
 use crate::limits::DEFAULT_SEGMENTS;
 
-/// Makes `NAMED` and `name` from one list of names, patterns and values, in the order in which they are offered; where a
-/// variant has data, the value is the one that has none yet.
+/// Makes `NAMED` and `name` from one list of names, patterns and values, in the order in which they are offered; where
+/// a variant has data, the value is the one that has none yet.
 macro_rules! named {
     ($type:ident { $($name:literal: $pattern:pat, $value:expr;)* }) => {
         impl $type {
-            /// Each with its name in a figure file, in the order of a menu; where there are data, they are those that a file
-            /// need not give.
+            /// Each with its name in a figure file, in the order of a menu; where there are data, they are those that a
+            /// file need not give.
             pub const NAMED: &'static [(&'static str, Self)] = &[$(($name, $value)),*];
 
             /// Its name in a figure file.
@@ -87,8 +87,8 @@ impl FromStr for Preset {
     }
 }
 
-/// A shape of `[[scene.objects]]`. Each has size about 2; y is up. Box, sphere, ellipsoid and torus have their centre at the
-/// origin; prism, pyramid, cylinder and cone stand on it (y from 0 to 2). Sizes are changed by `scale`.
+/// A shape of `[[scene.objects]]`. Each has size about 2; y is up. Box, sphere, ellipsoid and torus have their centre
+/// at the origin; prism, pyramid, cylinder and cone stand on it (y from 0 to 2). Sizes are changed by `scale`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// The cube \[−1, 1\]³.
@@ -107,7 +107,8 @@ pub enum Shape {
     Cone,
     /// A torus about y.
     Torus,
-    /// A grid of lines on the square \[−1, 1\]² of the plane y = 0, with `segments` cells a side; without `segments`: 10.
+    /// A grid of lines on the square \[−1, 1\]² of the plane y = 0, with `segments` cells a side; without
+    /// `segments`: 10.
     Grid,
     /// Points.
     Points(Vec<DVec3>),
@@ -153,8 +154,8 @@ impl Shape {
         shape.map_or(DEFAULT_SEGMENTS, Self::default_segments)
     }
 
-    /// What `segments` means where a figure does not say it: 6 sides of a prism, 10 cells of a grid, 32 segments of what is
-    /// curved.
+    /// What `segments` means where a figure does not say it: 6 sides of a prism, 10 cells of a grid, 32 segments of
+    /// what is curved.
     #[must_use]
     pub const fn default_segments(&self) -> u32 {
         match self {

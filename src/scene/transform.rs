@@ -56,8 +56,9 @@ impl Default for Trs {
     }
 }
 
-/// Puts a figure's object at the end of a chain: it gets the last of `chain`, and between its parent and itself a group for each of the
-/// others, called `group`, numbered where something is called so. Without a chain, or without the object, nothing changes.
+/// Puts a figure's object at the end of a chain: it gets the last of `chain`, and between its parent and itself a group
+/// for each of the others, called `group`, numbered where something is called so. Without a chain, or without the
+/// object, nothing changes.
 ///
 /// # Errors
 /// [`SceneError`] where the scene cannot be built afterwards; nothing has changed then.
@@ -91,8 +92,8 @@ pub fn topmost(spec: &SceneSpec, names: &BTreeSet<String>) -> Vec<String> {
 
 /// Moves, turns or scales a figure's objects; what hangs on them goes along.
 ///
-/// True where each could: turned below a parent with unequal scales an object would be sheared, which translation, rotation and
-/// scale cannot say. Such an object stays as it was.
+/// True where each could: turned below a parent with unequal scales an object would be sheared, which translation,
+/// rotation and scale cannot say. Such an object stays as it was.
 ///
 /// # Errors
 /// [`SceneError`] where the scene cannot be built, before or afterwards; nothing has changed then.
@@ -129,8 +130,8 @@ pub fn turned(direction: DVec3, axis: DVec3, angle: Angle) -> LightSpec {
     LightSpec::Directional(tidy(DQuat::from_axis_angle(axis, angle.radians()) * direction))
 }
 
-/// Copies a figure's objects with all that hangs on them, each group after the object that it is a copy of; copies of what was
-/// hung on a copied object hang on its copy. Gives the names of the copies of the [`topmost`].
+/// Copies a figure's objects with all that hangs on them, each group after the object that it is a copy of; copies of
+/// what was hung on a copied object hang on its copy. Gives the names of the copies of the [`topmost`].
 pub fn duplicate(spec: &mut SceneSpec, names: &BTreeSet<String>) -> BTreeSet<String> {
     let mut copies = BTreeSet::new();
     for top in topmost(spec, names) {

@@ -30,8 +30,8 @@ impl Arrangement {
         }
     }
 
-    /// The arrangement in which so many pictures use most of a room; where two are about as good, the one that is named first.
-    /// `used`: the area that they use, in any unit.
+    /// The arrangement in which so many pictures use most of a room; where two are about as good, the one that is named
+    /// first. `used`: the area that they use, in any unit.
     #[must_use]
     pub fn best(count: usize, used: impl Fn(Self) -> f32) -> Self {
         let candidates: &[Self] = if count < 3 { &[Self::Column] } else { &[Self::Above, Self::Beside, Self::Column] };

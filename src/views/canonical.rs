@@ -1,7 +1,7 @@
 //! The canonical volume: the scene after clipping and projection, in the cube \[−1, 1\]³.
 //!
-//! NDC is left-handed; the picture shows (x_n, y_n, −z_n), which is right-handed, so that with x_n to the right and y_n up
-//! z_n goes into the screen, as in `[0]` Fig. 5.4. The mirror is in the display space, not in the numbers.
+//! NDC is left-handed; the picture shows (x_n, y_n, −z_n), which is right-handed, so that with x_n to the right and y_n
+//! up z_n goes into the screen, as in `[0]` Fig. 5.4. The mirror is in the display space, not in the numbers.
 
 use glam::{DVec2, DVec3};
 
@@ -107,7 +107,8 @@ fn axes(builder: &mut SceneBuilder, canonical: &CanonicalBox, palette: Palette) 
     }
 }
 
-/// The box: its near face (z_n = −1 in the notes) stands out as the window does in the world, its far face has dashed edges as there.
+/// The box: its near face (z_n = −1 in the notes) stands out as the window does in the world, its far face has dashed
+/// edges as there.
 fn cube(builder: &mut SceneBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
     let bounds = canonical.bounds();
     let [near, far] = canonical.faces();
@@ -161,7 +162,8 @@ fn outwards(screen: &Screen, p: DVec3) -> DVec2 {
     }
 }
 
-/// The coordinates of the corners, in a small picture of two only. Two that coincide in the picture have one name, with ±.
+/// The coordinates of the corners, in a small picture of two only. Two that coincide in the picture have one name, with
+/// ±.
 fn corner_names(screen: &Screen, canonical: &CanonicalBox) -> Vec<(DVec3, String)> {
     const SMALL: f64 = 320.0;
     let corners = canonical.bounds().corners();

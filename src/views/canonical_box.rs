@@ -1,7 +1,7 @@
 //! The canonical volume of a convention of NDC, where the picture shows it.
 //!
-//! Everything stands as the camera sees it, x to the right, up upwards and the near face in front, whatever the convention: what differs
-//! is how deep the box is, where its origin lies, and which way y_n and z_n point.
+//! Everything stands as the camera sees it, x to the right, up upwards and the near face in front, whatever the
+//! convention: what differs is how deep the box is, where its origin lies, and which way y_n and z_n point.
 
 use glam::{DMat4, DVec3};
 

@@ -1,4 +1,5 @@
-//! What the entries of the matrices measure in the world: components of axes and points, coordinates along an axis, sides of the window.
+//! What the entries of the matrices measure in the world: components of axes and points, coordinates along an axis,
+//! sides of the window.
 
 use glam::DVec3;
 

@@ -109,8 +109,9 @@ impl Ground {
     }
 }
 
-/// Where the corner of [`Viewpoint::Iso`](super::observer::Viewpoint::Iso) is: to the side of the camera and a little behind it, so that its axis runs across
-/// the picture from left to right and the image on its window is not seen from the back.
+/// Where the corner of [`Viewpoint::Iso`](super::observer::Viewpoint::Iso) is: to the side of the camera and a little
+/// behind it, so that its axis runs across the picture from left to right and the image on its window is not seen from
+/// the back.
 pub(super) fn iso_direction(camera: &Camera) -> Direction {
     const ASIDE: f64 = 60.0;
     let n = camera.basis().n;

@@ -25,8 +25,8 @@ pub struct DepthReading {
     pub distance: f64,
 }
 
-/// What the depth buffer holds where the ray through a point (x_p, y_p) of the view window goes; `None` where no opaque face
-/// is drawn.
+/// What the depth buffer holds where the ray through a point (x_p, y_p) of the view window goes; `None` where no opaque
+/// face is drawn.
 #[must_use]
 pub fn reading(request: &Request, point: DVec2) -> Option<DepthReading> {
     let camera = &request.camera;
@@ -151,8 +151,8 @@ impl Greys {
         }
     }
 
-    /// Paints the faces of an image with their depths, takes everything else away, and says so of the stages that had to do
-    /// with it.
+    /// Paints the faces of an image with their depths, takes everything else away, and says so of the stages that had
+    /// to do with it.
     pub(super) fn paint(self, frame: &mut Frame) {
         let (drawing, scale) = (&mut frame.drawing, frame.depths);
         drawing.surfaces.retain(|surface| !surface.translucent);

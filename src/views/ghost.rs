@@ -1,4 +1,5 @@
-//! An operation while it is being tried: its axis and pivot, the way that the moved points go, and the camera before it.
+//! An operation while it is being tried: its axis and pivot, the way that the moved points go, and the camera before
+//! it.
 
 use std::sync::Arc;
 

@@ -82,7 +82,8 @@ impl SceneBuilder<'_> {
         self.scene.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: false });
     }
 
-    /// A text beside a point, if there is room in this direction (pixels, y down); texts that come first have the choice.
+    /// A text beside a point, if there is room in this direction (pixels, y down); texts that come first have the
+    /// choice.
     pub(super) fn text(&mut self, position: DVec3, text: &str, toward: DVec2, size: f32, color: Rgba) {
         let d = toward.normalize_or(DVec2::X) * GAP;
         self.scene.texts.push(Text {
@@ -122,7 +123,8 @@ fn short(v: f64) -> f32 {
     v as f32
 }
 
-/// In wireframe, the scene's objects as edges in their own colours, and a style in which the camera's gear keeps its faces.
+/// In wireframe, the scene's objects as edges in their own colours, and a style in which the camera's gear keeps its
+/// faces.
 pub(super) fn wired(mut scene: Scene, style: &Style) -> (Scene, Style) {
     if style.shading != Shading::Wireframe {
         return (scene, *style);
@@ -177,8 +179,8 @@ pub(super) fn circle(center: DVec3, a: DVec3, b: DVec3, corners: u32) -> Vec<DVe
     (0..corners).map(turn).map(|(sin, cos)| center + a * cos + b * sin).collect()
 }
 
-/// The body of a film camera in its VRC: the lens opens at the origin (C) towards −z (the scene), the two reels on top show
-/// where **v** is. It is about 2 units long and 2 high.
+/// The body of a film camera in its VRC: the lens opens at the origin (C) towards −z (the scene), the two reels on top
+/// show where **v** is. It is about 2 units long and 2 high.
 pub(super) fn camera_body() -> Mesh {
     const ROUND: u32 = 20;
     let mut mesh = Mesh::default();

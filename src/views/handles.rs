@@ -21,7 +21,8 @@ pub fn handles(request: &Request) -> Vec<(Handle, DVec2)> {
     on_screen(request, &screen, &volume).into_iter().filter_map(|(h, p)| Some((h, screen.place_inside(p)?))).collect()
 }
 
-/// The handle at `pointer` (pixels), within `reach` pixels. Of two at the same place the one that comes first in [`Handle`].
+/// The handle at `pointer` (pixels), within `reach` pixels. Of two at the same place the one that comes first in
+/// [`Handle`].
 #[must_use]
 pub fn handle_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Handle> {
     handles(request)
@@ -44,8 +45,9 @@ pub(super) fn on_screen(request: &Request, screen: &Screen, volume: &DrawnVolume
     all
 }
 
-/// The handles of the clipping planes on the axis of projection, but at least `clear` pixels (at scale 1) away from C, where a small F
-/// would hide its handle; none where the axis is seen end-on. That of a broken volume's far plane is where it is drawn.
+/// The handles of the clipping planes on the axis of projection, but at least `clear` pixels (at scale 1) away from C,
+/// where a small F would hide its handle; none where the axis is seen end-on. That of a broken volume's far plane is
+/// where it is drawn.
 pub(super) fn on_axis(request: &Request, screen: &Screen, volume: &DrawnVolume, clear: f64) -> Vec<(Handle, DVec3)> {
     let camera = &request.camera;
     let (c, dop) = (camera.position(), camera.direction_of_projection());
@@ -61,13 +63,13 @@ pub(super) fn on_axis(request: &Request, screen: &Screen, volume: &DrawnVolume, 
     [(Handle::Near, volume.start), (Handle::Far, volume.end)].map(|(h, d)| (h, c + dop * d.max(least))).to_vec()
 }
 
-/// The camera parameters after `handle` was taken at `from` and is now at `to` (pixels), beginning with the camera of `request`,
-/// which must be the one at the time of taking.
+/// The camera parameters after `handle` was taken at `from` and is now at `to` (pixels), beginning with the camera of
+/// `request`, which must be the one at the time of taking.
 ///
-/// C and PF move on the plane y = their own height, or vertically; where that plane is seen from the edge they move in the
-/// plane of the picture. Near and far move along the axis of projection and stop at each other; the far plane of a volume that is
-/// drawn broken moves in proportion: drawn half as far away, B is half as great. The tip of VUP moves in the
-/// plane of the picture; VUP keeps its length.
+/// C and PF move on the plane y = their own height, or vertically; where that plane is seen from the edge they move in
+/// the plane of the picture. Near and far move along the axis of projection and stop at each other; the far plane of a
+/// volume that is drawn broken moves in proportion: drawn half as far away, B is half as great. The tip of VUP moves in
+/// the plane of the picture; VUP keeps its length.
 ///
 /// # Guarantees
 /// A drag that cannot be read (an axis seen end-on, an observer that is not a camera) changes nothing.
@@ -143,16 +145,16 @@ impl Grip<'_> {
         Some(to - from)
     }
 
-    /// Where on a line (from `origin`, in lengths of its unit `direction`) the points nearest to the two rays are; `None` where the
-    /// line is seen end-on.
+    /// Where on a line (from `origin`, in lengths of its unit `direction`) the points nearest to the two rays are;
+    /// `None` where the line is seen end-on.
     pub(super) fn places_along(&self, origin: DVec3, direction: DVec3) -> Option<(f64, f64)> {
         let nearest = |ray| nearest_on_line(origin, direction, ray);
         Some((nearest(self.from)?, nearest(self.to)?))
     }
 }
 
-/// Where a ray meets the plane y = `height`. A ray at or over the horizon is bent down (or up) to it, so that a point dragged
-/// there goes far, but neither to infinity nor behind the eye.
+/// Where a ray meets the plane y = `height`. A ray at or over the horizon is bent down (or up) to it, so that a point
+/// dragged there goes far, but neither to infinity nor behind the eye.
 fn on_horizontal(ray: Ray, height: f64, observer: &Observer) -> DVec3 {
     const LEAST_SLOPE: f64 = 0.03;
     let side = observer.elevation.signum();
@@ -162,7 +164,8 @@ fn on_horizontal(ray: Ray, height: f64, observer: &Observer) -> DVec3 {
     DVec3::new(p.x, height, p.z)
 }
 
-/// The parameter on a line (unit direction) of the point nearest to a ray; `None` for lines within about 1° of parallel.
+/// The parameter on a line (unit direction) of the point nearest to a ray; `None` for lines within about 1° of
+/// parallel.
 fn nearest_on_line(origin: DVec3, direction: DVec3, ray: Ray) -> Option<f64> {
     let (d, r) = (direction, ray.direction);
     let cos = d.dot(r);

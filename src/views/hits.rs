@@ -11,15 +11,16 @@ pub(super) fn first_hit(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> 
     Some(from + (to - from) * t)
 }
 
-/// As [`first_hit`], of the faces that leave a depth in the image: opaque ones, and of open one-sided objects only the fronts.
+/// As [`first_hit`], of the faces that leave a depth in the image: opaque ones, and of open one-sided objects only the
+/// fronts.
 pub(super) fn first_opaque(scene: &Scene, from: DVec3, to: DVec3) -> Option<DVec3> {
     let opaque = scene.objects.iter().filter(|o| o.faces && !o.paint.is_translucent());
     let t = opaque.filter_map(|o| crossing(o, from, to, fronts_only(o))).min_by(f64::total_cmp)?;
     Some(from + (to - from) * t)
 }
 
-/// True where only the fronts of an object's faces are seen. A closed solid shows its inside where a plane cuts it open, and a segment that begins outside of a whole one
-/// meets a front first.
+/// True where only the fronts of an object's faces are seen. A closed solid shows its inside where a plane cuts it
+/// open, and a segment that begins outside of a whole one meets a front first.
 pub(super) fn fronts_only(object: &Object) -> bool {
     !object.two_sided && !object.mesh.closed
 }
@@ -67,8 +68,8 @@ pub(super) fn triangle_hit(object: &Object, from: DVec3, to: DVec3, fronts_only:
         .min_by(|one, other| one.0.total_cmp(&other.0))
 }
 
-/// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997), and a number that is positive where the
-/// segment comes from the side from which the corners run counter-clockwise.
+/// The parameter, 0 … 1, at which a segment meets a triangle (Möller and Trumbore 1997), and a number that is positive
+/// where the segment comes from the side from which the corners run counter-clockwise.
 fn triangle_crossing(origin: DVec3, d: DVec3, [a, b, c]: [DVec3; 3]) -> Option<(f64, f64)> {
     let (ab, ac) = (b - a, c - a);
     let p = d.cross(ac);

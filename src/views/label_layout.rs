@@ -65,8 +65,8 @@ pub(super) struct Rules<'a> {
     pub(super) leader: Option<(Rgba, f32)>,
 }
 
-/// Places the labels of a drawing: the offset of each is the direction and distance that it would like. One that finds no free
-/// place stands farther off with a line that leads to its point; where there is none either, it is left out.
+/// Places the labels of a drawing: the offset of each is the direction and distance that it would like. One that finds
+/// no free place stands farther off with a line that leads to its point; where there is none either, it is left out.
 pub(super) fn settle(drawing: &mut Drawing, rules: &Rules<'_>) {
     if drawing.labels.is_empty() {
         return;

@@ -1,9 +1,8 @@
 //! A figure → the scene that each of the three pictures shows, and its observer.
 //!
-//! There is one engine: the image is the scene seen by the figure's camera, the world is the scene with the camera's own gear
-//! seen by a second camera (the observer), and the canonical volume is the scene after clipping and projection, seen by a
-//! third. All three go through
-//! [`Pipeline::frame`](crate::pipeline::Pipeline::frame).
+//! There is one engine: the image is the scene seen by the figure's camera, the world is the scene with the camera's
+//! own gear seen by a second camera (the observer), and the canonical volume is the scene after clipping and
+//! projection, seen by a third. All three go through [`Pipeline::frame`](crate::pipeline::Pipeline::frame).
 //!
 //! | picture | space of its scene | observer |
 //! | --- | --- | --- |
@@ -97,8 +96,8 @@ pub fn frame(request: &Request, on_window: Option<&Arc<Texture>>, pipeline: &mut
     frame
 }
 
-/// The scene of a figure in the colours of its theme, with hidden edges as its style wants them; `progress` says how far reading
-/// its meshes has come.
+/// The scene of a figure in the colours of its theme, with hidden edges as its style wants them; `progress` says how
+/// far reading its meshes has come.
 ///
 /// # Errors
 /// [`SceneError`] names the object and what is wrong with it.
@@ -127,8 +126,8 @@ impl Request {
         }
     }
 
-    /// As [`fitted`](Self::fitted), but moved aside where the world would be seen (nearly) along DOP, u, v or n: for an observer
-    /// that nobody has turned.
+    /// As [`fitted`](Self::fitted), but moved aside where the world would be seen (nearly) along DOP, u, v or n: for an
+    /// observer that nobody has turned.
     #[must_use]
     pub fn kept_clear(&self, observer: &Observer) -> Option<Observer> {
         match self.view {
@@ -137,8 +136,8 @@ impl Request {
         }
     }
 
-    /// The observer that looks in the same direction as `observer` and has everything of interest in the picture; `None` for
-    /// the image.
+    /// The observer that looks in the same direction as `observer` and has everything of interest in the picture;
+    /// `None` for the image.
     #[must_use]
     pub fn fitted(&self, observer: &Observer) -> Option<Observer> {
         match self.view {

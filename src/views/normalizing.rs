@@ -1,7 +1,9 @@
-//! The view volume on its way to the canonical one: the picture of the canonical volume, taken back by some of the steps.
+//! The view volume on its way to the canonical one: the picture of the canonical volume, taken back by some of the
+//! steps.
 //!
-//! What is moved is the canonical picture's own scene, so that the last of the pictures is the canonical picture, by construction. z always
-//! points towards the viewer in the picture; where a step makes the space left-handed, it is the axis that turns around.
+//! What is moved is the canonical picture's own scene, so that the last of the pictures is the canonical picture, by
+//! construction. z always points towards the viewer in the picture; where a step makes the space left-handed, it is the
+//! axis that turns around.
 
 use glam::{DMat4, DVec3, DVec4};
 
@@ -108,7 +110,8 @@ const FARTHEST: f64 = 4.0;
 /// How long the axes are beside the volume.
 const AXIS: f64 = 0.45;
 
-/// What must be in the picture after so many whole steps: the volume, and the origin with its axes where that is near enough to be seen with it.
+/// What must be in the picture after so many whole steps: the volume, and the origin with its axes where that is near
+/// enough to be seen with it.
 fn extent(way: &Way, camera: &Camera, steps: usize) -> Option<Aabb> {
     const FAR_AWAY: f64 = 8.0;
     let matrix = way.forward_from_world(steps);
@@ -124,7 +127,8 @@ fn radius(way: &Way, camera: &Camera, steps: usize) -> Option<f64> {
     Aabb::around(camera.volume_corners().into_iter().filter_map(|p| mapped(&matrix, p))).map(|volume| volume.radius())
 }
 
-/// The observer, which looks as that of the canonical picture does and goes evenly from one step's extent to the next one's.
+/// The observer, which looks as that of the canonical picture does and goes evenly from one step's extent to the next
+/// one's.
 fn observer(request: &Request, way: &Way) -> Option<Observer> {
     let end = canonical::observer_of(request);
     let direction = Direction::from(end);

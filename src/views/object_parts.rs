@@ -1,5 +1,5 @@
-//! What the parts of an object's own transform measure in the world: the arrow of its translation, axis and arc of a rotation, the length of a
-//! local axis.
+//! What the parts of an object's own transform measure in the world: the arrow of its translation, axis and arc of a
+//! rotation, the length of a local axis.
 
 use glam::{DMat4, DQuat, DVec2, DVec3};
 
@@ -42,8 +42,8 @@ fn translation(builder: &mut SceneBuilder, request: &Request, object: ObjectTran
     component(builder, origin, [of(trs.translate), of(DVec3::AXES[i] * trs.translate[i])], &text, pen);
 }
 
-/// The first angle turns about the x axis that the others have turned, the second about the y axis that the third has turned:
-/// R = `R_z` `R_y` `R_x`.
+/// The first angle turns about the x axis that the others have turned, the second about the y axis that the third has
+/// turned: R = `R_z` `R_y` `R_x`.
 fn axis_of_rotation(rotate: DVec3, i: usize) -> DQuat {
     let about = |k: usize| DQuat::from_axis_angle(DVec3::AXES[k], Angle::from_degrees(rotate[k]).radians());
     ((i + 1)..3).rev().fold(DQuat::IDENTITY, |turned, k| turned * about(k))

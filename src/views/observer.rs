@@ -9,8 +9,9 @@ use crate::geometry::Aabb;
 
 use super::Size;
 
-/// The share of the picture's width and height that [`enclosing`] leaves free on each side, and the least that this is in
-/// pixels at scale 1: a label has room there. In a small picture with large letters it is no more than `MOST_MARGIN`.
+/// The share of the picture's width and height that [`enclosing`] leaves free on each side, and the least that this is
+/// in pixels at scale 1: a label has room there. In a small picture with large letters it is no more than
+/// `MOST_MARGIN`.
 const MARGIN: f64 = 0.05;
 const LEAST_MARGIN: f64 = 26.0;
 const MOST_MARGIN: f64 = 0.11;
@@ -82,8 +83,8 @@ impl Direction {
         Observer { azimuth, elevation, roll, parallel, ..PARALLEL }.axes()[2]
     }
 
-    /// This direction, or the one nearest to it in which the eye keeps clear of lines: along one of `lines` (unit vectors), all
-    /// that lies on it would be at one spot.
+    /// This direction, or the one nearest to it in which the eye keeps clear of lines: along one of `lines` (unit
+    /// vectors), all that lies on it would be at one spot.
     pub(super) fn clear_of(self, lines: &[DVec3]) -> Self {
         /// From this angle on a direction stays, and another is as far as this from all lines.
         const STAYS: f64 = 18.0;
@@ -138,8 +139,8 @@ pub(super) fn enclosing(points: &[DVec3], direction: Direction, size: Size) -> O
     let [right, up, back] = Observer { target, distance: 1.0, azimuth, elevation, roll, parallel }.axes();
     let tan = HALF_VIEW_ANGLE.tan();
     let filled = fill(size);
-    // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t · depth),
-    // after `[0]` Eq. (5.9); opposite sides then meet in the eye.
+    // Each side of the view volume is pushed out until it touches the outermost point: a maximum of (across + t ·
+    // depth), after `[0]` Eq. (5.9); opposite sides then meet in the eye.
     let support = |axis: DVec3, t: f64| {
         let slope = if parallel { 0.0 } else { t };
         points

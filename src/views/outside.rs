@@ -14,8 +14,9 @@ use super::{Palette, Request, probe};
 const LENGTH: f64 = 22.0;
 const MARGIN: f64 = 3.0;
 
-/// The direction (pixels, y down) from the middle of a picture of this size to a point that is not in it, and whether it is behind the eye. There
-/// it is the direction in which the camera would have to turn. `None` for a point in the picture, before or behind what F and B cut off too.
+/// The direction (pixels, y down) from the middle of a picture of this size to a point that is not in it, and whether
+/// it is behind the eye. There it is the direction in which the camera would have to turn. `None` for a point in the
+/// picture, before or behind what F and B cut off too.
 fn direction(camera: &Camera, size: DVec2, p: DVec3) -> Option<(DVec2, bool)> {
     let (view, clip) = (camera.view_point(p), camera.clip_point(p));
     if camera.projection() == Projection::Perspective && view.z >= 0.0 {

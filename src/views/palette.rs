@@ -2,8 +2,9 @@
 
 use crate::appearance::{Rgba, Theme};
 
-/// The colours of one theme. The hues are those of Okabe and Ito (2008), which red-green blind people tell apart, darkened or
-/// lightened until a letter in them has a contrast of 4.5 : 1 on the paper; letters, dashes and shapes say the same once more.
+/// The colours of one theme. The hues are those of Okabe and Ito (2008), which red-green blind people tell apart,
+/// darkened or lightened until a letter in them has a contrast of 4.5 : 1 on the paper; letters, dashes and shapes say
+/// the same once more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// Ground of the three pictures.

@@ -2,8 +2,8 @@
 
 use crate::drawing::{Drawing, Paint, Surface};
 
-/// Leaves of the triangles the first share (0 … 1), and says how many those are, and how many there are. Strokes and marks are left out: what hides them
-/// may not be there yet.
+/// Leaves of the triangles the first share (0 … 1), and says how many those are, and how many there are. Strokes and
+/// marks are left out: what hides them may not be there yet.
 pub(super) fn first(drawing: &mut Drawing, share: f64) -> [usize; 2] {
     let all: usize = drawing.surfaces.iter().map(|surface| surface.triangles.len()).sum();
     #[expect(

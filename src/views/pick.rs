@@ -19,8 +19,9 @@ pub fn ray_in_world(request: &Request, pointer: DVec2) -> Option<Ray> {
     Some(world_framing::screen(request)?.ray(pointer))
 }
 
-/// The vertex of the scene (world) nearest to a place (pixels) of a picture, within `reach` pixels. A hidden vertex is taken
-/// only where no other is within reach; in the canonical volume and in the image only vertices inside the view volume are.
+/// The vertex of the scene (world) nearest to a place (pixels) of a picture, within `reach` pixels. A hidden vertex is
+/// taken only where no other is within reach; in the canonical volume and in the image only vertices inside the view
+/// volume are.
 #[must_use]
 pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
     let catch = Catch::of(request)?;
@@ -28,8 +29,8 @@ pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
     nearest(shown, catch.faces(request), &catch.screen, pointer, reach)
 }
 
-/// The name of the figure's object whose face a place (pixels) of a picture shows; `None` where there is none, and in the canonical
-/// volume, where what is seen has been clipped and projected.
+/// The name of the figure's object whose face a place (pixels) of a picture shows; `None` where there is none, and in
+/// the canonical volume, where what is seen has been clipped and projected.
 #[must_use]
 pub fn object(request: &Request, pointer: DVec2) -> Option<String> {
     match request.view {
@@ -66,8 +67,8 @@ pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
     Some([part(x, m), part(y, n)])
 }
 
-/// The vertex (world) that comes next from `from` in a direction (pixels, y down) of a picture; without `from`, the one nearest to the
-/// middle. Only vertices that can be seen. `None` where there is none.
+/// The vertex (world) that comes next from `from` in a direction (pixels, y down) of a picture; without `from`, the one
+/// nearest to the middle. Only vertices that can be seen. `None` where there is none.
 #[must_use]
 pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> Option<DVec3> {
     let catch = Catch::of(request)?;
@@ -93,8 +94,8 @@ pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> O
     next.into_iter().map(|(_, p)| p).find(seen)
 }
 
-/// Where a picture shows what a probe is at (pixels): the point, or of a ray its first point of the scene, else that of the window.
-/// `None` where the picture does not show it.
+/// Where a picture shows what a probe is at (pixels): the point, or of a ray its first point of the scene, else that of
+/// the window. `None` where the picture does not show it.
 #[must_use]
 pub fn place(request: &Request, probe: Probe) -> Option<DVec2> {
     let p = match probe {
@@ -130,8 +131,8 @@ impl Catch {
         self.contents.as_ref().unwrap_or(&request.scene)
     }
 
-    /// Where a vertex (world) is shown, in the space of the picture; in the canonical volume and in the image only those inside
-    /// the view volume are.
+    /// Where a vertex (world) is shown, in the space of the picture; in the canonical volume and in the image only
+    /// those inside the view volume are.
     fn shown(&self, request: &Request, p: DVec3) -> Option<DVec3> {
         let inside = || displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0);
         match request.view {
@@ -177,7 +178,8 @@ fn vertices(scene: &Scene) -> impl Iterator<Item = DVec3> {
     scene.vertices().map(|v| v.p_world).chain(lines).chain(marks)
 }
 
-/// Of points (as drawn, and what they stand for) the one nearest to a place; one that faces hide loses to any that can be seen.
+/// Of points (as drawn, and what they stand for) the one nearest to a place; one that faces hide loses to any that can
+/// be seen.
 fn nearest(
     points: impl Iterator<Item = (DVec3, DVec3)>,
     faces: &Scene,

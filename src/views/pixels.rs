@@ -10,7 +10,8 @@ pub struct Size {
     pub width: u32,
     /// Pixels.
     pub height: u32,
-    /// Pixels for one unit of stroke width or type size: 1 on a plain screen, 2 where pixels are small or in a large export.
+    /// Pixels for one unit of stroke width or type size: 1 on a plain screen, 2 where pixels are small or in a large
+    /// export.
     pub scale: f32,
 }
 
@@ -30,7 +31,8 @@ impl Size {
     /// The width of the edges of solids to the height of the letters of names, where strokes are in proportion.
     pub const EDGES_TO_LETTERS: f64 = 1.0 / LETTERS as f64;
 
-    /// Letters and strokes as on a screen of 1920 × 1080: a picture that is larger in both directions has them larger by the same factor.
+    /// Letters and strokes as on a screen of 1920 × 1080: a picture that is larger in both directions has them larger
+    /// by the same factor.
     #[must_use]
     pub fn as_on_a_screen(width: u32, height: u32) -> Self {
         #[expect(clippy::cast_precision_loss, reason = "pixels")]
@@ -77,8 +79,8 @@ impl Size {
         if self.width == 0 || self.height == 0 { 1.0 } else { f64::from(self.width) / f64::from(self.height) }
     }
 
-    /// Letters and strokes grow a little with the picture, so that a large one is not full of threads and a small one not
-    /// full of letters.
+    /// Letters and strokes grow a little with the picture, so that a large one is not full of threads and a small one
+    /// not full of letters.
     pub(super) fn target(self, background: Rgba) -> Target {
         Target { width: self.width, height: self.height, scale: self.type_scale(), background }
     }
@@ -105,7 +107,8 @@ impl PixelRect {
 }
 
 /// Where the image lies in a picture of this size: the largest rectangle with its aspect (to the nearest pixel;
-/// [`Look::image_aspect`](super::Look::image_aspect)), in the middle. All of the picture where that is m × n pixels large.
+/// [`Look::image_aspect`](super::Look::image_aspect)), in the middle. All of the picture where that is m × n pixels
+/// large.
 #[must_use]
 pub fn image_frame(size: Size, aspect: f64) -> PixelRect {
     let width = rounded(f64::from(size.height) * aspect, size.width);

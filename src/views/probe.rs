@@ -14,7 +14,8 @@ use super::gizmos::{SMALL_TYPE, SceneBuilder, TYPE};
 use super::volume::DrawnVolume;
 use super::{Palette, Probe, Request, hits};
 
-/// The ray of the probe from its origin O_R through its window point to the end of the volume, `[0]` Eqs. (5.17) to (5.21).
+/// The ray of the probe from its origin O_R through its window point to the end of the volume, `[0]` Eqs. (5.17) to
+/// (5.21).
 pub(super) struct Pixel {
     origin: DVec3,
     /// The point on the window.
@@ -72,8 +73,8 @@ pub(super) fn points<'a>(request: &'a Request, palette: Palette) -> impl Iterato
     named.chain(probed)
 }
 
-/// A point with its projector from O_R, on to the window where it lies before it; behind the eye, the line back to it is dotted, since
-/// nothing of it reaches the window.
+/// A point with its projector from O_R, on to the window where it lies before it; behind the eye, the line back to it
+/// is dotted, since nothing of it reaches the window.
 fn point_in_world(builder: &mut SceneBuilder, request: &Request, p: DVec3, look: Look<'_>) {
     let c = request.camera.view_point(p);
     let parallel = request.camera.projection() == Projection::Parallel;
@@ -184,7 +185,8 @@ pub(super) fn in_image(builder: &mut SceneBuilder, request: &Request, palette: P
         Look { name, ..look }.mark(builder, p);
     }
     if let Some(Probe::Window(point)) = request.probe() {
-        // A hair behind the window: what lies in the front plane is clipped or not as rounding has it, and any point of the ray has this pixel.
+        // A hair behind the window: what lies in the front plane is clipped or not as rounding has it, and any point of
+        // the ray has this pixel.
         let (origin, window, end) = ray_of(request, point);
         let behind = origin + (window - origin) * 1.001;
         let p = if behind.distance(origin) < end.distance(origin) { behind } else { window.midpoint(end) };

@@ -50,8 +50,8 @@ pub struct Finish {
 }
 
 impl Request {
-    /// A picture of a figure, with nothing pointed at. The camera is the figure's, or what operations have made of it; the
-    /// scene is [`scene_of`](super::scene_of) the figure.
+    /// A picture of a figure, with nothing pointed at. The camera is the figure's, or what operations have made of it;
+    /// the scene is [`scene_of`](super::scene_of) the figure.
     #[must_use]
     pub fn of(
         figure: &Figure,
@@ -108,14 +108,15 @@ impl Request {
         })
     }
 
-    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image is seen by the
-    /// camera alone.
+    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image
+    /// is seen by the camera alone.
     #[must_use]
     pub fn observer(&self) -> Option<Observer> {
         observer_in(&self.shot.observers, self.view)
     }
 
-    /// The canonical picture on its way from the world, step by step; `None`: there is no way that the camera can go, or none is shown.
+    /// The canonical picture on its way from the world, step by step; `None`: there is no way that the camera can go,
+    /// or none is shown.
     #[must_use]
     pub fn normalizing(&self) -> Option<Normalizing> {
         Normalizing::of(self.shot.show.step?, &self.camera)
@@ -141,8 +142,8 @@ impl Request {
         self.hover.object.or(self.shot.measured_object)
     }
 
-    /// The image, without margins and legends, for the view window in the world: half as large as the picture, within reason, and
-    /// with the aspect of the window, in which it is undistorted.
+    /// The image, without margins and legends, for the view window in the world: half as large as the picture, within
+    /// reason, and with the aspect of the window, in which it is undistorted.
     #[must_use]
     pub fn image_on_window(&self) -> Self {
         let side = (self.size.width.max(self.size.height) / 2).clamp(256, 1024);
@@ -194,8 +195,8 @@ pub fn observer_in(observers: &Observers, view: View) -> Option<Observer> {
     }
 }
 
-/// A scene that requests share. Two are equal where they are the same one, not where they look alike: scenes have millions of
-/// vertices, and whoever keeps one makes another only when something in it has changed.
+/// A scene that requests share. Two are equal where they are the same one, not where they look alike: scenes have
+/// millions of vertices, and whoever keeps one makes another only when something in it has changed.
 #[derive(Clone, Debug, Default)]
 pub struct SharedScene(Arc<SceneWithBounds>);
 

@@ -134,8 +134,8 @@ pub(super) fn in_world(request: &Request, palette: Palette) -> Revealed {
 }
 
 impl Revealed {
-    /// From the display space of the notes to that of a convention of NDC, which is named where it is another and the picture has room:
-    /// in a small one the name would cover the axes.
+    /// From the display space of the notes to that of a convention of NDC, which is named where it is another and the
+    /// picture has room: in a small one the name would cover the axes.
     fn move_into(&mut self, canonical: &CanonicalBox, request: &Request, palette: Palette) {
         const SMALL: f64 = 200.0;
         let (ndc, labels) = (canonical.ndc, request.labels);
@@ -344,8 +344,8 @@ struct Wider {
 }
 
 impl Wider {
-    /// Sees [`REACH`] times as much in each direction of NDC, as far as there is anything in front of the eye. `None` where that
-    /// is not a camera.
+    /// Sees [`REACH`] times as much in each direction of NDC, as far as there is anything in front of the eye. `None`
+    /// where that is not a camera.
     fn new(camera: &Camera) -> Option<Self> {
         let (f, b) = (camera.near(), camera.far());
         let (near, far) = match camera.projection() {

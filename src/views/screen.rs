@@ -42,7 +42,8 @@ impl Screen {
         self.extent
     }
 
-    /// Where a point is drawn, in pixels; also outside the rectangle. `None` for what is not in front of the near plane.
+    /// Where a point is drawn, in pixels; also outside the rectangle. `None` for what is not in front of the near
+    /// plane.
     pub(super) fn place(&self, p: DVec3) -> Option<DVec2> {
         let c = self.camera.clip_point(p);
         let in_front = c.w > 0.0 && c.z >= -c.w * (1.0 + 1e-12);
@@ -85,7 +86,8 @@ impl Screen {
         self.camera.ray_through_window(self.window_point(px))
     }
 
-    /// The direction in which a point moves on the screen when it moves along `direction`; zero where that cannot be seen.
+    /// The direction in which a point moves on the screen when it moves along `direction`; zero where that cannot be
+    /// seen.
     pub(super) fn heading(&self, p: DVec3, direction: DVec3) -> DVec2 {
         let step = direction * (self.units_per_pixel(p) * 0.01);
         match (self.place(p), self.place(p + step)) {

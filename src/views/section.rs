@@ -94,8 +94,9 @@ impl<'a> Profile<'a> {
     }
 }
 
-/// The point that is pointed at; without one, the first of the figure's points in front of C, or P where the scene names one there; else the vertex inside the volume whose image
-/// is farthest from the axis, or PF. And its name, by which it is told from others.
+/// The point that is pointed at; without one, the first of the figure's points in front of C, or P where the scene
+/// names one there; else the vertex inside the volume whose image is farthest from the axis, or PF. And its name, by
+/// which it is told from others.
 fn example(request: &Request) -> (DVec3, String) {
     let camera = &request.camera;
     let labels = request.labels;

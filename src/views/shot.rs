@@ -1,5 +1,5 @@
-//! All that pictures show, as one value: what a file, a link, a session and an export can hold. What only the pointer makes is
-//! [`Hover`](super::Hover).
+//! All that pictures show, as one value: what a file, a link, a session and an export can hold. What only the pointer
+//! makes is [`Hover`](super::Hover).
 
 use std::sync::Arc;
 
@@ -51,7 +51,8 @@ impl Shot {
         }
     }
 
-    /// What is seen of it in one of the pictures: what belongs to the others is at its default, so that it changes nothing here.
+    /// What is seen of it in one of the pictures: what belongs to the others is at its default, so that it changes
+    /// nothing here.
     #[must_use]
     pub fn seen_in(&self, view: View) -> Self {
         let show = &self.show;
@@ -92,8 +93,8 @@ impl Shot {
         }
     }
 
-    /// What a picture shows of the pipeline's inner work: what is asked for, and while a stage of the image is shown, what belongs to it in
-    /// the pictures beside.
+    /// What a picture shows of the pipeline's inner work: what is asked for, and while a stage of the image is shown,
+    /// what belongs to it in the pictures beside.
     fn revealed_in(&self, view: View) -> Reveal {
         let reveal = self.look.reveal;
         let beside = self.show.stage_of == StagePicture::default() && view != View::Image;

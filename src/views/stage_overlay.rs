@@ -1,7 +1,8 @@
 //! A stage of the pipeline in the picture that it made: what goes in and what comes out.
 //!
-//! What is done to vertices, triangles and objects is drawn over the picture, as it was noted while the picture was made
-//! ([`StageWork`]). What is done to pixels shows in two halves: the left one as it is before the stage, the right one after it.
+//! What is done to vertices, triangles and objects is drawn over the picture, as it was noted while the picture was
+//! made ([`StageWork`]). What is done to pixels shows in two halves: the left one as it is before the stage, the right
+//! one after it.
 
 use std::ops::Range;
 

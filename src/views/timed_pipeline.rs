@@ -8,8 +8,8 @@ use crate::camera::Camera;
 use crate::pipeline::{Frame, Options, Pipeline, Target};
 use crate::scene::Scene;
 
-/// The pipeline, with buffers that serve one picture after the other, and a clock for those who want to know how long each stage
-/// takes.
+/// The pipeline, with buffers that serve one picture after the other, and a clock for those who want to know how long
+/// each stage takes.
 #[derive(Clone, Debug, Default)]
 pub struct TimedPipeline {
     /// The stages.

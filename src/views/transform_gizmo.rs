@@ -59,8 +59,8 @@ fn ring(gizmo: &TransformGizmo, screen: &Screen, axis: usize) -> Vec<DVec3> {
     points
 }
 
-/// The part at `pointer` (pixels), within `reach` pixels: an arrow or bar near its tip or on its outer half (not where it is
-/// seen end-on and cannot be dragged), a ring, or the middle of the bars.
+/// The part at `pointer` (pixels), within `reach` pixels: an arrow or bar near its tip or on its outer half (not where
+/// it is seen end-on and cannot be dragged), a ring, or the middle of the bars.
 #[must_use]
 pub fn part_at(request: &Request, pointer: DVec2, reach: f64) -> Option<GizmoPart> {
     let gizmo = request.hover.gizmo?;
@@ -95,8 +95,8 @@ fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     p.distance(a + way * t)
 }
 
-/// What a part of `gizmo` was pulled by when the pointer went from `from` to `to` (pixels). `None` where that cannot be read: an
-/// axis seen end-on, a bar pulled through the middle.
+/// What a part of `gizmo` was pulled by when the pointer went from `from` to `to` (pixels). `None` where that cannot be
+/// read: an axis seen end-on, a bar pulled through the middle.
 #[must_use]
 pub fn pull(request: &Request, gizmo: &TransformGizmo, part: GizmoPart, from: DVec2, to: DVec2) -> Option<Pull> {
     let screen = world_framing::screen(request)?;
@@ -143,8 +143,8 @@ fn turned(gizmo: &TransformGizmo, axis: usize, length: f64, grip: &Grip<'_>) -> 
     Some(Angle::from_radians(normal.dot(a.cross(b)).atan2(a.dot(b))))
 }
 
-/// Adds the gizmo, if there is one; nothing hides it. Its letters are those of the fields, T, R and S, which tells it from the
-/// axes of the world.
+/// Adds the gizmo, if there is one; nothing hides it. Its letters are those of the fields, T, R and S, which tells it
+/// from the axes of the world.
 pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
     let Some(gizmo) = request.hover.gizmo else { return };
     let letter = match gizmo.does {

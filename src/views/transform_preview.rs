@@ -24,7 +24,8 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
     }
 }
 
-/// The objects as glass, and of those without faces their strokes; what is scaled to nothing has no faces to be seen. Where they stand already, there is nothing to add.
+/// The objects as glass, and of those without faces their strokes; what is scaled to nothing has no faces to be seen.
+/// Where they stand already, there is nothing to add.
 fn bodies(builder: &mut SceneBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
     let mut add = |name: &str, mesh, world_from_object: DMat4| {
         if world_from_object.determinant().abs() <= f64::MIN_POSITIVE {

@@ -1,7 +1,9 @@
-//! Vanishing points of the scene's three directions, with their construction: `[4]`, ideal points under a projective map.
+//! Vanishing points of the scene's three directions, with their construction: `[4]`, ideal points under a projective
+//! map.
 //!
-//! The lines of a direction **d** meet in the image of its ideal point, M (d, 0): where w ≠ 0 that is the point in which the parallel to **d** through C
-//! meets the view plane. In parallel projection w = 0: ideal points stay ideal, parallels stay parallel.
+//! The lines of a direction **d** meet in the image of its ideal point, M (d, 0): where w ≠ 0 that is the point in
+//! which the parallel to **d** through C meets the view plane. In parallel projection w = 0: ideal points stay ideal,
+//! parallels stay parallel.
 
 use glam::{DVec2, DVec3};
 
@@ -18,8 +20,8 @@ use super::{Palette, Request};
 /// The directions, and how their vanishing points are called.
 const DIRECTIONS: [(DVec3, &str); 3] = [(DVec3::X, "V_x"), (DVec3::Y, "V_y"), (DVec3::Z, "V_z")];
 
-/// (x_p, y_p) of the vanishing point of a direction, `[0]` (5.9), (5.10) of its ideal point; `None` where that is ideal itself: in parallel
-/// projection, and for what is parallel to the view plane up to rounding.
+/// (x_p, y_p) of the vanishing point of a direction, `[0]` (5.9), (5.10) of its ideal point; `None` where that is ideal
+/// itself: in parallel projection, and for what is parallel to the view plane up to rounding.
 pub(super) fn vanishing_point(camera: &Camera, direction: DVec3) -> Option<DVec2> {
     let basis = camera.basis();
     let along = direction.dot(basis.n);
@@ -113,7 +115,8 @@ fn horizon(drawing: &mut Drawing, picture: &Picture<'_>, request: &Request, pale
     }
 }
 
-/// Of each edge of a box along a direction, the window point of the end from which it runs to the vanishing point: the one nearer to the eye, in front of it.
+/// Of each edge of a box along a direction, the window point of the end from which it runs to the vanishing point: the
+/// one nearer to the eye, in front of it.
 fn nearest_ends(camera: &Camera, bounds: Aabb, direction: DVec3) -> Vec<DVec2> {
     let view = |p: DVec3| camera.view_point(p);
     let corners = bounds.corners();

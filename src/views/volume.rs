@@ -1,5 +1,5 @@
-//! The view volume as the world shows it: whole, or, where it is so large or so far that all else would be too small to be read, drawn
-//! nearer and narrower, with its edges broken, as draughtsmen break a long shaft.
+//! The view volume as the world shows it: whole, or, where it is so large or so far that all else would be too small to
+//! be read, drawn nearer and narrower, with its edges broken, as draughtsmen break a long shaft.
 
 use glam::DVec3;
 
@@ -9,17 +9,19 @@ use crate::geometry::Aabb;
 /// So many times larger than all else the whole volume may make what there is to see; beyond it, the volume is broken.
 const MOST_ENLARGED: f64 = 2.5;
 
-/// Where a broken volume ends in the picture, and where its gap is, measured by the depth at which all that there is to see ends.
+/// Where a broken volume ends in the picture, and where its gap is, measured by the depth at which all that there is to
+/// see ends.
 const END: f64 = 1.22;
 const GAP: [f64; 2] = [1.06, 1.105];
 
-/// Where F is more than so many times the depth at which all that there is to see ends, the window is drawn where the far face of a broken
-/// volume is, the far face behind it, as deep as this at most.
+/// Where F is more than so many times the depth at which all that there is to see ends, the window is drawn where the
+/// far face of a broken volume is, the far face behind it, as deep as this at most.
 const FARTHEST: f64 = 4.0;
 const DEEPEST: f64 = 0.5;
 
-/// How far the corners of a wide volume may pull the picture's border, measured by the radius of all else. One that is wider around its
-/// axis is drawn as wide as [`NARROWED`], with broken sides; of one twice as wide that lies aside, only the middle is in the picture.
+/// How far the corners of a wide volume may pull the picture's border, measured by the radius of all else. One that is
+/// wider around its axis is drawn as wide as [`NARROWED`], with broken sides; of one twice as wide that lies aside,
+/// only the middle is in the picture.
 const WIDEST: f64 = 26.0;
 const NARROWED: f64 = 2.2;
 const MIDDLE: f64 = 4.0;
@@ -198,12 +200,14 @@ impl DrawnVolume {
             .collect()
     }
 
-    /// F after the window was moved by `way` (units) along DOP from where it is drawn: one that is drawn nearer goes in proportion.
+    /// F after the window was moved by `way` (units) along DOP from where it is drawn: one that is drawn nearer goes in
+    /// proportion.
     pub(super) fn near_moved(&self, way: f64) -> f64 {
         if self.before.is_some() { self.near * (self.start + way) / self.start } else { self.near + way }
     }
 
-    /// B after the far face was moved by `way` (units) along DOP from where it is drawn: that of a broken volume goes in proportion.
+    /// B after the far face was moved by `way` (units) along DOP from where it is drawn: that of a broken volume goes
+    /// in proportion.
     pub(super) fn far_moved(&self, way: f64) -> f64 {
         let broken = self.gap.or(self.before).is_some();
         if broken { self.far * (self.end + way) / self.end } else { self.far + way }

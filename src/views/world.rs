@@ -190,8 +190,8 @@ impl World<'_> {
         self.face(&near, self.palette.ink, 2.0, Dash::Solid);
     }
 
-    /// How opaque the image on the window may be so that it does not hide the scene: fully as long as it stands before little of
-    /// it, and the fainter the more it covers.
+    /// How opaque the image on the window may be so that it does not hide the scene: fully as long as it stands before
+    /// little of it, and the fainter the more it covers.
     fn unobtrusive(&self) -> f64 {
         const LITTLE: f64 = 0.12;
         const MUCH: f64 = 0.45;
@@ -248,7 +248,8 @@ impl World<'_> {
         [window, far]
     }
 
-    /// Writes a face's name at the uppermost of its corners that can be seen, unless the face is too small to be told from a point.
+    /// Writes a face's name at the uppermost of its corners that can be seen, unless the face is too small to be told
+    /// from a point.
     fn name_face(&mut self, face: &[DVec3; 4], text: &str) {
         let screen = self.builder.screen;
         let Some(middle) = screen.place(face.iter().sum::<DVec3>() / 4.0) else { return };

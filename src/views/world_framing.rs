@@ -19,8 +19,8 @@ pub(super) fn observer(request: &Request, viewpoint: Viewpoint) -> Observer {
     framing(request, viewpoint.direction(iso, camera.basis()))
 }
 
-/// The observer that keeps `observer`'s direction as long as it is clear of the camera's axes, and has everything of interest in
-/// the picture.
+/// The observer that keeps `observer`'s direction as long as it is clear of the camera's axes, and has everything of
+/// interest in the picture.
 pub(super) fn kept_clear(request: &Request, observer: &Observer) -> Observer {
     framing(request, Direction::from(*observer).clear_of(&lines(&request.camera)))
 }
@@ -36,8 +36,8 @@ pub(super) fn fit(request: &Request, observer: &Observer) -> Observer {
     framing(request, Direction::from(*observer))
 }
 
-/// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a framing only, and each next
-/// one knows it better.
+/// Frames what is of interest; the camera's gear has a size in pixels, so its room is known after a framing only, and
+/// each next one knows it better.
 fn framing(request: &Request, direction: Direction) -> Observer {
     let content = Content::of(request);
     let mut observer = enclosing(&content.of_interest, direction, request.size);

@@ -82,8 +82,8 @@ fn a_vertex_is_marked_in_all_three_pictures_with_its_coordinates() {
     assert!(text.contains(&x), "{text} has no {x}");
 }
 
-/// A window of 3 × 4 over 1024 × 768 pixels, as in exercise 5.2: the pointer, the probe and the cross of lines name the pixels of
-/// the m × n image, which are those of `inspect` and of the PNG (`tests/it/image_pixels.rs`).
+/// A window of 3 × 4 over 1024 × 768 pixels, as in exercise 5.2: the pointer, the probe and the cross of lines name the
+/// pixels of the m × n image, which are those of `inspect` and of the PNG (`tests/it/image_pixels.rs`).
 #[test]
 fn pixels_that_are_not_square_are_those_of_the_image_that_is_shown() {
     let mut h = stage(|state| {

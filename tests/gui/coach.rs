@@ -67,7 +67,8 @@ fn the_line_under_the_pictures_opens_all_there_is_to_say_and_repairs() {
     assert_eq!(window.state().document.figure().camera.near, 1e-5);
 }
 
-/// While the coach looks at what has changed, a click on its button is the coach's all the same, and its neighbours stay where they are.
+/// While the coach looks at what has changed, a click on its button is the coach's all the same, and its neighbours
+/// stay where they are.
 #[test]
 fn a_click_is_the_coachs_also_while_it_looks_at_what_has_changed() {
     let mut window = window(Lang::En);

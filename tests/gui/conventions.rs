@@ -139,7 +139,8 @@ fn the_probe_and_a_presentation_are_in_the_convention() {
     }
 }
 
-/// The exported canonical volume is the one on the screen and says whose NDC it is in; in that of the notes nothing is said.
+/// The exported canonical volume is the one on the screen and says whose NDC it is in; in that of the notes nothing is
+/// said.
 #[test]
 fn an_exported_canonical_volume_is_in_the_convention_and_names_it() {
     let folder = Folder::new("export-convention");

@@ -15,7 +15,8 @@ use super::exercises::{fill, focused, made, right, window, window_of, working_on
 use super::files::Folder;
 use super::window::Window;
 
-/// A window that keeps preferences and progress in a folder; the next one in the same folder is the program started again.
+/// A window that keeps preferences and progress in a folder; the next one in the same folder is the program started
+/// again.
 fn keeping(folder: &Folder) -> Window {
     // With room for panels on both sides.
     let mut window = window_of(Lang::En, [1400.0, 1900.0]);

@@ -1,4 +1,5 @@
-//! The pictures of the guides' chapter on the explanations, a window for each tab: `cargo test --test gui guide_pictures -- --ignored` draws them anew.
+//! The pictures of the guides' chapter on the explanations, a window for each tab:
+//! `cargo test --test gui guide_pictures -- --ignored` draws them anew.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

@@ -1,7 +1,7 @@
 //! A small renderer for egui's triangles, so that whole windows can be compared without a graphics card.
 //!
-//! Integer edge functions at pixel centres with 8 sub-pixel bits and the top-left rule, as a graphics card does it; colours are
-//! blended in gamma space, as egui's own renderers do.
+//! Integer edge functions at pixel centres with 8 sub-pixel bits and the top-left rule, as a graphics card does it;
+//! colours are blended in gamma space, as egui's own renderers do.
 
 use std::cell::RefCell;
 use std::collections::HashMap;

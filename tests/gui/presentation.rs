@@ -1,4 +1,5 @@
-//! A lecture: one figure after the other without losing what was changed, and what is drawn and shown over the pictures.
+//! A lecture: one figure after the other without losing what was changed, and what is drawn and shown over the
+//! pictures.
 
 use std::fs;
 

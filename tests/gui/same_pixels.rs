@@ -112,7 +112,8 @@ fn the_screen_the_export_and_render_agree_on_the_image() {
     assert_same_at_both_scales(View::Image, "[reveal]\ndepth = \"linear\"\nclipping = true\n");
 }
 
-/// Turns the camera in a hundred steps, which leave their rests in it: the observers stay where they were as long as all is in sight.
+/// Turns the camera in a hundred steps, which leave their rests in it: the observers stay where they were as long as
+/// all is in sight.
 fn turn(window: &mut Window) {
     for k in 0..100 {
         let turn = Angle::from_degrees(if k < 50 { 1.3 } else { -0.7 });

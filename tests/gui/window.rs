@@ -22,8 +22,8 @@ pub(crate) struct Window {
 }
 
 impl Window {
-    /// A window of the usual size with the camera that it begins with. There is little to draw in it, because pictures take
-    /// their time without optimisation.
+    /// A window of the usual size with the camera that it begins with. There is little to draw in it, because pictures
+    /// take their time without optimisation.
     pub(crate) fn new(lang: Lang) -> Self {
         let mut figure = camera_lab::gui::fresh();
         figure.scene.preset = Preset::Empty;
@@ -148,7 +148,8 @@ impl Window {
         self.run();
     }
 
-    /// Takes the pointer to `from`, presses, moves it by `way` in steps, and lets go after `held` has looked at the window.
+    /// Takes the pointer to `from`, presses, moves it by `way` in steps, and lets go after `held` has looked at the
+    /// window.
     pub(crate) fn drag(&mut self, from: Pos2, way: Vec2, held: impl FnOnce(&mut Self)) {
         self.harness.hover_at(from);
         self.run();
@@ -163,7 +164,8 @@ impl Window {
         self.run();
     }
 
-    /// Every text as it was drawn in the last frame, one for each of its lines (what was cut off is not there), and where.
+    /// Every text as it was drawn in the last frame, one for each of its lines (what was cut off is not there), and
+    /// where.
     pub(crate) fn written(&self) -> Vec<(String, Rect)> {
         fn collect(shape: &Shape, clip: Rect, written: &mut Vec<(String, Rect)>) {
             match shape {

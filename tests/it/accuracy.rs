@@ -98,8 +98,8 @@ fn single_precision_loses_a_world_far_away_and_keeps_it_relative_to_the_eye() {
     }
 }
 
-/// The axis u is off by the unit roundoff over the angle: Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, §1.7 on
-/// cancellation.
+/// The axis u is off by the unit roundoff over the angle: Higham, *Accuracy and Stability of Numerical Algorithms*,
+/// 2002, §1.7 on cancellation.
 #[test]
 fn a_naive_basis_is_off_by_the_unit_roundoff_over_the_angle_and_the_programs_is_not() {
     let findings = findings(Study::Basis);
@@ -123,7 +123,8 @@ fn matrices_drift_with_the_number_of_operations_and_the_program_does_not() {
     }
 }
 
-/// The measured interval is the predicted one: exactly where the arithmetic is that of the format, within a few roundings elsewhere.
+/// The measured interval is the predicted one: exactly where the arithmetic is that of the format, within a few
+/// roundings elsewhere.
 #[test]
 fn depths_are_told_apart_as_the_theory_predicts() {
     let findings = findings(Study::DepthBuffer);
@@ -202,7 +203,8 @@ fn plots_are_files_of_their_kind() {
     }
 }
 
-/// Of three bars each over the next no order of whole faces is right; a depth buffer and a BSP, which cuts them, are right but for edges.
+/// Of three bars each over the next no order of whole faces is right; a depth buffer and a BSP, which cuts them, are
+/// right but for edges.
 #[test]
 fn the_painter_fails_where_surfaces_interlock_and_depth_buffers_where_steps_are_coarse() {
     let findings = findings(Study::Visibility);

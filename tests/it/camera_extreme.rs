@@ -73,8 +73,8 @@ fn is_nearest(found: f64, exact: f64) -> bool {
     (found - exact).abs() <= exact.abs().next_up() - exact.abs()
 }
 
-/// With C so far away, p − C has no digits left of p. Held against 512 bits, in which **u** · (p − C) = **u** · (p − PF) is computed from PF,
-/// where nothing cancels; and against a value of 1500 digits.
+/// With C so far away, p − C has no digits left of p. Held against 512 bits, in which **u** · (p − C) = **u** · (p −
+/// PF) is computed from PF, where nothing cancels; and against a value of 1500 digits.
 #[test]
 fn a_camera_however_far_away_keeps_every_digit() {
     const ENTRY: f64 = -1.423_883_761_860_283_6;
@@ -110,7 +110,8 @@ fn a_camera_however_far_away_keeps_every_digit() {
     }
 }
 
-/// A turn about PF moves C, and what is left of it by rounding is as large as the world near PF: the sideways coordinates come from PF all the same.
+/// A turn about PF moves C, and what is left of it by rounding is as large as the world near PF: the sideways
+/// coordinates come from PF all the same.
 #[test]
 fn a_far_camera_that_has_turned_about_pf_keeps_every_digit() {
     let image = ImageSize { width: 640, height: 480 };

@@ -1,5 +1,5 @@
-//! Pixels of points: floors are those of the exact numbers, on a border of pixels and beside it, for windows of any size and
-//! cameras that rounding has touched.
+//! Pixels of points: floors are those of the exact numbers, on a border of pixels and beside it, for windows of any
+//! size and cameras that rounding has touched.
 
 use camera_lab::camera::{Camera, ImageSize, Parameters, Projected, Projection, Viewport};
 use glam::{DVec2, DVec3};
@@ -54,8 +54,8 @@ fn a_point_inside_a_pixel_belongs_to_it_however_large_the_window_is() {
     }
 }
 
-/// Points on the axis of projection lie exactly on the corner of four pixels, though no basis vector of these cameras is a
-/// vector of `f64`s.
+/// Points on the axis of projection lie exactly on the corner of four pixels, though no basis vector of these cameras
+/// is a vector of `f64`s.
 #[test]
 fn a_point_on_a_border_of_pixels_is_known_through_the_rounding_of_the_basis() {
     for projection in [Projection::Perspective, Projection::Parallel] {

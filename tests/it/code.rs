@@ -1,4 +1,5 @@
-//! The camera as code, and in other words: glam's runs here, GLU's numbers go through the formulas of its manual, others are run by `tests/code/check.py`.
+//! The camera as code, and in other words: glam's runs here, GLU's numbers go through the formulas of its manual,
+//! others are run by `tests/code/check.py`.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

@@ -144,8 +144,9 @@ fn where_a_warning_says_something_the_line_is_not_good_and_repairs_help() {
     assert!(warned > 400);
 }
 
-/// z_n as the matrix of each convention has it, and what formats make of two planes: the length of a step against the change of depth
-/// that changes what is stored by one, by a formula of its own, and stripes where that is longer than the gap.
+/// z_n as the matrix of each convention has it, and what formats make of two planes: the length of a step against the
+/// change of depth that changes what is stored by one, by a formula of its own, and stripes where that is longer than
+/// the gap.
 #[test]
 fn depth_formats_follow_the_convention() {
     for projection in [Projection::Perspective, Projection::Parallel] {
@@ -169,7 +170,8 @@ fn depth_formats_follow_the_convention() {
                 assert_eq!(found.iter().any(|format| format.format == "f32"), !ndc.reversed);
                 for format in found {
                     let through = format.planes.share_through();
-                    // A step that is much shorter than the gap parts the planes everywhere, one that is much longer almost nowhere.
+                    // A step that is much shorter than the gap parts the planes everywhere, one that is much longer
+                    // almost nowhere.
                     let clear = format.step < 0.004 || format.step > 0.2;
                     assert!(
                         !clear || (through > 0.5) == (format.step > 0.2),

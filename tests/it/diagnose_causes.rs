@@ -1,4 +1,5 @@
-//! Why is my picture empty? Hundreds of random cameras for each cause: the first finding names it, and its repair shows the object.
+//! Why is my picture empty? Hundreds of random cameras for each cause: the first finding names it, and its repair shows
+//! the object.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -315,7 +316,8 @@ fn the_cause_of_most_objects_comes_first() {
     assert_eq!(diagnosis.findings.len(), 3);
 }
 
-/// What is lost whole and what is lost in part for the same reason is one finding, and what is done about it shows the former.
+/// What is lost whole and what is lost in part for the same reason is one finding, and what is done about it shows the
+/// former.
 #[test]
 fn a_cause_is_said_once_with_what_is_lost_whole_and_in_part() {
     let p = Parameters { position: DVec3::ZERO, focal_point: DVec3::NEG_Z, far: 20.0, ..Parameters::default() };

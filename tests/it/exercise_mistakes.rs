@@ -19,7 +19,8 @@ fn codes(judged: &Judged) -> Vec<&'static str> {
     judged.diagnosis.iter().flat_map(|found| &found.mistakes).map(|mistake| mistake.code()).collect()
 }
 
-/// M_v of `view-matrix` with seed 1, C = (2, 1, 1), by hand: **n** = (3, 1, 2)/√14, **u** = (2, 0, −3)/√13, **v** = (−3, 13, −2)/√182.
+/// M_v of `view-matrix` with seed 1, C = (2, 1, 1), by hand: **n** = (3, 1, 2)/√14, **u** = (2, 0, −3)/√13, **v** =
+/// (−3, 13, −2)/√182.
 fn view_matrix(last: [&str; 3]) -> String {
     let [x, y, z] = last;
     format!("[[2/√13, 0, -3/√13, {x}], [-3/√182, 13/√182, -2/√182, {y}], [3/√14, 1/√14, 2/√14, {z}], [0, 0, 0, 1]]")
@@ -74,7 +75,8 @@ fn each_mistake_gets_its_code() {
         // The point is in column 445 and row 331, its y_p is −0.956 of a window 5 high: ⌊480·(2.5 − 0.956)/5⌋ = 148.
         ("pixel", "pixel", "[331, 445]".to_owned(), "columns-and-rows-exchanged"),
         ("pixel", "pixel", "[445, 148]".to_owned(), "y-not-flipped"),
-        // x_p = −6 + 12·51/96 = 0.375 and y_p = 3 − 6·47/48 = −2.875 along u = (−2, 3, 0)/√13 and v = (18, 12, 13)/(7√13).
+        // x_p = −6 + 12·51/96 = 0.375 and y_p = 3 − 6·47/48 = −2.875 along u = (−2, 3, 0)/√13 and v = (18, 12,
+        // 13)/(7√13).
         (
             "ray",
             "origin",
@@ -88,7 +90,8 @@ fn each_mistake_gets_its_code() {
             "[[3/√2, -3/√2, 0, 27/√2], [1/√2, 1/√2, 0, 1/√2], [0, 0, 0.5, 0.5], [0, 0, 0, 1]]".to_owned(),
             "order-reversed",
         ),
-        // n = (1, 1, 1)/√3, u = (−1, 1, 0)/√2, v = (−1, −1, 2)/√6, and 45°: about v in the place of u; and the other way.
+        // n = (1, 1, 1)/√3, u = (−1, 1, 0)/√2, v = (−1, −1, 2)/√6, and 45°: about v in the place of u; and the other
+        // way.
         ("elevation", "n", "[1/√6 - 1/2, 1/√6 + 1/2, 1/√6]".to_owned(), "other-operation"),
         ("elevation", "n", "[1/√6 - 1/√12, 1/√6 - 1/√12, 1/√6 + 2/√12]".to_owned(), "opposite-angle"),
         ("window", "H", "0.36".to_owned(), "rounded-too-early"),
@@ -135,7 +138,8 @@ fn two_mistakes_together_are_told_both() {
     assert_eq!(both, BTreeSet::from(["columns-and-rows-exchanged", "y-not-flipped"]));
 }
 
-/// `[0]` 5.2 by hand: **n** = (6, −1, −1)/√38, **u** = (0, 1, −1)/√2, **v** = (1, 3, 3)/√19; after the zoom t = F/3 and r = F/4.
+/// `[0]` 5.2 by hand: **n** = (6, −1, −1)/√38, **u** = (0, 1, −1)/√2, **v** = (1, 3, 3)/√19; after the zoom t = F/3 and
+/// r = F/4.
 #[test]
 fn what_depends_on_f_may_be_a_formula_in_f() {
     let corner = |f: &str, of_v: &str| {

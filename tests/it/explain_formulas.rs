@@ -1,5 +1,5 @@
-//! Every entry of every matrix has a formula whose numbers give the entry; every symbol a definition that gives the symbol; and a point's
-//! trace adds up, forward and back.
+//! Every entry of every matrix has a formula whose numbers give the entry; every symbol a definition that gives the
+//! symbol; and a point's trace adds up, forward and back.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

@@ -17,7 +17,8 @@ fn table<'a>(guide: &'a str, heading: &str) -> Vec<Vec<&'a str>> {
     rows.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()
 }
 
-/// What a turn changes, about which axis and through which point, in the words of the table: from what it does to a camera.
+/// What a turn changes, about which axis and through which point, in the words of the table: from what it does to a
+/// camera.
 fn done(freedom: Freedom, lang: Lang) -> [String; 3] {
     let before = camera(|p| {
         (p.position, p.focal_point, p.view_up) = (glam::DVec3::new(3.0, 4.0, 5.0), glam::DVec3::ONE, glam::DVec3::Y);

@@ -1,4 +1,5 @@
-//! The image picture is the m × n image of (5.22): what `inspect` says of a point's pixel holds in the PNG, also where A ≠ m / n.
+//! The image picture is the m × n image of (5.22): what `inspect` says of a point's pixel holds in the PNG, also where
+//! A ≠ m / n.
 
 use std::io::Cursor;
 

@@ -139,7 +139,8 @@ fn several_objects_and_materials_become_several_parts() {
 
 #[test]
 fn oddities_of_real_files_are_read() {
-    // Windows ends, tabs, a continued line, a comment behind values, Latin-1, vertex colours, a weight, lines and points.
+    // Windows ends, tabs, a continued line, a comment behind values, Latin-1, vertex colours, a weight, lines and
+    // points.
     let mut bytes =
         b"# caf\xe9\r\nv\t0 0 0 0.5 0.5 0.5\r\nv 2 0 0 2 # halved\r\nv 0 1 \\\r\n0\r\nl 1 2 3\r\np 1\r\ns off\r\n"
             .to_vec();

@@ -14,7 +14,8 @@ use camera_lab::views::{Request, SharedScene, Size, TimedPipeline, View, frame, 
 
 use crate::common::program::{Bench, Run};
 
-/// Looks along −z at a box of which one edge is in the window, which is `width` wide. C is at x = 0.1, and the edge at 1.1 − 1.
+/// Looks along −z at a box of which one edge is in the window, which is `width` wide. C is at x = 0.1, and the edge at
+/// 1.1 − 1.
 fn figure(width: f64) -> String {
     let half = width / 2.0;
     format!(

@@ -1,5 +1,5 @@
-//! Conventions of NDC: the matrices of each against glam, against what GLM, three.js and VTK print, and against 512 bits; where near, far
-//! and the corners land; the way back; the far plane that goes to infinity.
+//! Conventions of NDC: the matrices of each against glam, against what GLM, three.js and VTK print, and against 512
+//! bits; where near, far and the corners land; the way back; the far plane that goes to infinity.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -26,7 +26,8 @@ fn spaces(camera: &Camera) -> impl Iterator<Item = ClipSpace<'_>> {
     Ndc::ALL.into_iter().filter_map(|ndc| camera.clip_space(ndc).ok())
 }
 
-/// Entries that differ by no more than some ε of themselves, or of a greatest entry where what cancels was rounded before.
+/// Entries that differ by no more than some ε of themselves, or of a greatest entry where what cancels was rounded
+/// before.
 #[track_caller]
 fn assert_near(found: DMat4, expected: DMat4, relative: f64, absolute: f64, what: &str) {
     for (a, b) in found.to_cols_array().into_iter().zip(expected.to_cols_array()) {
@@ -81,7 +82,8 @@ fn glam(camera: &Camera, ndc: Ndc) -> Option<DMat4> {
         (Projection::Parallel, reversed, false) => {
             let [near, far] = if reversed { [far, near] } else { [near, far] };
             match (down, unit || reversed) {
-                // (glam 0.34.2 forgets the sign of the last entry of row Y in proj::vulkan::orthographic: t would not land at −1.)
+                // (glam 0.34.2 forgets the sign of the last entry of row Y in proj::vulkan::orthographic: t would not
+                // land at −1.)
                 (true, _) if !symmetric => {
                     DMat4::from_scale(DVec3::new(1.0, -1.0, 1.0))
                         * proj::directx::orthographic(left, right, bottom, top, near, far)
@@ -150,9 +152,9 @@ mod recorded {
         [[x, 0.0, 0.0, skew_x], [0.0, y, 0.0, skew_y], [0.0, 0.0, z, depth], [0.0, 0.0, 0.0, 1.0]]
     }
 
-    /// three.js r187: `new PerspectiveCamera(40, 1.5, 0.25, 80)`, `coordinateSystem` WebGL or WebGPU, reversed depth or not;
-    /// `projectionMatrix` of `Matrix4.makePerspective` in `src/math/Matrix4.js` (c = −(f + n)/(f − n), d = −2fn/(f − n) for WebGL,
-    /// c = −f/(f − n), d = −fn/(f − n) for WebGPU, c = n/(f − n), d = fn/(f − n) reversed).
+    /// three.js r187: `new PerspectiveCamera(40, 1.5, 0.25, 80)`, `coordinateSystem` WebGL or WebGPU, reversed depth or
+    /// not; `projectionMatrix` of `Matrix4.makePerspective` in `src/math/Matrix4.js` (c = −(f + n)/(f − n), d = −2fn/(f
+    /// − n) for WebGL, c = −f/(f − n), d = −fn/(f − n) for WebGPU, c = n/(f − n), d = fn/(f − n) reversed).
     pub(super) const THREE_JS: [(&str, [[f64; 4]; 4]); 4] = [
         ("opengl", perspective(-1.006_269_592_476_489, -0.501_567_398_119_122_2)),
         ("opengl-reversed", perspective(0.003_134_796_238_244_514, 0.250_783_699_059_561_1)),
@@ -171,8 +173,9 @@ mod recorded {
         ]
     };
 
-    /// VTK 9.7.2: `vtkCamera` with `SetViewAngle(40)`, `SetClippingRange(0.25, 80)`, `GetProjectionTransformMatrix(1.5, nearz, farz)` with
-    /// (nearz, farz) = (−1, 1), (0, 1) and (1, 0): `vtkPerspectiveTransform::Perspective`, then `AdjustZBuffer(-1, 1, nearz, farz)`.
+    /// VTK 9.7.2: `vtkCamera` with `SetViewAngle(40)`, `SetClippingRange(0.25, 80)`,
+    /// `GetProjectionTransformMatrix(1.5, nearz, farz)` with (nearz, farz) = (−1, 1), (0, 1) and (1, 0):
+    /// `vtkPerspectiveTransform::Perspective`, then `AdjustZBuffer(-1, 1, nearz, farz)`.
     pub(super) const VTK: [(&str, [[f64; 4]; 4]); 3] = [
         ("opengl", perspective(-1.006_269_592_476_489, -0.501_567_398_119_122_2)),
         ("direct3d", perspective(-1.003_134_796_238_244_4, -0.250_783_699_059_561_1)),
@@ -189,8 +192,9 @@ mod recorded {
         ]
     };
 
-    /// GLM 1.1.0 (b1fed407): `perspectiveRH_NO(radians(40), 1.5, 0.25, 80)`, `perspectiveRH_ZO` forwards and with near and far exchanged
-    /// (reversed), `infinitePerspectiveRH_NO` and `_ZO`, of `glm/ext/matrix_clip_space.inl`, in double.
+    /// GLM 1.1.0 (b1fed407): `perspectiveRH_NO(radians(40), 1.5, 0.25, 80)`, `perspectiveRH_ZO` forwards and with near
+    /// and far exchanged (reversed), `infinitePerspectiveRH_NO` and `_ZO`, of `glm/ext/matrix_clip_space.inl`, in
+    /// double.
     pub(super) const GLM: [(&str, [[f64; 4]; 4]); 5] = [
         ("opengl", perspective(-1.006_269_592_476_489, -0.501_567_398_119_122_2)),
         ("metal", perspective(-1.003_134_796_238_244_4, -0.250_783_699_059_561_1)),
@@ -214,7 +218,8 @@ mod recorded {
         ("metal", frustum(-1.003_134_796_238_244_4, -0.250_783_699_059_561_1)),
     ];
 
-    /// GLM 1.1.0: `orthoRH_NO(-0.3, 0.7, -0.2, 0.1, 0.25, 80)`, `orthoRH_ZO`, and with near and far exchanged (reversed).
+    /// GLM 1.1.0: `orthoRH_NO(-0.3, 0.7, -0.2, 0.1, 0.25, 80)`, `orthoRH_ZO`, and with near and far exchanged
+    /// (reversed).
     pub(super) const GLM_PARALLEL: [(&str, [[f64; 4]; 4]); 3] = {
         let (x, y, skew) = (2.0, 6.666_666_666_666_666, [-0.399_999_999_999_999_97, 0.333_333_333_333_333_3]);
         [
@@ -257,7 +262,8 @@ fn the_matrices_are_those_that_other_libraries_print() {
     }
 }
 
-/// The rows Z and Y of M_p from z₀ (at F), z₁ (at B) and the direction of y, in 512 bits; with an infinite far plane, its limits.
+/// The rows Z and Y of M_p from z₀ (at F), z₁ (at B) and the direction of y, in 512 bits; with an infinite far plane,
+/// its limits.
 fn in_512_bits(p: &Parameters, ndc: Ndc) -> [[f64; 4]; 4] {
     let mut matrix = chain::projection_matrix::<Reference>(p);
     let of = Reference::of;

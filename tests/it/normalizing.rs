@@ -1,4 +1,5 @@
-//! The way from the world to the canonical volume: the steps of each source against M_p M_v, its pictures, and `animate`.
+//! The way from the world to the canonical volume: the steps of each source against M_p M_v, its pictures, and
+//! `animate`.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

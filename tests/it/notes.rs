@@ -1,4 +1,5 @@
-//! The notes: every symbol, operation, equation, step and stage has one, the same in both languages, and its links lead somewhere.
+//! The notes: every symbol, operation, equation, step and stage has one, the same in both languages, and its links lead
+//! somewhere.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,5 @@
-//! One triangle step by step: outcodes, cuts, what is left, its pixels and its depth tests, against numbers reckoned by hand.
+//! One triangle step by step: outcodes, cuts, what is left, its pixels and its depth tests, against numbers reckoned by
+//! hand.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 

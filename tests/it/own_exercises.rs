@@ -1,4 +1,5 @@
-//! A lecturer's own exercises: what their files may hold, what is said of those that hold something else, and the command line over them.
+//! A lecturer's own exercises: what their files may hold, what is said of those that hold something else, and the
+//! command line over them.
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
@@ -21,8 +22,8 @@ fn fault(text: &str) -> [String; 2] {
     [Lang::En, Lang::PtBr].map(|lang| messages::figure(lang, &error))
 }
 
-/// By hand: C = (3, 4, 12), so D = 13 and **n** = (3, 4, 12)/13; (0, 1, 0) × **n** = (12, 0, −3)/13, so **u** = (4, 0, −1)/√17. A quarter turn
-/// about **v** takes **n** to **u**.
+/// By hand: C = (3, 4, 12), so D = 13 and **n** = (3, 4, 12)/13; (0, 1, 0) × **n** = (12, 0, −3)/13, so **u** = (4, 0,
+/// −1)/√17. A quarter turn about **v** takes **n** to **u**.
 #[test]
 fn the_examples_are_read_and_judged() {
     let found = read_exercises(Path::new(EXAMPLES)).unwrap();

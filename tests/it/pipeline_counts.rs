@@ -42,8 +42,8 @@ fn every_stage_says_what_went_in_and_what_came_out() {
         (Stage::Transform, (48, 48)),
         // Two triangles of the first turn to the eye, its front; four of the second, its front and its right side.
         (Stage::CullFaces, (24, 6)),
-        // The front of the second (d = 3, x ≤ −7) is outside. Its right side (x = −7) is cut at d = 3.5: of the triangle with
-        // one corner inside a triangle is left, of that with two a quadrilateral.
+        // The front of the second (d = 3, x ≤ −7) is outside. Its right side (x = −7) is cut at d = 3.5: of the
+        // triangle with one corner inside a triangle is left, of that with two a quadrilateral.
         (Stage::Clip, (6, 5)),
         // Two cuts for each of them.
         (Stage::Divide, (52, 52)),
@@ -73,13 +73,15 @@ fn flat_shading_lights_faces_and_phong_neither() {
     for without_faces in [Stage::CullFaces, Stage::Light, Stage::Normals] {
         assert_eq!(counts(&wireframe, without_faces), None);
     }
-    // All edges of the two that may be in view, and the line; of the second cube's eight edges, those of its front are outside.
+    // All edges of the two that may be in view, and the line; of the second cube's eight edges, those of its front are
+    // outside.
     assert_eq!(counts(&wireframe, Stage::Lines).map(|(asked, _)| asked), Some(17));
 }
 
 #[test]
 fn faces_that_cross_are_split() {
-    // A square on z = −4 and one on x = ½ across it: whichever plane divides, both triangles of the other square are cut.
+    // A square on z = −4 and one on x = ½ across it: whichever plane divides, both triangles of the other square are
+    // cut.
     let square = |s: DVec3, t: DVec3| Mesh {
         positions: vec![-s - t, s - t, s + t, t - s],
         triangles: vec![[0, 1, 2], [0, 2, 3]],

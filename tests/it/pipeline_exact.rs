@@ -108,8 +108,8 @@ fn ratio(a: &BigInt, b: &BigInt) -> f64 {
     i128::try_from(quotient).unwrap() as f64 * 2.0_f64.powi(-i32::try_from(shift).unwrap())
 }
 
-/// The part of a triangle in the closed volume: Sutherland and Hodgman without rounding. What is left of one that only touches
-/// the volume has no area, or only two corners.
+/// The part of a triangle in the closed volume: Sutherland and Hodgman without rounding. What is left of one that only
+/// touches the volume has no area, or only two corners.
 fn exact_polygon(eye: Eye, triangle: [[i64; 3]; 3]) -> Vec<DVec3> {
     let mut polygon = triangle.map(|p| eye.clip(p)).to_vec();
     for plane in 0..6 {
@@ -173,8 +173,8 @@ fn distance_to_one(p: DVec3, &[a, b, c]: &[DVec3; 3]) -> f64 {
 fn check(eye: Eye, triangle: [[i64; 3]; 3]) -> Result<(), TestCaseError> {
     let exact = exact_polygon(eye, triangle);
     let (exact, found) = (fan(&exact), polygon(eye, triangle));
-    // As exact as the corners of the triangle are in double precision: a few units in the last place of the largest of its
-    // coordinates, seen from the nearest point that is left.
+    // As exact as the corners of the triangle are in double precision: a few units in the last place of the largest of
+    // its coordinates, seen from the nearest point that is left.
     let size = triangle.iter().flatten().map(|c| (c.abs() as f64) * UNIT).fold(0.0, f64::max);
     let far = exact.iter().chain(&found).flatten().fold(-1.0_f64, |nearest, p| nearest.max(p.z));
     let (near_plane, far_plane) = (eye.near as f64 * UNIT, eye.far as f64 * UNIT);

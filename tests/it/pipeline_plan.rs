@@ -193,7 +193,8 @@ fn light_at_vertices_and_at_pixels_are_told_apart() {
     assert_eq!(said(&scene), [(true, Reason::LitVertices { objects: 1 }); 2]);
 }
 
-/// The same cases in every run, unless `PROPTEST_RNG_SEED` asks for others; `PROPTEST_CASES` (256) times `factor` of them.
+/// The same cases in every run, unless `PROPTEST_RNG_SEED` asks for others; `PROPTEST_CASES` (256) times `factor` of
+/// them.
 pub(crate) fn reproducible(factor: u32) -> ProptestConfig {
     let config = ProptestConfig::default();
     let rng_seed = match config.rng_seed {

@@ -151,7 +151,8 @@ fn an_oblique_window_agrees_with_its_matrix() {
 
 #[test]
 fn what_is_left_of_edges_beyond_all_proportion_to_the_volume_is_in_it() {
-    // Rounding where an edge of these meets the near plane is up to a million times as wide as the window there, and of any sign.
+    // Rounding where an edge of these meets the near plane is up to a million times as wide as the window there, and of
+    // any sign.
     let mut state = 1_u64;
     let mut number = |least: f64, most: f64| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -353,8 +353,8 @@ fn depth_is_that_of_exact_arithmetic_within_its_bound() {
         let extent = |k: usize| {
             v.iter().map(|p| p[k]).fold(f64::MIN, f64::max) - v.iter().map(|p| p[k]).fold(f64::MAX, f64::min)
         };
-        // Some roundings of the terms that a gradient is made of, as large as they get within the triangle. In slivers they
-        // are far greater than the gradient.
+        // Some roundings of the terms that a gradient is made of, as large as they get within the triangle. In slivers
+        // they are far greater than the gradient.
         let (terms_x, terms_y) = ((d1 * q[1]).abs() + (d2 * p[1]).abs(), (d2 * p[0]).abs() + (d1 * q[0]).abs());
         let terms = (terms_x * (extent(0) + 1.0) + terms_y * (extent(1) + 1.0)) / area.abs();
         let bound = 5.0 * 2.0_f64.powi(-24) * (terms + high);

@@ -1,4 +1,5 @@
-//! What comes from a file and goes to LaTeX or Markdown: words and mathematics, and nothing that reads a file or runs a program.
+//! What comes from a file and goes to LaTeX or Markdown: words and mathematics, and nothing that reads a file or runs a
+//! program.
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use std::process::{Command, Stdio};

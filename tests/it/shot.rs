@@ -216,7 +216,8 @@ fn arguments_that_cannot_be_shown_are_told() {
     }
 }
 
-/// The pictures are drawn from what a file can hold: what operations know beyond it makes no difference between screen and file.
+/// The pictures are drawn from what a file can hold: what operations know beyond it makes no difference between screen
+/// and file.
 #[test]
 fn after_a_hundred_operations_the_file_draws_the_same_pixels() {
     let mut camera = Camera::new(&figure(Show::default()).camera).unwrap();

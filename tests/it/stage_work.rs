@@ -163,7 +163,8 @@ fn every_stage_is_shown_in_every_picture() {
     }
 }
 
-/// What a stage drops is shown in another colour and counted by none: the stages say the same of the picture as without it.
+/// What a stage drops is shown in another colour and counted by none: the stages say the same of the picture as without
+/// it.
 #[test]
 fn faces_that_show_a_stage_are_counted_by_none_also_where_depths_are_shown() {
     for depth in [Depth::Off, Depth::Stored] {

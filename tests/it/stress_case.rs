@@ -1,5 +1,5 @@
-//! Cameras, operations, points and scenes that nobody would write, and what must be true of them: `cargo test` tries some, the example
-//! `stress` as many as it is told.
+//! Cameras, operations, points and scenes that nobody would write, and what must be true of them: `cargo test` tries
+//! some, the example `stress` as many as it is told.
 
 use camera_lab::appearance::{Shading, Style, Visibility};
 use camera_lab::camera::{Camera, Convention, ImageSize, Operation, Parameters, Projection, ViewWindow, Viewport};
@@ -166,7 +166,8 @@ fn check(camera: &Camera) -> Result<(), String> {
     inverse("projection", camera.clip_from_view(), camera.view_from_clip())
 }
 
-/// The product of a matrix with its inverse, held against the size of what is summed up; numbers beyond all bounds are left out.
+/// The product of a matrix with its inverse, held against the size of what is summed up; numbers beyond all bounds are
+/// left out.
 fn inverse(what: &str, matrix: DMat4, inverse: DMat4) -> Result<(), String> {
     let (rows, columns) = (matrix.transpose(), inverse);
     for i in 0..4 {

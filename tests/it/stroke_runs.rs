@@ -19,7 +19,8 @@ use glam::{DMat4, DVec3};
 use super::pipeline::{cube, object, shading};
 
 const TARGET: Target = Target { width: 320, height: 240, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
-/// Of the depth test, which looks at pixels: what is hidden by less than two of them is seen, and a little for the width.
+/// Of the depth test, which looks at pixels: what is hidden by less than two of them is seen, and a little for the
+/// width.
 const NEAR: f32 = 4.0;
 
 fn solids() -> Scene {
@@ -105,8 +106,8 @@ fn runs_make_up_each_polyline() {
     }
 }
 
-/// The solids with edges of different colours and widths, over a fine grid, in a bundle of bars that pass before and behind
-/// one another.
+/// The solids with edges of different colours and widths, over a fine grid, in a bundle of bars that pass before and
+/// behind one another.
 fn crossings() -> Scene {
     let mut scene = solids();
     let colors = [[200, 0, 0], [0, 150, 0], [0, 0, 220], [160, 0, 160]].map(|[r, g, b]| Rgba::rgb(r, g, b));
@@ -128,8 +129,8 @@ fn crossings() -> Scene {
     scene
 }
 
-/// Pixels of the strokes in a drawing, those that are otherwise with the runs in their order, and those with the runs as they
-/// are listed; near ends of what faces hide none are counted.
+/// Pixels of the strokes in a drawing, those that are otherwise with the runs in their order, and those with the runs
+/// as they are listed; near ends of what faces hide none are counted.
 fn disagreement(drawing: &Drawing) -> [usize; 3] {
     let paint = |drawing: &Drawing| Rasterizer::default().paint(drawing).expect("a picture");
     let listed = stroke_runs(drawing).unwrap();
@@ -155,9 +156,9 @@ fn disagreement(drawing: &Drawing) -> [usize; 3] {
     counts
 }
 
-/// What is left has two causes. Strokes along each other at a small angle that change order on the way: each pixel has its own
-/// nearer one, but runs are cut once for both and all their width. And joints of one set: the rasterizer keeps the greatest share
-/// that any of its segments covers, but runs paint over one another.
+/// What is left has two causes. Strokes along each other at a small angle that change order on the way: each pixel has
+/// its own nearer one, but runs are cut once for both and all their width. And joints of one set: the rasterizer keeps
+/// the greatest share that any of its segments covers, but runs paint over one another.
 #[test]
 fn runs_in_their_order_cross_as_the_depths_of_pixels_say() {
     let (mut behind_faces, mut alone) = ([0; 3], [0; 3]);

@@ -269,8 +269,8 @@ fn the_whole_volume_is_in_the_picture_also_of_a_very_wide_angle() {
 
 #[test]
 fn the_canonical_front_view_is_the_image() {
-    // Seen from before its near face, the canonical volume shows what the image shows: M_p has turned every projection into
-    // the parallel one along z_n.
+    // Seen from before its near face, the canonical volume shows what the image shows: M_p has turned every projection
+    // into the parallel one along z_n.
     for (name, figure) in cameras() {
         let aspect = figure.camera.aspect;
         let pictured = Pictured::of(figure).sized(400, 300);
@@ -322,7 +322,8 @@ fn one_probe_marks_the_same_point_in_all_three() {
 
 #[test]
 fn a_pixels_ray_ends_on_what_the_pixel_shows() {
-    // The ray through the middle of the window is the axis of projection: it meets the cube about PF where the axis does.
+    // The ray through the middle of the window is the axis of projection: it meets the cube about PF where the axis
+    // does.
     let mut figure = figure(|c| (c.position, c.near, c.far) = (DVec3::new(0.0, 0.0, 6.0), 2.0, 12.0));
     figure.scene.preset = ScenePreset::Cube;
     let pictured = Pictured::of(figure).probed(Probe::Window(DVec2::ZERO));

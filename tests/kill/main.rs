@@ -102,7 +102,8 @@ fn time_to_kill() -> Duration {
     Duration::from_secs(seconds.unwrap_or(2))
 }
 
-/// Moments that follow each other without a pattern: the same ones in every run, but for what the machine makes of them.
+/// Moments that follow each other without a pattern: the same ones in every run, but for what the machine makes of
+/// them.
 fn moments() -> impl Iterator<Item = Duration> {
     let mut state = 20_261_121_u64;
     std::iter::repeat_with(move || {

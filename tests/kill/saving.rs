@@ -32,8 +32,8 @@ pub(crate) fn save_repeatedly(folder: &Path, times: usize) {
     }
 }
 
-/// What a kill has left: a whole file, or beside a file that is written in place a whole copy of what it was to become. The next
-/// save leaves nothing of it.
+/// What a kill has left: a whole file, or beside a file that is written in place a whole copy of what it was to become.
+/// The next save leaves nothing of it.
 fn check(folder: &Folder, in_place: bool, how: &str) {
     let path = folder.file("a.toml");
     let others: Vec<_> = fs::read_dir(&folder.0)

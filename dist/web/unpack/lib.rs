@@ -1,5 +1,5 @@
-//! Unpacks the program that a page loads. LZMA makes it a quarter smaller than what servers and browsers pack with by themselves, and many a
-//! server in a classroom packs nothing.
+//! Unpacks the program that a page loads. LZMA makes it a quarter smaller than what servers and browsers pack with by
+//! themselves, and many a server in a classroom packs nothing.
 
 use std::io::Read;
 

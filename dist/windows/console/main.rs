@@ -1,8 +1,8 @@
 //! `camera-lab.com`: what a console of Windows runs where `camera-lab` is typed.
 //!
-//! `camera-lab.exe` is a program with a window and has no console, so that a double click opens none; what it printed would be
-//! lost. Consoles take an ending `.com` before `.exe`: this program runs the other one beside it and hands on its output, its
-//! errors and its exit status.
+//! `camera-lab.exe` is a program with a window and has no console, so that a double click opens none; what it printed
+//! would be lost. Consoles take an ending `.com` before `.exe`: this program runs the other one beside it and hands on
+//! its output, its errors and its exit status.
 
 use std::io::{self, Read, Write};
 use std::process::{Command, ExitCode, Stdio};

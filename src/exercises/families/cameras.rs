@@ -42,7 +42,8 @@ const TO_VIEWER: [[f64; 3]; 16] = [
     [-3.0, 4.0, 12.0],
 ];
 
-/// None of them has length 1 and is perpendicular to what is looked along by chance: that would hide what may be forgotten.
+/// None of them has length 1 and is perpendicular to what is looked along by chance: that would hide what may be
+/// forgotten.
 const UPS: [[f64; 3]; 5] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 0.0], [0.0, 2.0, 1.0], [1.0, 2.0, 0.0]];
 
 /// Heights to widths.
@@ -83,8 +84,8 @@ pub(super) fn camera(random: &mut Random, projection: Projection) -> Parameters 
             far: near * random.one_of(&[10.0, 20.0, 25.0]),
             window: None,
         };
-        // VUP along v would hide that it was taken for v, a product of length 1 that it was not divided by its length; C at the origin
-        // hides every translation.
+        // VUP along v would hide that it was taken for v, a product of length 1 that it was not divided by its length;
+        // C at the origin hides every translation.
         let n = to_viewer.normalize();
         let oblique = view_up.normalize().dot(n).abs();
         let has_length_1 = (view_up.cross(n).length() - 1.0).abs() < 0.05;
@@ -132,7 +133,8 @@ pub(super) fn with_image(mut subject: Subject, height: u32) -> Subject {
     subject
 }
 
-/// A point of small whole numbers inside the volume of the camera, and not on its axis; PF moved a little where there is none.
+/// A point of small whole numbers inside the volume of the camera, and not on its axis; PF moved a little where there
+/// is none.
 pub(super) fn point_inside(random: &mut Random, parameters: &Parameters) -> DVec3 {
     let Ok(camera) = Camera::new(parameters) else { return parameters.focal_point };
     for _ in 0..400 {

@@ -1,4 +1,5 @@
-//! Other vocabularies, other orders: the left-handed basis of `[3]`, the calls of OpenGL, K of computer vision, products of transforms.
+//! Other vocabularies, other orders: the left-handed basis of `[3]`, the calls of OpenGL, K of computer vision,
+//! products of transforms.
 
 use glam::{DMat3, DMat4, DVec3};
 

@@ -124,7 +124,8 @@ pub(super) fn zoomed(free: &Free) -> Exercise {
     let at_distance = with_height(2.0 * distance, zoom.clone());
     let at_distance_before = with_height(2.0 * distance, Vec::new());
     let elevated = with_height(2.0 * near, vec![zoom[0], Operation::Elevation(Angle::from_degrees(45.0))]);
-    // The point has the coordinates (1, 1) exactly, which its world coordinates only nearly have: between two pixels that would count.
+    // The point has the coordinates (1, 1) exactly, which its world coordinates only nearly have: between two pixels
+    // that would count.
     let pixel_of = |subject: &Subject| {
         let subject = subject.clone();
         let steps = worked(&subject, "points.0.pixel");

@@ -1,5 +1,5 @@
-//! One page of PDF as a back end of the plotting library. Letters are outlines of the bundled font, as in the pictures: nothing has to be
-//! embedded, and every sign is there.
+//! One page of PDF as a back end of the plotting library. Letters are outlines of the bundled font, as in the pictures:
+//! nothing has to be embedded, and every sign is there.
 
 use std::convert::Infallible;
 

@@ -30,8 +30,8 @@ fn edit(text: &str, figure: &Figure) -> Option<String> {
     }
     let (text, bom) = text.strip_prefix('\u{feff}').map_or((text, ""), |rest| (rest, "\u{feff}"));
     let mut edited: DocumentMut = text.parse().ok()?;
-    // Some defaults depend on other keys (the preset on the objects, the viewport on the image): a second round writes down
-    // those that the first has moved.
+    // Some defaults depend on other keys (the preset on the objects, the viewport on the image): a second round writes
+    // down those that the first has moved.
     for _ in 0..2 {
         merge(edited.as_table_mut(), old.as_table(), new.as_table());
         old = document(&read::parse(&edited.to_string()).ok()?);
@@ -139,11 +139,12 @@ fn merge_list(mine: &mut ArrayOfTables, old: Option<&ArrayOfTables>, new: &Array
     }
 }
 
-/// Which of the old tables each new one comes from: the one of the same name; of the others one that is equal, at the same place
-/// where there are several; after those, the pair with the most equal keys first. An object that was renamed is found again
-/// although another was deleted or added.
+/// Which of the old tables each new one comes from: the one of the same name; of the others one that is equal, at the
+/// same place where there are several; after those, the pair with the most equal keys first. An object that was renamed
+/// is found again although another was deleted or added.
 ///
-/// Where very many are left, they are taken in their order: comparing all with all would take longer than anybody waits.
+/// Where very many are left, they are taken in their order: comparing all with all would take longer than anybody
+/// waits.
 fn sources(old: &[&Table], new: &ArrayOfTables) -> Vec<Option<usize>> {
     const MOST_PAIRS: usize = 1 << 16;
     let new: Vec<&Table> = new.iter().collect();

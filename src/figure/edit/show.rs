@@ -6,8 +6,8 @@ use crate::figure::error::{Allowed, Problem};
 use crate::figure::write::document;
 use crate::figure::{Figure, FigureError, Show, read};
 
-/// What is shown, with one key set to a TOML value: `stage`, `"clip"`, or a part of one, `step.at`, `2.5`. A value that is a plain word may lack its quotes; an
-/// empty one takes the key away.
+/// What is shown, with one key set to a TOML value: `stage`, `"clip"`, or a part of one, `step.at`, `2.5`. A value that
+/// is a plain word may lack its quotes; an empty one takes the key away.
 ///
 /// # Errors
 /// [`FigureError`]: the key is not known, or the value is not among what is allowed; its line says nothing.

@@ -76,7 +76,8 @@ pub fn parse(text: &str) -> Result<Figure, FigureError> {
     }
 }
 
-/// As [`parse`], but keys that are not known, which a later version may have written, are passed over; they are given back.
+/// As [`parse`], but keys that are not known, which a later version may have written, are passed over; they are given
+/// back.
 ///
 /// # Errors
 /// As for [`parse`].

@@ -13,7 +13,8 @@ use crate::limits::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::scene::palette::SceneColors;
 use crate::scene::{LightSpec, ObjectSpec, Preset, SceneError, SceneSpec, Shape, check, preset_objects};
 
-/// Reads `[scene]`. Where no preset is named it is the default one, unless objects are listed: then these alone are the scene.
+/// Reads `[scene]`. Where no preset is named it is the default one, unless objects are listed: then these alone are the
+/// scene.
 pub(super) fn scene(mut section: Section<'_>, faults: &mut Vec<Fault>) -> SceneSpec {
     let objects = section.sections("objects", "[[scene.objects]]");
     let alone = if objects.is_empty() { Preset::default() } else { Preset::Empty };
@@ -163,8 +164,8 @@ fn read_light(mut section: Section<'_>, places: &mut Places, faults: &mut Vec<Fa
     light
 }
 
-/// The line of a key of the object called `name` (of the object itself, where the key is missing), counted from 1; `None`
-/// where the text lists no such object.
+/// The line of a key of the object called `name` (of the object itself, where the key is missing), counted from 1;
+/// `None` where the text lists no such object.
 #[must_use]
 pub fn line_of_object(text: &str, name: &str, key: &str) -> Option<usize> {
     let document = Document::parse(text.strip_prefix('\u{feff}').unwrap_or(text)).ok()?;

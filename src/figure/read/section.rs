@@ -234,7 +234,8 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// A text that is the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`; in English and in Portuguese.
+    /// A text that is the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`; in English and in
+    /// Portuguese.
     pub(crate) fn told(&mut self, key: &'static str) -> Option<[String; 2]> {
         self.read(key, None, Allowed::Told, |value| told(value).map(Some))
     }

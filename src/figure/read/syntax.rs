@@ -69,8 +69,8 @@ fn section_before(text: &str, at: usize) -> Option<String> {
         .map(|header| snippet(&header, 0..header.len()))
 }
 
-/// The key whose value is being written at `at`: the one of an earlier line whose brackets are still open, or the one of
-/// this line.
+/// The key whose value is being written at `at`: the one of an earlier line whose brackets are still open, or the one
+/// of this line.
 fn key_before(text: &str, at: usize) -> Option<String> {
     let mut lines = lines_back(text, at);
     let here = key_of(lines.next()?);

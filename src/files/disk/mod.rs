@@ -1,5 +1,5 @@
-//! The one door to what a window keeps and what people choose: the file system of the machine, or, in a page of a browser, what the
-//! page has been given and keeps.
+//! The one door to what a window keeps and what people choose: the file system of the machine, or, in a page of a
+//! browser, what the page has been given and keeps.
 
 #[cfg(any(test, target_arch = "wasm32"))]
 pub mod page;

@@ -1,8 +1,8 @@
 //! Where there is no file system: in a page of a browser.
 //!
-//! What lies in [`KEPT`] is kept by the page from one visit to the next, as text. Any other file that is written is handed to the
-//! user, who puts it where the browser puts downloads; it cannot be read again. What can be read are the files that the user has
-//! given to the page, until the page is left.
+//! What lies in [`KEPT`] is kept by the page from one visit to the next, as text. Any other file that is written is
+//! handed to the user, who puts it where the browser puts downloads; it cannot be read again. What can be read are the
+//! files that the user has given to the page, until the page is left.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -183,7 +183,8 @@ pub const fn is_read_only(_: &Path) -> bool {
     false
 }
 
-/// What keeps other pages of this origin from what it was taken for, as long as it lives; the browser takes it away with the page.
+/// What keeps other pages of this origin from what it was taken for, as long as it lives; the browser takes it away
+/// with the page.
 #[derive(Debug)]
 pub struct Lock(String);
 

@@ -5,8 +5,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// What keeps other windows from what it was taken for, as long as it lives; the system takes it away when the program ends,
-/// however it ends.
+/// What keeps other windows from what it was taken for, as long as it lives; the system takes it away when the program
+/// ends, however it ends.
 #[derive(Debug)]
 pub struct Lock(#[expect(dead_code, reason = "it is what it keeps open")] File);
 

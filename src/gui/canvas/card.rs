@@ -31,7 +31,8 @@ fn id() -> Id {
     Id::unique("card of the probe")
 }
 
-/// The coordinates of what is pinned, on a card that stays until it is released, at `place` where it is given; it can be moved.
+/// The coordinates of what is pinned, on a card that stays until it is released, at `place` where it is given; it can
+/// be moved.
 pub(super) fn show(
     ui: &Ui,
     room: Rect,
@@ -68,8 +69,8 @@ pub(super) fn show(
 }
 
 impl Canvas {
-    /// Where the card of a probe that has just been pinned stands: in the corner of the pictures that is farthest from all that they show of
-    /// it. `None` for one that has its card.
+    /// Where the card of a probe that has just been pinned stands: in the corner of the pictures that is farthest from
+    /// all that they show of it. `None` for one that has its card.
     pub(super) fn place_of_card(&mut self, ctx: &Context, state: &State, panes: &[Pane], room: Rect) -> Option<Pos2> {
         /// In its first frame a card does not know its size yet.
         const FRAMES: u8 = 3;
@@ -93,8 +94,8 @@ impl Canvas {
     }
 }
 
-/// Where a card of a size has its upper left corner, in the corner of the room that is farthest from all places; of equal ones the first
-/// of: below on the left, below on the right, above on the left, above on the right.
+/// Where a card of a size has its upper left corner, in the corner of the room that is farthest from all places; of
+/// equal ones the first of: below on the left, below on the right, above on the left, above on the right.
 fn farthest_corner(room: Rect, size: Vec2, places: &[Pos2]) -> Pos2 {
     let inner = room.shrink(MARGIN);
     let (left, top) = (inner.left(), inner.top());

@@ -1,4 +1,5 @@
-//! What is held with the pointer: the eye of a picture, a handle of the camera, the gizmo of what is selected, a point that is followed.
+//! What is held with the pointer: the eye of a picture, a handle of the camera, the gizmo of what is selected, a point
+//! that is followed.
 
 use eframe::egui::{CursorIcon, Key, PointerButton, PopupAnchor, Pos2, RichText, TextWrapMode, Tooltip, Ui};
 use glam::DVec2;

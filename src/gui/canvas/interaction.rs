@@ -109,7 +109,8 @@ impl Canvas {
         explain::clicked(state, &request, pane.rect.pixel(pointer))
     }
 
-    /// While the tree of the scene is open, selects the object that was clicked; with `beside`, beside what is selected.
+    /// While the tree of the scene is open, selects the object that was clicked; with `beside`, beside what is
+    /// selected.
     fn select(&self, state: &mut State, pane: &Pane, beside: bool) {
         let is_open = state.settings.tab == Tab::Scene && state.settings.panels().is_shown(Side::Left);
         let is_there = pane.view != View::Canonical || !state.is_on_the_way();
@@ -283,8 +284,9 @@ impl Canvas {
         }
     }
 
-    /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule a
-    /// positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the world, the observer turns instead.
+    /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule
+    /// a positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the
+    /// world, the observer turns instead.
     fn arrow(&mut self, state: &mut State, view: View, arrow: DVec2, modifiers: Modifiers) {
         if view == View::Canonical || (view == View::World && modifiers.shift) {
             let step = STEP / orbit::DEGREES_PER_POINT;

@@ -38,7 +38,8 @@ impl Probing {
         }
     }
 
-    /// Where it goes from `now` with an arrow key (`arrow`: x right, y up); stays at the border, and where there is no vertex on.
+    /// Where it goes from `now` with an arrow key (`arrow`: x right, y up); stays at the border, and where there is no
+    /// vertex on.
     pub(super) fn moved(self, request: &Request, now: Probe, arrow: DVec2, modifiers: Modifiers) -> Option<Probe> {
         let down = DVec2::new(arrow.x, -arrow.y);
         match (self, now) {

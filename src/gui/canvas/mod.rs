@@ -1,7 +1,8 @@
-//! The three pictures in the middle of the window: where they lie, who looks at them, and what the pointer does in them.
+//! The three pictures in the middle of the window: where they lie, who looks at them, and what the pointer does in
+//! them.
 //!
-//! Nothing is stored that can be computed: each frame says anew what each visible picture is made from, and only a picture
-//! for which that has changed is drawn again.
+//! Nothing is stored that can be computed: each frame says anew what each visible picture is made from, and only a
+//! picture for which that has changed is drawn again.
 
 mod arrange;
 mod card;
@@ -474,7 +475,8 @@ impl Canvas {
     }
 }
 
-/// Whether the image is shown as the eye would see it; `None` where its pixels are square, so that it makes no difference.
+/// Whether the image is shown as the eye would see it; `None` where its pixels are square, so that it makes no
+/// difference.
 fn undistorted(state: &State) -> Option<bool> {
     let figure = state.document.figure();
     let differs = state.document.camera().aspect_warning(figure.image).is_some();

@@ -41,7 +41,8 @@ impl Canvas {
         }
     }
 
-    /// What a button or a key has framed is framed again where the picture has another size; what was turned by hand stays.
+    /// What a button or a key has framed is framed again where the picture has another size; what was turned by hand
+    /// stays.
     fn fit_again(&mut self, state: &mut State, request: &Request) {
         let (view, i) = (request.view, request.view.index());
         let Some((framed, _)) = self.framed[i].filter(|(_, size)| *size != request.size) else { return };

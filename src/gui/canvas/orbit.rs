@@ -13,8 +13,8 @@ use crate::views::{Request, SharedScene, Size, View};
 /// Degrees of orbit for one point of pointer motion.
 pub(super) const DEGREES_PER_POINT: f64 = 0.5;
 
-/// The observer of a figure that says nothing about it: it has everything in the picture, and stays where it is as long as
-/// that is about true, so that a camera that is moved is seen moving.
+/// The observer of a figure that says nothing about it: it has everything in the picture, and stays where it is as long
+/// as that is about true, so that a camera that is moved is seen moving.
 #[derive(Debug, Default)]
 pub(super) struct Auto {
     kept: Option<FittedObserver>,
@@ -33,9 +33,9 @@ struct FittedObserver {
 }
 
 impl Auto {
-    /// The observer for a picture; `None` for the image. With `steady` (while something is dragged) it does not move, except to fit
-    /// a picture of another size. It looks in the same direction, unless the camera turns towards it, until there is another `subject`: a scene that has nothing to
-    /// do with the last one.
+    /// The observer for a picture; `None` for the image. With `steady` (while something is dragged) it does not move,
+    /// except to fit a picture of another size. It looks in the same direction, unless the camera turns towards it,
+    /// until there is another `subject`: a scene that has nothing to do with the last one.
     pub(super) fn observer(&mut self, request: &Request, subject: u64, steady: bool) -> Option<Observer> {
         let (camera, scene, size) = (&request.camera, &request.scene, request.size);
         let outside = request.shot.look.reveal.outside;
@@ -75,8 +75,8 @@ fn still_fits(observer: &Observer, fitted: &Observer) -> bool {
     needed <= 1.08 * observer.distance && fitted.distance >= 0.4 * observer.distance
 }
 
-/// What a button of the toolbar or a key asks for, from where one looks now. `None`: the figure says nothing any more, and
-/// [`Auto`] looks.
+/// What a button of the toolbar or a key asks for, from where one looks now. `None`: the figure says nothing any more,
+/// and [`Auto`] looks.
 pub(super) fn changed(request: &Request, change: ObserverChange) -> Option<Observer> {
     match change {
         ObserverChange::From(Viewpoint::Iso) => None,
@@ -85,7 +85,8 @@ pub(super) fn changed(request: &Request, change: ObserverChange) -> Option<Obser
     }
 }
 
-/// The observer after the pointer went by `motion` points from where it turned `pressed`: the picture follows the pointer.
+/// The observer after the pointer went by `motion` points from where it turned `pressed`: the picture follows the
+/// pointer.
 pub(super) fn orbited(pressed: Observer, motion: Vec2) -> Observer {
     pressed.orbit(f64::from(motion.x) * DEGREES_PER_POINT, f64::from(motion.y) * DEGREES_PER_POINT)
 }

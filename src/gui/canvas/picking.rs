@@ -1,5 +1,5 @@
-//! Finds what the pointer points at: at once in a light scene, beside the window's thread in a heavy one, so that neither the
-//! pointer nor the pictures wait for a walk through a million triangles.
+//! Finds what the pointer points at: at once in a light scene, beside the window's thread in a heavy one, so that
+//! neither the pointer nor the pictures wait for a walk through a million triangles.
 
 use std::time::Duration;
 
@@ -81,8 +81,8 @@ fn probe_at(request: &Request, pointer: DVec2, reach: f64) -> Option<Probe> {
     })
 }
 
-/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22); on the right and the lower border
-/// the last one.
+/// The pixel (i, j) of the figure's image at a point of the view window, `[0]` Eq. (5.22); on the right and the lower
+/// border the last one.
 pub(super) fn pixel_of(image: ImageSize, camera: &Camera, point: DVec2) -> DVec2 {
     let last = DVec2::new(f64::from(image.width), f64::from(image.height)) - 1.0;
     image.image_from_window(&camera.window(), point).floor().clamp(DVec2::ZERO, last.max(DVec2::ZERO))
@@ -121,7 +121,8 @@ impl Default for Picker {
 }
 
 impl Picker {
-    /// What was found, or what was found last near it while this is being looked for; `ctx` is asked for a frame when it is found.
+    /// What was found, or what was found last near it while this is being looked for; `ctx` is asked for a frame when
+    /// it is found.
     pub(super) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> Found {
         if !pick.is_heavy() {
             return pick.find();

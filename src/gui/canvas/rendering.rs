@@ -114,13 +114,14 @@ impl Rendering {
         self.drawn
     }
 
-    /// True for a picture that takes longer than `patience`: while the hand moves, a draft of it is better than a late one.
+    /// True for a picture that takes longer than `patience`: while the hand moves, a draft of it is better than a late
+    /// one.
     pub(super) fn is_heavy(&self, view: View, patience: Duration) -> bool {
         self.full_cost[view.index()] > patience
     }
 
-    /// Asks for a picture, unless it, or one of which it would be a draft, was asked for last. `ctx` is asked for a frame when it
-    /// is done.
+    /// Asks for a picture, unless it, or one of which it would be a draft, was asked for last. `ctx` is asked for a
+    /// frame when it is done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, job: Job) {
         let i = job.request.view.index();
         // A picture that is there needs no draft of itself, and no second drawing without the account that it has.
@@ -155,9 +156,9 @@ impl Rendering {
         self.worker.cancel();
     }
 
-    /// The pictures that are done. Waits for them up to `patience`, so that a light scene is
-    /// never a frame late; where the last drawings took longer than that, it does not wait at all, and the window gets a frame
-    /// of its own when they are done.
+    /// The pictures that are done. Waits for them up to `patience`, so that a light scene is never a frame late; where
+    /// the last drawings took longer than that, it does not wait at all, and the window gets a frame of its own when
+    /// they are done.
     pub(super) fn collect(&mut self, patience: Duration) -> [Option<Result<Rendered, Missing>>; 3] {
         let expected: Duration = (0..3).filter(|&i| self.worker.is_pending(i)).map(|i| self.cost[i]).sum();
         let mut done = self.worker.take(if expected <= patience { patience } else { Duration::ZERO });

@@ -62,7 +62,8 @@ pub(super) struct Status {
     pub(super) note: &'static str,
 }
 
-/// How many lines of cells there are. They depend on the room alone, so that nothing moves when the probe comes and goes.
+/// How many lines of cells there are. They depend on the room alone, so that nothing moves when the probe comes and
+/// goes.
 fn lines(ui: &Ui, width: f32) -> u8 {
     let em = line_height(ui);
     if width >= 120.0 * em {
@@ -194,8 +195,8 @@ impl Status {
     }
 }
 
-/// A button that is the same whatever comes before it: one that is pressed is let go of as itself, also where what stands before it
-/// comes or goes meanwhile.
+/// A button that is the same whatever comes before it: one that is pressed is let go of as itself, also where what
+/// stands before it comes or goes meanwhile.
 fn named<R>(ui: &mut Ui, name: &'static str, button: impl FnOnce(&mut Ui) -> R) -> R {
     ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("under the pictures", name))), button).inner
 }
@@ -216,7 +217,8 @@ fn arrangement_menu(ui: &mut Ui, now: Option<Arrangement>, texts: &CanvasTexts) 
     action
 }
 
-/// Where cells stand one after the other in so many lines, as many as there is room for; true where that is all of them.
+/// Where cells stand one after the other in so many lines, as many as there is room for; true where that is all of
+/// them.
 fn flow(ui: &Ui, rect: Rect, lines: u8, cells: &[&Cell]) -> (Vec<Rect>, bool) {
     let height = line_height(ui);
     let (mut places, mut line, mut x) = (Vec::new(), 0_u8, rect.left());

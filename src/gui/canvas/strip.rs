@@ -1,5 +1,5 @@
-//! The strip under the pictures: every stage of the pipeline in the order of `[3]`, with what went in and came out, how long it
-//! took, or why it was left out, as it was for the picture that is on the screen.
+//! The strip under the pictures: every stage of the pipeline in the order of `[3]`, with what went in and came out, how
+//! long it took, or why it was left out, as it was for the picture that is on the screen.
 
 use std::time::Duration;
 
@@ -241,7 +241,8 @@ impl Strip<'_> {
             if let Some(time) = report.time {
                 let text = painter.layout_no_wrap(self.duration(time), font, ink);
                 let left = place.right() - 5.0 - text.size().x;
-                // Beside the counts, or above them where they take the room; where the name does too, the sentence tells it.
+                // Beside the counts, or above them where they take the room; where the name does too, the sentence
+                // tells it.
                 let rows = [(1.0, counted), (0.0, written)];
                 if let Some((row, _)) = rows.iter().find(|(_, beside)| left > beside.right() + 3.0) {
                     painter.galley(pos2(left, at(*row).y), text, ink);

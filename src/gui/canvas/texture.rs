@@ -129,7 +129,8 @@ impl PictureTexture {
         self.failed
     }
 
-    /// Paints the picture at its place; one of another size, which is there while the next is being drawn, in the middle.
+    /// Paints the picture at its place; one of another size, which is there while the next is being drawn, in the
+    /// middle.
     #[expect(clippy::cast_precision_loss, reason = "sides of a screen are far below 2²⁴")]
     pub(super) fn paint(&self, ui: &Ui, place: &PictureRect) {
         let painter = ui.painter().with_clip_rect(place.rect.intersect(ui.clip_rect()));

@@ -56,7 +56,8 @@ const CHANGES: [(ObserverChange, Icon); 8] = [
 const OF_THE_CUBE: usize = 5;
 
 impl Title<'_> {
-    /// Draws the title in `rect`. Where there is no room for all buttons, those that say from where to look become a menu.
+    /// Draws the title in `rect`. Where there is no room for all buttons, those that say from where to look become a
+    /// menu.
     pub(super) fn show(&self, ui: &mut Ui, rect: Rect) -> Option<TitleAction> {
         let mut action = None;
         let name = self.texts.view(self.view);

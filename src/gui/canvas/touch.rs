@@ -7,8 +7,8 @@ use crate::gui::state::State;
 use crate::views::{View, observer_in};
 
 impl Canvas {
-    /// Lets two fingers move and zoom a three-dimensional picture; true while they are on it. What the first of them had begun before
-    /// the second came is taken back: it was not meant.
+    /// Lets two fingers move and zoom a three-dimensional picture; true while they are on it. What the first of them
+    /// had begun before the second came is taken back: it was not meant.
     pub(super) fn fingers(&mut self, ui: &Ui, state: &mut State, pane: &Pane) -> bool {
         let touch = ui.input(|input| input.multi_touch());
         let Some(touch) = touch.filter(|touch| pane.rect.rect.contains(touch.start_pos)) else { return false };

@@ -1,4 +1,5 @@
-//! The depth panel: z_n over the distance from the eye, what formats of depth buffers tell apart, and planes that hold the scene.
+//! The depth panel: z_n over the distance from the eye, what formats of depth buffers tell apart, and planes that hold
+//! the scene.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, Grid, Mesh, Rect, RichText, Sense, Shape, Ui, WidgetInfo, vec2};
@@ -129,7 +130,8 @@ fn picture(ui: &mut Ui, planes: &TwoPlanes, colors: &Planes, said: &str) {
 /// A curve of z_n, by name, and whether it is that of the camera in the convention that is worked in.
 type Curve = (&'static str, Vec<[f64; 2]>, bool);
 
-/// z_n over the distance from the eye, as the matrices of a convention have it: in perspective, in parallel projection, and reversed.
+/// z_n over the distance from the eye, as the matrices of a convention have it: in perspective, in parallel projection,
+/// and reversed.
 fn curves(t: &'static words::Texts, camera: &Camera, ndc: Ndc, across: impl Fn(f64) -> f64) -> Vec<Curve> {
     let (f, b) = (camera.near(), camera.far());
     // Near F there are as many samples as far from it.

@@ -98,7 +98,8 @@ struct Typing {
     is_done: bool,
 }
 
-/// What is said of an answer while it is typed, in room for all that was said of it before: what is below does not jump with every key.
+/// What is said of an answer while it is typed, in room for all that was said of it before: what is below does not jump
+/// with every key.
 fn in_kept_room(ui: &mut Ui, ask: &Ask, say: impl FnOnce(&mut Ui)) {
     let id = ui.scope_id().with("room for what is said");
     let line = ui.text_style_height(&TextStyle::Body);

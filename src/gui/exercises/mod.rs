@@ -1,4 +1,5 @@
-//! The tab of exercises: the list, and the exercise that is worked on with its statement, answers, verdicts and the way to them.
+//! The tab of exercises: the list, and the exercise that is worked on with its statement, answers, verdicts and the way
+//! to them.
 
 mod answers;
 mod figure;

@@ -1,4 +1,5 @@
-//! What is kept of exercises: where, which mistakes were made how often, as a table for spreadsheets, and how to be rid of it.
+//! What is kept of exercises: where, which mistakes were made how often, as a table for spreadsheets, and how to be rid
+//! of it.
 
 use eframe::egui::{self, RichText, Ui};
 

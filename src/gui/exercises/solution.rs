@@ -16,7 +16,8 @@ use crate::gui::state::{Described, NotCamera, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::{Lang, dialects, exercise_window as words, exercises as said};
 
-/// The button of the next help. It keeps the keyboard, whatever is said above it: it is known by `id`, and not by its place.
+/// The button of the next help. It keeps the keyboard, whatever is said above it: it is known by `id`, and not by its
+/// place.
 pub(super) fn help_button(ui: &mut Ui, id: Id, (label, hint, name): (&str, &'static str, &str)) -> Response {
     let own = UiBuilder::new().scope_id(id.with("help"));
     let button = ui.scope_builder(own, |ui| ui.button(label)).inner;

@@ -1,4 +1,5 @@
-//! Why an entry is what it is: its formula, its numbers, its value, and what its symbols are made of, down to the parameters.
+//! Why an entry is what it is: its formula, its numbers, its value, and what its symbols are made of, down to the
+//! parameters.
 
 use eframe::egui::{self, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
@@ -157,7 +158,8 @@ impl Tree<'_> {
         }
     }
 
-    /// A symbol with its value and what it is; true where it was clicked. `open`: whether its definition is, where it has one.
+    /// A symbol with its value and what it is; true where it was clicked. `open`: whether its definition is, where it
+    /// has one.
     fn row(&mut self, ui: &mut Ui, symbol: Symbol, open: Option<bool>) -> bool {
         let value = self.writing.symbol_value(symbol);
         let (latex, text) =

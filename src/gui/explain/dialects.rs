@@ -1,4 +1,5 @@
-//! The tab of other vocabularies: the camera in the words of other sources, whose numbers are controls, and a pasted matrix → its camera.
+//! The tab of other vocabularies: the camera in the words of other sources, whose numbers are controls, and a pasted
+//! matrix → its camera.
 
 use eframe::egui::{self, RichText};
 use glam::DMat4;
@@ -252,7 +253,8 @@ fn pasted(ui: &mut egui::Ui, state: &mut State) {
     }
 }
 
-/// Sixteen numbers, in any brackets, apart by spaces, commas, semicolons or line ends, as Python, MATLAB, JSON and GLSL write them; each may be an expression.
+/// Sixteen numbers, in any brackets, apart by spaces, commas, semicolons or line ends, as Python, MATLAB, JSON and GLSL
+/// write them; each may be an expression.
 fn read(text: &str) -> Result<DMat4, dialects::Unreadable> {
     // Names of constructors such as np.array or mat4 are not numbers.
     let plain: String = text.chars().map(|c| if "[](){}|\n\t;&\\".contains(c) { ' ' } else { c }).collect();

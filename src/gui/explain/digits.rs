@@ -29,9 +29,9 @@ impl Shown {
     }
 }
 
-/// For each character of the new text whether the old one has another one in its place. Numbers are compared digit by digit, their decimal
-/// points one below the other; what stands between them, and texts with another count of numbers, between what both begin with and what
-/// both end with.
+/// For each character of the new text whether the old one has another one in its place. Numbers are compared digit by
+/// digit, their decimal points one below the other; what stands between them, and texts with another count of numbers,
+/// between what both begin with and what both end with.
 fn difference(old: &str, new: &str) -> Vec<bool> {
     let (before, after) = (parts(old), parts(new));
     if before.len() != after.len() {
@@ -41,7 +41,8 @@ fn difference(old: &str, new: &str) -> Vec<bool> {
     pairs.flat_map(|(i, (a, b))| if i % 2 == 0 { between(a, b) } else { digits(a, b) }).collect()
 }
 
-/// What stands before the first number, the first number, what stands before the second one …: numbers at the odd places.
+/// What stands before the first number, the first number, what stands before the second one …: numbers at the odd
+/// places.
 fn parts(text: &str) -> Vec<Vec<char>> {
     let text: Vec<char> = text.chars().collect();
     let mut parts = vec![Vec::new()];
@@ -89,8 +90,8 @@ fn strength(now: f64, since: f64) -> f64 {
     (1.0 - (now - since) / SECONDS).clamp(0.0, 1.0)
 }
 
-/// Adds a text to a job. What has changed since the last frame in which the text with this key was shown glows for a second; then nothing
-/// is painted anew any more.
+/// Adds a text to a job. What has changed since the last frame in which the text with this key was shown glows for a
+/// second; then nothing is painted anew any more.
 pub(super) fn push(ui: &Ui, job: &mut LayoutJob, key: impl Hash + Debug, text: &str, font: &FontId, color: Color32) {
     let id = Id::unique("digits").with(key);
     let now = ui.input(|input| input.time);

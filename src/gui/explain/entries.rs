@@ -89,7 +89,8 @@ fn gaps(before: usize) -> f32 {
     before as f32
 }
 
-/// Shows the entries between brackets. `chosen` is marked, and takes the keyboard where `wants_focus` says so. `note` is the one on the matrix.
+/// Shows the entries between brackets. `chosen` is marked, and takes the keyboard where `wants_focus` says so. `note`
+/// is the one on the matrix.
 pub(super) fn show(
     ui: &mut Ui,
     cells: &[[Cell; 4]; 4],

@@ -48,7 +48,8 @@ fn colored(rgba: crate::appearance::Rgba) -> Color32 {
     Color32::from_rgba_unmultiplied(rgba.r, rgba.g, rgba.b, rgba.a)
 }
 
-/// The points that are looked at: those of the figure and the probe's; without any, corners of the volume. Then the directions x, y, z.
+/// The points that are looked at: those of the figure and the probe's; without any, corners of the volume. Then the
+/// directions x, y, z.
 fn shown(state: &State, palette: Palette) -> (Vec<Shown>, bool) {
     let camera = state.document.camera();
     let probe = match state.probe {

@@ -75,7 +75,8 @@ fn note_on(formulas: &MatrixFormula) -> &'static str {
     notes::of_equation(formulas.equation).unwrap_or(notes::of_matrix(formulas.matrix))
 }
 
-/// The term in which an entry stands on the way of the point that is followed, with its numbers, in the row that it is part of.
+/// The term in which an entry stands on the way of the point that is followed, with its numbers, in the row that it is
+/// part of.
 fn used_in(
     ui: &mut Ui,
     state: &State,

@@ -1,6 +1,7 @@
 //! The side of explanations, in the place of operations and numbers: every number with its formula.
 //!
-//! A tab is a variant of [`ExplainTab`], its row in `TABS` and a file here with `fn ui`. Only the tab that is shown computes anything.
+//! A tab is a variant of [`ExplainTab`], its row in `TABS` and a file here with `fn ui`. Only the tab that is shown
+//! computes anything.
 
 mod answer;
 mod arithmetic;

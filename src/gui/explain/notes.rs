@@ -1,4 +1,5 @@
-//! The tab of notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the thing itself.
+//! The tab of notes: a short text for each symbol, operation, equation, step and stage, found by words or by F1 on the
+//! thing itself.
 
 use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};
 

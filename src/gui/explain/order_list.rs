@@ -106,7 +106,8 @@ fn insertion_line(ui: &Ui, rows: &[Rect], to: usize) {
     ui.painter().hline(ui.max_rect().x_range(), y, stroke);
 }
 
-/// The dots by which a row is dragged, and which keep the keyboard while it is moved; its number and its symbol. A bar says that it is done.
+/// The dots by which a row is dragged, and which keep the keyboard while it is moved; its number and its symbol. A bar
+/// says that it is done.
 fn handle(ui: &mut Ui, t: &'static Texts, order: &Order, place: usize, is_done: bool) -> egui::Response {
     let call = order.list[place].call;
     let height = ui.spacing().interact_size.y;

@@ -314,8 +314,8 @@ impl Page<'_> {
     }
 }
 
-/// What a click in the image does while the tab is shown: at the depth test a pixel of the triangle is chosen, else a triangle. False where
-/// there is neither.
+/// What a click in the image does while the tab is shown: at the depth test a pixel of the triangle is chosen, else a
+/// triangle. False where there is neither.
 pub(in crate::gui) fn clicked(state: &mut State, request: &Request, pointer: glam::DVec2) -> bool {
     use crate::views::pick::{image_pixel, triangle_in_image};
     let pixel = image_pixel(request, pointer);

@@ -1,4 +1,5 @@
-//! A figure in the gallery: where it comes from, and what is shown of it. It is read and drawn beside the window's thread.
+//! A figure in the gallery: where it comes from, and what is shown of it. It is read and drawn beside the window's
+//! thread.
 
 use std::collections::hash_map::DefaultHasher;
 use std::collections::{HashMap, HashSet};

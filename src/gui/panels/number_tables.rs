@@ -166,7 +166,8 @@ pub(super) fn ndc_of(report: &Report) -> Ndc {
     Ndc::ALL.into_iter().find(|ndc| ndc.name() == report.ndc).unwrap_or_default()
 }
 
-/// The rows as aligned cells: in each column the decimal points stand below each other. Names come first, where there are any.
+/// The rows as aligned cells: in each column the decimal points stand below each other. Names come first, where there
+/// are any.
 pub(super) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<Vec<String>> {
     let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);

@@ -89,7 +89,8 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Rep
 /// An entry of a matrix.
 type Entry = (Matrix, [usize; 2]);
 
-/// A table; below a matrix the one that it is compared with, the entries that differ marked in both. Gives the entry that was clicked.
+/// A table; below a matrix the one that it is compared with, the entries that differ marked in both. Gives the entry
+/// that was clicked.
 fn show(ui: &mut egui::Ui, t: &'static Texts, table: &Table, other: Option<&Table>, digits: usize) -> Option<Entry> {
     ui.add_space(3.0);
     ui.spacing_mut().item_spacing.y = 1.0;

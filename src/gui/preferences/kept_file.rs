@@ -17,7 +17,8 @@ use crate::progress::Progress;
 /// How long is waited for what is being written before the window closes.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
 
-/// The file as it is, empty where there is none; what cannot be understood, or is far too large, is set aside under another name.
+/// The file as it is, empty where there is none; what cannot be understood, or is far too large, is set aside under
+/// another name.
 pub(super) fn read<T: Default>(
     file: &Path,
     understood: fn(&str) -> Option<T>,
@@ -58,7 +59,8 @@ pub(super) trait Change: Clone + Send + 'static {
     fn write(&self) -> Result<Self::Written, FileError>;
 }
 
-/// Writes changes beside the window's thread, one after the other. What cannot be written is tried again with the next change.
+/// Writes changes beside the window's thread, one after the other. What cannot be written is tried again with the next
+/// change.
 pub(super) struct Writing<C: Change> {
     worker: Worker<C, Result<C::Written, FileError>>,
     /// What is being written, or could not be.

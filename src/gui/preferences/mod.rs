@@ -1,7 +1,7 @@
 //! What the window remembers from one time to the next, as a small TOML file in the user's configuration folder.
 //!
-//! Each window writes the keys that were changed in it and no others: of two windows that are open at once the last one wins, key
-//! by key, and keys of a later version stay.
+//! Each window writes the keys that were changed in it and no others: of two windows that are open at once the last one
+//! wins, key by key, and keys of a later version stay.
 
 mod answers;
 mod kept_file;

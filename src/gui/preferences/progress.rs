@@ -1,4 +1,5 @@
-//! What was done with exercises, and what was typed for them: a file of its own beside the preferences, which can be read and deleted.
+//! What was done with exercises, and what was typed for them: a file of its own beside the preferences, which can be
+//! read and deleted.
 //!
 //! A window writes what was done in it into what the file holds by then: of two windows nothing is lost.
 
@@ -108,7 +109,8 @@ impl KeptProgress {
         Self { file, writing, kept, news }
     }
 
-    /// Writes down what was done, beside the window's thread. What cannot be written is tried again with what is done next.
+    /// Writes down what was done, beside the window's thread. What cannot be written is tried again with what is done
+    /// next.
     pub(super) fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
         self.take(state, Duration::ZERO);
         if std::mem::take(&mut state.exercises.forgets) {

@@ -92,7 +92,8 @@ pub struct Preferences {
 }
 
 impl Preferences {
-    /// Sets a window up as the file in `folder` says. What was `asked` for is that of this window, and is not remembered.
+    /// Sets a window up as the file in `folder` says. What was `asked` for is that of this window, and is not
+    /// remembered.
     #[must_use]
     pub fn begin(folder: &Path, state: &mut State, asked: Asked) -> Self {
         let file = folder.join("preferences.toml");
@@ -130,7 +131,8 @@ impl Preferences {
         }
     }
 
-    /// Writes down what has changed, beside the window's thread. What cannot be written is tried again with the next change.
+    /// Writes down what has changed, beside the window's thread. What cannot be written is tried again with the next
+    /// change.
     pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
         self.progress.keep(ctx, state);
         self.take(state, Duration::ZERO);

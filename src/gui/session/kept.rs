@@ -91,8 +91,8 @@ impl Kept {
         self.path.as_ref()?.whole()
     }
 
-    /// The window as it was. Where the figure has keys that are not known here, saving asks for another file: the old one may
-    /// have been written by a later version too.
+    /// The window as it was. Where the figure has keys that are not known here, saving asks for another file: the old
+    /// one may have been written by a later version too.
     pub(super) fn restore(&self) -> Option<Restored> {
         let (changed, unknown) = read::parse_known(&self.figure).ok()?;
         let (path, folder) = (self.path(), self.folder.as_ref().and_then(KeptPath::whole));

@@ -1,9 +1,9 @@
-//! What is left of a window that did not close: the figure is written down after every change, and taken up again at the next
-//! start, or offered in a list.
+//! What is left of a window that did not close: the figure is written down after every change, and taken up again at
+//! the next start, or offered in a list.
 //!
-//! Each window has a slot of its own, marked by a lock on a file, which the system takes away when the program ends, however
-//! it ends. What is restored is noted before: what did not survive that is not restored again by itself. What cannot be
-//! understood is put aside, not removed.
+//! Each window has a slot of its own, marked by a lock on a file, which the system takes away when the program ends,
+//! however it ends. What is restored is noted before: what did not survive that is not restored again by itself. What
+//! cannot be understood is put aside, not removed.
 
 mod kept;
 mod news;
@@ -67,7 +67,8 @@ pub struct Sessions {
 }
 
 impl Sessions {
-    /// Looks for what is left in `folder`. With `restore`, the latest of what can be restored without asking comes back.
+    /// Looks for what is left in `folder`. With `restore`, the latest of what can be restored without asking comes
+    /// back.
     #[must_use]
     pub fn begin(folder: &Path, restore: bool) -> (Self, Option<Document>) {
         let mut sessions = Self {
@@ -246,7 +247,8 @@ impl Sessions {
         self.told
     }
 
-    /// Makes what is left in a slot the session of this window. Without being `asked` for, only where that can be noted first.
+    /// Makes what is left in a slot the session of this window. Without being `asked` for, only where that can be noted
+    /// first.
     fn take_up(&mut self, slot: usize, asked: bool) -> Option<Document> {
         let file = self.file(slot);
         let lock = self.lock(slot).ok().flatten().filter(|_| disk::exists(&file));

@@ -1,4 +1,5 @@
-//! What there is to say about what is kept of windows: each thing once, until the user has closed it or it is no longer so.
+//! What there is to say about what is kept of windows: each thing once, until the user has closed it or it is no longer
+//! so.
 
 use std::io::ErrorKind;
 use std::mem::{Discriminant, discriminant};
@@ -105,7 +106,8 @@ impl NewsList {
         self.shown.is_empty()
     }
 
-    /// Says something. What is not kept for a cause that is said already joins that; what has been closed does not come back.
+    /// Says something. What is not kept for a cause that is said already joins that; what has been closed does not come
+    /// back.
     pub fn tell(&mut self, news: News) {
         let News::NotKept(not_kept) = news else { return self.shown.push(news) };
         let cause = not_kept.cause();

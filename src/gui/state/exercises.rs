@@ -27,7 +27,8 @@ pub struct Typed {
     pub answers: BTreeMap<String, Vec<String>>,
     /// Numbers that the source leaves open, by their names.
     pub free: BTreeMap<String, String>,
-    /// The answers that were judged as they stand here, by the names of what is asked; what became of them is judged again, not kept.
+    /// The answers that were judged as they stand here, by the names of what is asked; what became of them is judged
+    /// again, not kept.
     pub judged: BTreeSet<String>,
 }
 
@@ -390,8 +391,8 @@ impl Exercises {
     }
 }
 
-/// The answer that stands in fields, as one text; empty where nothing was typed. Where the first field holds a whole list or matrix in brackets, it
-/// is the answer.
+/// The answer that stands in fields, as one text; empty where nothing was typed. Where the first field holds a whole
+/// list or matrix in brackets, it is the answer.
 #[must_use]
 pub fn joined(ask: &Ask, fields: &[String]) -> String {
     let first = fields.first().map_or("", |field| field.trim());
@@ -414,8 +415,8 @@ pub fn joined(ask: &Ask, fields: &[String]) -> String {
     }
 }
 
-/// True where the first field holds a whole list or matrix: in brackets, or a list of as many numbers as are asked for with nothing in the other
-/// fields. Two numbers may be one with a decimal comma.
+/// True where the first field holds a whole list or matrix: in brackets, or a list of as many numbers as are asked for
+/// with nothing in the other fields. Two numbers may be one with a decimal comma.
 #[must_use]
 pub fn is_whole(ask: &Ask, fields: &[String]) -> bool {
     let first = fields.first().map_or("", |field| field.trim());

@@ -53,7 +53,8 @@ pub struct Explain {
     pub share: f64,
     /// The numbers of the triangle that is followed step by step.
     pub triangle: FollowedTriangle,
-    /// How the picture of the strip came about, stage by stage; written by the pictures while the tab of stages is shown.
+    /// How the picture of the strip came about, stage by stage; written by the pictures while the tab of stages is
+    /// shown.
     pub reports: Vec<StageReport>,
     /// For what the code is.
     pub code: CodeTarget,

@@ -32,7 +32,8 @@ pub struct Follow {
 }
 
 impl Follow {
-    /// The place in the list of the point that is followed; the first one where the chosen one is gone. `None` without points.
+    /// The place in the list of the point that is followed; the first one where the chosen one is gone. `None` without
+    /// points.
     pub(in crate::gui) fn index(&self, points: &[NamedPoint]) -> Option<usize> {
         let chosen = self.chosen.as_ref().and_then(|name| points.iter().position(|point| point.name == *name));
         chosen.or_else(|| (!points.is_empty()).then_some(0))

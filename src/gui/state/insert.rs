@@ -49,8 +49,8 @@ impl State {
     }
 }
 
-/// A place for a thing that reaches `half` (scene units) to every side: where the camera looks or near it, such that it is seen
-/// whole and in front of everything, and touches nothing; where there is no such place, where the camera looks.
+/// A place for a thing that reaches `half` (scene units) to every side: where the camera looks or near it, such that it
+/// is seen whole and in front of everything, and touches nothing; where there is no such place, where the camera looks.
 pub(in crate::gui) fn free_place(camera: &Camera, scene: &Scene, half: f64) -> DVec3 {
     /// So far to the sides (and half as far towards the eye) places are tried, in steps of a thing's size.
     const MOST: i32 = 6;

@@ -1,4 +1,5 @@
-//! What is said at the bottom of the window, as values: the words are made when they are shown, in the language of that moment.
+//! What is said at the bottom of the window, as values: the words are made when they are shown, in the language of that
+//! moment.
 
 use std::path::PathBuf;
 

@@ -115,7 +115,8 @@ impl Settings {
         if self.presentation { &mut self.presentation_panels } else { &mut self.panels }
     }
 
-    /// What stroke widths and type sizes in the pictures are multiplied by, on top of the pixels per point of the window.
+    /// What stroke widths and type sizes in the pictures are multiplied by, on top of the pixels per point of the
+    /// window.
     #[must_use]
     pub fn stroke_scale(&self) -> f32 {
         if self.presentation { 1.5 } else { 1.0 }
@@ -141,7 +142,8 @@ pub struct State {
     pub operations: Operations,
     /// Files and the questions about them.
     pub file_flow: FileFlow,
-    /// Width and height of each picture on the screen, in pixels, in the order of [`View::ALL`](crate::views::View::ALL); written by the pictures.
+    /// Width and height of each picture on the screen, in pixels, in the order of
+    /// [`View::ALL`](crate::views::View::ALL); written by the pictures.
     pub picture_sizes: [[u32; 2]; 3],
     /// Pixels for one unit of stroke width in the pictures; written by the pictures.
     pub screen_scale: f32,
@@ -155,7 +157,8 @@ pub struct State {
     pub message: Option<Message>,
     /// When the message was first shown, in seconds; `None`: not yet.
     shown_since: Option<f64>,
-    /// Asks the pictures to look from somewhere; they take it (`take()`) in the next frame. For both three-dimensional pictures.
+    /// Asks the pictures to look from somewhere; they take it (`take()`) in the next frame. For both three-dimensional
+    /// pictures.
     pub observer_change: Option<ObserverChange>,
     /// True where no field on the screen says what is wrong with the parameters (its section is closed).
     pub problem_out_of_sight: bool,
@@ -173,8 +176,8 @@ pub struct State {
     pub gallery: Gallery,
     /// Figures that were left with changes, by where they come from.
     pub kept: Vec<(Option<Source>, Document)>,
-    /// Those of them of which has been said, since the window is being closed, that they are not to be saved; kept again where it is not
-    /// closed.
+    /// Those of them of which has been said, since the window is being closed, that they are not to be saved; kept
+    /// again where it is not closed.
     pub(in crate::gui) given_up: Vec<(Option<Source>, Document)>,
     /// How pictures were exported last.
     pub export: Export,
@@ -192,8 +195,8 @@ pub struct State {
     pub coach: Coach,
 }
 
-/// The document at the start. What the command line has done to the camera is a change of the figure in the file: it can be
-/// undone, and is asked about when the window is closed.
+/// The document at the start. What the command line has done to the camera is a change of the figure in the file: it
+/// can be undone, and is asked about when the window is closed.
 fn begin(figure: Figure, file: Option<SourceFile>) -> Result<Document, CameraError> {
     let in_file = file.as_ref().and_then(|file| figure_from(file.text.as_bytes()).ok());
     let Some(in_file) = in_file.map(|opened| opened.figure).filter(|saved| *saved != figure) else {
@@ -290,8 +293,8 @@ impl State {
         Some(self.kept.remove(index).1)
     }
 
-    /// Selects what was clicked, or, with `beside`, also what is selected already. Only objects of the figure are selected together;
-    /// where that is not possible, it is said.
+    /// Selects what was clicked, or, with `beside`, also what is selected already. Only objects of the figure are
+    /// selected together; where that is not possible, it is said.
     pub(in crate::gui) fn select(&mut self, what: Option<Selected>, beside: bool) {
         let scene = &self.document.figure().scene;
         let is_alone = |selected: &Selected| !matches!(selected, Selected::Object(_));
@@ -387,7 +390,8 @@ impl State {
         described.camera.as_deref().ok().cloned()
     }
 
-    /// Puts the figure of an exercise into the pictures, as one step that can be undone. The user's own stays in its file.
+    /// Puts the figure of an exercise into the pictures, as one step that can be undone. The user's own stays in its
+    /// file.
     pub(in crate::gui) fn show_figure_of_exercise(&mut self, figure: Figure) {
         self.operations.motion = None;
         let image = figure.image;
@@ -418,8 +422,8 @@ impl State {
         self.shown_since = None;
     }
 
-    /// Takes news back that have been shown for so many seconds (`now` is a time in seconds); gives how many are left until then.
-    /// What went wrong stays until it is closed, and what is still so as long as it is so.
+    /// Takes news back that have been shown for so many seconds (`now` is a time in seconds); gives how many are left
+    /// until then. What went wrong stays until it is closed, and what is still so as long as it is so.
     pub(in crate::gui) fn forget_old_news(&mut self, now: f64) -> Option<f64> {
         self.message.as_ref().filter(|message| message.passes())?;
         let left = *self.shown_since.get_or_insert(now) + NEWS_SECONDS - now;

@@ -33,7 +33,8 @@ pub struct Numerics {
     pub effort: Effort,
     found: BTreeMap<&'static str, Findings>,
     worker: Worker<Asked, Measured>,
-    /// The study that is being measured, with the number of its request: one that was given up may still come to its end.
+    /// The study that is being measured, with the number of its request: one that was given up may still come to its
+    /// end.
     measuring: Option<(u64, Study)>,
     requests: u64,
 }

@@ -40,7 +40,8 @@ pub struct Order {
 }
 
 impl Order {
-    /// Begins with an object's own calls, or with an example, where it is another one, or stands elsewhere, than when the list was begun.
+    /// Begins with an object's own calls, or with an example, where it is another one, or stands elsewhere, than when
+    /// the list was begun.
     pub(in crate::gui) fn follow(&mut self, own: Own) {
         if self.own.as_ref() != Some(&own) {
             self.own = Some(own);

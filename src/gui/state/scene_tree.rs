@@ -126,7 +126,8 @@ impl SceneTree {
         own.filter(|name| is_selected(name)).cloned().collect()
     }
 
-    /// After undo or redo has made `after` of `before`: what came back is selected, and what has another name now stays so.
+    /// After undo or redo has made `after` of `before`: what came back is selected, and what has another name now stays
+    /// so.
     pub(in crate::gui) fn follow(&mut self, before: &SceneSpec, after: &SceneSpec) {
         let has = |scene: &SceneSpec, name: &str| scene.objects.iter().any(|o| o.name == name);
         let of = |from: &SceneSpec, other: &SceneSpec| -> Vec<String> {

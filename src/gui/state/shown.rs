@@ -1,4 +1,5 @@
-//! What the pictures show of an explanation: the `[show]` of the figure, how panels change it, and the shot that is made of it.
+//! What the pictures show of an explanation: the `[show]` of the figure, how panels change it, and the shot that is
+//! made of it.
 
 use super::explain::ExplainTab;
 use super::{Side, State, steps};
@@ -49,21 +50,23 @@ impl State {
         }
     }
 
-    /// The figure that shows in any program what is on the screen now: with what is explained, and from where it is seen.
+    /// The figure that shows in any program what is on the screen now: with what is explained, and from where it is
+    /// seen.
     #[must_use]
     pub fn figure_as_shown(&self) -> Figure {
         Figure { observers: self.observers_as_shown(), show: self.show_as_saved(), ..self.document.figure().clone() }
     }
 
-    /// The figure that is saved. From where nobody has turned a picture, nothing is written: whoever opens the file looks from where it suits.
+    /// The figure that is saved. From where nobody has turned a picture, nothing is written: whoever opens the file
+    /// looks from where it suits.
     #[must_use]
     pub fn figure_to_save(&self) -> Figure {
         let show = if self.settings.saves_explained { self.show_as_saved() } else { Show::default() };
         Figure { show, ..self.document.figure().clone() }
     }
 
-    /// From where the pictures are seen, where whoever draws the figure would not look from there of its own accord: an observer that nobody has
-    /// turned stays where it is while the camera moves.
+    /// From where the pictures are seen, where whoever draws the figure would not look from there of its own accord: an
+    /// observer that nobody has turned stays where it is while the camera moves.
     fn observers_as_shown(&self) -> Observers {
         let mut observers = self.document.figure().observers;
         let shot = Shot::of(self.document.figure());
@@ -102,7 +105,8 @@ impl State {
         self.shown().step.and_then(|step| Normalizing::of(step, self.document.camera()))
     }
 
-    /// True while the canonical picture is on its way: what is in it is not where the canonical volume has it, and nothing can be picked.
+    /// True while the canonical picture is on its way: what is in it is not where the canonical volume has it, and
+    /// nothing can be picked.
     #[must_use]
     pub fn is_on_the_way(&self) -> bool {
         let camera = self.document.camera();
@@ -184,7 +188,8 @@ impl State {
         self.settings.panels().is_shown(Side::Explain) && self.explain.tab == tab
     }
 
-    /// Takes back what a panel showed that has been closed since the last frame, and shows what belongs to one that has been opened.
+    /// Takes back what a panel showed that has been closed since the last frame, and shows what belongs to one that has
+    /// been opened.
     pub(in crate::gui) fn follow_panels(&mut self) {
         let now = OpenPanels {
             stages: self.accounts_for_stages(),

@@ -1,5 +1,5 @@
-//! The tab of steps of the side of explanations: whose steps are shown next, and whether they are played. How far they have come is in the
-//! figure's `[show]`.
+//! The tab of steps of the side of explanations: whose steps are shown next, and whether they are played. How far they
+//! have come is in the figure's `[show]`.
 
 use crate::camera::{Camera, Decomposition};
 use crate::figure::ShownStep;
@@ -51,7 +51,8 @@ impl Steps {
         self.played.is_some()
     }
 
-    /// Plays from where it is, from the beginning where it is at its end; or holds. `now` is a time in seconds. Where it is then.
+    /// Plays from where it is, from the beginning where it is at its end; or holds. `now` is a time in seconds. Where
+    /// it is then.
     pub(in crate::gui) fn play_or_hold(&mut self, step: ShownStep, now: f64) -> ShownStep {
         if self.played.take().is_some() {
             return step;

@@ -1,5 +1,5 @@
-//! From where the pictures have been seen: going back to the view before a turn, a move or a zoom, which is no change of the
-//! figure and so no undo step.
+//! From where the pictures have been seen: going back to the view before a turn, a move or a zoom, which is no change
+//! of the figure and so no undo step.
 
 use crate::figure::Observers;
 

@@ -1,5 +1,6 @@
-//! What other pages may ask of this one, as `window.cameraLab`: a page of lecture notes that shows it in a frame of the same origin can
-//! read the figure, put another one in, get a link, and lay notes over the pictures. `docs/web.md` describes it.
+//! What other pages may ask of this one, as `window.cameraLab`: a page of lecture notes that shows it in a frame of the
+//! same origin can read the figure, put another one in, get a link, and lay notes over the pictures. `docs/web.md`
+//! describes it.
 
 use std::path::PathBuf;
 
@@ -65,7 +66,8 @@ fn pictures(page: &Page) -> Result<Object, JsValue> {
     Ok(all)
 }
 
-/// Says that the first picture is there: `cameraLab.ready`, a mark of that name on the page's time line, and an event of the window.
+/// Says that the first picture is there: `cameraLab.ready`, a mark of that name on the page's time line, and an event
+/// of the window.
 pub(super) fn say_ready() {
     let Some(window) = super::window() else { return };
     if let Ok(lab) = Reflect::get(&window, &"cameraLab".into()) {

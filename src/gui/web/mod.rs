@@ -1,4 +1,5 @@
-//! The window as a page of a browser: the same program, with the page's own ways to files, to what is kept, and to its address.
+//! The window as a page of a browser: the same program, with the page's own ways to files, to what is kept, and to its
+//! address.
 //!
 //! | file | purpose |
 //! | --- | --- |

@@ -1,4 +1,5 @@
-//! What the page keeps in the browser's storage, what it hands to the user as downloads, and the locks that keep its tabs apart.
+//! What the page keeps in the browser's storage, what it hands to the user as downloads, and the locks that keep its
+//! tabs apart.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -93,7 +94,8 @@ fn downloaded(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// The object that has the locks of all tabs of this origin; older browsers have none, and pages from disk may not use it.
+/// The object that has the locks of all tabs of this origin; older browsers have none, and pages from disk may not use
+/// it.
 fn locks() -> Option<JsValue> {
     let locks = js_sys::Reflect::get(&super::window()?.navigator(), &"locks".into()).ok()?;
     locks.is_object().then_some(locks)
@@ -113,8 +115,8 @@ async fn held_locks() -> Option<BTreeSet<String>> {
     Some(held.iter().filter_map(name).filter_map(|name| name.strip_prefix(PREFIX).map(str::to_owned)).collect())
 }
 
-/// Takes a lock, or gives it back. That comes about a moment later: of two tabs that begin in the same moment, both may think that
-/// they have it.
+/// Takes a lock, or gives it back. That comes about a moment later: of two tabs that begin in the same moment, both may
+/// think that they have it.
 fn hold(name: &str, wanted: bool) {
     if !wanted {
         if let Some(release) = OWN.with_borrow_mut(|own| own.remove(name)) {

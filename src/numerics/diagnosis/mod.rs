@@ -1,7 +1,8 @@
 //! Why is my picture empty? What of a scene a camera does not show, why, and which change of the camera would show it.
 //!
-//! What is seen is counted in pixels that the pipeline really draws. Why something is not seen is found from the side of each plane
-//! of the volume on which its points lie; and a repair is only offered after it was applied, and its picture was looked at.
+//! What is seen is counted in pixels that the pipeline really draws. Why something is not seen is found from the side
+//! of each plane of the volume on which its points lie; and a repair is only offered after it was applied, and its
+//! picture was looked at.
 
 mod count;
 mod place;
@@ -96,8 +97,8 @@ pub struct Finding {
     pub whole: Vec<String>,
     /// The names of those of which something is seen all the same.
     pub partly: Vec<String>,
-    /// What shows those for which it is most useful: where there are any, those that this alone keeps out of the picture. `None` where no
-    /// change of the camera does.
+    /// What shows those for which it is most useful: where there are any, those that this alone keeps out of the
+    /// picture. `None` where no change of the camera does.
     pub repair: Option<Repair>,
 }
 
@@ -179,8 +180,8 @@ struct Member {
 /// Subjects with the same cause.
 struct Group {
     cause: Cause,
-    /// The least of its members. 0: first of all; 1: what is not shown, or wrongly; 2: what comes on top of another cause, or is shown in
-    /// part.
+    /// The least of its members. 0: first of all; 1: what is not shown, or wrongly; 2: what comes on top of another
+    /// cause, or is shown in part.
     rank: u8,
     /// In the order of the scene.
     members: Vec<Member>,
@@ -228,7 +229,8 @@ impl Findings {
 /// What keeps a subject out of the picture.
 #[derive(Debug, Default)]
 struct Judgement {
-    /// Empty where it is in the picture. The first is the one that alone would show it if it were undone, where there is one.
+    /// Empty where it is in the picture. The first is the one that alone would show it if it were undone, where there
+    /// is one.
     causes: Vec<Cause>,
     /// Something of it is in the picture all the same.
     partly: bool,
@@ -293,8 +295,8 @@ impl Looked<'_> {
             || (place.is_thin() && subject.has_faces(self.style) && self.alone(subject) == Some(0))
     }
 
-    /// What no single plane keeps out of the volume, and is not in it all the same: a floor around an eye that looks up, or a surface
-    /// of which only back faces are turned to the eye.
+    /// What no single plane keeps out of the volume, and is not in it all the same: a floor around an eye that looks
+    /// up, or a surface of which only back faces are turned to the eye.
     fn not_drawn(&mut self, subject: &Subject, report: Option<&ObjectReport>, place: &Place) -> Option<Judgement> {
         if !subject.has_faces(self.style) {
             let outside = !subject.is_point() && !place::crosses(subject, self.camera);

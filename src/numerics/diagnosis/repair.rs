@@ -1,4 +1,5 @@
-//! What would show what is not seen: changes of the camera from small to large. The first one is offered whose picture shows it.
+//! What would show what is not seen: changes of the camera from small to large. The first one is offered whose picture
+//! shows it.
 
 use glam::DVec3;
 use serde::ser::SerializeMap as _;
@@ -140,8 +141,8 @@ impl Looked<'_> {
         all.iter().flat_map(|q| [*q, around(q, center, radius)]).collect()
     }
 
-    /// The camera stands so that a ball around the subjects fills the window: in its own direction, or another one; with its own
-    /// lens, or an ordinary one.
+    /// The camera stands so that a ball around the subjects fills the window: in its own direction, or another one;
+    /// with its own lens, or an ordinary one.
     fn reframed(&self, members: &[&Subject]) -> Vec<Parameters> {
         let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
         let b = self.camera.basis();

@@ -1,7 +1,7 @@
 //! 1, 4, 16, 64 samples of a pixel against the exact area that a triangle covers of it.
 //!
-//! White triangles on black, in a parallel projection whose window is the picture, so that a scene unit is a pixel. The error is that of
-//! the covered share, over the pixels that an edge passes through.
+//! White triangles on black, in a parallel projection whose window is the picture, so that a scene unit is a pixel. The
+//! error is that of the covered share, over the pixels that an edge passes through.
 
 use std::mem::size_of;
 
@@ -117,8 +117,8 @@ impl Setup {
     }
 }
 
-/// The exact share of pixel (i, j), rows from the top, that a triangle covers: I. Sutherland, G. Hodgman, *Reentrant polygon clipping*
-/// (1974), on the triangle against the pixel, and the area of what is left.
+/// The exact share of pixel (i, j), rows from the top, that a triangle covers: I. Sutherland, G. Hodgman, *Reentrant
+/// polygon clipping* (1974), on the triangle against the pixel, and the area of what is left.
 fn covered(triangle: &Triangle, i: u32, j: u32) -> f64 {
     let (left, top) = (f64::from(i), f64::from(SIDE - j));
     let (low, high) = triangle.iter().fold((DVec2::MAX, DVec2::MIN), |(low, high), p| (low.min(*p), high.max(*p)));

@@ -1,8 +1,8 @@
 //! Segments, some through the plane of the eye (w = 0), cut before the division or after it.
 //!
-//! The camera stands in the origin and looks along −z, so that world and view space are the same. The error is the greatest distance
-//! between the ends that a method gives and the true ones, in normalised device coordinates; where one of the two is empty, the diagonal of the
-//! canonical volume.
+//! The camera stands in the origin and looks along −z, so that world and view space are the same. The error is the
+//! greatest distance between the ends that a method gives and the true ones, in normalised device coordinates; where
+//! one of the two is empty, the diagonal of the canonical volume.
 
 use std::mem::size_of;
 

@@ -1,11 +1,11 @@
 //! The formats of depth buffers: which distances can be told apart, at which depth, for which far/near.
 //!
-//! The program's own pictures spread their depths over what is in view, where F … B would not tell it apart; here the cubes of the figure
-//! are in view, which begin at the depths that are tried.
+//! The program's own pictures spread their depths over what is in view, where F … B would not tell it apart; here the
+//! cubes of the figure are in view, which begin at the depths that are tried.
 //!
-//! F is 1. The error is the length of the interval of depths that get the same value, in scene units: what lies within may flicker.
-//! Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012); N. Reed, *Depth precision visualized*
-//! (2015).
+//! F is 1. The error is the length of the interval of depths that get the same value, in scene units: what lies within
+//! may flicker. Sources: P. Upchurch, M. Desbrun, *Tightening the precision of perspective rendering* (2012); N. Reed,
+//! *Depth precision visualized* (2015).
 
 use std::mem::size_of;
 
@@ -90,7 +90,8 @@ fn size_of_cube(depth: f64) -> f64 {
     depth / 8.0
 }
 
-/// Two cubes whose front faces are [`GAP`] of their depth apart, seen by a camera: where the depth buffer cannot tell, they flicker.
+/// Two cubes whose front faces are [`GAP`] of their depth apart, seen by a camera: where the depth buffer cannot tell,
+/// they flicker.
 fn figure(camera: &Parameters, depth: f64) -> String {
     let size = size_of_cube(depth);
     let front =

@@ -149,7 +149,8 @@ impl Start {
     }
 }
 
-/// Where a method ends after so many steps; it pauses after each [`STRETCH`] of them, and ends there where it is not wanted any more.
+/// Where a method ends after so many steps; it pauses after each [`STRETCH`] of them, and ends there where it is not
+/// wanted any more.
 type Turned = for<'a> fn(&'a Start, u32, &'a Progress) -> Pin<Box<dyn Future<Output = End> + 'a>>;
 
 const METHODS: [(&str, Turned); 7] = [
@@ -176,8 +177,8 @@ async fn repeated<S>(mut state: S, steps: u32, progress: &Progress, step: impl F
     stretch(state, left, &step)
 }
 
-/// Steps without a pause. In a function of its own the compiler keeps the state in registers: within what pauses it went through memory at
-/// each step, which took six times as long as the arithmetic of a matrix.
+/// Steps without a pause. In a function of its own the compiler keeps the state in registers: within what pauses it
+/// went through memory at each step, which took six times as long as the arithmetic of a matrix.
 #[inline(never)]
 fn stretch<S>(mut state: S, steps: u32, step: &impl Fn(S) -> S) -> S {
     for _ in 0..steps {
@@ -199,7 +200,8 @@ fn end<R: Real>(start: &Start, axes: &[Vector<R>; 3], to_viewer: &Vector<R>) -> 
     End { axes: [axes[0].to_f64(), axes[1].to_f64(), axes[2].to_f64()], position }
 }
 
-/// The product of all rotation matrices, the last first, then applied once; Gram and Schmidt after every step where `clean`.
+/// The product of all rotation matrices, the last first, then applied once; Gram and Schmidt after every step where
+/// `clean`.
 async fn matrix<R: Real, const CLEAN: bool>(start: &Start, steps: u32, progress: &Progress) -> End {
     let (axes, to_viewer) = frame::<R>(start);
     let step = rotation(&axes[1], start.angle);

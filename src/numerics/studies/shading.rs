@@ -1,7 +1,8 @@
-//! Flat, Gouraud and Phong shading of a sphere and a torus of 8 … 512 segments, against the true surfaces under the same light.
+//! Flat, Gouraud and Phong shading of a sphere and a torus of 8 … 512 segments, against the true surfaces under the
+//! same light.
 //!
-//! The error is that of the colours where both are seen, as a share of a channel's range; of the silhouettes, the share of the pixels that one
-//! covers and the other does not.
+//! The error is that of the colours where both are seen, as a share of a channel's range; of the silhouettes, the share
+//! of the pixels that one covers and the other does not.
 
 use std::mem::size_of;
 
@@ -211,8 +212,8 @@ impl Setup {
     }
 }
 
-/// Steps along the part of a ray that can meet a solid: between two of them a surface of the size of the tube is not jumped over but where
-/// it is grazed, and there the least value is looked for.
+/// Steps along the part of a ray that can meet a solid: between two of them a surface of the size of the tube is not
+/// jumped over but where it is grazed, and there the least value is looked for.
 const STEPS: u32 = 256;
 
 /// The first point of the solid on a ray.

@@ -1,7 +1,7 @@
 //! World points to view space, in worlds 1 … 10¹² from the origin.
 //!
-//! The points lie in a scene of size 1 around PF. The error is that of the view-space position, in scene units; of a method that has
-//! only clip coordinates, the position that they stand for, by the exact inverse of M_p.
+//! The points lie in a scene of size 1 around PF. The error is that of the view-space position, in scene units; of a
+//! method that has only clip coordinates, the position that they stand for, by the exact inverse of M_p.
 
 use std::mem::size_of;
 
@@ -149,8 +149,8 @@ fn view_outcomes(results: Vec<DVec3>) -> Vec<Outcome> {
     results.into_iter().map(Outcome::View).collect()
 }
 
-/// One matrix M_p M_v in the precision of `R`, made in `f64` and rounded, for points in the same precision: what a graphics card is
-/// usually given.
+/// One matrix M_p M_v in the precision of `R`, made in `f64` and rounded, for points in the same precision: what a
+/// graphics card is usually given.
 fn one_matrix<R: Real>(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let matrix = setup.projection.product(&setup.view).rounded::<R>();
     let points: Vec<[R; 4]> = setup.points.iter().map(|&p| column(p)).collect();
@@ -192,8 +192,8 @@ fn f64_stages(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     }))
 }
 
-/// p − C with its rounding error, and scalar products with theirs: T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and dot product*
-/// (2005), `Dot2`.
+/// p − C with its rounding error, and scalar products with theirs: T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and
+/// dot product* (2005), `Dot2`.
 fn compensated(setup: &Setup, trial: &mut Trial, watch: &Watch) -> Vec<Outcome> {
     let c = setup.parameters.position;
     let axes = axes::<f64>(setup).map(|axis| axis.to_f64());

@@ -1,7 +1,7 @@
 //! Which surface is seen: painter, BSP, depth buffers, against ray casting in high precision.
 //!
-//! The error is the share of pixels that show another surface than the ray through their centre meets first. B is 100; F is B over the
-//! parameter.
+//! The error is the share of pixels that show another surface than the ray through their centre meets first. B is 100;
+//! F is B over the parameter.
 
 use std::mem::size_of;
 
@@ -113,7 +113,8 @@ struct Setup {
 }
 
 impl Setup {
-    /// The camera stands in the origin and looks along −z: world and view space are the same. It pauses after each row of rays.
+    /// The camera stands in the origin and looks along −z: world and view space are the same. It pauses after each row
+    /// of rays.
     async fn new(triangles: Vec<Triangle>, ratio: f64) -> Option<Self> {
         let [m, n] = SIZE.map(f64::from);
         let parameters = Parameters {
@@ -153,7 +154,8 @@ impl Setup {
 
     #[expect(clippy::cast_precision_loss, reason = "a number of pixels")]
     fn off(&self, seen: &[Option<usize>]) -> Off {
-        // The two triangles of a wall or bar are one surface where they meet; which of them a pixel on their seam shows is no error.
+        // The two triangles of a wall or bar are one surface where they meet; which of them a pixel on their seam shows
+        // is no error.
         let surface = |index: &Option<usize>| index.map(|i| color(i).g);
         let wrong = self.exact.iter().zip(seen).filter(|(a, b)| surface(a) != surface(b)).count();
         let error = wrong as f64 / self.exact.len() as f64;
@@ -243,7 +245,8 @@ fn picture(setup: &Setup, visibility: Visibility, trial: &mut Trial, watch: &Wat
     pixels.iter().map(index).collect()
 }
 
-/// A depth buffer of another format, in double precision but for the depths that it keeps; of equal depths the first stays.
+/// A depth buffer of another format, in double precision but for the depths that it keeps; of equal depths the first
+/// stays.
 fn buffered(setup: &Setup, format: Format, trial: &mut Trial, watch: &Watch) -> Vec<Option<usize>> {
     let (near, far) = (setup.parameters.near, setup.parameters.far);
     let range = Range::from_0_to_1(Projection::Perspective, far / near);

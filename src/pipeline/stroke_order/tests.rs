@@ -147,7 +147,8 @@ fn an_arrow_head_touches_with_its_width() {
 
 #[test]
 fn two_that_go_along_each_other_and_change_their_order_are_cut_there() {
-    // One leans away from the eye, the other does not: their depths are equal at x = 50, and their ways nearly parallel.
+    // One leans away from the eye, the other does not: their depths are equal at x = 50, and their ways nearly
+    // parallel.
     let level = [[5.0, 50.0, 0.5], [95.0, 50.0, 0.5]];
     let leaning = [[5.0, 49.5, 0.9], [95.0, 50.5, 0.1]];
     for (first, second) in [(&level, &leaning), (&leaning, &level)] {

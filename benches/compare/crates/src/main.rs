@@ -1,7 +1,8 @@
-//! The crates `euc` and `retrofire` drawing the same mesh with the same camera: `compare FIGURE.toml CAMERA_LAB CRATE [FRAMES]`
+//! The crates `euc` and `retrofire` drawing the same mesh with the same camera:
+//! `compare FIGURE.toml CAMERA_LAB CRATE [FRAMES]`
 //!
-//! A frame is: clear colour and depth, draw. Both draw on one thread into a buffer in memory, which is where their users read
-//! the pixels. Prints one JSON object in the form of `camera-lab bench`.
+//! A frame is: clear colour and depth, draw. Both draw on one thread into a buffer in memory, which is where their
+//! users read the pixels. Prints one JSON object in the form of `camera-lab bench`.
 
 use std::process::Command;
 use std::time::Instant;

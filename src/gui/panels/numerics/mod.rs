@@ -1,5 +1,5 @@
-//! The panel of studies: which to measure, the chart of errors, and the methods with their numbers; each opens the camera on which it was
-//! worst.
+//! The panel of studies: which to measure, the chart of errors, and the methods with their numbers; each opens the
+//! camera on which it was worst.
 
 mod plot;
 

@@ -90,7 +90,8 @@ fn draw(plot_ui: &mut egui_plot::PlotUi<'_>, chart: &Chart, dark: bool) {
     }
 }
 
-/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are lightened. Grey without.
+/// The colours of the charts on paper, by their place, which the table shows too; on a dark ground the darkest are
+/// lightened. Grey without.
 pub(in crate::gui) fn color_of(color: Option<usize>, dark: bool) -> Color32 {
     let ground = if dark { Rgba::rgb(0x16, 0x1a, 0x20) } else { Rgba::rgb(255, 255, 255) };
     let own = color.map_or(Rgba::rgb(0x70, 0x70, 0x70), |i| COLORS[i % COLORS.len()]);

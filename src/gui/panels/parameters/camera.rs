@@ -223,7 +223,8 @@ fn opened(parameters: &Parameters, good: &Camera) -> Parameters {
     Parameters { window: Some(window), ..*parameters }
 }
 
-/// Makes the window symmetric. Its size stays; where nothing but the padlock has been touched, θ, H and A stay to the last bit.
+/// Makes the window symmetric. Its size stays; where nothing but the padlock has been touched, θ, H and A stay to the
+/// last bit.
 fn closed(parameters: &Parameters) -> Parameters {
     let before = Parameters { window: None, ..*parameters };
     let Some(window) = parameters.window else { return before };

@@ -180,8 +180,8 @@ impl Form {
         self.complain(ui, key, &[output.inner]);
     }
 
-    /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field has the keyboard, the
-    /// explanations mark what depends on it.
+    /// While the pointer is on the row of a parameter, the world shows its length or angle; then, and while its field
+    /// has the keyboard, the explanations mark what depends on it.
     fn point_at(&mut self, ui: &egui::Ui, key: &str, row: egui::Rect) {
         let pointed = ui.rect_contains_pointer(row);
         if pointed && !ui.input(|input| input.pointer.any_down()) {

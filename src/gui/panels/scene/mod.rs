@@ -87,7 +87,8 @@ fn named_scene(ui: &mut egui::Ui, state: &mut State) {
     }
 }
 
-/// A scene of another size would be out of sight: each preset comes with its camera, and with an image of the same aspect.
+/// A scene of another size would be out of sight: each preset comes with its camera, and with an image of the same
+/// aspect.
 fn show_from_its_best_side(state: &mut State, preset: Preset) {
     let mut camera = crate::figure::recommended_camera(preset);
     if state.settings.aspect_follows_image {
@@ -187,8 +188,8 @@ impl Form {
         }
     }
 
-    /// While the pointer is on a part of the transform, or its field has the keyboard, the world shows what it measures, and the explanations
-    /// mark what depends on it.
+    /// While the pointer is on a part of the transform, or its field has the keyboard, the world shows what it
+    /// measures, and the explanations mark what depends on it.
     fn point_at(&mut self, ui: &egui::Ui, rect: egui::Rect, key: &str) {
         let symbols = symbols_of(key);
         let Some(symbol) = symbols.first() else { return };

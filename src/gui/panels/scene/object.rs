@@ -78,7 +78,8 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut Form, name:
     }
 }
 
-/// A name takes effect with Enter, or when its field is left; one that is wrong stays with its reason until it is mended.
+/// A name takes effect with Enter, or when its field is left; one that is wrong stays with its reason until it is
+/// mended.
 fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
     let t = form.t;
     let mut typing = typing(state, name, "name").unwrap_or_else(|| Typing::of(name, "name", name));

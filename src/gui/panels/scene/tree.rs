@@ -37,7 +37,8 @@ struct Row {
     hint: &'static str,
 }
 
-/// Rows that are farther out of sight than so many are not there, for keys and screen readers either: each costs its time in each frame.
+/// Rows that are farther out of sight than so many are not there, for keys and screen readers either: each costs its
+/// time in each frame.
 const FAR: f32 = 150.0;
 
 /// An object that is being dragged, by name.
@@ -251,7 +252,8 @@ fn paint_triangle(ui: &egui::Ui, place: Rect, open: bool) {
 /// An object, and whether it is the figure's own.
 type Node<'a> = (bool, &'a ObjectSpec);
 
-/// The rows that are shown: the world, the objects of the named scene and of the figure under their parents, the lights.
+/// The rows that are shown: the world, the objects of the named scene and of the figure under their parents, the
+/// lights.
 fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static Texts) -> Vec<Row> {
     let preset = preset_objects(scene.preset);
     let colors: BTreeMap<&str, Rgba> = built
