@@ -16,9 +16,9 @@
 
 use std::ops::Range;
 
-use crate::foreign;
 use crate::geometry::Angle;
 use crate::limits::MAX_EXPRESSION;
+use crate::sanitize;
 
 /// What the number measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,13 +46,13 @@ pub enum ExpressionProblem {
     #[error("a number is missing")]
     Empty,
     /// A character that has no meaning there.
-    #[error("unexpected “{}”", foreign::shown(&.0.to_string()))]
+    #[error("unexpected “{}”", sanitize::escaped(&.0.to_string()))]
     Unexpected(char),
     /// The text ends where something must follow.
     #[error("the expression is not finished")]
     Unfinished,
     /// A word that is neither a function nor a constant.
-    #[error("unknown name “{}”", foreign::shown(.0))]
+    #[error("unknown name “{}”", sanitize::escaped(.0))]
     UnknownName(String),
     /// More opening than closing parentheses.
     #[error("a “)” is missing")]
@@ -155,7 +155,7 @@ pub fn marked(text: &str, span: &Range<usize>) -> String {
         part.chars().take(AROUND).collect::<String>() + dots
     };
     let shown = format!("{dots}{before}▸{}◂{}", start(fault), start(after));
-    foreign::printable(&shown.replace(char::is_whitespace, " "))
+    sanitize::printable(&shown.replace(char::is_whitespace, " "))
 }
 
 /// A number or an angle; an operation that has no meaning for them is `None`.

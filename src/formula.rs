@@ -5,12 +5,12 @@
 
 use std::fmt::Write as _;
 
-use crate::foreign::shown;
 use crate::limits::MAX_FORMULA;
+use crate::sanitize::escaped;
 
 /// A formula that is not only mathematics.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the formula ${}$ has {problem}", shown(formula))]
+#[error("the formula ${}$ has {problem}", escaped(formula))]
 pub struct FormulaError {
     /// What stands between the dollar signs.
     pub formula: String,
@@ -28,16 +28,16 @@ pub enum FormulaProblem {
     #[error("nothing in it")]
     Empty,
     /// A control word that is not one of mathematics.
-    #[error("{}, which is no word of mathematics", shown(.0))]
+    #[error("{}, which is no word of mathematics", escaped(.0))]
     Word(String),
     /// An environment that is not one of mathematics.
-    #[error("the environment {}", shown(.0))]
+    #[error("the environment {}", escaped(.0))]
     Environment(String),
     /// A character that stands for no mathematics.
     #[error("{:?}, which is no sign of mathematics", .0)]
     Character(char),
     /// A brace, a `\left` or a `\begin` without its other half.
-    #[error("{} without its other half", shown(.0))]
+    #[error("{} without its other half", escaped(.0))]
     Unbalanced(String),
     /// More, or deeper in each other, than anybody writes.
     #[error("more than {} characters, or more than {} pairs in each other", MAX_FORMULA.0, MAX_FORMULA.1)]

@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use crate::camera::{
-    Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, NoWayBack, Operation, Parameters,
+    Camera, CameraError, ClipSpace, Convention, ImageSize, InfiniteParallel, NotProjectable, Operation, Parameters,
     Projection, Stations, ViewWindow, Viewport, Warning,
 };
 use crate::figure::Figure;
@@ -207,7 +207,7 @@ pub enum InspectError {
         /// (i, j).
         pixel: [i64; 2],
         /// Why.
-        error: NoWayBack,
+        error: NotProjectable,
     },
     /// A pixel has a ray that `f64` cannot hold, or the image has no pixels.
     #[error("pixel {},{}: its ray would exceed the range of numbers (about 1e-308 to 1e308)", pixel[0], pixel[1])]

@@ -26,7 +26,6 @@ pub mod export;
 pub mod expression;
 pub mod figure;
 pub mod files;
-pub mod foreign;
 pub mod formula;
 pub mod geometry;
 #[cfg(feature = "gui")]
@@ -41,6 +40,7 @@ pub mod picture;
 pub mod pipeline;
 pub mod progress;
 pub mod raster;
+pub mod sanitize;
 pub mod scene;
 pub mod share;
 mod simd;

@@ -12,7 +12,7 @@ use std::task::{Context, Poll, Waker};
 
 /// What takes long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Doing {
+pub enum Activity {
     /// A mesh file is read.
     Reading,
     /// Faces are put in order.
@@ -25,7 +25,7 @@ pub enum Doing {
     Measuring,
 }
 
-impl Doing {
+impl Activity {
     /// Everything that takes long.
     pub const ALL: [Self; 5] = [Self::Reading, Self::Ordering, Self::Painting, Self::Encoding, Self::Measuring];
 }
@@ -64,11 +64,11 @@ impl Progress {
     }
 
     /// Says what is done from now on, and how many steps that takes; 0: nobody knows.
-    pub fn begin(&self, doing: Doing, steps: usize) {
+    pub fn begin(&self, doing: Activity, steps: usize) {
         self.0.of.store(0, Ordering::Relaxed);
         self.0.done.store(0, Ordering::Relaxed);
         self.0.of.store(steps, Ordering::Relaxed);
-        let index = Doing::ALL.iter().position(|&d| d == doing).and_then(|i| u8::try_from(i + 1).ok());
+        let index = Activity::ALL.iter().position(|&d| d == doing).and_then(|i| u8::try_from(i + 1).ok());
         self.0.doing.store(index.unwrap_or(0), Ordering::Relaxed);
     }
 
@@ -85,8 +85,8 @@ impl Progress {
 
     /// What is being done, and which share of it has been, where that is known.
     #[must_use]
-    pub fn now(&self) -> Option<(Doing, Option<f32>)> {
-        let doing = *Doing::ALL.get(usize::from(self.0.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;
+    pub fn now(&self) -> Option<(Activity, Option<f32>)> {
+        let doing = *Activity::ALL.get(usize::from(self.0.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;
         let (done, of) = (self.0.done.load(Ordering::Relaxed), self.0.of.load(Ordering::Relaxed));
         #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
         let share = (of > 0).then(|| (done as f32 / of as f32).min(1.0));
@@ -118,19 +118,19 @@ mod tests {
     fn each_step_is_a_slice_and_all_of_them_are_done_at_once_too() {
         let progress = Progress::default();
         let work = || async {
-            progress.begin(Doing::Measuring, 3);
+            progress.begin(Activity::Measuring, 3);
             for _ in 0..3 {
                 progress.advance_and_pause(1).await;
             }
             progress.now()
         };
-        let whole = Some((Doing::Measuring, Some(1.0)));
+        let whole = Some((Activity::Measuring, Some(1.0)));
         assert_eq!(at_once(work()), whole);
         let mut slices = pin!(work());
         let mut slice = || slices.as_mut().poll(&mut Context::from_waker(Waker::noop()));
         for done in 1..=3_u8 {
             assert!(slice().is_pending());
-            assert_eq!(progress.now(), Some((Doing::Measuring, Some(f32::from(done) / 3.0))));
+            assert_eq!(progress.now(), Some((Activity::Measuring, Some(f32::from(done) / 3.0))));
         }
         assert_eq!(slice(), Poll::Ready(whole));
     }
@@ -140,11 +140,11 @@ mod tests {
         let (work, waits) = (Progress::default(), Progress::default());
         let seen = work.clone();
         assert_eq!(seen.now(), None);
-        work.begin(Doing::Painting, 4);
+        work.begin(Activity::Painting, 4);
         work.advance(1);
-        assert_eq!(seen.now(), Some((Doing::Painting, Some(0.25))));
-        work.begin(Doing::Ordering, 0);
-        assert_eq!(seen.now(), Some((Doing::Ordering, None)));
+        assert_eq!(seen.now(), Some((Activity::Painting, Some(0.25))));
+        work.begin(Activity::Ordering, 0);
+        assert_eq!(seen.now(), Some((Activity::Ordering, None)));
         seen.cancel();
         assert!(work.is_cancelled() && !waits.is_cancelled());
         work.begin_anew();

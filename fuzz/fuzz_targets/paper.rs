@@ -8,7 +8,7 @@ use arbitrary::Arbitrary;
 use camera_lab::camera::Camera;
 use camera_lab::figure::Figure;
 use camera_lab::i18n::{Lang, pictures::labels};
-use camera_lab::picture::{OnPaper, Renderer, Sheet};
+use camera_lab::picture::{OnPaper, Renderer, Composite};
 use camera_lab::progress::at_once;
 use camera_lab::scene::{Preset, no_files};
 use camera_lab::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
@@ -50,7 +50,7 @@ fuzz_target!(|input: Input| {
     let size = Size { width: input.width.into(), height: input.height.into(), scale: input.scale };
     let finish = Finish { bare: input.bare, stroke_factor: input.stroke_factor, ..Finish::default() };
     let request = Request { finish, ..Request::new(shot, View::Image, camera, scene, labels(Lang::En), size) };
-    let Ok(sheet) = Sheet::of(views, &request, shot, paper.as_ref()) else { return };
+    let Ok(sheet) = Composite::of(views, &request, shot, paper.as_ref()) else { return };
     if let Some((picture, _)) = at_once(Renderer::default().sheet(&sheet, input.crop)) {
         assert!(picture.width() <= size.width && picture.height() <= size.height);
     }

@@ -51,7 +51,7 @@ impl Pose {
 /// **u**, **v**, **n** and D in double-double. Operations turn it as a rigid body: it is never found again from VUP, so
 /// nothing flips at a pole, and a small angle between VUP and DOP costs no digits.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Frame {
+pub(super) struct CameraFrame {
     pub(super) u: Dd3,
     pub(super) v: Dd3,
     pub(super) n: Dd3,
@@ -61,7 +61,7 @@ pub(super) struct Frame {
     pub(super) to_viewer: Dd3,
 }
 
-impl Frame {
+impl CameraFrame {
     /// Derives the VRC.
     ///
     /// The components of C − PF are exact, and so is the sum of products VUP × (C − PF): only its rounding to 106 bits,

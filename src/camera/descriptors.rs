@@ -5,9 +5,9 @@ use std::str::FromStr;
 
 use super::Operation;
 use crate::expression::{self, Dimension, ExpressionError};
-use crate::foreign::shown;
 use crate::geometry::Angle;
 use crate::numbers::{EXACT_DIGITS, significant};
+use crate::sanitize::escaped;
 
 /// A degree of freedom of the operations: what one number moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -145,19 +145,19 @@ impl Operation {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum OperationError {
     /// No `=`.
-    #[error("\"{}\" is not an operation; allowed: NAME=VALUE, where NAME is one of {}", shown(text), Operation::names().join(", "))]
+    #[error("\"{}\" is not an operation; allowed: NAME=VALUE, where NAME is one of {}", escaped(text), Operation::names().join(", "))]
     NoValue {
         /// What was found.
         text: String,
     },
     /// A name that is none of [`Operation::names`].
-    #[error("there is no operation \"{}\"; allowed: {}", shown(name), Operation::names().join(", "))]
+    #[error("there is no operation \"{}\"; allowed: {}", escaped(name), Operation::names().join(", "))]
     UnknownName {
         /// What was found.
         name: String,
     },
     /// A number that cannot be read.
-    #[error("{word} is \"{}\": {error} in {marked}; allowed: {allowed}", shown(value), word = descriptor.word,
+    #[error("{word} is \"{}\": {error} in {marked}; allowed: {allowed}", escaped(value), word = descriptor.word,
         marked = expression::marked(value, &error.span), allowed = allowed(descriptor))]
     NotANumber {
         /// What was to be moved.
@@ -168,7 +168,7 @@ pub enum OperationError {
         error: ExpressionError,
     },
     /// A factor that is not greater than 0.
-    #[error("{word} is \"{}\"; allowed: {allowed}", shown(value), word = descriptor.word, allowed = allowed(descriptor))]
+    #[error("{word} is \"{}\"; allowed: {allowed}", escaped(value), word = descriptor.word, allowed = allowed(descriptor))]
     NotAFactor {
         /// What was to be moved.
         descriptor: Descriptor,
@@ -176,7 +176,7 @@ pub enum OperationError {
         value: String,
     },
     /// Too few numbers, or too many.
-    #[error("{word} is \"{}\"; allowed: {allowed}", shown(value), word = descriptor.word, allowed = allowed(descriptor))]
+    #[error("{word} is \"{}\"; allowed: {allowed}", escaped(value), word = descriptor.word, allowed = allowed(descriptor))]
     WrongCount {
         /// What was to be moved.
         descriptor: Descriptor,

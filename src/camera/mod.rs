@@ -30,9 +30,9 @@ mod projection;
 mod ray;
 mod recovery;
 mod stations;
+mod unproject;
 mod volume;
 mod warnings;
-mod way_back;
 mod window;
 
 pub use basis::Basis;
@@ -46,12 +46,12 @@ pub use parameters::{CameraError, Derived, Parameters, Projection, Range, ViewWi
 pub use place::Place;
 pub use recovery::{MatrixKind, Recovered, RecoveryError, Unknown, recover};
 pub use stations::{Projected, Stations};
+pub use unproject::{NotProjectable, WayBack};
 pub use warnings::{Warning, thresholds};
-pub use way_back::{NoWayBack, WayBack};
 
 use glam::DVec3;
 
-use basis::{Frame, Pose};
+use basis::{CameraFrame, Pose};
 use projection::{Lens, lens};
 use window::WideWindow;
 
@@ -62,7 +62,7 @@ use crate::geometry::Angle;
 pub struct Camera {
     parameters: Parameters,
     pose: Pose,
-    frame: Frame,
+    frame: CameraFrame,
     wide_window: WideWindow,
     lens: Lens,
     basis: Basis,
@@ -94,17 +94,27 @@ impl Camera {
         let p = *parameters;
         p.check()?;
         let pose = Pose::new(p.position, p.focal_point, p.view_up);
-        let frame = Frame::new(&pose)?;
+        let frame = CameraFrame::new(&pose)?;
         Self::finish(p, pose, frame, WideWindow::new(&p))
     }
 
     /// The result of an operation: what remains after rounding must be a camera too.
-    fn derive(parameters: Parameters, pose: Pose, frame: Frame, wide_window: WideWindow) -> Result<Self, CameraError> {
+    fn derive(
+        parameters: Parameters,
+        pose: Pose,
+        frame: CameraFrame,
+        wide_window: WideWindow,
+    ) -> Result<Self, CameraError> {
         Self::new(&parameters)?;
         Self::finish(parameters, pose, frame, wide_window)
     }
 
-    fn finish(parameters: Parameters, pose: Pose, frame: Frame, wide_window: WideWindow) -> Result<Self, CameraError> {
+    fn finish(
+        parameters: Parameters,
+        pose: Pose,
+        frame: CameraFrame,
+        wide_window: WideWindow,
+    ) -> Result<Self, CameraError> {
         let lens = lens(parameters.projection, &wide_window, parameters.near, parameters.far, Ndc::default());
         let basis = frame.basis();
         let camera = Self { parameters, pose, frame, wide_window, lens, basis };

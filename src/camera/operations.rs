@@ -5,7 +5,7 @@
 //! guinada (yaw) about x_c and arfagem (pitch) about y_c; the field, and the author's own library, turn yaw about **v**
 //! and pitch about **u**, as is done here.
 
-use super::basis::{Frame, Pose};
+use super::basis::{CameraFrame, Pose};
 use super::parameters::check_range;
 use super::{Camera, CameraError, Derived, Parameters, Range};
 use crate::geometry::double_double::{Dd, Dd3, sin_cos_degrees};
@@ -226,11 +226,11 @@ impl Turn {
     }
 
     /// Turns the VRC, C − PF and VUP as one rigid body about an axis of the VRC.
-    fn apply(&self, axis: Axis, frame: &mut Frame, up: &mut Dd3) {
+    fn apply(&self, axis: Axis, frame: &mut CameraFrame, up: &mut Dd3) {
         if self.sine == Dd::ZERO && self.cosine == Dd::ONE {
             return;
         }
-        let Frame { u, v, n, .. } = *frame;
+        let CameraFrame { u, v, n, .. } = *frame;
         // Of two axes a, b with a × b = the third: a turns towards b, b towards −a.
         let ahead = |a: Dd3, b: Dd3| (a * self.cosine).plus(b * self.sine);
         let (third, [u, v, n]) = match axis {
@@ -239,7 +239,7 @@ impl Turn {
             Axis::N => (n, [ahead(u, v), ahead(v, -u), n]),
         };
         let to_viewer = if matches!(axis, Axis::N) { frame.to_viewer } else { n * frame.distance };
-        *frame = Frame { u, v, n, to_viewer, ..*frame };
+        *frame = CameraFrame { u, v, n, to_viewer, ..*frame };
         *up = self.rotated(third, *up);
     }
 

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{ClipSpace, ImageSize, NoWayBack, Projection, Viewport};
+use super::{ClipSpace, ImageSize, NotProjectable, Projection, Viewport};
 use crate::geometry::double_double::{Dd, Dd3};
 
 /// Coordinates of a point in one of its spaces.
@@ -24,12 +24,12 @@ impl ClipSpace<'_> {
     /// The world point at a place. M_p and M_v are undone in double-double and rounded once.
     ///
     /// # Errors
-    /// [`NoWayBack`]: no point has these coordinates.
+    /// [`NotProjectable`]: no point has these coordinates.
     ///
     /// In perspective NDC tell the sides of the eye apart: behind it, and only there, `z_n` is beyond what it tends to
     /// at infinity. So the NDC that the division makes of a point behind the eye lead back to it; only those of its
     /// plane, and of infinity, have no point.
-    pub fn world_of(&self, image: ImageSize, viewport: &Viewport, place: Place) -> Result<DVec3, NoWayBack> {
+    pub fn world_of(&self, image: ImageSize, viewport: &Viewport, place: Place) -> Result<DVec3, NotProjectable> {
         let camera = self.camera();
         let (world, depth) = match place {
             Place::World(p) => (p, p.z),
@@ -42,14 +42,14 @@ impl ClipSpace<'_> {
                 (self.world_of_window(window, self.distance_of_ndc(p.z)?), p.z)
             }
             Place::Window(_, 0.0) if camera.projection() == Projection::Perspective => {
-                return Err(NoWayBack::InPlaneOfEye);
+                return Err(NotProjectable::InPlaneOfEye);
             }
             Place::Window(p, distance) => {
                 (self.world_of_window([Dd::new(p.x), Dd::new(p.y)], Dd::new(distance)), distance)
             }
             Place::Pixel(pixel, depth) => return Ok(self.way_back(image, viewport, pixel, depth)?.world),
         };
-        if world.is_finite() { Ok(world) } else { Err(NoWayBack::Overflow { depth }) }
+        if world.is_finite() { Ok(world) } else { Err(NotProjectable::Overflow { depth }) }
     }
 
     /// (x_p, y_p), `[0]` Eqs. (5.11) and (5.12) solved for them.
@@ -62,7 +62,7 @@ impl ClipSpace<'_> {
 
     /// The distance from the plane of the eye, below 0 behind it: in perspective z_n = d/distance − z, in parallel
     /// projection z_n = d − z distance.
-    fn distance_of_ndc(&self, z_n: f64) -> Result<Dd, NoWayBack> {
+    fn distance_of_ndc(&self, z_n: f64) -> Result<Dd, NotProjectable> {
         let (z, depth) = (self.lens.z, self.lens.depth);
         match self.camera().projection() {
             Projection::Parallel => Ok((depth - Dd::new(z_n)) / z),
@@ -72,7 +72,7 @@ impl ClipSpace<'_> {
                     return Ok(distance);
                 }
                 let [near, _] = self.ndc().depths();
-                Err(NoWayBack::BeyondInfinity { depth: z_n, near, infinity: (-z).value() + 0.0 })
+                Err(NotProjectable::BeyondInfinity { depth: z_n, near, infinity: (-z).value() + 0.0 })
             }
         }
     }

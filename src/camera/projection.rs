@@ -6,7 +6,7 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::basis::Frame;
+use super::basis::CameraFrame;
 use super::window::WideWindow;
 use super::{Camera, Ndc, Projection};
 use crate::geometry::double_double::{Dd, Dd3};
@@ -100,7 +100,7 @@ impl Camera {
     /// The first three rows of M_v in double-double.
     pub(super) fn view_rows(&self) -> [[Dd; 4]; 3] {
         let aside = self.sideways_origin(DVec3::ZERO);
-        let Frame { u, v, n, .. } = self.frame;
+        let CameraFrame { u, v, n, .. } = self.frame;
         [(u, aside), (v, aside), (n, self.pose.position)].map(|(axis, c)| [axis.x, axis.y, axis.z, -axis.dot(c)])
     }
 }

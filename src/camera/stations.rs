@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
-use super::basis::{Frame, Pose};
+use super::basis::{CameraFrame, Pose};
 use super::{Camera, ClipSpace, ImageSize, Ndc, Projection, Viewport};
 use crate::geometry::double_double::{Dd, Dd3, NOISE};
 
@@ -70,7 +70,7 @@ impl Camera {
         let column = |k: usize, factor: f64| Dd3::from(world_from_object.col(k).truncate()) * Dd::new(factor);
         let world = column(0, p_object.x) + column(1, p_object.y) + column(2, p_object.z) + column(3, 1.0);
         let (aside, ahead) = (world - self.sideways_origin(world.value()), world - self.pose.position);
-        let Frame { u, v, n, .. } = &self.frame;
+        let CameraFrame { u, v, n, .. } = &self.frame;
         let [x, y, _, w] = self.lens.clip(self.projection(), Dd3::new(u.dot(aside), v.dot(aside), n.dot(ahead)));
         (w.value() > 0.0).then(|| DVec2::new((x / w).value(), (y / w).value()))
     }
@@ -107,7 +107,7 @@ impl Camera {
     /// A world point in the VRC, and how much of it may be noise, sideways and along **n**: of the differences what
     /// rounding C (or PF) has left, and of the products.
     fn exact_view_point(&self, p_world: DVec3) -> (Dd3, [f64; 2]) {
-        let Frame { u, v, n, .. } = &self.frame;
+        let CameraFrame { u, v, n, .. } = &self.frame;
         let [(aside, made_of_aside), (ahead, made_of_ahead)] =
             [self.sideways_origin(p_world), self.pose.position].map(|origin| difference(p_world, origin));
         let clean = |axis: &Dd3, x: Dd, made_of: DVec3| x.without_noise(axis.value().abs().dot(made_of));

@@ -7,11 +7,11 @@ use super::words::{DataFormat, LangArg};
 use super::{Failure, print, progress};
 use crate::export::plot::{self, Block};
 use crate::files::{self, Overwrite};
-use crate::foreign;
 use crate::i18n::{Lang, messages, numerics as words};
-use crate::numerics::price::{self, Price};
+use crate::numerics::overhead::{self, Price};
 use crate::numerics::{self, Effort, Findings, Row, Study};
 use crate::progress::at_once;
+use crate::sanitize;
 
 /// What programs read.
 #[derive(Serialize)]
@@ -25,7 +25,7 @@ struct Accuracy<'a> {
 
 /// A line of a table for spreadsheets: all of a row but its figure.
 #[derive(Serialize)]
-struct Line<'a> {
+struct StudyLine<'a> {
     study: Study,
     case: &'a str,
     parameter: f64,
@@ -47,13 +47,13 @@ pub(super) fn run(args: &AccuracyArgs, lang: Lang) -> Result<(), Failure> {
     let (findings, price) = progress::watched(lang, |progress| {
         let findings: Vec<Findings> =
             studies.iter().map(|&study| at_once(numerics::run(study, &effort, progress))).collect();
-        let price = (studies.len() == Study::ALL.len()).then(|| price::measure(&effort, progress));
+        let price = (studies.len() == Study::ALL.len()).then(|| overhead::measure(&effort, progress));
         (findings, price.flatten())
     });
     // What goes to standard output and into files does not depend on the system.
     let written = args.lang.map_or(Lang::En, LangArg::lang);
     if let Some((path, format)) = plot {
-        let name = foreign::path(path);
+        let name = sanitize::path(path);
         let bytes = plot::encode(&blocks(written, &findings), format)
             .map_err(|error| Failure::Failed(format!("{name}: {error}")))?;
         files::save(path, &bytes, Overwrite::Writable)
@@ -91,7 +91,7 @@ fn csv_of(findings: &[Findings]) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for Findings { study, rows, .. } in findings {
         for Row { case, parameter, method, error, error_max, unit, nanos, bits, pareto, predicted, .. } in rows {
-            writer.serialize(Line {
+            writer.serialize(StudyLine {
                 study: *study,
                 case,
                 parameter: *parameter,

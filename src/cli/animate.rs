@@ -3,26 +3,26 @@
 
 use super::args::AnimateArgs;
 use super::render::no_picture;
-use super::{Failure, Subject, progress, say};
+use super::{Failure, OpenFigure, progress, say};
 use crate::camera::ImageSize;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
-use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages};
-use crate::picture::{Film, FilmFormat, PictureFile};
+use crate::picture::{Animation, FilmFormat, PictureFile};
 use crate::progress::at_once;
+use crate::sanitize;
 use crate::views::View;
 
 /// The size of each picture where none is given.
 const SIZE: ImageSize = ImageSize { width: 480, height: 360 };
 
 pub(super) fn run(args: &AnimateArgs, lang: Lang) -> Result<(), Failure> {
-    let name = foreign::path(&args.output);
+    let name = sanitize::path(&args.output);
     let format = FilmFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::animation_ending(lang, &name)))?;
     let seconds = args.seconds(lang)?;
     let size = args.size(lang)?.unwrap_or(SIZE);
-    let subject = Subject::open(&args.figure, &args.common, Some(size), lang)?;
-    let film = Film { request: subject.request(View::Canonical, false), decomposition: args.steps };
+    let subject = OpenFigure::open(&args.figure, &args.common, Some(size), lang)?;
+    let film = Animation { request: subject.request(View::Canonical, false), decomposition: args.steps };
     if film.steps() == 0 {
         let name = messages::opened(lang, &args.figure);
         return Err(Failure::BadInput(format!("{name}: {}", texts::no_steps(lang, film.decomposition))));

@@ -17,11 +17,11 @@ use crate::export::format::PictureFormat;
 use crate::export::plot::PlotFormat;
 use crate::expression::{self, Dimension};
 use crate::figure::{Show, show_with};
-use crate::foreign::{self, shown};
 use crate::i18n::{Lang, command_line as texts, messages};
 use crate::limits::{MAX_SIDE, MEASURED_SECONDS, PAPER_CM, PAPER_DPI, PAPER_LETTERS, PAPER_LINES, SCALE, STEP_SECONDS};
 use crate::numerics::Study;
 use crate::picture::OnPaper;
+use crate::sanitize::{self, escaped};
 use crate::views::{View, Views};
 
 /// An interactive laboratory for the virtual camera of computer graphics.
@@ -332,7 +332,7 @@ impl FigureArgs {
     pub(super) fn operations(&self, lang: Lang) -> Result<Vec<Operation>, Failure> {
         let read = |text: &String| {
             text.parse()
-                .map_err(|e| Failure::BadInput(format!("--op {}: {}", shown(text), messages::operation(lang, &e))))
+                .map_err(|e| Failure::BadInput(format!("--op {}: {}", escaped(text), messages::operation(lang, &e))))
         };
         self.operations.iter().map(read).collect()
     }
@@ -340,7 +340,7 @@ impl FigureArgs {
     /// What is shown, with the keys that the arguments set.
     pub(super) fn shown(&self, show: Show, lang: Lang) -> Result<Show, Failure> {
         self.show.iter().try_fold(show, |show, text| {
-            let refused = |why: &str| Failure::BadInput(format!("--show {}: {why}", shown(text)));
+            let refused = |why: &str| Failure::BadInput(format!("--show {}: {why}", escaped(text)));
             let (key, value) = text.split_once('=').ok_or_else(|| refused(texts::show_without_value(lang)))?;
             show_with(&show, key.trim(), value).map_err(|error| refused(&messages::without_line(lang, &error)))
         })
@@ -511,7 +511,7 @@ impl AccuracyArgs {
         let Some(path) = &self.plot else { return Ok(None) };
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         let format = PlotFormat::of_ending(ending)
-            .ok_or_else(|| Failure::BadInput(texts::plot_ending(lang, &foreign::path(path), &plot_endings())))?;
+            .ok_or_else(|| Failure::BadInput(texts::plot_ending(lang, &sanitize::path(path), &plot_endings())))?;
         Ok(Some((path, format)))
     }
 }

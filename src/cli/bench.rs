@@ -7,10 +7,10 @@ use serde::Serialize;
 use super::args::BenchArgs;
 use super::render::no_picture;
 use super::words::TableFormat;
-use super::{Failure, Subject, print};
+use super::{Failure, OpenFigure, print};
 use crate::clock;
 use crate::i18n::{Lang, command_line as texts, messages};
-use crate::picture::{Picture, Renderer, Sheet};
+use crate::picture::{Composite, Picture, Renderer};
 use crate::progress::at_once;
 use crate::views::{Request, Shot, View};
 
@@ -32,10 +32,10 @@ struct Measurement<'a> {
 
 pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
     let frames = args.frames(lang)?;
-    let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
-    let Subject { opened, scene, size, lang, .. } = &subject;
+    let subject = OpenFigure::open(&args.figure, &args.common, args.size(lang)?, lang)?;
+    let OpenFigure { opened, scene, size, lang, .. } = &subject;
     let request = subject.request(View::Image, args.force_all_stages);
-    let sheet = Sheet::of(args.view, &request, &Shot::of(&opened.figure), None)
+    let sheet = Composite::of(args.view, &request, &Shot::of(&opened.figure), None)
         .map_err(|error| no_picture(*lang, &messages::opened(*lang, &args.figure), error.into(), subject.pixels()))?;
     let times = measure(&sheet.requests, frames).ok_or_else(|| subject.too_large())?;
     let measurement = Measurement {

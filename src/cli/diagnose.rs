@@ -7,13 +7,13 @@ use serde::{Serialize, Serializer};
 
 use super::args::DiagnoseArgs;
 use super::words::TableFormat;
-use super::{Failure, Subject, print, say};
+use super::{Failure, OpenFigure, print, say};
 use crate::figure::{Figure, update};
 use crate::files::{self, Overwrite};
-use crate::foreign;
 use crate::i18n::{Lang, coach, messages};
 use crate::numerics::diagnosis::{Diagnosis, Repair, Value, diagnose};
 use crate::numerics::health::{Health, health};
+use crate::sanitize;
 
 /// What programs read.
 #[derive(Serialize)]
@@ -52,8 +52,8 @@ impl Serialize for Changes {
 }
 
 pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
-    let subject = Subject::open(&args.figure, &args.common, None, lang)?;
-    let Subject { opened, camera, scene, .. } = &subject;
+    let subject = OpenFigure::open(&args.figure, &args.common, None, lang)?;
+    let OpenFigure { opened, camera, scene, .. } = &subject;
     let figure = &opened.figure;
     let health = health(camera, figure.image, scene.bounds());
     let diagnosis = diagnose(scene, camera, &figure.style, figure.image).ok_or_else(|| subject.too_large())?;
@@ -90,7 +90,7 @@ pub(super) fn run(args: &DiagnoseArgs, lang: Lang) -> Result<(), Failure> {
         let (repaired, note) = repaired(figure, &diagnosis, lang);
         // The file may be for another folder than the one from which its meshes are named.
         let repaired = files::for_folder(&repaired, args.figure.parent(), path.parent());
-        let name = foreign::path(path);
+        let name = sanitize::path(path);
         files::save(path, update(&opened.text, &repaired).as_bytes(), Overwrite::Writable)
             .map_err(|error| Failure::Failed(messages::file(lang, &name, &error)))?;
         if let Some(note) = note {

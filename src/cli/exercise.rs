@@ -15,13 +15,13 @@ use crate::exercises::{self, Ask, Entry, Exercise, Expected, Judged, Kind};
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, write::to_toml};
 use crate::files::{self, BadExercise, Overwrite, OwnExercises};
-use crate::foreign;
 use crate::i18n::{
     Lang, exercise_messages as said, exercise_sheet as sheet_of, exercises as texts, messages, pictures,
 };
 use crate::inspect::json_text;
-use crate::picture::{self, Form, PictureError, Sheet};
+use crate::picture::{self, Composite, FileOptions, PictureError};
 use crate::progress::{Progress, at_once};
+use crate::sanitize;
 use crate::scene::no_files;
 use crate::views::{Request, SharedScene, Shot, Size, View, Views, scene_of};
 
@@ -44,7 +44,7 @@ fn written(lang: Option<LangArg>) -> Lang {
 
 fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     #[derive(Serialize)]
-    struct Line<'a> {
+    struct AskLine<'a> {
         id: &'a str,
         source: &'a str,
         title: &'a str,
@@ -53,8 +53,8 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
     let written = written(args.lang);
     let own = own(args.folder.as_deref(), lang)?;
     say_faults(&own, lang);
-    let lines: Vec<Line<'_>> = exercises::with_own(&own.entries)
-        .map(|entry| Line {
+    let lines: Vec<AskLine<'_>> = exercises::with_own(&own.entries)
+        .map(|entry| AskLine {
             id: &entry.id,
             source: entry.source,
             title: texts::title(written, entry),
@@ -72,12 +72,12 @@ fn list(args: &ListArgs, lang: Lang) -> Result<(), Failure> {
 fn own(folder: Option<&Path>, lang: Lang) -> Result<OwnExercises, Failure> {
     let Some(folder) = folder else { return Ok(OwnExercises::default()) };
     files::read_exercises(folder)
-        .map_err(|error| Failure::BadInput(messages::file(lang, &foreign::path(folder), &error)))
+        .map_err(|error| Failure::BadInput(messages::file(lang, &sanitize::path(folder), &error)))
 }
 
 /// Why a file of the folder holds no exercise.
 fn fault(bad: &BadExercise, lang: Lang) -> String {
-    messages::file(lang, &foreign::path(&bad.path), &bad.error)
+    messages::file(lang, &sanitize::path(&bad.path), &bad.error)
 }
 
 /// Says which files of the folder are passed over.
@@ -119,7 +119,7 @@ fn show(args: &ShowArgs, lang: Lang) -> Result<(), Failure> {
     let (_, exercise) = find(&args.id, &args.numbers, lang)?;
     let written = written(args.numbers.lang);
     if let Some(path) = &args.picture {
-        let name = foreign::path(path);
+        let name = sanitize::path(path);
         let figure = exercise.figure_to_match();
         let figure = figure.ok_or_else(|| Failure::BadInput(said::no_picture(lang, &exercise.id)))?;
         if PictureFormat::of(path) != Some(PictureFormat::Png) {
@@ -237,15 +237,15 @@ fn picture_command(exercise: &Exercise) -> String {
 /// Writes the picture of a figure, without the figure, which tells the camera.
 fn save_picture(path: &Path, figure: &Figure, written: Lang, lang: Lang) -> Result<(), Failure> {
     const SIZE: Size = Size { width: 960, height: 720, scale: 2.0 };
-    const PNG: Form = Form { format: PictureFormat::Png, crop: false, dpi: Some(200.0) };
-    let name = foreign::path(path);
+    const PNG: FileOptions = FileOptions { format: PictureFormat::Png, crop: false, dpi: Some(200.0) };
+    let name = sanitize::path(path);
     let failed = |why: String| Failure::Failed(format!("{name}: {why}"));
     let camera = Camera::new(&figure.camera).map_err(|error| failed(messages::camera(lang, &error)))?;
     let scene = scene_of(figure, &mut no_files, &Progress::default());
     let scene = SharedScene::new(scene.map_err(|error| failed(messages::scene(lang, &error)))?);
     let request = Request::of(figure, View::Image, &camera, &scene, pictures::labels(written), SIZE);
     let no_picture = |error: PictureError| no_picture(lang, &name, error, [SIZE.width, SIZE.height].map(u64::from));
-    let sheet = Sheet::of(Views::One(View::Image), &request, &Shot::of(figure), None);
+    let sheet = Composite::of(Views::One(View::Image), &request, &Shot::of(figure), None);
     let sheet = sheet.map_err(|error| no_picture(error.into()))?;
     let file = at_once(picture::file(&sheet, PNG, "", &Progress::default()));
     let file = file.map_err(no_picture)?;
@@ -354,7 +354,7 @@ fn beside(sheet: &Path, number: usize) -> String {
 
 fn sheet(args: &SheetArgs, lang: Lang) -> Result<(), Failure> {
     let written = written(args.numbers.lang);
-    let name = foreign::path(&args.output);
+    let name = sanitize::path(&args.output);
     let own = own(args.numbers.folder.as_deref(), lang)?;
     let ids = args.ids.iter().map(|id| id.trim());
     let found: Vec<Exercise> =

@@ -6,13 +6,13 @@ use serde::Serialize;
 
 use super::args::ExplainArgs;
 use super::words::TableFormat;
-use super::{Failure, Subject, print};
+use super::{Failure, OpenFigure, print};
 use crate::clock;
-use crate::foreign::shown;
 use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
-use crate::picture::{Account, Picture, Renderer};
+use crate::picture::{Picture, RenderReport, Renderer};
 use crate::pipeline::{Containment, ObjectReport, StageReport};
 use crate::progress::at_once;
+use crate::sanitize::escaped;
 use crate::scene::{Object, Scene};
 use crate::views::{Request, Size, View};
 
@@ -52,8 +52,8 @@ struct StageLine {
 }
 
 pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
-    let subject = Subject::open(&args.figure, &args.common, args.size(lang)?, lang)?;
-    let Subject { scene, size, lang, .. } = &subject;
+    let subject = OpenFigure::open(&args.figure, &args.common, args.size(lang)?, lang)?;
+    let OpenFigure { scene, size, lang, .. } = &subject;
     let (size, lang) = (*size, *lang);
     let request = subject.request(args.view, args.force_all_stages);
     let account = account(&request).ok_or_else(|| subject.too_large())?;
@@ -64,7 +64,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
             let mut text = table(&account, canvas::texts(lang).view(args.view), size, lang);
             if let Some(objects) = objects.filter(|objects| !objects.is_empty()) {
                 text += "\n";
-                objects.iter().for_each(|object| text += &format!("{:<18} {}\n", shown(object.name), object.reason));
+                objects.iter().for_each(|object| text += &format!("{:<18} {}\n", escaped(object.name), object.reason));
             }
             text
         }
@@ -79,7 +79,7 @@ pub(super) fn run(args: &ExplainArgs, lang: Lang) -> Result<(), Failure> {
 }
 
 /// What becomes of each object of the scene.
-fn objects<'a>(scene: &'a Scene, account: &Account, lang: Lang) -> Vec<ObjectLine<'a>> {
+fn objects<'a>(scene: &'a Scene, account: &RenderReport, lang: Lang) -> Vec<ObjectLine<'a>> {
     let line = |(object, report): (&'a Object, &ObjectReport)| {
         let (place, planes) = match report.containment {
             Containment::Empty => ("empty", 0),
@@ -95,7 +95,7 @@ fn objects<'a>(scene: &'a Scene, account: &Account, lang: Lang) -> Vec<ObjectLin
 }
 
 /// The picture is drawn twice: the first time, memory that is new to the process would be most of what is measured.
-fn account(request: &Request) -> Option<Account> {
+fn account(request: &Request) -> Option<RenderReport> {
     let (mut renderer, mut picture) = (Renderer::default(), Picture::default());
     renderer.measure(Some(clock::now));
     at_once(renderer.pixels_into(request, &mut picture))?;
@@ -122,7 +122,7 @@ fn micros(time: std::time::Duration) -> f64 {
 }
 
 /// A table: stage, in → out and of what, microseconds, reason.
-fn table(account: &Account, view: &str, size: Size, lang: Lang) -> String {
+fn table(account: &RenderReport, view: &str, size: Size, lang: Lang) -> String {
     let words = texts::explain(lang);
     let mut text = format!("{view}, {} × {}\n\n", size.width, size.height);
     let mut row = |[stage, entering, leaving, unit, micros, why]: [&str; 6]| {

@@ -8,8 +8,8 @@ use clap_complete::Shell;
 use super::args::{CommandLine, ManualArgs};
 use super::{Failure, print};
 use crate::files::{self, FileError, Overwrite};
-use crate::foreign;
 use crate::i18n::{Lang, messages};
+use crate::sanitize;
 
 pub(super) fn run(args: &ManualArgs, lang: Lang) -> Result<(), Failure> {
     let mut command = CommandLine::command();
@@ -25,7 +25,7 @@ pub(super) fn run(args: &ManualArgs, lang: Lang) -> Result<(), Failure> {
         clap_complete::generate(shell, &mut command, "camera-lab", &mut text);
         write(&args.folder.join(name), &text, lang)?;
     }
-    print(format!("{}\n", foreign::path(&args.folder)).as_bytes(), lang)
+    print(format!("{}\n", sanitize::path(&args.folder)).as_bytes(), lang)
 }
 
 /// A page of the command and one of each command below it, under the names that `man` looks for.
@@ -49,5 +49,5 @@ fn write(path: &Path, text: &[u8], lang: Lang) -> Result<(), Failure> {
 }
 
 fn refused(path: &Path, error: FileError, lang: Lang) -> Failure {
-    Failure::Failed(messages::file(lang, &foreign::path(path), &error))
+    Failure::Failed(messages::file(lang, &sanitize::path(path), &error))
 }

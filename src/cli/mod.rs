@@ -30,11 +30,11 @@ use clap::Parser;
 use crate::camera::{Camera, Convention, ImageSize, Operation};
 use crate::figure::Figure;
 use crate::figure::read::line_of_object;
-use crate::files::{self, FigureFiles, FileError, Opened, Reach, SourceFile};
-use crate::foreign;
+use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, SourceFile};
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
 use crate::inspect::{InspectError, camera_after};
 use crate::progress::Progress;
+use crate::sanitize;
 use crate::scene::Scene;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
 use args::{Command, CommandLine, FigureArgs};
@@ -131,7 +131,7 @@ pub fn fail(status: u8, message: &str) -> ExitCode {
 
 /// Writes a line to standard error. Where even that is closed, the status has to do.
 fn say(message: &str) {
-    let _ = writeln!(io::stderr(), "camera-lab: {}", foreign::printable(message));
+    let _ = writeln!(io::stderr(), "camera-lab: {}", sanitize::printable(message));
 }
 
 /// The language of the system, where it is one of ours.
@@ -169,20 +169,20 @@ fn open(path: &Path, args: &FigureArgs, lang: Lang) -> Result<(Opened, Camera), 
 /// missing without which it can be drawn.
 fn scene(path: &Path, opened: &Opened, args: &FigureArgs, lang: Lang) -> Result<Scene, Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut files = FigureFiles::new(folder, Reach::of(path, opened.from_picture, args.allow_files));
+    let mut files = FigureFiles::new(folder, FileAccess::of(path, opened.from_picture, args.allow_files));
     let read = |progress: &Progress| scene_of(&opened.figure, &mut |wanted| files.read(wanted), progress);
     let scene = progress::watched(lang, read).map_err(|error| {
         let line = error.object().and_then(|name| line_of_object(&opened.text, name, error.key()));
         Failure::BadInput(texts::in_file(lang, &messages::opened(lang, path), line, &messages::scene(lang, &error)))
     })?;
     if let Some(missing) = missing_triangle(&opened.figure, &scene, lang) {
-        return Err(Failure::BadInput(format!("{}: {missing}", foreign::path(path))));
+        return Err(Failure::BadInput(format!("{}: {missing}", sanitize::path(path))));
     }
     for unread in files.unread() {
         say(&messages::without_colors(lang, unread));
     }
     for (object, notice) in &scene.notices {
-        say(&format!("{}: {}", foreign::shown(object), messages::mesh_notice(lang, notice)));
+        say(&format!("{}: {}", sanitize::escaped(object), messages::mesh_notice(lang, notice)));
     }
     Ok(scene)
 }
@@ -199,7 +199,7 @@ fn missing_triangle(figure: &Figure, scene: &Scene, lang: Lang) -> Option<String
 }
 
 /// What `explain`, `bench` and `diagnose` look at.
-struct Subject {
+struct OpenFigure {
     opened: Opened,
     camera: Camera,
     scene: SharedScene,
@@ -208,7 +208,7 @@ struct Subject {
     lang: Lang,
 }
 
-impl Subject {
+impl OpenFigure {
     fn open(path: &Path, args: &FigureArgs, size: Option<ImageSize>, lang: Lang) -> Result<Self, Failure> {
         let (opened, camera) = open(path, args, lang)?;
         let scene = SharedScene::new(scene(path, &opened, args, lang)?);

@@ -49,7 +49,7 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
     use super::*;
-    use crate::progress::Doing;
+    use crate::progress::Activity;
 
     #[test]
     fn what_is_done_is_told_only_where_it_takes_long_and_the_line_is_empty_afterwards() {
@@ -60,7 +60,7 @@ mod tests {
         };
         assert_eq!(told_of(Duration::from_secs(60), |_| ()), "");
         let text = told_of(Duration::from_millis(1), |progress| {
-            progress.begin(Doing::Painting, 4);
+            progress.begin(Activity::Painting, 4);
             progress.advance(1);
             thread::sleep(Duration::from_millis(300));
         });

@@ -7,14 +7,14 @@ use crate::camera::ImageSize;
 use crate::export::format::PictureFormat;
 use crate::figure::update;
 use crate::files::{self, Overwrite};
-use crate::foreign;
 use crate::i18n::{Lang, command_line as texts, messages, pictures};
-use crate::picture::{self, Form, NoSheet, OnPaper, PictureError, PictureFile, Sheet, gap};
+use crate::picture::{self, Composite, FileOptions, NoComposite, OnPaper, PictureError, PictureFile, gap};
 use crate::progress::at_once;
+use crate::sanitize;
 use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views};
 
 pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
-    let name = foreign::path(&args.output);
+    let name = sanitize::path(&args.output);
     let format = PictureFormat::of(&args.output).ok_or_else(|| Failure::BadInput(texts::ending(lang, &name)))?;
     if args.transparent && !format.has_transparency() {
         return Err(Failure::BadInput(texts::no_transparency(lang, format)));
@@ -39,10 +39,11 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
     let request = Request::new(&shot, View::Image, &camera, &scene, labels, size);
     let finish = Finish { transparent: args.transparent, ..Finish::default() };
     let request = Request { force_all_stages: args.force_all_stages, finish, ..request };
-    let sheet = Sheet::of(args.view, &request, &shot, paper.as_ref())
+    let sheet = Composite::of(args.view, &request, &shot, paper.as_ref())
         .map_err(|error| no_picture(lang, &name, error.into(), [width, height]))?;
     let text = update(&opened.text, &opened.figure);
-    let form = Form { format, crop: args.crop, dpi: paper.filter(|_| args.is_for_paper()).map(|paper| paper.dpi) };
+    let form =
+        FileOptions { format, crop: args.crop, dpi: paper.filter(|_| args.is_for_paper()).map(|paper| paper.dpi) };
     let made = progress::watched(lang, |progress| at_once(picture::file(&sheet, form, &text, progress)));
     let PictureFile { bytes, too_much } = made.map_err(|error| no_picture(lang, &name, error, [width, height]))?;
     if let Some(too_much) = too_much {
@@ -59,10 +60,12 @@ pub(super) fn run(args: &RenderArgs, lang: Lang) -> Result<(), Failure> {
 pub(super) fn no_picture(lang: Lang, name: &str, error: PictureError, [width, height]: [u64; 2]) -> Failure {
     let encoder = |format, why: &str| Failure::Failed(format!("{name}: {}", messages::encoder(lang, format, why)));
     match error {
-        PictureError::TooLarge | PictureError::Sheet(NoSheet::TooLarge) => {
+        PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge) => {
             Failure::BadInput(texts::too_large(lang, width, height))
         }
-        PictureError::Sheet(NoSheet::NoRoom { gap }) => Failure::BadInput(texts::no_room(lang, width, height, gap)),
+        PictureError::Composite(NoComposite::NoRoom { gap }) => {
+            Failure::BadInput(texts::no_room(lang, width, height, gap))
+        }
         // Nobody cancels it: whoever wants to ends the program.
         PictureError::Cancelled => Failure::Failed(format!("{name}: {error}")),
         PictureError::Png(error) => Failure::Failed(format!("{name}: {}", messages::png(lang, &error))),

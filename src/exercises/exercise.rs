@@ -4,9 +4,9 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::mistake::{Mistake, Slips};
+use super::own_texts::{OwnMistake, OwnTexts};
 use super::subject::Subject;
 use super::textbook;
-use super::told::{OwnMistake, OwnTexts};
 use super::value::Table;
 use super::worked::{Worked, worked};
 use crate::camera::{Camera, Parameters};

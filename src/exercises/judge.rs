@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::answer::{Answer, AnswerError, read_answer};
 use super::exercise::{Ask, Exercise, Expected, Kind};
 use super::mistake::{Mistake, Slip, Slips};
-use super::told::{Given, OwnMistake};
+use super::own_texts::{ExpectedAnswer, OwnMistake};
 use super::value::Table;
 use crate::camera::Camera;
 
@@ -172,8 +172,8 @@ impl Ask {
     /// The wrong answer that was expected, and is this one.
     fn own_mistake(&self, answer: &Answer) -> Option<Arc<OwnMistake>> {
         let is = |own: &&Arc<OwnMistake>| match (&own.answer, answer) {
-            (Given::Choice(wrong), Answer::Choice(chosen)) => wrong == chosen,
-            (Given::Numbers(wrong), Answer::Numbers { rows, columns, entries }) => {
+            (ExpectedAnswer::Choice(wrong), Answer::Choice(chosen)) => wrong == chosen,
+            (ExpectedAnswer::Numbers(wrong), Answer::Numbers { rows, columns, entries }) => {
                 [*rows, *columns] == wrong.shape()
                     && entries.iter().zip(&wrong.entries).all(|(given, wrong)| self.accepts(*given, *wrong))
             }

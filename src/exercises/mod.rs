@@ -8,16 +8,16 @@
 mod answer;
 mod exercise;
 pub mod families;
-mod given;
 mod judge;
 mod mistake;
 pub mod notes;
 pub mod own;
+mod own_texts;
 mod products;
 mod progress;
+mod statement_facts;
 mod subject;
 mod textbook;
-mod told;
 mod value;
 mod worked;
 
@@ -28,9 +28,9 @@ pub use answer::{Answer, AnswerError, read_answer, uses_names};
 pub use exercise::{Ask, Compute, Conditions, Exercise, Expected, Fact, Kind, Reading, TOLERANCE, Unit};
 pub use judge::{Diagnosis, Judged, judge, judge_answer};
 pub use mistake::{Mistake, Slip, Slips};
+pub use own_texts::{Bilingual, ExpectedAnswer, OwnMistake, OwnTexts};
 pub use progress::{Made, Next, Progress, ProgressError, Stage, Tried, Why};
 pub use subject::Subject;
-pub use told::{Given, OwnMistake, OwnTexts, Told};
 pub use value::Table;
 pub use worked::Worked;
 

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::exercise::{Ask, Exercise, Expected, Kind, Unit};
-use super::given::about;
 use super::mistake::Mistake;
+use super::own_texts::{Bilingual, ExpectedAnswer, OwnMistake, OwnTexts};
+use super::statement_facts::about;
 use super::subject::Subject;
-use super::told::{Given, OwnMistake, OwnTexts, Told};
 use super::value::Table;
 use super::{Entry, Make};
 use crate::figure::error::{Allowed, Problem};
@@ -114,7 +114,7 @@ fn exercise(mut root: Section<'_>, faults: &mut Vec<Fault>) -> Exercise {
     faults.extend(root.finish());
     // What is asked of a figure that is at fault is not judged.
     let is_good = faults.iter().all(Fault::is_unknown_key);
-    let (mut asks, mut texts): (Vec<Ask>, BTreeMap<String, Told>) = (Vec::new(), BTreeMap::new());
+    let (mut asks, mut texts): (Vec<Ask>, BTreeMap<String, Bilingual>) = (Vec::new(), BTreeMap::new());
     for section in sections.into_iter().filter(|_| is_good) {
         if let Some((ask, text)) = ask(section, &subject, &asks, faults) {
             texts.insert(ask.name.clone(), text);
@@ -144,27 +144,27 @@ fn name(section: &mut Section<'_>, key: &'static str) -> String {
 }
 
 /// A text that has to be there.
-fn told(section: &mut Section<'_>, key: &'static str) -> Told {
+fn told(section: &mut Section<'_>, key: &'static str) -> Bilingual {
     if !section.is_present(key) {
-        section.missing(key, Allowed::Told);
+        section.missing(key, Allowed::Bilingual);
     }
     let told = section.told(key);
     told.and_then(|texts| harmless(section, key, texts)).unwrap_or_default()
 }
 
 /// A list of texts, which may be missing.
-fn told_list(section: &mut Section<'_>, key: &'static str) -> Vec<Told> {
+fn told_list(section: &mut Section<'_>, key: &'static str) -> Vec<Bilingual> {
     let all = section.told_list(key);
     all.into_iter().filter_map(|texts| harmless(section, key, texts)).collect()
 }
 
 /// A text that can be shown, and set on a sheet; `None`, and a fault, where it is more than words and mathematics.
-fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<Told> {
+fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<Bilingual> {
     // Files from Windows end their lines so.
     let texts = texts.map(|text| text.replace("\r\n", "\n"));
     for text in &texts {
         if text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')) {
-            section.refuse(key, Allowed::Told);
+            section.refuse(key, Allowed::Bilingual);
             return None;
         }
         if let Err(error) = formula::check(text) {
@@ -176,7 +176,12 @@ fn harmless(section: &mut Section<'_>, key: &str, texts: [String; 2]) -> Option<
 }
 
 /// What is asked, and its text; `None`, and a fault, where it cannot be asked.
-fn ask(mut section: Section<'_>, subject: &Subject, before: &[Ask], faults: &mut Vec<Fault>) -> Option<(Ask, Told)> {
+fn ask(
+    mut section: Section<'_>,
+    subject: &Subject,
+    before: &[Ask],
+    faults: &mut Vec<Fault>,
+) -> Option<(Ask, Bilingual)> {
     let name = name(&mut section, "name");
     if before.iter().any(|other| other.name == name) && !name.is_empty() {
         section.fault("name", Problem::Duplicate);
@@ -231,11 +236,11 @@ fn asked(
             Some(Ask::quantity(name, subject, &path))
         }
         (false, true) => match given(section, &choices, unit)? {
-            Given::Choice(right) => {
+            ExpectedAnswer::Choice(right) => {
                 let choices: Vec<&str> = choices.iter().map(String::as_str).collect();
                 Some(Ask::choice(name, &choices, right, &[], Vec::new()))
             }
-            Given::Numbers(table) => {
+            ExpectedAnswer::Numbers(table) => {
                 let kind = match table.shape() {
                     [1, 1] => Kind::Number,
                     [rows, 1] => Kind::Vector(rows),
@@ -251,11 +256,11 @@ fn asked(
 }
 
 /// `answer`: one of the choices, or numbers.
-fn given(section: &mut Section<'_>, choices: &[String], unit: Option<Unit>) -> Option<Given> {
+fn given(section: &mut Section<'_>, choices: &[String], unit: Option<Unit>) -> Option<ExpectedAnswer> {
     if choices.is_empty() {
         let rows = section.rows("answer", unit == Some(Unit::Degrees))?;
         let columns = rows.first().map_or(0, Vec::len);
-        return Some(Given::Numbers(Table { rows: rows.len(), columns, entries: rows.concat() }));
+        return Some(ExpectedAnswer::Numbers(Table { rows: rows.len(), columns, entries: rows.concat() }));
     }
     let allowed = || Allowed::Choice(choices.to_vec());
     let text = section.text("answer");
@@ -264,7 +269,7 @@ fn given(section: &mut Section<'_>, choices: &[String], unit: Option<Unit>) -> O
         section.faults.retain(|fault| !matches!(fault.problem, Problem::Value { allowed: Allowed::Text, .. }));
         section.refuse("answer", allowed());
     }
-    found.map(Given::Choice)
+    found.map(ExpectedAnswer::Choice)
 }
 
 fn own_mistake(mut section: Section<'_>, ask: &Ask, faults: &mut Vec<Fault>) -> Option<OwnMistake> {
@@ -277,8 +282,8 @@ fn own_mistake(mut section: Section<'_>, ask: &Ask, faults: &mut Vec<Fault>) -> 
     }
     let answer = given(&mut section, &choices, Some(ask.unit));
     let is_right = match (&answer, ask.expected()) {
-        (Some(Given::Choice(wrong)), Expected::Choice(right, ..)) => wrong == right,
-        (Some(Given::Numbers(wrong)), expected) => expected.table().is_some_and(|right| {
+        (Some(ExpectedAnswer::Choice(wrong)), Expected::Choice(right, ..)) => wrong == right,
+        (Some(ExpectedAnswer::Numbers(wrong)), expected) => expected.table().is_some_and(|right| {
             let mut both = wrong.entries.iter().zip(&right.entries);
             wrong.shape() == right.shape() && both.all(|(wrong, right)| ask.accepts(Some(*wrong), *right))
         }),

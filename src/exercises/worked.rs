@@ -24,12 +24,12 @@ pub struct Worked {
     /// The point whose coordinates stand in it.
     point: Option<DVec3>,
     /// What is computed.
-    rows: Vec<Row>,
+    rows: Vec<FormulaRow>,
 }
 
 /// `symbol` = `formula` = `value`.
 #[derive(Clone, Debug, PartialEq)]
-struct Row {
+struct FormulaRow {
     symbol: Formula,
     formula: Formula,
     value: f64,
@@ -58,7 +58,7 @@ impl Worked {
     /// With a row: what `symbol` names is `formula`.
     #[must_use]
     pub fn row(mut self, symbol: Named, formula: Formula) -> Self {
-        self.rows.push(Row { symbol: symbol.into(), formula, value: symbol.value });
+        self.rows.push(FormulaRow { symbol: symbol.into(), formula, value: symbol.value });
         self
     }
 
@@ -68,7 +68,7 @@ impl Worked {
 
     fn push(&mut self, setting: &Setting<'_>, symbol: impl Into<Formula>, formula: Formula) {
         let value = formula.value(setting);
-        self.rows.push(Row { symbol: symbol.into(), formula, value });
+        self.rows.push(FormulaRow { symbol: symbol.into(), formula, value });
     }
 
     /// The rows as they are written.
@@ -84,7 +84,7 @@ impl Worked {
         let symbols = explain::Writer { notation, mark, numbers: None };
         let numbers =
             explain::Writer { notation, mark, numbers: Some(explain::Numbers { setting: &setting, digits, exact }) };
-        let line = |row: &Row| Line {
+        let line = |row: &FormulaRow| Line {
             symbol: symbols.write(&row.symbol),
             formula: symbols.write(&row.formula),
             numbers: numbers.write(&row.formula),
@@ -379,7 +379,7 @@ fn defined(
             }
             // The camera's own number, which a formula in plain f64 may miss by its last digit.
             let value = setting.value(symbol);
-            step.rows.push(Row { symbol: symbol.into(), formula: found.formula, value });
+            step.rows.push(FormulaRow { symbol: symbol.into(), formula: found.formula, value });
         }
     }
     step.equation = equations.join(", ");
@@ -395,7 +395,11 @@ fn matrix(subject: &Arc<Subject>, setting: &Setting<'_>, of: Matrix) -> Worked {
             let formula = formulas.entry(usize::from(row), usize::from(column));
             if !matches!(formula, Formula::Number(_)) {
                 let symbol = Symbol::Entry(of, row, column);
-                step.rows.push(Row { symbol: symbol.into(), formula: formula.clone(), value: setting.value(symbol) });
+                step.rows.push(FormulaRow {
+                    symbol: symbol.into(),
+                    formula: formula.clone(),
+                    value: setting.value(symbol),
+                });
             }
         }
     }
@@ -409,7 +413,7 @@ fn trace(subject: &Arc<Subject>, setting: &Setting<'_>, point: DVec3, to: &str) 
     let mut steps = Vec::new();
     while let Some(found) = all.iter().find(|step| step.to == wanted) {
         let rows = found.symbols.iter().zip(&found.formulas).zip(&found.output);
-        let rows = rows.map(|((symbol, formula), value)| Row {
+        let rows = rows.map(|((symbol, formula), value)| FormulaRow {
             symbol: (*symbol).into(),
             formula: formula.clone(),
             value: *value,

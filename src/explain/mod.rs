@@ -8,23 +8,23 @@
 pub mod code;
 mod definitions;
 mod formula;
+mod formula_writer;
 pub mod homogeneous;
 mod matrices;
 pub mod order;
 mod report;
 mod setting;
+mod step_lines;
 mod symbol;
 mod trace;
 pub mod vocabulary;
-mod writing;
-mod written;
 
 pub use definitions::{Definition, definition, leaves};
 pub use formula::{Formula, Function, Named, minus, over, plus, sum, times};
+pub use formula_writer::{Notation, Numbers, Writer};
 pub use matrices::{EntryFormula, MatrixFormula, projection_equation};
 pub use report::{DepthPixelReport, json};
 pub use setting::{Placement, Setting};
+pub use step_lines::{Line, Style, aligned, written};
 pub use symbol::{Axis, Component, Matrix, Symbol, Vector};
 pub use trace::{Step, back, forward};
-pub use writing::{Notation, Numbers, Writer};
-pub use written::{Line, Style, aligned, written};

@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use super::{Setting, Step, back, forward};
-use crate::camera::{NoWayBack, WayBack};
+use crate::camera::{NotProjectable, WayBack};
 use crate::inspect::{Report, json_text};
 
 /// A pixel with a depth, followed back to the world.
@@ -32,8 +32,8 @@ impl DepthPixelReport {
     /// The way back from the centre of a pixel with a depth.
     ///
     /// # Errors
-    /// [`NoWayBack`]: the depth belongs to no point.
-    pub fn new(setting: &Setting<'_>, pixel: [i64; 2], depth: f64) -> Result<Self, NoWayBack> {
+    /// [`NotProjectable`]: the depth belongs to no point.
+    pub fn new(setting: &Setting<'_>, pixel: [i64; 2], depth: f64) -> Result<Self, NotProjectable> {
         let way = setting.space().way_back(setting.image(), &setting.viewport(), pixel, depth)?;
         let trace = back(setting, &way);
         let WayBack { pixel, depth, window, ndc, clip, view, world } = way;

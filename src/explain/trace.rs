@@ -60,7 +60,7 @@ impl Step {
 }
 
 /// A row of a step before it is evaluated.
-struct Row {
+struct UnevaluatedRow {
     symbol: Symbol,
     /// What is added.
     terms: Vec<Formula>,
@@ -68,7 +68,7 @@ struct Row {
     after_floor: Option<Option<Formula>>,
 }
 
-impl Row {
+impl UnevaluatedRow {
     fn sum(symbol: Symbol, terms: impl IntoIterator<Item = Formula>) -> Self {
         Self { symbol, terms: terms.into_iter().collect(), after_floor: None }
     }
@@ -105,7 +105,7 @@ fn step(
     (from, to): (&'static str, &'static str),
     equation: impl Into<String>,
     input: Vec<f64>,
-    rows: Vec<Row>,
+    rows: Vec<UnevaluatedRow>,
 ) -> Step {
     Step {
         from,
@@ -116,7 +116,7 @@ fn step(
         terms: rows.iter().map(|row| row.numbers(setting)).collect(),
         output: rows.iter().map(|row| setting.value(row.symbol) + 0.0).collect(),
         symbols: rows.iter().map(|row| row.symbol).collect(),
-        formulas: rows.iter().map(Row::formula).collect(),
+        formulas: rows.iter().map(UnevaluatedRow::formula).collect(),
         by: None,
         with_far_plane: false,
     }
@@ -136,7 +136,7 @@ fn matrix_step(
     let rows = output.iter().zip(INDICES).map(|(symbol, row)| {
         // Products with 1 stand there too: students write them.
         let product = |column| Formula::Product(vec![Symbol::Entry(matrix, row, column).into(), factor(column)]);
-        Row::sum(*symbol, INDICES.map(product))
+        UnevaluatedRow::sum(*symbol, INDICES.map(product))
     });
     let column = input.iter().map(|symbol| setting.value(*symbol)).chain([1.0]).collect();
     let numbers = setting.matrix(matrix).transpose().to_cols_array_2d().map(|row| row.map(|x| x + 0.0));
@@ -179,7 +179,10 @@ fn to_view(setting: &Setting<'_>) -> Step {
     }
     let from_eye = |c| minus(Symbol::World(c), Symbol::Position(c));
     let rows = Axis::ALL.into_iter().zip(output).map(|(axis, symbol)| {
-        Row::sum(symbol, Component::THREE.map(|c| Formula::Product(vec![Symbol::Axis(axis, c).into(), from_eye(c)])))
+        UnevaluatedRow::sum(
+            symbol,
+            Component::THREE.map(|c| Formula::Product(vec![Symbol::Axis(axis, c).into(), from_eye(c)])),
+        )
     });
     let offset = Component::THREE.map(|c| from_eye(c).value(setting)).to_vec();
     step(setting, ("world", "view"), "(5.7), p − C", offset, rows.collect())
@@ -188,7 +191,7 @@ fn to_view(setting: &Setting<'_>) -> Step {
 /// (5.6).
 fn divide(setting: &Setting<'_>) -> Step {
     let input = Component::FOUR.map(|c| setting.value(Symbol::Clip(c))).to_vec();
-    let row = |c| Row::sum(Symbol::Ndc(c), [over(Symbol::Clip(c), Symbol::Clip(Component::W))]);
+    let row = |c| UnevaluatedRow::sum(Symbol::Ndc(c), [over(Symbol::Clip(c), Symbol::Clip(Component::W))]);
     step(setting, ("clip", "ndc"), "(5.6)", input, Component::THREE.map(row).into())
 }
 
@@ -202,7 +205,7 @@ fn to_window(setting: &Setting<'_>) -> Step {
         } else {
             Symbol::View(c).into()
         };
-        Row::sum(Symbol::Window(c), [formula])
+        UnevaluatedRow::sum(Symbol::Window(c), [formula])
     };
     let equation = if perspective { "(5.9), (5.10)" } else { "§5.3.2" };
     step(setting, ("view", "window"), equation, input, vec![row(Component::X), row(Component::Y)])
@@ -220,8 +223,8 @@ fn to_pixel(setting: &Setting<'_>) -> Step {
         (-scaled(columns, Symbol::Width, Symbol::Left), scaled(rows, Symbol::Height, Symbol::Top))
     };
     let rows = vec![
-        Row::floor(Symbol::Pixel(Component::X), [scaled(columns, Symbol::Width, x), from_left], None),
-        Row::floor(Symbol::Pixel(Component::Y), [from_top, -scaled(rows, Symbol::Height, y)], None),
+        UnevaluatedRow::floor(Symbol::Pixel(Component::X), [scaled(columns, Symbol::Width, x), from_left], None),
+        UnevaluatedRow::floor(Symbol::Pixel(Component::Y), [from_top, -scaled(rows, Symbol::Height, y)], None),
     ];
     step(setting, ("window", "pixel"), "(5.22)", input, rows)
 }
@@ -238,14 +241,14 @@ fn to_viewport(setting: &Setting<'_>) -> Step {
     let along = |output, size: Symbol, start: Symbol, ndc: Symbol, down: bool| {
         let half = || over(size, 2.0);
         let scaled = times([half(), ndc.into()]);
-        Row::floor(output, [if down { -scaled } else { scaled }, half()], Some(start.into()))
+        UnevaluatedRow::floor(output, [if down { -scaled } else { scaled }, half()], Some(start.into()))
     };
     let (x, y, z) = (Component::X, Component::Y, Component::Z);
     let depth = [times([entry(2, 2), Symbol::Ndc(z).into()]), entry(2, 3)];
     let rows = vec![
         along(Symbol::Viewport(x), Symbol::ViewportWidth, Symbol::ViewportX, Symbol::Ndc(x), false),
         along(Symbol::Viewport(y), Symbol::ViewportHeight, Symbol::ViewportY, Symbol::Ndc(y), ndc.y_points_down()),
-        Row::sum(Symbol::Viewport(z), depth),
+        UnevaluatedRow::sum(Symbol::Viewport(z), depth),
     ];
     step(setting, ("ndc", "viewport"), "(5.24), (5.25)", input, rows)
 }
@@ -275,7 +278,8 @@ pub fn back(setting: &Setting<'_>, way: &WayBack) -> Vec<Step> {
     );
     let divided = {
         let input = four.map(|c| setting.value(Symbol::Homogeneous(c))).to_vec();
-        let row = |c| Row::sum(Symbol::View(c), [over(Symbol::Homogeneous(c), Symbol::Homogeneous(Component::W))]);
+        let row =
+            |c| UnevaluatedRow::sum(Symbol::View(c), [over(Symbol::Homogeneous(c), Symbol::Homogeneous(Component::W))]);
         step(setting, ("homogeneous", "view"), "÷ w", input, three.map(row).into())
     };
     let to_world = matrix_step(
@@ -296,8 +300,8 @@ fn window_of_pixel(setting: &Setting<'_>) -> Step {
     let (x, y) = (Component::X, Component::Y);
     let input = [x, y].map(|c| centre(c).value(setting)).to_vec();
     let rows = vec![
-        Row::sum(Symbol::Window(x), [scaled(Symbol::Width, Symbol::ImageWidth, x), Symbol::Left.into()]),
-        Row::sum(Symbol::Window(y), [Symbol::Top.into(), -scaled(Symbol::Height, Symbol::ImageHeight, y)]),
+        UnevaluatedRow::sum(Symbol::Window(x), [scaled(Symbol::Width, Symbol::ImageWidth, x), Symbol::Left.into()]),
+        UnevaluatedRow::sum(Symbol::Window(y), [Symbol::Top.into(), -scaled(Symbol::Height, Symbol::ImageHeight, y)]),
     ];
     step(setting, ("pixel", "window"), "(5.23)", input, rows)
 }
@@ -312,9 +316,12 @@ fn ndc_of_window(setting: &Setting<'_>) -> Step {
     let row_y = if setting.space().ndc().y_points_down() { [-height, middle_y] } else { [height, -middle_y] };
     let entry = |column| Formula::from(Symbol::Entry(Matrix::InverseViewport, 2, column));
     let rows = vec![
-        Row::sum(Symbol::Ndc(x), [scaled(x, Symbol::Width), -middle(Symbol::Right, Symbol::Left, Symbol::Width)]),
-        Row::sum(Symbol::Ndc(y), row_y),
-        Row::sum(Symbol::Ndc(z), [times([entry(2), Symbol::Viewport(z).into()]), entry(3)]),
+        UnevaluatedRow::sum(
+            Symbol::Ndc(x),
+            [scaled(x, Symbol::Width), -middle(Symbol::Right, Symbol::Left, Symbol::Width)],
+        ),
+        UnevaluatedRow::sum(Symbol::Ndc(y), row_y),
+        UnevaluatedRow::sum(Symbol::Ndc(z), [times([entry(2), Symbol::Viewport(z).into()]), entry(3)]),
     ];
     step(setting, ("window", "ndc"), "(5.11), (5.12), (5.25)", input, rows)
 }

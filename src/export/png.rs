@@ -6,7 +6,7 @@ use std::io::{Cursor, Write as _};
 use png::{BitDepth, ColorType, Compression, DecodeOptions, Decoder, DecodingError, Encoder, PixelDimensions, Unit};
 use tiny_skia::Pixmap;
 
-use crate::progress::{Doing, Progress};
+use crate::progress::{Activity, Progress};
 
 /// The keyword of the iTXt chunk that holds the figure file.
 pub const KEYWORD: &str = "camera-lab-figure";
@@ -105,7 +105,7 @@ pub async fn encode(
         encoder.add_itxt_chunk(DESCRIPTION.to_owned(), said.to_owned()).map_err(error)?;
     }
     let mut writer = encoder.write_header().map_err(error)?;
-    progress.begin(Doing::Encoding, height as usize);
+    progress.begin(Activity::Encoding, height as usize);
     let mut stream = writer.stream_writer_with_size(CHUNK).map_err(error)?;
     for row in data.chunks(data.len() / height as usize) {
         if progress.is_cancelled() {

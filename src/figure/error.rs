@@ -2,8 +2,8 @@
 
 use crate::camera::CameraError;
 use crate::expression::{self, ExpressionError};
-use crate::foreign::shown;
 use crate::formula::FormulaError;
+use crate::sanitize::escaped;
 use crate::scene::SceneError;
 
 /// The first fault of a figure file.
@@ -69,7 +69,7 @@ pub enum Problem {
         allowed: Allowed,
     },
     /// A number that is written as a text, which cannot be read.
-    #[error("is \"{}\": {error} in {}; allowed: {allowed:?}", shown(text), expression::marked(text, &error.span))]
+    #[error("is \"{}\": {error} in {}; allowed: {allowed:?}", escaped(text), expression::marked(text, &error.span))]
     Expression {
         /// The text.
         text: String,
@@ -149,7 +149,7 @@ pub enum Allowed {
     /// Four rows of four numbers.
     Matrix,
     /// A text, or one for each language.
-    Told,
+    Bilingual,
     /// A list of such texts.
     ToldList,
     /// A list of texts.

@@ -1,10 +1,10 @@
 //! The file system, for both shells: opening a figure, saving so that nothing is lost.
 
 pub mod disk;
-mod look;
+mod file_access;
+mod file_change;
 mod mesh_paths;
 mod own_exercises;
-mod reach;
 #[cfg(not(target_arch = "wasm32"))]
 mod save;
 mod shipped;
@@ -24,10 +24,10 @@ use crate::scene::{ReadProblem, system_words};
 use crate::share::{self, ShareError};
 #[cfg(target_arch = "wasm32")]
 pub use disk::{is_read_only, read_at_most, remove_left_over, save};
-pub use look::{Found, Stamp, look};
+pub use file_access::{FigureFiles, FileAccess};
+pub use file_change::{FileChange, Stamp, look};
 pub use mesh_paths::{for_folder, named_in_figure};
 pub use own_exercises::{BadExercise, OwnExercises, read_exercises};
-pub use reach::{FigureFiles, Reach};
 #[cfg(not(target_arch = "wasm32"))]
 pub use save::{is_read_only, remove_left_over, save};
 pub use shipped::{SHIPPED, SHIPPED_FIGURES, ShippedFigure};

@@ -91,7 +91,7 @@ mod tests {
 
     use super::*;
     use crate::figure::read::parse;
-    use crate::files::{FigureFiles, Reach};
+    use crate::files::{FigureFiles, FileAccess};
     use crate::progress::{Progress, at_once};
     use crate::scene::Preset;
     use crate::scene::import::read;
@@ -117,7 +117,7 @@ mod tests {
     #[test]
     fn a_mesh_of_the_program_is_read_from_anywhere_with_its_colours() {
         assert!(ShippedFigure::named("teapot").unwrap().text().contains("\"camera-lab:teapot.obj\""));
-        for reach in [Reach::Picture, Reach::Figure] {
+        for reach in [FileAccess::Picture, FileAccess::Figure] {
             let mut files = FigureFiles::new(Path::new("/no/such/folder"), reach);
             let read = |path, files: &mut FigureFiles| {
                 at_once(read(path, &mut |wanted| files.read(wanted), &Progress::default()))

@@ -3,7 +3,7 @@
 
 use eframe::egui::{RichText, ScrollArea, TextStyle, TextWrapMode, Ui};
 
-use super::answers::{CANCEL, Pressed, buttons};
+use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::state::{Dialog, State};
 use crate::i18n::window::Texts;
 

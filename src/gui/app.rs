@@ -5,25 +5,25 @@ use std::time::Duration;
 
 use eframe::egui::{self, ViewportCommand};
 
-use super::asked::Asked;
 use super::canvas::Canvas;
 use super::command::Command;
 use super::document::Document;
 use super::file_flow;
 use super::focus::{self, Focus, Region};
 use super::gallery::Part;
-use super::held_key::HeldKey;
-use super::key_order::KeyOrder;
+use super::key_repeat::HeldKey;
+use super::launch_options::LaunchOptions;
 use super::motion;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{Keeping, Sessions};
 use super::state::{AfterSave, Dialog, ExplainTab, Message, PanelHover, Purpose, Side, State};
-use super::{dialogs, explain, menu, noted, panels, presentation, sequence, text_field, theme, tooltip};
+use super::tab_order::KeyOrder;
+use super::{context_help, dialogs, explain, menu, panels, presentation, sequence, text_field, theme, tooltip};
 use crate::appearance::Theme;
-use crate::foreign;
 use crate::i18n::Lang;
 use crate::i18n::window;
+use crate::sanitize;
 
 /// The window's program.
 pub struct App {
@@ -66,7 +66,7 @@ impl App {
     }
 
     /// Remembers preferences in `folder` from now on, and sets the window up as they say, and as it was `asked` for.
-    pub fn keep_preferences(&mut self, ctx: &egui::Context, folder: &Path, asked: Asked) {
+    pub fn keep_preferences(&mut self, ctx: &egui::Context, folder: &Path, asked: LaunchOptions) {
         self.preferences = Some(Preferences::begin(folder, &mut self.state, asked));
         self.apply_settings(ctx);
     }
@@ -156,12 +156,12 @@ impl App {
         while self.state.file_flow.dialog.is_none()
             && let Some(command) = self.keyboard(&ctx)
         {
-            match noted::asked(&ctx).filter(|_| command == Command::Help) {
+            match context_help::asked(&ctx).filter(|_| command == Command::Help) {
                 Some(note) => self.state.explain_by_note(note),
                 None => self.perform(&ctx, command),
             }
         }
-        noted::begin(&ctx);
+        context_help::begin(&ctx);
         // What is pointed at is said by the panels that are shown in this frame.
         self.state.hover = PanelHover::default();
         self.state.settings.panels_mut().narrow = ctx.content_rect().width() < NARROW;
@@ -397,7 +397,8 @@ impl App {
     fn update_title(&mut self, ctx: &egui::Context) {
         let document = &self.state.document;
         let name = document.name().unwrap_or_else(|| window::texts(self.state.settings.lang).untitled.to_owned());
-        let title = format!("{}{} – Camera Lab", foreign::shown(&name), if document.is_changed() { " •" } else { "" });
+        let title =
+            format!("{}{} – Camera Lab", sanitize::escaped(&name), if document.is_changed() { " •" } else { "" });
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;

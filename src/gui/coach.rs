@@ -7,9 +7,9 @@ use eframe::egui::{
     self, Align, Button, Color32, Label, Layout, Rect, Response, RichText, TextStyle, Ui, UiBuilder, vec2,
 };
 
-use super::answers::{CANCEL, Pressed, buttons};
+use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::state::{Advice, Dialog, State};
-use crate::gui::fitted;
+use crate::gui::elide;
 use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::coach as words;
@@ -62,7 +62,7 @@ impl Brief {
         let findings = [t.image_empty.to_owned(), format!("99 {}", t.many_findings)];
         let texts = texts.chain(findings.iter().map(|text| Self::shown(text, Level::Poor)));
         let font = TextStyle::Small.resolve(ui.style());
-        let widest = texts.map(|text| fitted::width(ui, &font, &text)).fold(0.0, f32::max);
+        let widest = texts.map(|text| elide::width(ui, &font, &text)).fold(0.0, f32::max);
         (widest + 2.0 * ui.spacing().button_padding.x).ceil()
     }
 

@@ -6,8 +6,8 @@ use similar::DiffTag;
 use similar::algorithms::{Capture, Compact, Replace, myers};
 use web_time::Instant;
 
-use crate::foreign;
 use crate::limits::MAX_COMPARED_LINES;
+use crate::sanitize;
 
 /// Equal lines that are shown around those that differ.
 const AROUND: usize = 2;
@@ -71,7 +71,7 @@ impl Comparison {
 
 /// A line as it is shown: without its end.
 fn shown(line: &str) -> String {
-    foreign::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
+    sanitize::printable(&line.trim_end_matches(['\r', '\n']).replace('\t', "    "))
 }
 
 #[cfg(test)]

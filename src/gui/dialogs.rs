@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::about;
-use super::answers::{CANCEL, Pressed, buttons};
 use super::coach;
 use super::command::Command;
 use super::comparison::{Comparison, Whose};
+use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::export_dialog;
 use super::file_flow;
 use super::gallery::{self, Chosen, Source};
@@ -18,11 +18,11 @@ use super::link_dialog;
 use super::panels::{complaint, scene};
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use super::text_field::TextField;
-use crate::foreign;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{canvas, exercise_window, scenes, sharing};
 use crate::limits::MAX_TYPED;
+use crate::sanitize;
 use crate::scene::edit::Children;
 
 /// Shows the question that is open, if any, and acts on the answer.
@@ -63,7 +63,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
                 }
             }
             Dialog::Overwrite(purpose, path) => {
-                text(ui, t.overwrite_title, &format!("{} {}", foreign::path(&path), t.overwrite_text));
+                text(ui, t.overwrite_title, &format!("{} {}", sanitize::path(&path), t.overwrite_text));
                 match buttons(ui, t.cancel, &[t.replace], first.then_some(CANCEL)) {
                     Pressed::Action(_) => file_flow::confirmed(ctx, state, purpose, &path, Agreed::default()),
                     Pressed::Cancel => {}
@@ -72,7 +72,7 @@ pub fn show(ctx: &egui::Context, state: &mut State) {
             }
             Dialog::Changed(changed) => ask_changed(ui, t, state, changed, first),
             Dialog::ReadOnly(purpose, path, agreed) => {
-                text(ui, t.read_only_title, &format!("{} {}", foreign::path(&path), t.read_only_text));
+                text(ui, t.read_only_title, &format!("{} {}", sanitize::path(&path), t.read_only_text));
                 match buttons(ui, t.cancel, &[t.replace, t.save_as], first.then_some(CANCEL)) {
                     Pressed::Action(0) => {
                         file_flow::confirmed(ctx, state, purpose, &path, Agreed { read_only: true, ..agreed });
@@ -155,10 +155,10 @@ fn ask_delete(
     first: bool,
 ) {
     let words = scenes::texts(state.settings.lang);
-    let listed = names.iter().map(|name| foreign::shown(name)).collect::<Vec<_>>().join(", ");
+    let listed = names.iter().map(|name| sanitize::escaped(name)).collect::<Vec<_>>().join(", ");
     text(
         ui,
-        &format!("{} {}", words.delete, foreign::within(&listed, 120)),
+        &format!("{} {}", words.delete, sanitize::within(&listed, 120)),
         &format!("{} {below}", words.delete_question),
     );
     let children = match buttons(ui, t.cancel, &[words.delete_alone, words.delete_all], first.then_some(CANCEL)) {
@@ -175,7 +175,7 @@ fn ask_delete(
 
 /// What is to become of what another program has written: the choice that loses nothing is the one most wanted.
 fn ask_changed(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, mut changed: Changed, first: bool) {
-    let name = state.document.path().map(|path| foreign::path(path)).unwrap_or_default();
+    let name = state.document.path().map(|path| sanitize::path(path)).unwrap_or_default();
     text(ui, t.changed_title, &format!("{name} {}", t.changed_text));
     if let Some(comparison) = &changed.comparison {
         compared(ui, t, comparison);
@@ -238,7 +238,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
     let (title, action) = match &purpose {
         Purpose::Open => (t.open_title, t.open_action),
         Purpose::Save(_) => (t.save_title, t.save_action),
-        Purpose::Export(_) | Purpose::Film(_) => (t.export_title, t.save_action),
+        Purpose::Export(_) | Purpose::Animation(_) => (t.export_title, t.save_action),
         Purpose::Progress => (exercise_window::texts(state.settings.lang).export_title, t.save_action),
         Purpose::Exercises => (exercise_window::texts(state.settings.lang).own_open, t.open_action),
         Purpose::Folder => (crate::i18n::gallery::texts(state.settings.lang).choose, t.open_action),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::history::{History, Moment, Revision};
 use crate::camera::{Camera, CameraError, Convention, Operation, Parameters};
 use crate::figure::{Figure, Observers, Show};
-use crate::files::{Reach, ShippedFigure, SourceFile, figure_from};
+use crate::files::{FileAccess, ShippedFigure, SourceFile, figure_from};
 
 /// The figure that is being edited.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub struct Document {
     /// The name of the figure of the program that it began as, while it has no file.
     shipped: Option<&'static str>,
     folder: Option<PathBuf>,
-    reach: Reach,
+    reach: FileAccess,
     source: String,
     saved: Figure,
     /// Which scene the figure has, and whether it is another one than the one that was saved.
@@ -29,12 +29,12 @@ pub struct Document {
     opened: Parameters,
     history: History,
     /// The file that stays alone while another figure is shown.
-    aside: Option<Aside>,
+    aside: Option<DetachedFile>,
 }
 
 /// A file whose figure was left for another one, in the same document.
 #[derive(Clone, Debug)]
-struct Aside {
+struct DetachedFile {
     path: Option<PathBuf>,
     shipped: Option<&'static str>,
     source: String,
@@ -57,7 +57,7 @@ impl Document {
     pub fn new(figure: Figure, file: Option<SourceFile>) -> Result<Self, CameraError> {
         let camera = Camera::new(&figure.camera)?;
         let folder = file.as_ref().and_then(|file| file.path.parent()).map(Path::to_owned);
-        let reach = file.as_ref().map_or(Reach::Figure, |file| Reach::of(&file.path, file.is_picture, false));
+        let reach = file.as_ref().map_or(FileAccess::Figure, |file| FileAccess::of(&file.path, file.is_picture, false));
         let (path, source) = match file {
             // A picture holds a figure, but it is not a figure file: saving must not replace it.
             Some(SourceFile { text, is_picture: true, .. }) => (None, text),
@@ -254,14 +254,14 @@ impl Document {
     ///
     /// # Errors
     /// As for [`Self::replace`].
-    pub fn lend(&mut self, figure: Figure) -> Result<(), CameraError> {
+    pub fn show_without_file(&mut self, figure: Figure) -> Result<(), CameraError> {
         self.commit();
         let own = self.figure.clone();
         self.replace(figure)?;
         if self.path.is_some() || self.shipped.is_some() {
             let (path, shipped) = (self.path.take(), self.shipped.take());
             let source = std::mem::take(&mut self.source);
-            self.aside = Some(Aside { path, shipped, source, own, lent: self.figure.clone() });
+            self.aside = Some(DetachedFile { path, shipped, source, own, lent: self.figure.clone() });
         }
         Ok(())
     }
@@ -345,13 +345,13 @@ impl Document {
 
     /// Which files the figure may name.
     #[must_use]
-    pub fn reach(&self) -> Reach {
+    pub fn reach(&self) -> FileAccess {
         self.reach
     }
 
     /// Lets the figure name any file of this machine: the user has said so.
     pub fn allow_files(&mut self) {
-        self.reach = Reach::Anywhere;
+        self.reach = FileAccess::Anywhere;
     }
 
     /// The text of the file as it was read or written last, with its comments; empty without a file.

@@ -14,12 +14,14 @@ use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
 use crate::figure::Figure;
 use crate::figure::update;
-use crate::files::{self, FigureFiles, FileError, Overwrite, Reach};
+use crate::files::{self, FigureFiles, FileAccess, FileError, Overwrite};
 use crate::i18n::{Lang, messages, pictures, window};
 use crate::limits::PAPER_LINES;
 use crate::numbers::round_to;
-use crate::picture::{self, Film, FilmFormat, Form, NoSheet, OnPaper, PictureError, PictureFile, Sheet};
-use crate::pipeline::TooMuch;
+use crate::picture::{
+    self, Animation, Composite, FileOptions, FilmFormat, NoComposite, OnPaper, PictureError, PictureFile,
+};
+use crate::pipeline::OverBudget;
 use crate::progress::Progress;
 use crate::scene::SceneError;
 use crate::views::{Finish, Request, SharedScene, Shot, Size, View, Views, scene_of};
@@ -197,7 +199,7 @@ pub(super) enum ExportError {
 }
 
 /// What came of it: what could not be done as it was asked for, or why nothing was written.
-pub(super) type Exported = Result<Option<TooMuch>, ExportError>;
+pub(super) type Exported = Result<Option<OverBudget>, ExportError>;
 
 impl ExportError {
     /// Why the picture `name` was not written.
@@ -207,10 +209,10 @@ impl ExportError {
             Self::Camera(error) => messages::camera(lang, error),
             Self::Scene(error) => messages::scene(lang, error),
             Self::Cancelled | Self::Picture(PictureError::Cancelled) => format!("{} {name}", t.export_cancelled),
-            Self::Picture(PictureError::TooLarge | PictureError::Sheet(NoSheet::TooLarge)) => {
+            Self::Picture(PictureError::TooLarge | PictureError::Composite(NoComposite::TooLarge)) => {
                 t.picture_too_large.to_owned()
             }
-            Self::Picture(PictureError::Sheet(NoSheet::NoRoom { .. })) => t.picture_no_room.to_owned(),
+            Self::Picture(PictureError::Composite(NoComposite::NoRoom { .. })) => t.picture_no_room.to_owned(),
             Self::Picture(PictureError::Png(error)) => messages::png(lang, error),
             Self::Picture(PictureError::Encode { format, why }) => messages::encoder(lang, format.name(), why),
             Self::Picture(PictureError::Animate { format, why }) => messages::encoder(lang, format.name(), why),
@@ -229,15 +231,15 @@ pub(super) struct Exporting {
 }
 
 /// What pictures are made of.
-pub(super) struct Subject {
+pub(super) struct ExportSource {
     figure: Figure,
     shot: Shot,
     folder: PathBuf,
-    reach: Reach,
+    reach: FileAccess,
     lang: Lang,
 }
 
-impl Subject {
+impl ExportSource {
     /// What is on the screen, in a theme. The figure is [`State::figure_as_shown`](super::State::figure_as_shown).
     pub(super) fn of(document: &Document, shown: Figure, lang: Lang, theme: Theme) -> Self {
         let mut figure = shown;
@@ -258,7 +260,7 @@ impl Subject {
     }
 
     /// What is drawn.
-    pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Sheet, ExportError> {
+    pub(super) fn sheet(&self, export: &Export, progress: &Progress) -> Result<Composite, ExportError> {
         let Self { figure, shot, folder, reach, lang } = self;
         let camera = Camera::new(&figure.camera)?;
         let mut files = FigureFiles::new(folder, *reach);
@@ -270,24 +272,24 @@ impl Subject {
         let finish = Finish { transparent: export.is_without_ground(), ..Finish::default() };
         let request = Request { finish, ..request };
         let paper = export.on_paper.then(|| export.paper.asked());
-        Ok(Sheet::of(export.what, &request, shot, paper.as_ref()).map_err(PictureError::from)?)
+        Ok(Composite::of(export.what, &request, shot, paper.as_ref()).map_err(PictureError::from)?)
     }
 }
 
 /// Everything that a picture in a file depends on.
 pub(super) struct Task {
-    subject: Subject,
+    subject: ExportSource,
     source: String,
-    what: What,
+    what: ExportKind,
     path: PathBuf,
     overwrite: Overwrite,
 }
 
 /// What is written.
-enum What {
+enum ExportKind {
     Pictures(Export),
     /// The way to the canonical volume by these steps.
-    Film(Decomposition),
+    Animation(Decomposition),
 }
 
 impl Exporting {
@@ -312,10 +314,10 @@ impl Exporting {
         (path, overwrite): (PathBuf, Overwrite),
         make: fn() -> Work<Task, Exported>,
     ) -> Self {
-        let subject = Subject::of(document, shown, lang, export.theme);
+        let subject = ExportSource::of(document, shown, lang, export.theme);
         let source = document.source().to_owned();
         let mut worker = Worker::new("export", clock::now, make);
-        let what = What::Pictures(export);
+        let what = ExportKind::Pictures(export);
         worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
         Self { path, worker }
     }
@@ -328,10 +330,10 @@ impl Exporting {
         decomposition: Decomposition,
         (path, overwrite): (PathBuf, Overwrite),
     ) -> Self {
-        let subject = Subject::of(document, shown, lang, theme);
+        let subject = ExportSource::of(document, shown, lang, theme);
         let source = document.source().to_owned();
         let mut worker = Worker::new("export", clock::now, export_work);
-        let what = What::Film(decomposition);
+        let what = ExportKind::Animation(decomposition);
         worker.ask(ctx, 0, Task { subject, source, what, path: path.clone(), overwrite });
         Self { path, worker }
     }
@@ -376,15 +378,16 @@ impl Task {
     async fn file(&self, progress: &Progress) -> Result<PictureFile, ExportError> {
         let Self { subject, source, what, path, .. } = self;
         let export = match what {
-            What::Pictures(export) => export,
-            What::Film(decomposition) => {
-                let film = Film { request: subject.film(progress)?, decomposition: *decomposition };
+            ExportKind::Pictures(export) => export,
+            ExportKind::Animation(decomposition) => {
+                let film = Animation { request: subject.film(progress)?, decomposition: *decomposition };
                 let format = FilmFormat::of(path).unwrap_or(FilmFormat::Animation(AnimationFormat::Gif));
                 return Ok(film.file(format, STEP_SECONDS, &update(source, &subject.figure), progress).await?);
             }
         };
         let sheet = subject.sheet(export, progress)?;
-        let form = Form { format: export.format, crop: export.crop, dpi: export.on_paper.then_some(export.paper.dpi) };
+        let form =
+            FileOptions { format: export.format, crop: export.crop, dpi: export.on_paper.then_some(export.paper.dpi) };
         Ok(picture::file(&sheet, form, &update(source, &subject.figure), progress).await?)
     }
 }

@@ -3,8 +3,8 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Color32, Id, Key, Modifiers, Rect, RichText, Sense, Vec2, WidgetInfo, vec2};
 
-use super::answers::{Pressed, buttons};
-use super::export::{Export, Subject, as_letters};
+use super::dialog_buttons::{Pressed, buttons};
+use super::export::{Export, ExportSource, as_letters};
 use super::file_flow;
 use super::number_field::{FieldError, NumberField, Step};
 use super::panels::{choice, complaint, row};
@@ -89,8 +89,8 @@ fn checkbox(ui: &mut egui::Ui, on: &mut bool, text: impl Into<egui::WidgetText>,
 }
 
 /// What is on the screen, as it is exported.
-fn subject(state: &State, export: &Export) -> Subject {
-    Subject::of(&state.document, state.figure_as_shown(), state.settings.lang, export.theme)
+fn subject(state: &State, export: &Export) -> ExportSource {
+    ExportSource::of(&state.document, state.figure_as_shown(), state.settings.lang, export.theme)
 }
 
 /// The picture as it will be, how large it is, and the button that copies it.

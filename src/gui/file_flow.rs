@@ -19,7 +19,7 @@ use super::state::{
 };
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, update};
-use crate::files::{self, Found, disk};
+use crate::files::{self, FileChange, disk};
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{exercise_window, explain, gallery, scenes};
 use crate::picture::FilmFormat;
@@ -83,7 +83,7 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
 /// where files go: there, only the name of a figure is asked for.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
     let t = window::texts(state.settings.lang);
-    let writes = matches!(purpose, Purpose::Save(_) | Purpose::Export(_) | Purpose::Film(_) | Purpose::Progress);
+    let writes = matches!(purpose, Purpose::Save(_) | Purpose::Export(_) | Purpose::Animation(_) | Purpose::Progress);
     if state.in_browser && writes && !matches!(purpose, Purpose::Save(_)) {
         let path = PathBuf::from(proposal(t, state, &purpose));
         chosen(ctx, state, purpose, path);
@@ -118,7 +118,7 @@ fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion
             let filters = formats.map(|format| (format!("{} {}", t.picture_filter, format.name()), format.endings()));
             FileQuestion { wanted: Wanted::NewFile, title: t.export_title, filters: filters.to_vec(), name, folder }
         }
-        Purpose::Film(_) => {
+        Purpose::Animation(_) => {
             let texts = explain::texts(state.settings.lang);
             let endings = |format: PictureFormat| (format!("{} {}", texts.strip, format.name()), format.endings());
             let filters = vec![
@@ -167,7 +167,7 @@ fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
             let name = exercise_window::texts(state.settings.lang).progress_file;
             folder.join(name).display().to_string()
         }
-        Purpose::Film(decomposition) => {
+        Purpose::Animation(decomposition) => {
             let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             folder.join(format!("{stem}-{}.gif", decomposition.name())).display().to_string()
         }
@@ -188,8 +188,8 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
         Purpose::Progress => with_ending(path, "csv"),
         Purpose::Export(_) if PictureFormat::of(&path).is_some() => path,
         Purpose::Export(export) => with_ending(path, export.format.ending()),
-        Purpose::Film(_) if FilmFormat::of(&path).is_some() => path,
-        Purpose::Film(_) => with_ending(path, "gif"),
+        Purpose::Animation(_) if FilmFormat::of(&path).is_some() => path,
+        Purpose::Animation(_) => with_ending(path, "gif"),
     };
     if let Purpose::Export(export) = &mut purpose {
         export.transparent = export.is_without_ground();
@@ -224,7 +224,9 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
     match purpose {
         Purpose::Open => open(state, path),
         Purpose::Save(then) => write(ctx, state, path, then, agreed),
-        Purpose::Export(_) | Purpose::Film(_) | Purpose::Progress if !agreed.read_only && files::is_read_only(path) => {
+        Purpose::Export(_) | Purpose::Animation(_) | Purpose::Progress
+            if !agreed.read_only && files::is_read_only(path) =>
+        {
             state.file_flow.dialog = Some(Dialog::ReadOnly(purpose, path.to_owned(), agreed));
         }
         Purpose::Mesh(which) => mesh(state, which, path),
@@ -235,7 +237,7 @@ pub fn confirmed(ctx: &egui::Context, state: &mut State, purpose: Purpose, path:
                 Err(error) => state.say(Message::File(path.to_owned(), error)),
             }
         }
-        Purpose::Film(decomposition) => {
+        Purpose::Animation(decomposition) => {
             let exporting = Exporting::film(
                 ctx,
                 (&state.document, state.figure_as_shown()),
@@ -354,8 +356,8 @@ fn theirs(document: &Document, path: &Path) -> Option<Theirs> {
         return None;
     }
     match files::look(path, document.source().as_bytes(), None) {
-        Found::Other(theirs) => Some(theirs),
-        Found::Same(_) | Found::Gone => None,
+        FileChange::Other(theirs) => Some(theirs),
+        FileChange::Same(_) | FileChange::Gone => None,
     }
 }
 
@@ -400,12 +402,12 @@ fn watch(ctx: &egui::Context, state: &mut State) {
         state.file_flow.watch.begin(ctx, &state.document);
     }
     match state.file_flow.watch.take(&state.document) {
-        Some(Found::Other(theirs)) if state.file_flow.decided.as_ref() != Some(&theirs) => {
+        Some(FileChange::Other(theirs)) if state.file_flow.decided.as_ref() != Some(&theirs) => {
             state.file_flow.theirs = Some(theirs);
         }
         // As it was: there is nothing to say any more.
-        Some(Found::Same(_)) => (state.file_flow.theirs, state.file_flow.decided) = (None, None),
-        Some(Found::Other(_) | Found::Gone) | None => {}
+        Some(FileChange::Same(_)) => (state.file_flow.theirs, state.file_flow.decided) = (None, None),
+        Some(FileChange::Other(_) | FileChange::Gone) | None => {}
     }
 }
 

@@ -2,17 +2,17 @@
 
 use eframe::egui::{self, RichText};
 
-use super::answers::{Pressed, buttons};
+use super::dialog_buttons::{Pressed, buttons};
 use super::file_flow;
 use super::panels::complaint;
 use super::state::{Dialog, Message, State};
 use super::text_field::TextField;
 use crate::figure::Figure;
 use crate::files::SHIPPED;
-use crate::foreign;
 use crate::i18n::window::Texts;
 use crate::i18n::{messages, sharing};
 use crate::limits::{MAX_LINK_CHARACTERS, MAX_TYPED};
+use crate::sanitize;
 use crate::scene::Shape;
 use crate::share;
 
@@ -40,7 +40,7 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
     }
     let own = own_files(state.document.figure());
     if !own.is_empty() {
-        complaint(ui, &format!("{} {}", words.own_files, foreign::within(&own.join(", "), 200)));
+        complaint(ui, &format!("{} {}", words.own_files, sanitize::within(&own.join(", "), 200)));
     }
     ui.add_space(10.0);
     let actions: &[&str] = if link.is_ok() { &[words.copy] } else { &[] };
@@ -60,7 +60,7 @@ pub(super) fn show(ui: &mut egui::Ui, t: &Texts, state: &mut State, first: bool)
 /// The address that the link begins with: that of the page itself, else the one that the user knows.
 fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State) -> String {
     if let Some(own) = &state.own_address {
-        ui.label(format!("{}: {}", words.address, foreign::shown(own)));
+        ui.label(format!("{}: {}", words.address, sanitize::escaped(own)));
         return own.clone();
     }
     let label = ui.label(words.address);
@@ -77,7 +77,7 @@ fn address(ui: &mut egui::Ui, words: &sharing::Texts, state: &mut State) -> Stri
 fn own_files(figure: &Figure) -> Vec<String> {
     let shapes = figure.scene.objects.iter().filter_map(|object| object.shape.as_ref());
     let paths = shapes.filter_map(|shape| match shape {
-        Shape::Mesh { path } if !path.starts_with(SHIPPED) => Some(foreign::path_text(path)),
+        Shape::Mesh { path } if !path.starts_with(SHIPPED) => Some(sanitize::path_text(path)),
         _ => None,
     });
     paths.collect()

@@ -6,9 +6,9 @@ use super::command::Command;
 use super::focus::with_room_before;
 use super::panels;
 use super::state::State;
-use crate::foreign::shown;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window::{self, Texts};
+use crate::sanitize::escaped;
 
 /// Below this width, in points, the menus have no room beside the switches: a telephone held upright.
 pub(super) const PHONE: f32 = 600.0;
@@ -145,7 +145,7 @@ fn switch(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command, sign: &
 }
 
 fn title(ui: &mut egui::Ui, t: &Texts, state: &State, chosen: &mut Option<Command>) {
-    let name = state.document.name().map_or_else(|| t.untitled.to_owned(), |name| shown(&name));
+    let name = state.document.name().map_or_else(|| t.untitled.to_owned(), |name| escaped(&name));
     let text = if state.document.is_changed() { format!("{name} •") } else { name };
     if state.document.name().is_none() && !state.document.is_changed() {
         // Whoever has just come in sees where there is more to see.

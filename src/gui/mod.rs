@@ -11,34 +11,33 @@
 //! | [`canvas`] | the three pictures in the middle |
 
 mod about;
-mod answers;
 pub mod app;
-pub mod asked;
 pub mod canvas;
 mod coach;
 pub mod command;
 pub mod comparison;
+mod context_help;
+mod dialog_buttons;
 pub mod dialogs;
 pub mod document;
+mod elide;
 mod exercises;
 pub mod explain;
 pub mod export;
 mod export_dialog;
 pub mod file_flow;
-mod fitted;
 mod focus;
 pub mod gallery;
 mod handle_drag;
-mod held_key;
 mod highlight;
 mod history;
-mod key_order;
+mod key_repeat;
+pub mod launch_options;
 mod link_dialog;
 mod mathematics;
 pub mod menu;
 mod motion;
 pub mod native;
-mod noted;
 pub mod number_field;
 pub mod panels;
 mod plotting;
@@ -52,6 +51,7 @@ mod selection_gizmo;
 mod sequence;
 pub mod session;
 pub mod state;
+mod tab_order;
 mod text_field;
 pub mod theme;
 mod tooltip;
@@ -65,7 +65,7 @@ use crate::files::SourceFile;
 use crate::i18n::Lang;
 use crate::scene::Preset;
 pub use app::App;
-pub use asked::Asked;
+pub use launch_options::LaunchOptions;
 pub use state::State;
 
 /// What the window opens with.
@@ -126,7 +126,7 @@ pub fn run(start: Start, asked: Option<Lang>) -> Result<(), GuiError> {
         Box::new(move |context| {
             let mut app = App::new(&context.egui_ctx, state);
             if let Some(folders) = directories::ProjectDirs::from("", "", "camera-lab") {
-                let asked = Asked { lang: asked, ..Asked::default() };
+                let asked = LaunchOptions { lang: asked, ..LaunchOptions::default() };
                 app.keep_preferences(&context.egui_ctx, folders.config_dir(), asked);
                 app.keep_session(folders.data_dir(), restore);
             } else {

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
-use super::export::{Export, ExportError, Subject};
+use super::export::{Export, ExportError, ExportSource};
 use super::worker::{Work, Worker, one_by_one};
 use crate::clock;
 use crate::limits::MAX_COPIED_PIXELS;
@@ -20,7 +20,7 @@ const COPIED: usize = 1;
 
 /// What is drawn for the export dialog as long as it is open.
 pub struct Preview {
-    worker: Worker<Job, Drawn, 2>,
+    worker: Worker<PreviewJob, Drawn, 2>,
     /// What was asked for last.
     asked: Option<Export>,
     texture: Option<TextureHandle>,
@@ -33,8 +33,8 @@ pub struct Preview {
 }
 
 /// A picture that is wanted.
-struct Job {
-    subject: Subject,
+struct PreviewJob {
+    subject: ExportSource,
     export: Export,
     /// What it is reduced by; 1: the size of the export.
     factor: f32,
@@ -55,8 +55,8 @@ impl Default for Preview {
     }
 }
 
-fn work() -> Work<Job, Drawn> {
-    one_by_one(async |Job { subject, export, factor }, progress: &Progress| {
+fn work() -> Work<PreviewJob, Drawn> {
+    one_by_one(async |PreviewJob { subject, export, factor }, progress: &Progress| {
         let sheet = subject.sheet(&export, progress)?.reduced(factor);
         Ok((picture::assembled(&sheet, export.crop, progress).await?.0, sheet.crowded))
     })
@@ -65,7 +65,13 @@ fn work() -> Work<Job, Drawn> {
 impl Preview {
     /// Takes what has been drawn, and has the picture drawn anew where it is to be another one; `room`: width and
     /// height in pixels of the place for it.
-    pub(super) fn follow(&mut self, ctx: &Context, export: &Export, room: [f32; 2], subject: impl FnOnce() -> Subject) {
+    pub(super) fn follow(
+        &mut self,
+        ctx: &Context,
+        export: &Export,
+        room: [f32; 2],
+        subject: impl FnOnce() -> ExportSource,
+    ) {
         let [shown, copied] = self.worker.take(Duration::ZERO);
         match shown.map(|done| done.outcome.unwrap_or(Err(ExportError::Panic))) {
             Some(Ok((picture, crowded))) => {
@@ -84,7 +90,7 @@ impl Preview {
             self.asked = Some(*export);
             self.copied = None;
             let factor = factor(export, room.map(|side| FINENESS * side));
-            self.worker.ask(ctx, SHOWN, Job { subject: subject(), export: *export, factor });
+            self.worker.ask(ctx, SHOWN, PreviewJob { subject: subject(), export: *export, factor });
         }
     }
 
@@ -95,9 +101,9 @@ impl Preview {
     }
 
     /// Draws the picture at its size, and puts it on the clipboard then.
-    pub(super) fn copy(&mut self, ctx: &Context, export: &Export, subject: Subject) {
+    pub(super) fn copy(&mut self, ctx: &Context, export: &Export, subject: ExportSource) {
         self.copied = None;
-        self.worker.ask(ctx, COPIED, Job { subject, export: *export, factor: 1.0 });
+        self.worker.ask(ctx, COPIED, PreviewJob { subject, export: *export, factor: 1.0 });
     }
 
     /// True while the picture for the clipboard is drawn.

@@ -13,7 +13,7 @@ use super::history::Revision;
 use super::worker::{Running, Worker, one_by_one};
 use crate::appearance::{HiddenLines, Theme};
 use crate::clock;
-use crate::files::{FigureFiles, Reach};
+use crate::files::{FigureFiles, FileAccess};
 use crate::progress::Progress;
 use crate::scene::import::{Imported, read};
 use crate::scene::{self, MeshError, MeshFiles, Preset, ReadError, SceneError, SceneSpec, Shape};
@@ -42,7 +42,7 @@ struct MadeFrom {
     theme: Theme,
     hidden_lines: HiddenLines,
     folder: Option<PathBuf>,
-    reach: Reach,
+    reach: FileAccess,
 }
 
 impl MadeFrom {
@@ -58,7 +58,7 @@ impl MadeFrom {
 
 /// What came of reading a file.
 #[derive(Debug)]
-struct Outcome {
+struct BuiltScene {
     imported: Result<Arc<Imported>, MeshError>,
     /// How many were read, in it and in what it names.
     bytes: usize,
@@ -71,23 +71,23 @@ struct Outcome {
 struct MeshFile {
     path: String,
     folder: PathBuf,
-    reach: Reach,
+    reach: FileAccess,
     /// The bytes that the figure's other files have.
     spent: usize,
 }
 
 impl MeshFile {
-    async fn read(&self, progress: &Progress) -> Outcome {
+    async fn read(&self, progress: &Progress) -> BuiltScene {
         let mut files = FigureFiles::new(&self.folder, self.reach).after(self.spent);
         let imported = read(&self.path, &mut |wanted| files.read(wanted), progress).await;
-        Outcome { imported, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
+        BuiltScene { imported, bytes: files.spent() - self.spent, unread: files.unread().to_vec() }
     }
 }
 
 /// Reads one file after the other.
 #[derive(Debug)]
 struct Reader {
-    worker: Worker<MeshFile, (MeshFile, Outcome)>,
+    worker: Worker<MeshFile, (MeshFile, BuiltScene)>,
     /// The file that is being read, and those that come next.
     reading: Option<MeshFile>,
     waiting: Vec<MeshFile>,
@@ -129,7 +129,7 @@ impl Reader {
     }
 
     /// The next file that has been read. Waits for it up to `patience`.
-    fn take(&mut self, ctx: &egui::Context, patience: Duration) -> Option<(String, Outcome)> {
+    fn take(&mut self, ctx: &egui::Context, patience: Duration) -> Option<(String, BuiltScene)> {
         let reading = self.reading.as_ref()?;
         let [done] = self.worker.take(patience);
         let Some((file, outcome)) = done?.outcome else {
@@ -285,7 +285,7 @@ impl SceneCache {
     ) -> bool {
         let mut arrived = false;
         let end = clock::now() + patience;
-        while let Some((path, Outcome { imported, unread, .. })) =
+        while let Some((path, BuiltScene { imported, unread, .. })) =
             self.reader.take(ctx, end.saturating_sub(clock::now()))
         {
             arrived = true;

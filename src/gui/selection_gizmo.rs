@@ -21,7 +21,7 @@ const SNAP_SCALE: f64 = 0.1;
 /// What is selected, as far as it can be moved, turned or scaled.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Movable {
-    what: What,
+    what: MovedThing,
     /// Where and how it is taken.
     pub(super) gizmo: TransformGizmo,
     /// The length in the world of a unit along each of its parent's axes.
@@ -35,7 +35,7 @@ pub(super) struct Movable {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum What {
+enum MovedThing {
     Objects(BTreeSet<String>),
     Lamp(usize),
     ParallelLight(usize),
@@ -68,8 +68,8 @@ impl Movable {
         let axes = if does == Transforming::Scale { own } else { of_parent };
         let units = DVec3::AXES.map(|axis| world_from_parent.transform_vector3(axis).length());
         Some(Self {
-            what: What::Objects(names),
-            gizmo: TransformGizmo { does, origin, axes, hot: None },
+            what: MovedThing::Objects(names),
+            gizmo: TransformGizmo { does, origin, axes, hovered: None },
             units,
             place: object.translate,
             rotate: object.rotate,
@@ -80,12 +80,14 @@ impl Movable {
     /// A lamp is moved, parallel light turned about `middle`.
     fn light(index: usize, light: LightSpec, middle: DVec3) -> Self {
         let (what, does, origin, place) = match light {
-            LightSpec::Point(place) => (What::Lamp(index), Transforming::Move, place, place),
-            LightSpec::Directional(direction) => (What::ParallelLight(index), Transforming::Turn, middle, direction),
+            LightSpec::Point(place) => (MovedThing::Lamp(index), Transforming::Move, place, place),
+            LightSpec::Directional(direction) => {
+                (MovedThing::ParallelLight(index), Transforming::Turn, middle, direction)
+            }
         };
         Self {
             what,
-            gizmo: TransformGizmo { does, origin, axes: DVec3::AXES, hot: None },
+            gizmo: TransformGizmo { does, origin, axes: DVec3::AXES, hovered: None },
             units: [1.0; 3],
             place,
             rotate: DVec3::ZERO,
@@ -95,12 +97,12 @@ impl Movable {
 
     /// True for a light, whose axes are those of the world.
     pub(super) fn is_light(&self) -> bool {
-        !matches!(self.what, What::Objects(_))
+        !matches!(self.what, MovedThing::Objects(_))
     }
 
     /// How many objects are taken together.
     pub(super) fn count(&self) -> usize {
-        if let What::Objects(names) = &self.what { names.len() } else { 1 }
+        if let MovedThing::Objects(names) = &self.what { names.len() } else { 1 }
     }
 
     /// The scene after a part of the gizmo has been pulled, beginning with `before`, the scene when it was taken; and
@@ -121,20 +123,20 @@ impl Movable {
         let Some(change) = self.change(part, pull, snap) else { return Ok(None) };
         let mut scene = before.clone();
         let all = match (&self.what, change) {
-            (What::Objects(names), change) => transform(&mut scene, names, change)?,
-            (What::Lamp(index), Transform::Move(way)) => {
+            (MovedThing::Objects(names), change) => transform(&mut scene, names, change)?,
+            (MovedThing::Lamp(index), Transform::Move(way)) => {
                 if let Some(light) = scene.lights.get_mut(*index) {
                     *light = LightSpec::Point(self.place + way);
                 }
                 true
             }
-            (What::ParallelLight(index), Transform::Turn { axis, angle, .. }) => {
+            (MovedThing::ParallelLight(index), Transform::Turn { axis, angle, .. }) => {
                 if let Some(light) = scene.lights.get_mut(*index) {
                     *light = turned(self.place, axis, angle);
                 }
                 true
             }
-            (What::Lamp(_) | What::ParallelLight(_), _) => return Ok(None),
+            (MovedThing::Lamp(_) | MovedThing::ParallelLight(_), _) => return Ok(None),
         };
         Ok(Some((scene, all)))
     }

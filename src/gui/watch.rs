@@ -8,7 +8,7 @@ use eframe::egui;
 use super::document::Document;
 use super::worker::{Worker, one_by_one};
 use crate::clock;
-use crate::files::{Found, Stamp, look};
+use crate::files::{FileChange, Stamp, look};
 use crate::progress::Progress;
 
 /// What is looked at.
@@ -21,7 +21,7 @@ struct Watched {
 /// Looks at the figure's file whenever it is asked to.
 #[derive(Debug)]
 pub(in crate::gui) struct Watch {
-    worker: Worker<Watched, (PathBuf, String, Found)>,
+    worker: Worker<Watched, (PathBuf, String, FileChange)>,
     /// The file as it was when it last held what the window had read or saved.
     same: Option<(PathBuf, String, Stamp)>,
 }
@@ -49,13 +49,13 @@ impl Watch {
     }
 
     /// What was found, once, where the document is still what it was when one looked.
-    pub(in crate::gui) fn take(&mut self, document: &Document) -> Option<Found> {
+    pub(in crate::gui) fn take(&mut self, document: &Document) -> Option<FileChange> {
         let [done] = self.worker.take(Duration::ZERO);
         let (path, source, found) = done?.outcome?;
         if document.path() != Some(&path) || document.source() != source {
             return None;
         }
-        if let Found::Same(stamp) = found {
+        if let FileChange::Same(stamp) = found {
             self.same = Some((path, source, stamp));
         }
         Some(found)

@@ -13,7 +13,7 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use crate::progress::{Doing, Progress, at_once};
+use crate::progress::{Activity, Progress, at_once};
 use in_frames::InFrames;
 use shares::Shares;
 
@@ -46,14 +46,14 @@ pub(super) fn one_by_one<Job: 'static, Outcome: 'static>(
 /// none starves.
 pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     shared: Arc<Shared<Job, Outcome, SLOTS>>,
-    place: Place<Job, Outcome, SLOTS>,
+    place: Backend<Job, Outcome, SLOTS>,
     name: &'static str,
     make: fn() -> Work<Job, Outcome>,
     clock: fn() -> Duration,
 }
 
 /// Where the work is done.
-enum Place<Job, Outcome, const SLOTS: usize> {
+enum Backend<Job, Outcome, const SLOTS: usize> {
     /// Nothing has been asked for.
     Nowhere,
     /// On a thread.
@@ -77,7 +77,7 @@ pub(super) struct Running {
     /// For how long; of what is done in one slice in a frame, how long the last one took.
     pub(super) time: Duration,
     /// What is being done for it, and which share of that is done, where that is known.
-    pub(super) now: Option<(Doing, Option<f32>)>,
+    pub(super) now: Option<(Activity, Option<f32>)>,
 }
 
 struct Shared<Job, Outcome, const SLOTS: usize> {
@@ -150,24 +150,24 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             wake: Condvar::new(),
             done: Condvar::new(),
         });
-        Self { shared, place: Place::Nowhere, name, make, clock }
+        Self { shared, place: Backend::Nowhere, name, make, clock }
     }
 
     /// Does the jobs in the frames, as where there are no threads.
     #[cfg(test)]
     pub(super) fn without_thread(mut self, ctx: &egui::Context) -> Self {
-        self.place = Place::InFrames(InFrames::new(ctx, (self.make)()));
+        self.place = Backend::InFrames(InFrames::new(ctx, (self.make)()));
         self
     }
 
     /// Asks for a job; `ctx` is asked for a frame when it is done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
-        if matches!(self.place, Place::Nowhere) {
+        if matches!(self.place, Backend::Nowhere) {
             let (shared, wake, make, clock) = (Arc::clone(&self.shared), ctx.clone(), self.make, self.clock);
             let thread = std::thread::Builder::new().name(self.name.to_owned());
             self.place = match thread.spawn(move || work(&shared, &wake, make, clock)) {
-                Ok(_) => Place::Thread,
-                Err(_) => Place::InFrames(InFrames::new(ctx, make())),
+                Ok(_) => Backend::Thread,
+                Err(_) => Backend::InFrames(InFrames::new(ctx, make())),
             };
         }
         let mut mailbox = self.shared.mailbox();
@@ -175,7 +175,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
         mailbox.cancelled[slot] = false;
         drop(mailbox);
         self.shared.wake.notify_one();
-        if matches!(self.place, Place::InFrames(_)) {
+        if matches!(self.place, Backend::InFrames(_)) {
             // It is done in the next frame: nothing else may call for one.
             ctx.request_repaint();
         }
@@ -188,10 +188,10 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
 
     /// The job that is being done, if any, or that will be in the next frame and take long there.
     pub(super) fn running(&self) -> Option<Running> {
-        if let Place::InFrames(in_frames) = &self.place
-            && let Some(told) = in_frames.told()
+        if let Backend::InFrames(in_frames) = &self.place
+            && let Some(announced) = in_frames.announced()
         {
-            return Some(told);
+            return Some(announced);
         }
         let (slot, since) = self.shared.mailbox().busy?;
         Some(Running { slot, time: (self.clock)().saturating_sub(since), now: self.shared.progress.now() })
@@ -210,9 +210,9 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
     pub(super) fn take(&mut self, patience: Duration) -> [Option<Done<Outcome>>; SLOTS] {
         let mut mailbox = self.shared.mailbox();
         match &mut self.place {
-            Place::Nowhere => {}
-            Place::Thread if patience.is_zero() || !mailbox.any_pending() => {}
-            Place::Thread => {
+            Backend::Nowhere => {}
+            Backend::Thread if patience.is_zero() || !mailbox.any_pending() => {}
+            Backend::Thread => {
                 mailbox.waited_for = true;
                 let waiting = self.shared.done.wait_timeout_while(mailbox, patience, |mailbox| mailbox.any_pending());
                 mailbox = match waiting {
@@ -221,7 +221,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
                 };
                 mailbox.waited_for = false;
             }
-            Place::InFrames(in_frames) => {
+            Backend::InFrames(in_frames) => {
                 drop(mailbox);
                 in_frames.go_on(&self.shared, self.make, self.clock);
                 mailbox = self.shared.mailbox();
@@ -385,7 +385,7 @@ mod tests {
             || *NOW.lock().unwrap(),
             || {
                 one_by_one(async |job, progress: &Progress| {
-                    progress.begin(Doing::Measuring, 4);
+                    progress.begin(Activity::Measuring, 4);
                     let mut done = job;
                     for _ in 0..4 {
                         if progress.is_cancelled() {
@@ -401,7 +401,7 @@ mod tests {
         )
         .without_thread(&ctx);
         let measured = |share, millis| {
-            let now = Some((Doing::Measuring, Some(share)));
+            let now = Some((Activity::Measuring, Some(share)));
             Some(Running { slot: 0, time: Duration::from_millis(millis), now })
         };
         let frame = |worker: &mut Worker<u32, u32, 2>| {

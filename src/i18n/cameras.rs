@@ -7,10 +7,11 @@ use super::Lang;
 use super::expressions::in_expression;
 use super::wording::Wording;
 use crate::camera::{
-    Amount, CameraError, Derived, Descriptor, InfiniteParallel, NoWayBack, Operation, OperationError, Range, Warning,
+    Amount, CameraError, Derived, Descriptor, InfiniteParallel, NotProjectable, Operation, OperationError, Range,
+    Warning,
 };
-use crate::foreign::shown;
 use crate::inspect::InspectError;
+use crate::sanitize::escaped;
 
 /// Why parameters are not a camera, with the keys concerned and what is allowed.
 #[must_use]
@@ -142,20 +143,20 @@ pub fn operation(lang: Lang, error: &OperationError) -> String {
     match (lang, error) {
         (Lang::En, error) => error.to_string(),
         (Lang::PtBr, OperationError::NoValue { text }) => {
-            format!("\"{}\" não é uma operação; permitido: NOME=VALOR, em que NOME é um de {}", shown(text), names())
+            format!("\"{}\" não é uma operação; permitido: NOME=VALOR, em que NOME é um de {}", escaped(text), names())
         }
         (Lang::PtBr, OperationError::UnknownName { name }) => {
-            format!("não há a operação \"{}\"; permitido: {}", shown(name), names())
+            format!("não há a operação \"{}\"; permitido: {}", escaped(name), names())
         }
         (Lang::PtBr, OperationError::NotANumber { descriptor, value, error }) => {
             let (why, allowed) = (in_expression(lang, value, error), amount_in_portuguese(descriptor));
-            format!("{} é \"{}\": {why}; permitido: {allowed}", descriptor.word, shown(value))
+            format!("{} é \"{}\": {why}; permitido: {allowed}", descriptor.word, escaped(value))
         }
         (
             Lang::PtBr,
             OperationError::NotAFactor { descriptor, value } | OperationError::WrongCount { descriptor, value },
         ) => {
-            format!("{} é \"{}\"; permitido: {}", descriptor.word, shown(value), amount_in_portuguese(descriptor))
+            format!("{} é \"{}\"; permitido: {}", descriptor.word, escaped(value), amount_in_portuguese(descriptor))
         }
     }
 }
@@ -184,20 +185,20 @@ pub(super) fn infinite_parallel(lang: Lang, error: InfiniteParallel) -> String {
 
 /// Why a depth belongs to no point.
 #[must_use]
-pub fn no_way_back(lang: Lang, error: NoWayBack) -> String {
+pub fn no_way_back(lang: Lang, error: NotProjectable) -> String {
     match (lang, error) {
         (Lang::En, error) => error.to_string(),
-        (Lang::PtBr, NoWayBack::EmptyDepthRange { depth }) => {
+        (Lang::PtBr, NotProjectable::EmptyDepthRange { depth }) => {
             format!("toda profundidade é {depth}: com depth_near = depth_far perde-se o caminho de volta")
         }
-        (Lang::PtBr, NoWayBack::BeyondInfinity { depth, near, infinity }) => format!(
+        (Lang::PtBr, NotProjectable::BeyondInfinity { depth, near, infinity }) => format!(
             "profundidade {depth}: nenhum ponto do mundo está tão longe; do plano da frente ao infinito, as profundidades vão de {near} até antes de {infinity}"
         ),
-        (Lang::PtBr, NoWayBack::InPlaneOfEye) => {
+        (Lang::PtBr, NotProjectable::InPlaneOfEye) => {
             "distância 0: no plano do olho nenhum ponto tem imagem; permitido: qualquer outra distância, como F"
                 .to_owned()
         }
-        (Lang::PtBr, NoWayBack::Overflow { depth }) => format!(
+        (Lang::PtBr, NotProjectable::Overflow { depth }) => format!(
             "profundidade {depth}: as coordenadas do ponto excederiam os limites dos números (cerca de 1e-308 a 1e308)"
         ),
     }

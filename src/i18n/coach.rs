@@ -4,10 +4,10 @@ use super::cameras::warning_wording;
 use super::scenes::preset_object;
 use super::{Lang, conventions};
 use crate::camera::{Camera, Ndc, Projection};
-use crate::foreign::shown;
 use crate::numbers::significant;
 use crate::numerics::diagnosis::{Cause, Diagnosis, Finding, Value};
 use crate::numerics::health::{Health, Level, Quantity, volume_sides};
+use crate::sanitize::escaped;
 use crate::scene::SceneSpec;
 
 texts! {
@@ -258,7 +258,7 @@ pub fn finding(lang: Lang, finding: &Finding, diagnosis: &Diagnosis, scene: &Sce
     let called = |name: &String| match name.as_str() {
         "" if lang == Lang::En => "The scene".to_owned(),
         "" => "A cena".to_owned(),
-        name if scene.objects.iter().any(|object| object.name == name) => shown(name),
+        name if scene.objects.iter().any(|object| object.name == name) => escaped(name),
         name => preset_object(lang, name),
     };
     let [lost, cut] = [&finding.whole, &finding.partly].map(|names| names.iter().map(called).collect::<Vec<_>>());

@@ -9,8 +9,8 @@ use super::expressions::in_expression;
 use crate::camera::{Decomposition, ImageSize};
 use crate::export::format::PictureFormat;
 use crate::expression::ExpressionError;
-use crate::foreign::{self, shown};
 use crate::limits::MAX_SIDE;
+use crate::sanitize::{self, escaped};
 
 /// Arguments that are at fault, in one paragraph.
 #[must_use]
@@ -28,7 +28,7 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
         Lang::PtBr => portuguese(error),
     };
     // What was typed may stand in it, however long.
-    let what = foreign::within(&what, 600);
+    let what = sanitize::within(&what, 600);
     format!(
         "{what}{}",
         match lang {
@@ -41,7 +41,7 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
 /// A command that does not exist.
 #[must_use]
 pub fn unknown_command(lang: Lang, name: &str, commands: &[String]) -> String {
-    let name = shown(name);
+    let name = escaped(name);
     let commands = commands.join(", ");
     match lang {
         Lang::En => {
@@ -134,11 +134,11 @@ pub const fn show_without_value(lang: Lang) -> &'static str {
 #[must_use]
 pub fn no_such_object(lang: Lang, object: &str, objects: &[&str]) -> String {
     const MOST: usize = 12;
-    let mut names: Vec<String> = objects.iter().take(MOST).map(|name| format!("\"{}\"", shown(name))).collect();
+    let mut names: Vec<String> = objects.iter().take(MOST).map(|name| format!("\"{}\"", escaped(name))).collect();
     if objects.len() > MOST {
         names.push("…".to_owned());
     }
-    let (object, names) = (shown(object), names.join(", "));
+    let (object, names) = (escaped(object), names.join(", "));
     match lang {
         Lang::En => format!("[show] triangle.object is \"{object}\", which the scene does not have; allowed: {names}"),
         Lang::PtBr => format!("[show] triangle.object é \"{object}\", que a cena não tem; permitido: {names}"),
@@ -148,7 +148,7 @@ pub fn no_such_object(lang: Lang, object: &str, objects: &[&str]) -> String {
 /// The triangle that is to be followed is beyond the last one of its object.
 #[must_use]
 pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> String {
-    let object = shown(object);
+    let object = escaped(object);
     match (lang, count.checked_sub(1)) {
         (Lang::En, Some(last)) => format!("[show] triangle.index is {index}; allowed for \"{object}\": 0 to {last}"),
         (Lang::PtBr, Some(last)) => {
@@ -162,7 +162,7 @@ pub fn no_such_triangle(lang: Lang, object: &str, index: u32, count: usize) -> S
 /// A text that is not a point; of its parts the one that is not a number, with the reason, if there are three.
 #[must_use]
 pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) -> String {
-    let text = shown(text);
+    let text = escaped(text);
     let why = fault.map_or_else(String::new, |(part, error)| format!(": {}", in_expression(lang, part, error)));
     match lang {
         Lang::En => {
@@ -177,7 +177,7 @@ pub fn point(lang: Lang, text: &str, fault: Option<(&str, &ExpressionError)>) ->
 /// A text that is not a pixel.
 #[must_use]
 pub fn pixel(lang: Lang, text: &str) -> String {
-    let text = shown(text);
+    let text = escaped(text);
     match lang {
         Lang::En => format!("--pixel is \"{text}\"; allowed: two integers I,J (column, row), such as --pixel 0,0"),
         Lang::PtBr => format!("--pixel é \"{text}\"; permitido: dois inteiros I,J (coluna, linha), como --pixel 0,0"),
@@ -218,7 +218,7 @@ pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
 /// A text that is not a pixel with a depth.
 #[must_use]
 pub fn depth_pixel(lang: Lang, text: &str) -> String {
-    let text = shown(text);
+    let text = escaped(text);
     match lang {
         Lang::En => format!(
             "--depth-pixel is \"{text}\"; allowed: two integers and a number I,J,Z (column, row, depth), such as --depth-pixel 512,384,0.5"
@@ -247,7 +247,7 @@ pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {
 /// A text that is not a size.
 #[must_use]
 pub fn size(lang: Lang, text: &str) -> String {
-    let text = shown(text);
+    let text = escaped(text);
     match lang {
         Lang::En => {
             format!("--size is \"{text}\"; allowed: WxH with integers from 1 to {MAX_SIDE}, such as --size 800x600")
@@ -261,7 +261,7 @@ pub fn size(lang: Lang, text: &str) -> String {
 /// A text that is no number, or one that an option does not take.
 #[must_use]
 pub fn number(lang: Lang, option: &str, text: &str, range: &RangeInclusive<f64>, example: f64) -> String {
-    let (text, least, most) = (shown(text), range.start(), range.end());
+    let (text, least, most) = (escaped(text), range.start(), range.end());
     match lang {
         Lang::En => {
             format!("{option} is \"{text}\"; allowed: a number from {least} to {most}, such as {option} {example}")
@@ -275,7 +275,7 @@ pub fn number(lang: Lang, option: &str, text: &str, range: &RangeInclusive<f64>,
 /// A text that is not a number of frames.
 #[must_use]
 pub fn frames(lang: Lang, text: &str) -> String {
-    let text = shown(text);
+    let text = escaped(text);
     match lang {
         Lang::En => format!("--frames is \"{text}\"; allowed: an integer from 1 to 1000000, such as --frames 100"),
         Lang::PtBr => format!("--frames é \"{text}\"; permitido: um inteiro de 1 a 1000000, como --frames 100"),
@@ -285,7 +285,7 @@ pub fn frames(lang: Lang, text: &str) -> String {
 /// A text that is not a seed.
 #[must_use]
 pub fn seed(lang: Lang, text: &str) -> String {
-    let text = shown(text);
+    let text = escaped(text);
     match lang {
         Lang::En => {
             format!("--seed is \"{text}\"; allowed: an integer from 0 to 18446744073709551615, such as --seed 1")
@@ -367,7 +367,7 @@ pub fn no_room(lang: Lang, width: u64, height: u64, gap: u32) -> String {
 /// A size on paper that is less than a pixel.
 #[must_use]
 pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> String {
-    let centimetres = shown(centimetres);
+    let centimetres = escaped(centimetres);
     match lang {
         Lang::En => format!(
             "{option} {centimetres} has less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi"
@@ -394,7 +394,7 @@ pub fn too_large(lang: Lang, width: u64, height: u64) -> String {
 /// An ending that is not a picture's.
 #[must_use]
 pub fn ending(lang: Lang, name: &str) -> String {
-    let name = shown(name);
+    let name = escaped(name);
     let endings = PictureFormat::ALL.map(|format| format!(".{}", format.ending())).join(", ");
     match lang {
         Lang::En => format!("--output is \"{name}\"; allowed: a file name that ends in {endings}"),

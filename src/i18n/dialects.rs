@@ -3,7 +3,7 @@
 use super::{Lang, messages};
 use crate::camera::{MatrixKind, RecoveryError, Unknown};
 use crate::explain::vocabulary::{Limitation, Vocabulary};
-use crate::foreign::shown;
+use crate::sanitize::escaped;
 
 texts! {
     number_hint: "Sets the camera", "Define a câmera";
@@ -141,8 +141,8 @@ pub fn unreadable(lang: Lang, fault: &Unreadable) -> String {
         (Lang::PtBr, Unreadable::Count(count)) => {
             format!("{count} números; uma matriz tem 16, quatro linhas de quatro")
         }
-        (Lang::En, Unreadable::Part(part)) => format!("“{}” is not a number", shown(part)),
-        (Lang::PtBr, Unreadable::Part(part)) => format!("“{}” não é um número", shown(part)),
+        (Lang::En, Unreadable::Part(part)) => format!("“{}” is not a number", escaped(part)),
+        (Lang::PtBr, Unreadable::Part(part)) => format!("“{}” não é um número", escaped(part)),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Lang, exercises, exercises::mistake};
 use crate::exercises::{Ask, Exercise, Judged, Why};
-use crate::foreign::shown;
+use crate::sanitize::escaped;
 
 texts! {
     right: "right", "certo";
@@ -26,7 +26,7 @@ texts! {
 /// An identifier that no exercise has.
 #[must_use]
 pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
-    let id = shown(id);
+    let id = escaped(id);
     match (lang, near) {
         (Lang::En, Some(near)) => {
             format!("there is no exercise {id:?}; did you mean {near:?}? `camera-lab exercise list` lists them")
@@ -42,7 +42,7 @@ pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
 /// An answer to something that is not asked.
 #[must_use]
 pub fn unknown_ask(lang: Lang, id: &str, name: &str, asks: &[&str]) -> String {
-    let (name, asks) = (shown(name), asks.join(", "));
+    let (name, asks) = (escaped(name), asks.join(", "));
     match lang {
         Lang::En => format!("--answer: {id} does not ask for {name:?}; it asks for: {asks}"),
         Lang::PtBr => format!("--answer: {id} não pede {name:?}; pede: {asks}"),
@@ -53,8 +53,8 @@ pub fn unknown_ask(lang: Lang, id: &str, name: &str, asks: &[&str]) -> String {
 #[must_use]
 pub fn answered_twice(lang: Lang, name: &str) -> String {
     match lang {
-        Lang::En => format!("--answer: {} is answered twice", shown(name)),
-        Lang::PtBr => format!("--answer: {} foi respondido duas vezes", shown(name)),
+        Lang::En => format!("--answer: {} is answered twice", escaped(name)),
+        Lang::PtBr => format!("--answer: {} foi respondido duas vezes", escaped(name)),
     }
 }
 
@@ -81,7 +81,7 @@ pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
 /// An answer without `=`.
 #[must_use]
 pub fn answer_form(lang: Lang, text: &str) -> String {
-    format!("--answer {}: {}", shown(text), name_and_value(lang))
+    format!("--answer {}: {}", escaped(text), name_and_value(lang))
 }
 
 /// An answer that cannot be read; it has not been judged.
@@ -96,13 +96,13 @@ pub fn unreadable(lang: Lang, name: &str, why: &str) -> String {
 /// `--with` that cannot be used.
 #[must_use]
 pub fn with(_lang: Lang, text: &str, why: &str) -> String {
-    format!("--with {}: {why}", shown(text))
+    format!("--with {}: {why}", escaped(text))
 }
 
 /// A number that the exercise does not leave open.
 #[must_use]
 pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
-    let name = shown(name);
+    let name = escaped(name);
     match (lang, free.is_empty()) {
         (Lang::En, true) => format!("--with: {id} leaves no number open, {name:?} neither"),
         (Lang::En, false) => format!("--with: {id} does not leave {name:?} open; it leaves open: {}", free.join(", ")),
@@ -114,7 +114,7 @@ pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
 /// `--hints` that is not a number of hints.
 #[must_use]
 pub fn hints_range(lang: Lang, text: &str) -> String {
-    let text = shown(text);
+    let text = escaped(text);
     match lang {
         Lang::En => format!("--hints {text}: a whole number from 0 to 9 is expected"),
         Lang::PtBr => format!("--hints {text}: esperava-se um número inteiro de 0 a 9"),

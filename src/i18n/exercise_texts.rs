@@ -35,7 +35,7 @@ pub(super) fn texts(lang: Lang) -> &'static Texts {
 }
 
 fn read(text: &'static str) -> Texts {
-    enum Place {
+    enum TextPlace {
         Exercise(&'static str),
         List(&'static str),
     }
@@ -45,14 +45,14 @@ fn read(text: &'static str) -> Texts {
             place = Some(match heading.split_once(": ") {
                 Some((id, title)) => {
                     texts.exercises.insert(id, Statement { title, ..Statement::default() });
-                    Place::Exercise(id)
+                    TextPlace::Exercise(id)
                 }
-                None => Place::List(heading),
+                None => TextPlace::List(heading),
             });
             continue;
         }
         match place {
-            Some(Place::Exercise(id)) => {
+            Some(TextPlace::Exercise(id)) => {
                 let statement = texts.exercises.entry(id).or_default();
                 match line.strip_prefix("? ").and_then(|ask| ask.split_once(": ")) {
                     Some((name, text)) => {
@@ -61,7 +61,7 @@ fn read(text: &'static str) -> Texts {
                     None => statement.paragraphs.push(line),
                 }
             }
-            Some(Place::List(list)) => {
+            Some(TextPlace::List(list)) => {
                 if let Some((name, text)) = line.strip_prefix("- ").and_then(|entry| entry.split_once(": ")) {
                     texts.lists.entry(list).or_default().insert(name, text);
                 }

@@ -3,14 +3,14 @@
 use super::exercise_texts::texts;
 use super::{Lang, figure_files, messages};
 use crate::exercises::{
-    Answer, AnswerError, Ask, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table, Told, Unit,
-    Worked,
+    Answer, AnswerError, Ask, Bilingual, Diagnosis, Entry, Exercise, Fact, Judged, Kind, Mistake, OwnTexts, Table,
+    Unit, Worked,
 };
 use crate::explain::{Notation, Style};
 use crate::expression::marked;
 use crate::figure::{Figure, write::to_toml};
-use crate::foreign::shown;
 use crate::numbers::{DecimalMark, exact_form};
+use crate::sanitize::escaped;
 
 /// A text of a list; the name itself where there is none, as with names that are the same in both languages.
 fn listed<'a>(lang: Lang, list: &str, name: &'a str) -> &'a str {
@@ -37,7 +37,7 @@ fn title_of<'a>(lang: Lang, id: &str, own: Option<&'a OwnTexts>) -> &'a str {
 }
 
 /// A text of a lecturer's own.
-fn told(lang: Lang, told: &Told) -> &str {
+fn told(lang: Lang, told: &Bilingual) -> &str {
     match lang {
         Lang::En => &told.en,
         Lang::PtBr => &told.pt_br,
@@ -325,13 +325,17 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
         }
         (_, AnswerError::Camera(error)) => figure_files::without_line(lang, error),
         (Lang::En, AnswerError::Choice { given, choices }) => {
-            format!("“{}” cannot be chosen; choose one of: {}", shown(given), list_of_choices(lang, choices))
+            format!("“{}” cannot be chosen; choose one of: {}", escaped(given), list_of_choices(lang, choices))
         }
         (Lang::PtBr, AnswerError::Choice { given, choices }) => {
-            format!("“{}” não pode ser escolhido; escolha um destes: {}", shown(given), list_of_choices(lang, choices))
+            format!(
+                "“{}” não pode ser escolhido; escolha um destes: {}",
+                escaped(given),
+                list_of_choices(lang, choices)
+            )
         }
-        (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not KEY=VALUE", shown(text)),
-        (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é CHAVE=VALOR", shown(text)),
+        (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not KEY=VALUE", escaped(text)),
+        (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é CHAVE=VALOR", escaped(text)),
         (Lang::En, other) => other.to_string(),
         (Lang::PtBr, AnswerError::Empty) => "falta uma resposta".to_owned(),
         (Lang::PtBr, AnswerError::TooLong) => {

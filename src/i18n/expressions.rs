@@ -2,7 +2,7 @@
 
 use super::Lang;
 use crate::expression::{self, ExpressionError, ExpressionProblem};
-use crate::foreign::shown;
+use crate::sanitize::escaped;
 
 /// Why an expression is not a number, and where in it that shows.
 pub(super) fn in_expression(lang: Lang, text: &str, error: &ExpressionError) -> String {
@@ -19,9 +19,9 @@ pub fn expression(lang: Lang, problem: &ExpressionProblem) -> String {
     match (lang, problem) {
         (Lang::En, problem) => problem.to_string(),
         (Lang::PtBr, ExpressionProblem::Empty) => "falta um número".to_owned(),
-        (Lang::PtBr, ExpressionProblem::Unexpected(c)) => format!("inesperado: “{}”", shown(&c.to_string())),
+        (Lang::PtBr, ExpressionProblem::Unexpected(c)) => format!("inesperado: “{}”", escaped(&c.to_string())),
         (Lang::PtBr, ExpressionProblem::Unfinished) => "a expressão não terminou".to_owned(),
-        (Lang::PtBr, ExpressionProblem::UnknownName(name)) => format!("nome desconhecido: “{}”", shown(name)),
+        (Lang::PtBr, ExpressionProblem::UnknownName(name)) => format!("nome desconhecido: “{}”", escaped(name)),
         (Lang::PtBr, ExpressionProblem::MissingParenthesis) => "falta um “)”".to_owned(),
         (Lang::PtBr, ExpressionProblem::MixedUnits) => "ângulo e número não se misturam aqui".to_owned(),
         (Lang::PtBr, ExpressionProblem::NotFinite) => "o resultado não é um número finito".to_owned(),

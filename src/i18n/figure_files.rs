@@ -7,9 +7,9 @@ use super::scene_errors::scene_wording;
 use super::toml_complaints;
 use crate::figure::FigureError;
 use crate::figure::error::{Allowed, Problem};
-use crate::foreign::shown;
 use crate::formula::{FormulaError, FormulaProblem};
 use crate::limits::MAX_FORMULA;
+use crate::sanitize::escaped;
 
 /// Why a text is not a figure: line, key, what was found, what is allowed.
 #[must_use]
@@ -95,8 +95,8 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
         Problem::Expression { text, error, allowed } => {
             let (why, allowed) = (in_expression(lang, text, error), self::allowed(lang, allowed));
             match lang {
-                Lang::En => format!("is \"{}\": {why}; allowed: {allowed}", shown(text)),
-                Lang::PtBr => format!("é \"{}\": {why}; permitido: {allowed}", shown(text)),
+                Lang::En => format!("is \"{}\": {why}; allowed: {allowed}", escaped(text)),
+                Lang::PtBr => format!("é \"{}\": {why}; permitido: {allowed}", escaped(text)),
             }
         }
         Problem::Missing { allowed } => {
@@ -120,20 +120,20 @@ fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> Stri
         (Lang::PtBr, FormulaProblem::Open) => "nenhum cifrão a fecha".to_owned(),
         (Lang::En, FormulaProblem::Empty) => "nothing is in it".to_owned(),
         (Lang::PtBr, FormulaProblem::Empty) => "não há nada nela".to_owned(),
-        (Lang::En, FormulaProblem::Word(word)) => format!("{} is no word of mathematics", shown(word)),
-        (Lang::PtBr, FormulaProblem::Word(word)) => format!("{} não é uma palavra da matemática", shown(word)),
+        (Lang::En, FormulaProblem::Word(word)) => format!("{} is no word of mathematics", escaped(word)),
+        (Lang::PtBr, FormulaProblem::Word(word)) => format!("{} não é uma palavra da matemática", escaped(word)),
         (Lang::En, FormulaProblem::Environment(name)) => {
-            format!("the environment {} is none of mathematics", shown(name))
+            format!("the environment {} is none of mathematics", escaped(name))
         }
         (Lang::PtBr, FormulaProblem::Environment(name)) => {
-            format!("o ambiente {} não é da matemática", shown(name))
+            format!("o ambiente {} não é da matemática", escaped(name))
         }
         (Lang::En, FormulaProblem::Character('\n')) => "a blank line is in it".to_owned(),
         (Lang::PtBr, FormulaProblem::Character('\n')) => "há uma linha em branco nela".to_owned(),
         (Lang::En, FormulaProblem::Character(c)) => format!("the character {} is not allowed there", named(*c)),
         (Lang::PtBr, FormulaProblem::Character(c)) => format!("o caractere {} não é permitido ali", named(*c)),
-        (Lang::En, FormulaProblem::Unbalanced(what)) => format!("{} has no other half", shown(what)),
-        (Lang::PtBr, FormulaProblem::Unbalanced(what)) => format!("{} não tem a outra metade", shown(what)),
+        (Lang::En, FormulaProblem::Unbalanced(what)) => format!("{} has no other half", escaped(what)),
+        (Lang::PtBr, FormulaProblem::Unbalanced(what)) => format!("{} não tem a outra metade", escaped(what)),
         (Lang::En, FormulaProblem::TooLong) => {
             format!("it has more than {limit} characters, or more than {depth} pairs of braces in each other")
         }
@@ -141,7 +141,7 @@ fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> Stri
             format!("tem mais de {limit} caracteres, ou mais de {depth} pares de chaves um no outro")
         }
     };
-    let formula = shown(formula);
+    let formula = escaped(formula);
     match lang {
         Lang::En => format!(
             "has the formula \"${formula}$\": {why}; allowed between dollar signs: mathematics in LaTeX, such as \\frac{{1}}{{2}} and \\theta, and no dollar sign elsewhere"
@@ -154,7 +154,7 @@ fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> Stri
 
 /// A character with its number, so that one that looks like another is told apart.
 fn named(c: char) -> String {
-    format!("{} (U+{:04X})", shown(&c.to_string()), u32::from(c))
+    format!("{} (U+{:04X})", escaped(&c.to_string()), u32::from(c))
 }
 
 /// The TOML parser speaks English; its common complaints are known, others stay as they are.
@@ -166,7 +166,7 @@ fn toml_in_portuguese(detail: &str) -> &str {
 }
 
 fn meant(lang: Lang, near: Option<&str>) -> String {
-    near.map(shown).map_or_else(String::new, |near| match lang {
+    near.map(escaped).map_or_else(String::new, |near| match lang {
         Lang::En => format!(" (did you mean {near}?)"),
         Lang::PtBr => format!(" (você quis dizer {near}?)"),
     })
@@ -249,7 +249,7 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::En => "[[…], […], […], […]], four rows of four numbers".to_owned(),
             Lang::PtBr => "[[…], […], […], […]], quatro linhas de quatro números".to_owned(),
         },
-        Allowed::Told | Allowed::ToldList | Allowed::Texts | Allowed::Name { .. } | Allowed::FreeName => {
+        Allowed::Bilingual | Allowed::ToldList | Allowed::Texts | Allowed::Name { .. } | Allowed::FreeName => {
             allowed_text(lang, allowed)
         }
         Allowed::Operations => match lang {
@@ -281,7 +281,7 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::PtBr => format!("ou {one} ou {other}"),
         },
         Allowed::Choice(choices) => {
-            choices.iter().map(|choice| format!("\"{}\"", shown(choice))).collect::<Vec<_>>().join(", ")
+            choices.iter().map(|choice| format!("\"{}\"", escaped(choice))).collect::<Vec<_>>().join(", ")
         }
         Allowed::WrongAnswer => match lang {
             Lang::En => "an answer that is wrong, which the message explains".to_owned(),

@@ -7,8 +7,8 @@ use super::figure_files::figure;
 use super::unreadable::{read_problem, system_in_portuguese};
 use crate::export::png::{Damage, PngError};
 use crate::files::FileError;
-use crate::foreign;
 use crate::limits::{MAX_FIGURE_BYTES, MAX_FILE_BYTES, MAX_LINK_CHARACTERS, MAX_OWN_EXERCISES};
+use crate::sanitize;
 use crate::scene::ReadProblem;
 use crate::share::{self, ShareError};
 
@@ -16,7 +16,7 @@ use crate::share::{self, ShareError};
 #[must_use]
 pub fn opened(lang: Lang, path: &Path) -> String {
     match lang {
-        _ if share::link_of(path).is_none() => foreign::path(path),
+        _ if share::link_of(path).is_none() => sanitize::path(path),
         Lang::En => "the figure in the link".to_owned(),
         Lang::PtBr => "a figura no link".to_owned(),
     }

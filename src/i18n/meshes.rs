@@ -98,7 +98,7 @@ fn gltf_in_portuguese(fault: &GltfFault) -> String {
         GltfFault::SparseIndex { found, count } => {
             format!("o índice {found} de um acessor esparso não está entre seus {count} itens, ou não cresce")
         }
-        GltfFault::TooMuch => "seus acessores contêm mais do que qualquer malha".to_owned(),
+        GltfFault::OverBudget => "seus acessores contêm mais do que qualquer malha".to_owned(),
         GltfFault::NotFinite => "um número não é finito".to_owned(),
         GltfFault::Tree => "um nó tem dois pais".to_owned(),
     }

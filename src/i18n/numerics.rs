@@ -3,7 +3,7 @@
 use super::Lang;
 use crate::numbers::significant;
 use crate::numerics::charts::Words;
-use crate::numerics::price::{Cost, Price};
+use crate::numerics::overhead::{Cost, Price};
 use crate::numerics::{Findings, Row, Study, Unit};
 
 texts! {

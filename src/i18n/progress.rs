@@ -1,11 +1,11 @@
 //! What takes long, and that it was too much.
 
 use super::Lang;
-use crate::foreign::shown;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
 use crate::pipeline::MisplacedVertex;
-use crate::pipeline::too_much::{TooMuch, names};
-use crate::progress::Doing;
+use crate::pipeline::budget::{OverBudget, names};
+use crate::progress::Activity;
+use crate::sanitize::escaped;
 
 texts! {
     reading: "reading a mesh", "lendo uma malha";
@@ -18,14 +18,14 @@ texts! {
 
 /// What is being done, and which share of it has been, where that is known.
 #[must_use]
-pub fn progress(lang: Lang, doing: Doing, share: Option<f32>) -> String {
+pub fn progress(lang: Lang, doing: Activity, share: Option<f32>) -> String {
     let t = texts(lang);
     let doing = match doing {
-        Doing::Reading => t.reading,
-        Doing::Ordering => t.ordering,
-        Doing::Painting => t.painting,
-        Doing::Encoding => t.encoding,
-        Doing::Measuring => t.measuring,
+        Activity::Reading => t.reading,
+        Activity::Ordering => t.ordering,
+        Activity::Painting => t.painting,
+        Activity::Encoding => t.encoding,
+        Activity::Measuring => t.measuring,
     };
     match share {
         Some(share) => format!("{doing}… {:.0} %", (100.0 * share).floor()),
@@ -35,17 +35,17 @@ pub fn progress(lang: Lang, doing: Doing, share: Option<f32>) -> String {
 
 /// What there is too much of. In English it is the error's own words.
 #[must_use]
-pub fn too_much(lang: Lang, too_much: &TooMuch) -> String {
+pub fn too_much(lang: Lang, too_much: &OverBudget) -> String {
     match (lang, too_much) {
         (Lang::En, too_much) => too_much.to_string(),
-        (Lang::PtBr, TooMuch::Pieces { objects }) => format!(
+        (Lang::PtBr, OverBudget::Pieces { objects }) => format!(
             "as faces de {} se cruzam demais para serem divididas (mais de {MAX_PIECES} pedaços), e o buffer de profundidade decide; permitido: menos faces, ou visibility = \"depth-buffer\"",
             names(objects, "e outros")
         ),
-        (Lang::PtBr, TooMuch::Strokes) => format!(
+        (Lang::PtBr, OverBudget::Strokes) => format!(
             "os traços encontram faces demais, ou uns aos outros vezes demais, para serem desenhados sem buffer de profundidade (mais de {MAX_STROKE_STEPS} passos); permitido: menos arestas e linhas"
         ),
-        (Lang::PtBr, TooMuch::Rounding { vertices }) => format!(
+        (Lang::PtBr, OverBudget::Rounding { vertices }) => format!(
             "{}: a imagem amplia mais do que as coordenadas têm dígitos; permitido: uma janela maior, ou cena e câmera mais perto da origem",
             beside(vertices)
         ),
@@ -56,7 +56,7 @@ pub fn too_much(lang: Lang, too_much: &TooMuch) -> String {
 fn beside(vertices: &[MisplacedVertex]) -> String {
     let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
         let off = Lang::PtBr.mark().printed(&format!("{off:.1}"));
-        format!("o vértice {vertex} de {:?} é desenhado a {off} pixels do seu lugar", shown(object))
+        format!("o vértice {vertex} de {:?} é desenhado a {off} pixels do seu lugar", escaped(object))
     };
     let first = vertices.first().map(one).unwrap_or_default();
     match vertices.len() {

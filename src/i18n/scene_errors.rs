@@ -4,8 +4,8 @@ use super::Lang;
 use super::meshes::mesh;
 use super::unreadable::read_problem;
 use super::wording::Wording;
-use crate::foreign::shown;
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::sanitize::escaped;
 use crate::scene::{MeshError, SceneError, chain_text};
 
 /// Why the objects and lights of a figure make no scene; names the object and the key.
@@ -18,7 +18,7 @@ pub fn scene(lang: Lang, error: &SceneError) -> String {
         | SceneError::Mesh { name, .. }
         | SceneError::NotFinite { name, .. }
         | SceneError::ZeroScale { name }
-        | SceneError::Segments { name, .. } => format!("[[scene.objects]] \"{}\": {key} {why}", shown(name)),
+        | SceneError::Segments { name, .. } => format!("[[scene.objects]] \"{}\": {key} {why}", escaped(name)),
         SceneError::TooManyLights { .. } | SceneError::TooManyObjects => format!("[scene] {key} {why}"),
         SceneError::Light { index, .. } => format!("[[scene.lights]] {}: {key} {why}", index + 1),
     }
@@ -31,15 +31,15 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
     match (lang, error) {
         (Lang::En, SceneError::DuplicateName { .. }) => english("another object has this name"),
         (Lang::PtBr, SceneError::DuplicateName { name }) => Wording::new(
-            format!("é \"{}\", como um objeto anterior; permitido: um nome próprio", shown(name)),
+            format!("é \"{}\", como um objeto anterior; permitido: um nome próprio", escaped(name)),
             "outro objeto tem este nome",
         ),
         (Lang::En, SceneError::UnknownParent { parent, .. }) => {
-            english(&format!("there is no object “{}”", shown(parent)))
+            english(&format!("there is no object “{}”", escaped(parent)))
         }
         (Lang::PtBr, SceneError::UnknownParent { parent, .. }) => Wording::new(
-            format!("é \"{}\", e nenhum objeto se chama assim; permitido: o nome de um objeto", shown(parent)),
-            format!("não há objeto “{}”", shown(parent)),
+            format!("é \"{}\", e nenhum objeto se chama assim; permitido: o nome de um objeto", escaped(parent)),
+            format!("não há objeto “{}”", escaped(parent)),
         ),
         (Lang::En, SceneError::Cycle { chain }) => {
             english(&format!("parents go round in a circle: {}", chain_text(chain)))
@@ -69,7 +69,7 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             segments_allowed(lang),
         ),
         (_, SceneError::Mesh { path, error, .. }) => {
-            let (path, why) = (shown(path), after_path(lang, &shown(path), error));
+            let (path, why) = (escaped(path), after_path(lang, &escaped(path), error));
             Wording::new(format!("\"{path}\"{why}"), format!("{path}{why}"))
         }
         (Lang::En, SceneError::TooManyObjects) => english(&format!("at most {MAX_OBJECTS} objects")),

@@ -11,7 +11,7 @@ mod depth_format;
 pub mod diagnosis;
 pub mod health;
 mod measure;
-pub mod price;
+pub mod overhead;
 pub mod real;
 pub mod reference;
 mod studies;
@@ -21,7 +21,7 @@ use std::time::Duration;
 use serde::{Serialize, Serializer};
 
 use crate::clock;
-use crate::progress::{Doing, Progress};
+use crate::progress::{Activity, Progress};
 pub use depth_format::{Resolution, Seen, TwoPlanes, resolutions};
 use measure::{Trial, Watch};
 
@@ -199,7 +199,7 @@ struct Lab {
 impl Lab {
     /// The watch of a study that times this many passes' series.
     fn watch(&self, series: usize) -> Watch {
-        self.progress.begin(Doing::Measuring, series);
+        self.progress.begin(Activity::Measuring, series);
         #[expect(clippy::cast_precision_loss, reason = "a small number of series")]
         let slice = Duration::try_from_secs_f64(self.effort.seconds / series.max(1) as f64).unwrap_or_default();
         Watch { slice, tick: clock::resolution(), progress: self.progress.clone() }

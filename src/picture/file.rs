@@ -1,12 +1,12 @@
 //! Pictures as files, in the format that is asked for.
 
-use super::{NoSheet, Picture, Renderer, Sheet};
+use super::{Composite, NoComposite, Picture, Renderer};
 use crate::camera::Ndc;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
 use crate::export::png::PngError;
 use crate::export::web;
-use crate::pipeline::TooMuch;
+use crate::pipeline::OverBudget;
 use crate::progress::Progress;
 use crate::views::View;
 
@@ -18,7 +18,7 @@ pub enum PictureError {
     TooLarge,
     /// There is no sheet.
     #[error(transparent)]
-    Sheet(#[from] NoSheet),
+    Composite(#[from] NoComposite),
     /// It is not wanted any more.
     #[error("cancelled")]
     Cancelled,
@@ -49,12 +49,12 @@ pub struct PictureFile {
     /// What is written.
     pub bytes: Vec<u8>,
     /// What could not be done as it was asked for.
-    pub too_much: Option<TooMuch>,
+    pub too_much: Option<OverBudget>,
 }
 
 /// How a picture becomes a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Form {
+pub struct FileOptions {
     /// The format.
     pub format: PictureFormat,
     /// Each picture without the empty ground around what it shows.
@@ -69,10 +69,10 @@ pub struct Form {
 /// # Errors
 /// [`PictureError::TooLarge`] and [`PictureError::Cancelled`].
 pub async fn assembled(
-    sheet: &Sheet,
+    sheet: &Composite,
     crop: bool,
     progress: &Progress,
-) -> Result<(Picture, Option<TooMuch>), PictureError> {
+) -> Result<(Picture, Option<OverBudget>), PictureError> {
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
     let mut renderer = Renderer::default();
     renderer.watch(progress);
@@ -89,8 +89,13 @@ pub async fn assembled(
 ///
 /// # Errors
 /// [`PictureError`].
-pub async fn file(sheet: &Sheet, form: Form, figure: &str, progress: &Progress) -> Result<PictureFile, PictureError> {
-    let Form { format, crop, dpi } = form;
+pub async fn file(
+    sheet: &Composite,
+    form: FileOptions,
+    figure: &str,
+    progress: &Progress,
+) -> Result<PictureFile, PictureError> {
+    let FileOptions { format, crop, dpi } = form;
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
     let (mut picture, too_much) = assembled(sheet, crop, progress).await?;
     let encode = |bytes: Result<Vec<u8>, String>| bytes.map_err(|why| PictureError::Encode { format, why });
@@ -106,7 +111,7 @@ pub async fn file(sheet: &Sheet, form: Form, figure: &str, progress: &Progress) 
 }
 
 /// In which convention of NDC the canonical volume is, where it is shown in another one than that of the notes.
-fn convention(sheet: &Sheet) -> Option<String> {
+fn convention(sheet: &Composite) -> Option<String> {
     let request = sheet.requests.iter().find(|request| request.view == View::Canonical)?;
     let ndc = request.camera.possible_clip_space(request.shot.ndc).ndc();
     (ndc != Ndc::default()).then(|| format!("NDC: {}", request.labels.ndc_title(ndc)))

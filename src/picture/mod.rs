@@ -1,11 +1,11 @@
 //! [`Request`](crate::views::Request) → pixels: the only place that makes pictures. What is on the screen, what
 //! `render` writes and what the window exports is the same, byte for byte.
 
-mod account;
+mod animation;
+mod composite;
 mod file;
-mod film;
+mod render_report;
 mod renderer;
-mod sheet;
 mod triangle;
 
 use tiny_skia::{IntSize, Pixmap};
@@ -16,11 +16,11 @@ use crate::export::png::{self, PngError};
 use crate::export::sheet::{column, row};
 use crate::progress::Progress;
 use crate::views::Arrangement;
-pub use account::Account;
-pub use file::{Form, PictureError, PictureFile, assembled, file};
-pub use film::{Film, FilmFormat};
+pub use animation::{Animation, FilmFormat};
+pub use composite::{Composite, Crowded, NoComposite, OnPaper, gap};
+pub use file::{FileOptions, PictureError, PictureFile, assembled, file};
+pub use render_report::RenderReport;
 pub use renderer::Renderer;
-pub use sheet::{Crowded, NoSheet, OnPaper, Sheet, gap};
 pub use triangle::{FollowedTriangle, Tested, TrianglePixels};
 
 /// A finished picture; without pixels until something has been drawn on it.

@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use tiny_skia::Pixmap;
 
-use super::{Account, FollowedTriangle, Picture, Sheet};
+use super::{Composite, FollowedTriangle, Picture, RenderReport};
 use crate::appearance::Texture;
-use crate::pipeline::{Frame, TooMuch};
+use crate::pipeline::{Frame, OverBudget};
 use crate::progress::{Progress, at_once};
 use crate::raster::Rasterizer;
 use crate::views::{self, Request, TimedPipeline, View};
@@ -57,7 +57,7 @@ impl Renderer {
 
     /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is
     /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does.
-    pub async fn pixels_into(&mut self, request: &Request, picture: &mut Picture) -> Option<Account> {
+    pub async fn pixels_into(&mut self, request: &Request, picture: &mut Picture) -> Option<RenderReport> {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
         let (frame, on_window) = self.timed_drawing(request).await?;
@@ -73,8 +73,8 @@ impl Renderer {
         }
         let (work, total) = (self.rasterizer.work(), now().saturating_sub(start));
         let account = match self.clock {
-            Some(_) => Account::of(&frame, work, on_window, total),
-            None => Account { too_much: frame.too_much.take(), ..Account::default() },
+            Some(_) => RenderReport::of(&frame, work, on_window, total),
+            None => RenderReport { too_much: frame.too_much.take(), ..RenderReport::default() },
         };
         self.show_stage(&mut frame, &mut pixmap)?;
         *picture = pixmap.into();
@@ -98,7 +98,7 @@ impl Renderer {
     /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty ground around what it shows.
     /// And what could not be done in any of them as it was asked for. `None` as for [`pixels`](Self::pixels), and
     /// without pictures.
-    pub async fn sheet(&mut self, sheet: &Sheet, crop: bool) -> Option<(Picture, Option<TooMuch>)> {
+    pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Picture, Option<OverBudget>)> {
         let (mut pictures, mut too_much) = (Vec::new(), None);
         for request in &sheet.requests {
             let mut picture = Picture::default();
@@ -220,7 +220,7 @@ mod tests {
             renderer.measure(Some(clock::now));
             let mut picture = Picture::default();
             let account = at_once(renderer.pixels_into(&split, &mut picture)).unwrap();
-            let TooMuch::Pieces { objects } = account.too_much.unwrap() else { panic!("pieces") };
+            let OverBudget::Pieces { objects } = account.too_much.unwrap() else { panic!("pieces") };
             let mut names = objects.clone();
             names.sort();
             assert_eq!(names, ["one", "three", "two"]);
@@ -247,7 +247,7 @@ mod tests {
         let sheet = |transparent| {
             let finish = Finish { transparent, ..Finish::default() };
             let request = Request { finish, ..request.clone() };
-            Sheet::of(Views::All, &request, &Shot::default(), None).unwrap()
+            Composite::of(Views::All, &request, &Shot::default(), None).unwrap()
         };
         let (whole, _) = at_once(Renderer::default().sheet(&sheet(false), false)).unwrap();
         let (clear, _) = at_once(Renderer::default().sheet(&sheet(true), false)).unwrap();

@@ -9,7 +9,7 @@ use super::resample::{OWN_WEIGHTS, VertexOrigin};
 
 /// A corner of a polygon that is being clipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Corner {
+pub(super) struct ClippedCorner {
     /// Where it is.
     pub(super) point: ClipPoint,
     /// Its share of each corner of the triangle (or of the two ends of the segment) that it came from: every attribute
@@ -19,7 +19,7 @@ pub(super) struct Corner {
     pub(super) distances: [f64; PLANES],
 }
 
-impl Corner {
+impl ClippedCorner {
     /// The corners of a whole polygon: a triangle, or the two ends of a segment.
     pub(super) fn whole<'a>(projector: &'a Projector, points: &'a [ClipPoint]) -> impl Iterator<Item = Self> + 'a {
         let own = points.iter().zip(OWN_WEIGHTS);
@@ -88,8 +88,8 @@ impl Corner {
 /// Clips triangles and segments; keeps its buffers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Clipper {
-    polygon: Vec<Corner>,
-    next: Vec<Corner>,
+    polygon: Vec<ClippedCorner>,
+    next: Vec<ClippedCorner>,
 }
 
 impl Clipper {
@@ -99,7 +99,12 @@ impl Clipper {
     /// *Guarantees*: an edge that lies in a plane stays whole; what only touches a plane from outside is dropped;
     /// planes that the triangle does not cross may be left out of `planes` or put into it without changing a bit of the
     /// result; a corner on an edge has the same bits for every triangle that has the edge.
-    pub(super) fn triangle(&mut self, projector: &Projector, corners: [ClipPoint; 3], planes: PlaneSet) -> &[Corner] {
+    pub(super) fn triangle(
+        &mut self,
+        projector: &Projector,
+        corners: [ClipPoint; 3],
+        planes: PlaneSet,
+    ) -> &[ClippedCorner] {
         self.clip(projector, &corners, planes)
     }
 
@@ -121,7 +126,7 @@ impl Clipper {
     }
 
     #[inline]
-    fn clip(&mut self, projector: &Projector, points: &[ClipPoint], planes: PlaneSet) -> &[Corner] {
+    fn clip(&mut self, projector: &Projector, points: &[ClipPoint], planes: PlaneSet) -> &[ClippedCorner] {
         self.watched(projector, points, planes, |_, _, _| {})
     }
 
@@ -133,16 +138,16 @@ impl Clipper {
         projector: &Projector,
         points: &[ClipPoint],
         planes: PlaneSet,
-        mut watch: impl FnMut(usize, &[Corner], Origin),
-    ) -> &[Corner] {
+        mut watch: impl FnMut(usize, &[ClippedCorner], Origin),
+    ) -> &[ClippedCorner] {
         self.polygon.clear();
-        self.polygon.extend(Corner::whole(projector, points));
+        self.polygon.extend(ClippedCorner::whole(projector, points));
         for plane in ORDER.into_iter().filter(|plane| planes >> plane & 1 == 1) {
             self.next.clear();
             let polygon = &self.polygon;
             let keep = |origin| {
                 watch(plane, polygon, origin);
-                self.next.push(Corner::of_part(polygon, origin, plane, projector));
+                self.next.push(ClippedCorner::of_part(polygon, origin, plane, projector));
             };
             cut(polygon.len(), |i| polygon[i].distances[plane], keep, |_| {});
             std::mem::swap(&mut self.polygon, &mut self.next);

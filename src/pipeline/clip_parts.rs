@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::bounds::Bounds;
-use super::clip::Corner;
+use super::clip::ClippedCorner;
 use super::cull::{Containment, containment};
 use super::cut::cut;
 use super::planes::{NOT_A_NUMBER, ORDER, PLANES, PlaneSet, distances, outcode};
@@ -85,10 +85,10 @@ pub fn clip_parts(scene: &Scene, camera: &Camera, edges_only: bool) -> Parts {
 }
 
 /// The two parts of a convex polygon (or, with two corners, of a segment) on the sides of a plane.
-fn split(polygon: &[Corner], plane: usize, projector: &Projector) -> [Vec<Corner>; 2] {
+fn split(polygon: &[ClippedCorner], plane: usize, projector: &Projector) -> [Vec<ClippedCorner>; 2] {
     let least = polygon.len().min(3);
     let (mut inside, mut outside) = (Vec::new(), Vec::new());
-    let corner = |origin| Corner::of_part(polygon, origin, plane, projector);
+    let corner = |origin| ClippedCorner::of_part(polygon, origin, plane, projector);
     let distance = |i: usize| polygon[i].distances[plane];
     cut(polygon.len(), distance, |origin| inside.push(corner(origin)), |origin| outside.push(corner(origin)));
     // What lies in the plane is inside.
@@ -103,8 +103,8 @@ fn split(polygon: &[Corner], plane: usize, projector: &Projector) -> [Vec<Corner
 }
 
 /// The piece inside all planes, and those outside one of them.
-fn pieces(projector: &Projector, points: &[ClipPoint]) -> (Vec<Corner>, Vec<Vec<Corner>>) {
-    let (mut rest, mut outside) = (Corner::whole(projector, points).collect::<Vec<_>>(), Vec::new());
+fn pieces(projector: &Projector, points: &[ClipPoint]) -> (Vec<ClippedCorner>, Vec<Vec<ClippedCorner>>) {
+    let (mut rest, mut outside) = (ClippedCorner::whole(projector, points).collect::<Vec<_>>(), Vec::new());
     for plane in ORDER {
         if rest.iter().any(|corner| corner.distances[plane] < 0.0) {
             let [kept, cut] = split(&rest, plane, projector);
@@ -146,7 +146,7 @@ impl Splitter {
                 return None;
             }
             let points: Vec<ClipPoint> = of.iter().map(|&i| clip[i as usize]).collect();
-            let whole = || Corner::whole(&self.projector, &points).collect();
+            let whole = || ClippedCorner::whole(&self.projector, &points).collect();
             Some(match (all, any) {
                 (_, 0) => (whole(), Vec::new()),
                 (0, _) => pieces(&self.projector, &points),
@@ -184,10 +184,10 @@ impl Splitter {
                 outside.shared([a, b, b], piece, shared);
             }
         }
-        let place = |of: [u32; 3], corner: &Corner| {
+        let place = |of: [u32; 3], corner: &ClippedCorner| {
             object.world_from_object.transform_point3(corner.origin(of).of(|i| mesh.positions[i as usize]))
         };
-        let made: Vec<Vec<(Corner, DVec3)>> =
+        let made: Vec<Vec<(ClippedCorner, DVec3)>> =
             made.iter().map(|(of, corners)| corners.iter().map(|c| (*c, place(*of, c))).collect()).collect();
         for polygon in &made {
             self.note(polygon);
@@ -203,7 +203,7 @@ impl Splitter {
     }
 
     /// Notes what is new of a polygon that was cut.
-    fn note(&mut self, polygon: &[(Corner, DVec3)]) {
+    fn note(&mut self, polygon: &[(ClippedCorner, DVec3)]) {
         for (_, p) in polygon.iter().filter(|(corner, _)| corner.original().is_none()) {
             if self.is_new(*p) {
                 self.parts.cuts.push(*p);
@@ -239,12 +239,12 @@ impl Splitter {
                 continue;
             }
             let (kept, cut) = pieces(&self.projector, &clip);
-            let point = |c: &Corner| c.origin([0, 1, 1]).of(|k| ends[k as usize]);
+            let point = |c: &ClippedCorner| c.origin([0, 1, 1]).of(|k| ends[k as usize]);
             if !cut.is_empty() {
                 self.note(&kept.iter().map(|c| (*c, point(c))).collect::<Vec<_>>());
             }
             let last = i + 2 == line.points.len();
-            let add = |polylines: &mut Polylines, segment: &[Corner]| {
+            let add = |polylines: &mut Polylines, segment: &[ClippedCorner]| {
                 if let [a, b] = segment {
                     polylines.add([point(a), point(b)], last && b.original() == Some(1));
                 }
@@ -291,24 +291,24 @@ impl<'a> ObjectPart<'a> {
         Self { object, remake: Remake::new(&object.mesh) }
     }
 
-    fn polygon(&mut self, of: [u32; 3], corners: &[Corner], source: u32) {
+    fn polygon(&mut self, of: [u32; 3], corners: &[ClippedCorner], source: u32) {
         let corners: Vec<u32> = corners.iter().map(|corner| self.remake.vertex(corner.origin(of))).collect();
         self.remake.polygon(&corners, source);
     }
 
-    fn edge(&mut self, of: [u32; 3], ends: &[Corner]) {
+    fn edge(&mut self, of: [u32; 3], ends: &[ClippedCorner]) {
         if let Some(ends) = self.ends(of, ends) {
             self.remake.edges.push(ends);
         }
     }
 
-    fn shared(&mut self, of: [u32; 3], ends: &[Corner], whole: &SharedEdge) {
+    fn shared(&mut self, of: [u32; 3], ends: &[ClippedCorner], whole: &SharedEdge) {
         if let Some(ends) = self.ends(of, ends) {
             self.remake.shared.push(SharedEdge { ends, ..*whole });
         }
     }
 
-    fn ends(&mut self, of: [u32; 3], ends: &[Corner]) -> Option<[u32; 2]> {
+    fn ends(&mut self, of: [u32; 3], ends: &[ClippedCorner]) -> Option<[u32; 2]> {
         let [a, b] = ends else { return None };
         Some([a, b].map(|end| self.remake.vertex(end.origin(of))))
     }

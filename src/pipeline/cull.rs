@@ -21,7 +21,7 @@ pub enum Containment {
 
 /// What box and ball tell of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct Extent {
     pub(super) containment: Containment,
     /// Between which distances there may be any of it in the volume.
     pub(super) in_view: InView,
@@ -32,14 +32,14 @@ pub(super) struct Place {
 ///
 /// "Inside" leaves a margin for rounding, so that an object that is not clipped would not have been changed by
 /// clipping.
-pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObject, bounds: &Bounds) -> Place {
+pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObject, bounds: &Bounds) -> Extent {
     const MARGIN: f64 = 1e-13;
     let corners = bounds.aabb.corners();
     let reach = corners.iter().fold(0.0, |most, &corner| view_from_object.magnitude(corner).max(most));
     let slack = slack(projector, MARGIN, reach);
     if !bounds.finite || !slack.iter().all(|s| s.is_finite()) {
         let in_view = InView { magnitude: projector.far, ..InView::between(projector.near, projector.far) };
-        return Place { containment: Containment::Crosses(ALL_PLANES), in_view };
+        return Extent { containment: Containment::Crosses(ALL_PLANES), in_view };
     }
     let nothing = (f64::INFINITY, f64::NEG_INFINITY);
     let widened = |range: (f64, f64), by: f64| (range.0.min(by), range.1.max(by));
@@ -63,11 +63,11 @@ pub(super) fn containment(projector: &Projector, view_from_object: &ViewFromObje
         inside |= PlaneSet::from(least > slack[i / 2]) << i;
     }
     if outside != 0 {
-        return Place { containment: Containment::Outside(outside), in_view: InView::NOTHING };
+        return Extent { containment: Containment::Outside(outside), in_view: InView::NOTHING };
     }
     let in_view =
         InView { nearest: depths.0, farthest: depths.1, magnitude: reach }.clipped(projector.near, projector.far);
-    Place { containment: Containment::Crosses(ALL_PLANES & !inside), in_view }
+    Extent { containment: Containment::Crosses(ALL_PLANES & !inside), in_view }
 }
 
 /// The planes that all of a box in the world is outside of. `magnitude` is the size of the numbers from which the

@@ -25,6 +25,7 @@
 
 mod bounding_tree;
 mod bounds;
+pub mod budget;
 mod clip;
 pub mod clip_parts;
 mod cull;
@@ -35,23 +36,22 @@ pub mod divide_before_clip;
 mod faces;
 pub mod light;
 mod lines;
-mod misplaced;
 pub mod one_triangle;
 mod outline;
 pub mod plan;
+mod plan_counts;
 mod planes;
 mod pool;
 pub mod project;
 mod projector;
 pub mod report;
 mod resample;
+mod rounding_check;
 mod shade;
 mod stage_work;
 mod stages;
 pub mod stroke_order;
 pub mod stroke_runs;
-mod survey;
-pub mod too_much;
 mod transform;
 mod visibility;
 
@@ -62,26 +62,26 @@ use crate::limits::MAX_PIECES;
 use crate::progress::Progress;
 use crate::scene::Scene;
 use bounding_tree::BoundingTree;
+pub use budget::OverBudget;
 pub use cull::Containment;
 use faces::{FaceTask, Faces};
 use light::Lights;
 use lines::Strokes;
-use misplaced::Misplaced;
-pub use misplaced::MisplacedVertex;
 pub use plan::{Options, Output, Plan, Reason, Stage};
+use plan_counts::Survey;
 pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
 use projector::Projector;
 use report::Meter;
 pub use report::{FollowedTriangle, Frame, StageReport};
 pub use resample::with_triangles;
+use rounding_check::Misplaced;
+pub use rounding_check::MisplacedVertex;
 use shade::Shaded;
 use stage_work::Notes;
 pub use stage_work::{ObjectWork, StageWork, VertexWork};
 use stages::LitAt;
 pub use stages::{FacesDone, ObjectReport};
-use survey::Survey;
-pub use too_much::TooMuch;
 use transform::{Screen, Vertices};
 use visibility::{Layer, TooManyPieces};
 
@@ -292,7 +292,7 @@ impl Pipeline {
             labels,
         };
         let report = meter.report(&plan, &Survey::of_done(scene, &plan.objects, &done, style), style);
-        let too_much = TooMuch::rounding(misplaced.found());
+        let too_much = OverBudget::rounding(misplaced.found());
         let work = notes.map(|notes| notes.work).filter(|work| report.iter().any(|r| r.stage == work.stage && r.ran));
         let depths = projector.depths;
         let mut frame = Frame {
@@ -309,7 +309,8 @@ impl Pipeline {
         };
         if let Some(TooManyPieces { pieces, of_layer }) = too_many {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
-            frame.too_much = Some(TooMuch::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));
+            frame.too_much =
+                Some(OverBudget::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));
         }
         frame
     }

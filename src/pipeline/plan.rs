@@ -8,10 +8,10 @@ use std::time::Duration;
 
 use super::bounding_tree::Places;
 use super::cull::Containment;
+use super::plan_counts::Survey;
 use super::planes::ALL_PLANES;
 use super::projector::Projector;
 pub use super::stages::{LitAt, ObjectPlan, Output, Reason, StagePlan};
-use super::survey::Survey;
 use crate::appearance::{Shading, Style, Visibility};
 use crate::scene::{Object, ObjectPaint, Scene};
 pub use crate::stage::Stage;

@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
+use super::budget::OverBudget;
 use super::depths::DepthScale;
 use super::faces::Faces;
 use super::plan::{Options, Plan};
+use super::plan_counts::Survey;
 use super::stage_work::StageWork;
 use super::stages::{LitAt, ObjectReport, Reason};
-use super::survey::Survey;
-use super::too_much::TooMuch;
 use super::transform::Vertices;
 use crate::appearance::{Style, Visibility};
 use crate::drawing::{Drawing, Surface};
@@ -28,7 +28,7 @@ pub struct Frame {
     pub objects: Vec<ObjectReport>,
     /// What could not be done as the plan has it. Where it is the pieces, the drawing is for an output with a depth
     /// buffer, whatever was asked for; that is said before what rounding does.
-    pub too_much: Option<TooMuch>,
+    pub too_much: Option<OverBudget>,
     /// What the depths of the drawing mean.
     pub depths: DepthScale,
     /// What went into the stage that was to be shown, and what came out; `None` where it did not run.

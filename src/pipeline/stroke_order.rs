@@ -13,8 +13,8 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::budget::OverBudget;
 use super::stroke_runs::{KEPT, LISTED, Run, SQUARE, Steps, runs_within};
-use super::too_much::TooMuch;
 use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::Drawing;
@@ -28,12 +28,12 @@ use crate::drawing::order::{StrokePoint, later_is_over, stroke_reach};
 /// without a gap; a part's [`start`](Run::start) lets its dashes go on. Runs that are not painted are left out.
 ///
 /// # Errors
-/// [`TooMuch::Strokes`].
-pub fn painted_runs(drawing: &Drawing) -> Result<Vec<Run>, TooMuch> {
+/// [`OverBudget::Strokes`].
+pub fn painted_runs(drawing: &Drawing) -> Result<Vec<Run>, OverBudget> {
     runs_in_order(drawing, &mut Steps::default())
 }
 
-fn runs_in_order(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, TooMuch> {
+fn runs_in_order(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, OverBudget> {
     let painted = runs_within(drawing, steps)?
         .into_iter()
         .filter_map(|run| run.style(drawing).map(|style| Painted { run, style }));
@@ -278,7 +278,7 @@ fn square(v: f64, count: usize) -> usize {
 }
 
 /// Where runs of different layers touch, each place once.
-fn find_contacts(all: &[Painted], drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Contact>, TooMuch> {
+fn find_contacts(all: &[Painted], drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Contact>, OverBudget> {
     let segments = segments(all, drawing);
     let count = |side: u32| square(f64::from(side), usize::MAX) + 1;
     let (columns, rows) = (count(drawing.width), count(drawing.height));

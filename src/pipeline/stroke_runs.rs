@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::too_much::TooMuch;
+use super::budget::OverBudget;
 use super::transform::single;
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::order::on_a_face;
@@ -49,12 +49,12 @@ impl Run {
 /// [`Shown`](HiddenLines::Shown) although hidden is one visible run.
 ///
 /// # Errors
-/// [`TooMuch::Strokes`].
-pub fn stroke_runs(drawing: &Drawing) -> Result<Vec<Run>, TooMuch> {
+/// [`OverBudget::Strokes`].
+pub fn stroke_runs(drawing: &Drawing) -> Result<Vec<Run>, OverBudget> {
     runs_within(drawing, &mut Steps::default())
 }
 
-pub(super) fn runs_within(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, TooMuch> {
+pub(super) fn runs_within(drawing: &Drawing, steps: &mut Steps) -> Result<Vec<Run>, OverBudget> {
     let faces = Faces::new(drawing, steps)?;
     let mut runs = Vec::new();
     for (set, strokes) in drawing.strokes.iter().enumerate() {
@@ -79,8 +79,8 @@ impl Default for Steps {
 }
 
 impl Steps {
-    pub(super) fn take(&mut self, steps: usize) -> Result<(), TooMuch> {
-        self.0 = self.0.checked_sub(steps).ok_or(TooMuch::Strokes)?;
+    pub(super) fn take(&mut self, steps: usize) -> Result<(), OverBudget> {
+        self.0 = self.0.checked_sub(steps).ok_or(OverBudget::Strokes)?;
         Ok(())
     }
 
@@ -99,8 +99,8 @@ pub(super) const KEPT: usize = 64;
 /// so.
 ///
 /// # Errors
-/// [`TooMuch::Strokes`].
-pub fn hidden_places(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Result<Vec<bool>, TooMuch> {
+/// [`OverBudget::Strokes`].
+pub fn hidden_places(drawing: &Drawing, places: impl IntoIterator<Item = [f32; 3]>) -> Result<Vec<bool>, OverBudget> {
     let faces = Faces::new(drawing, &mut Steps::default())?;
     Ok(places.into_iter().map(|place| faces.hide(place.map(f64::from))).collect())
 }
@@ -120,7 +120,7 @@ fn split(
     faces: Option<&Faces>,
     steps: &mut Steps,
     mut found: impl FnMut(Run),
-) -> Result<(), TooMuch> {
+) -> Result<(), OverBudget> {
     let mut run: Option<Run> = None;
     let mut arc = 0.0;
     let mut hidden = Vec::new();
@@ -208,7 +208,7 @@ fn square_count(side: u32) -> usize {
 }
 
 impl Faces {
-    fn new(drawing: &Drawing, steps: &mut Steps) -> Result<Self, TooMuch> {
+    fn new(drawing: &Drawing, steps: &mut Steps) -> Result<Self, OverBudget> {
         let (columns, rows) = (square_count(drawing.width), square_count(drawing.height));
         let mut all = Self { faces: Vec::new(), columns, rows, squares: vec![Vec::new(); columns * rows] };
         // What leaves no depth hides nothing, as in a depth buffer.
@@ -223,7 +223,7 @@ impl Faces {
         Ok(all)
     }
 
-    fn add(&mut self, [a, b, c]: [[f64; 3]; 3], steps: &mut Steps) -> Result<(), TooMuch> {
+    fn add(&mut self, [a, b, c]: [[f64; 3]; 3], steps: &mut Steps) -> Result<(), OverBudget> {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         // Also for what is not a number.
         if !(area.abs() > 0.0 && area.is_finite()) {
@@ -269,7 +269,12 @@ impl Faces {
     }
 
     /// The parts of a segment that faces hide, as shares of the way: in order, apart from one another.
-    fn hidden_parts(&self, segment: &Segment, steps: &mut Steps, hidden: &mut Vec<Range<f64>>) -> Result<(), TooMuch> {
+    fn hidden_parts(
+        &self,
+        segment: &Segment,
+        steps: &mut Steps,
+        hidden: &mut Vec<Range<f64>>,
+    ) -> Result<(), OverBudget> {
         let [x, y, _] = segment.from;
         let [dx, dy, _] = segment.along;
         let mut near: Vec<u32> = Vec::new();
@@ -478,6 +483,6 @@ mod tests {
         let steps = |few| runs_within(&drawing, &mut Steps::few(few)).map(|runs| runs.len());
         assert_eq!(steps(2000), Ok(3));
         // For the faces alone, and for what the stroke meets.
-        assert_eq!([steps(100), steps(300)], [Err(TooMuch::Strokes), Err(TooMuch::Strokes)]);
+        assert_eq!([steps(100), steps(300)], [Err(OverBudget::Strokes), Err(OverBudget::Strokes)]);
     }
 }

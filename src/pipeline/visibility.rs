@@ -13,7 +13,7 @@ use super::resample::{VertexOrigin, append, empty_like};
 use super::transform::{Screen, on_grid};
 use crate::drawing::{Paint, Surface};
 use crate::limits::MAX_PIECE_BYTES;
-use crate::progress::{Doing, Progress};
+use crate::progress::{Activity, Progress};
 
 /// A surface with what its order is found by.
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub(super) struct Layer {
 
 /// A corner of a face that may have been split.
 #[derive(Clone, Copy, Debug)]
-struct Corner {
+struct FaceCorner {
     view: DVec3,
     /// Share of each corner of the whole face.
     weights: [f64; 3],
@@ -38,7 +38,7 @@ struct Corner {
     side: usize,
 }
 
-impl Corner {
+impl FaceCorner {
     /// What it is made of, if these are the vertices of the whole face.
     fn origin(&self, of: [u32; 3]) -> VertexOrigin {
         match self.weights.iter().position(|&weight| self.original && weight == 1.0) {
@@ -76,7 +76,7 @@ impl Sides {
     }
 
     /// All corners of a piece, with those that its neighbours' pieces have in its border.
-    fn complete(&self, piece: &Piece) -> Vec<Corner> {
+    fn complete(&self, piece: &Piece) -> Vec<FaceCorner> {
         let mut all = Vec::new();
         for (i, a) in piece.corners.iter().enumerate() {
             all.push(*a);
@@ -88,7 +88,7 @@ impl Sides {
                 cuts.map(|&p| (place(p), p)).filter(|(t, _)| *t > 0.0 && *t < 1.0).collect();
             cuts.sort_by(|p, q| p.0.total_cmp(&q.0));
             cuts.dedup_by_key(|cut| cut.1);
-            all.extend(cuts.iter().map(|&(t, view)| Corner {
+            all.extend(cuts.iter().map(|&(t, view)| FaceCorner {
                 view,
                 weights: std::array::from_fn(|k| a.weights[k] * (1.0 - t) + b.weights[k] * t),
                 original: false,
@@ -104,7 +104,7 @@ impl Sides {
 struct Piece {
     layer: usize,
     triangle: u32,
-    corners: Vec<Corner>,
+    corners: Vec<FaceCorner>,
 }
 
 /// Sorted by the distance of the centroid, the farthest first. Wrong where faces interlock or differ much in size, and
@@ -158,7 +158,7 @@ pub(super) fn by_splitting(
     let mut ordered: Vec<Piece> = Vec::new();
     // A tree that is one long branch must not exhaust the stack: the tasks wait here, the next at the end.
     let mut tasks = vec![Task::Order(all)];
-    progress.begin(Doing::Ordering, 0);
+    progress.begin(Activity::Ordering, 0);
     while let Some(task) = tasks.pop().filter(|_| !progress.is_cancelled()) {
         match task {
             // Of faces in one plane the first listed is painted last: it stays, as in a depth buffer.
@@ -223,7 +223,7 @@ impl Made {
 
 /// What a piece with so many corners takes in memory.
 fn bytes(corners: usize) -> usize {
-    size_of::<Piece>() + corners * size_of::<Corner>()
+    size_of::<Piece>() + corners * size_of::<FaceCorner>()
 }
 
 fn pieces(layers: &[Layer]) -> (Vec<Piece>, Sides) {
@@ -232,7 +232,7 @@ fn pieces(layers: &[Layer]) -> (Vec<Piece>, Sides) {
     for (k, layer) in layers.iter().enumerate() {
         for (triangle, corners) in (0_u32..).zip(&layer.surface.triangles) {
             let view = corners.map(|i| layer.view[i as usize]);
-            let corner = |i: usize| Corner {
+            let corner = |i: usize| FaceCorner {
                 view: view[i],
                 weights: own[i],
                 original: true,
@@ -330,11 +330,11 @@ impl SplitPlane {
             match origin {
                 Origin::Corner(i) => {
                     let leaves = distances[i] == 0.0 && next_is_beyond(i);
-                    Corner { side: if leaves { new_side } else { all[i].side }, ..all[i] }
+                    FaceCorner { side: if leaves { new_side } else { all[i].side }, ..all[i] }
                 }
                 Origin::Edge(edge) => {
                     let (inside, outside) = (&all[edge.inside], &all[edge.outside]);
-                    Corner {
+                    FaceCorner {
                         view: inside.view * edge.shares[0] + outside.view * edge.shares[1],
                         weights: std::array::from_fn(|k| edge.mean(inside.weights[k], outside.weights[k])),
                         original: false,
@@ -399,7 +399,7 @@ struct Painter<'a> {
 
 impl Painter<'_> {
     /// Paints a piece, whose border has these corners.
-    fn paint(&mut self, piece: &Piece, corners: &[Corner]) {
+    fn paint(&mut self, piece: &Piece, corners: &[FaceCorner]) {
         let layer = &self.layers[piece.layer];
         let old = &layer.surface;
         let of = old.triangles[piece.triangle as usize];

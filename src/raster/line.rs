@@ -10,7 +10,7 @@ use tiny_skia::Pixmap;
 
 use crate::appearance::{HiddenLines, LineStyle};
 use crate::drawing::{Drawing, StrokeSet};
-use crate::progress::{Doing, Progress};
+use crate::progress::{Activity, Progress};
 
 use super::coverage::{Coverage, LayerDepth, Point, length};
 use super::depth::DepthBuffer;
@@ -84,7 +84,7 @@ impl Strokes {
             return;
         }
         let threads = if count < FEW { 1 } else { rayon::current_num_threads() };
-        progress.begin(Doing::Painting, 0);
+        progress.begin(Activity::Painting, 0);
         let split = |chunk: &mut Chunk| {
             chunk.runs.clear();
             if !progress.is_cancelled() {

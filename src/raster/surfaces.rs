@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use tiny_skia::Pixmap;
 
 use crate::drawing::Drawing;
-use crate::progress::{Doing, Progress};
+use crate::progress::{Activity, Progress};
 use crate::simd::with_vectors;
 
 use super::bins::Bins;
@@ -38,14 +38,14 @@ struct Scratch {
 }
 
 /// A band on its way to the picture.
-struct Job<'a> {
+struct BandJob<'a> {
     band: usize,
     pixels: &'a mut [[u8; 4]],
     depth: &'a mut BandDepth,
 }
 
 /// What is the same for all bands.
-struct Frame<'a> {
+struct SharedByBands<'a> {
     drawing: &'a Drawing,
     bins: &'a Bins,
     size: Size,
@@ -86,7 +86,7 @@ impl Surfaces {
         // A tile may reach eight pixels to the right of its first.
         let pitch = width.next_multiple_of(LANES) + LANES;
         depth.reset([width, height], samples(per_pixel)[0], rows, pitch);
-        let frame = Frame {
+        let frame = SharedByBands {
             drawing,
             bins: &self.bins,
             size,
@@ -103,8 +103,8 @@ impl Surfaces {
             .chunks_mut(rows * width)
             .zip(depth.bands_mut())
             .enumerate()
-            .map(|(band, (pixels, depth))| Job { band, pixels, depth });
-        progress.begin(Doing::Painting, bands);
+            .map(|(band, (pixels, depth))| BandJob { band, pixels, depth });
+        progress.begin(Activity::Painting, bands);
         let threads = rayon::current_num_threads().min(bands);
         self.scratch.resize_with(threads.max(self.scratch.len()), Scratch::default);
         for scratch in &mut self.scratch {
@@ -145,8 +145,8 @@ impl Surfaces {
 }
 
 impl Scratch {
-    fn paint(&mut self, frame: &Frame, job: Job) {
-        let Frame { drawing, size, samples, pitch, .. } = *frame;
+    fn paint(&mut self, frame: &SharedByBands, job: BandJob) {
+        let SharedByBands { drawing, size, samples, pitch, .. } = *frame;
         let width = size.width as usize;
         if frame.bins.band(job.band).next().is_none() {
             job.pixels.fill(frame.background.to_le_bytes());

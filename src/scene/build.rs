@@ -13,8 +13,8 @@ use super::{
     primitives,
 };
 use crate::appearance::{LineStyle, MarkShape, Rgba, Style};
-use crate::foreign::shown;
 use crate::limits::MAX_OBJECTS;
+use crate::sanitize::escaped;
 
 /// Makes the scene that `spec` describes: the preset's objects, then its own; in the colours of the style's theme, with
 /// hidden edges as it wants them.
@@ -98,7 +98,7 @@ impl Maker<'_, '_> {
                     scene.marks.push(point_mark(to_world(*p), MarkShape::Disc, color));
                 }
                 if let [p] = points[..] {
-                    scene.texts.push(point_name(to_world(p), &shown(name), self.colors.ink));
+                    scene.texts.push(point_name(to_world(p), &escaped(name), self.colors.ink));
                 }
                 scene.objects.push(bare(name, Mesh::point_cloud(points.iter().copied()), placed, color, None));
             }

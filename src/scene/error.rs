@@ -1,21 +1,21 @@
 //! What can be wrong with a scene.
 
 use super::MeshError;
-use crate::foreign::shown;
 use crate::limits::{MAX_LIGHTS, MAX_OBJECTS, MAX_SEGMENTS, MIN_SEGMENTS};
+use crate::sanitize::escaped;
 
 /// Why a specification is not a scene. Displayed, it says what is wrong with [`key`](Self::key) of
 /// [`object`](Self::object), which come before it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// Two objects have one name.
-    #[error("is \"{}\", as an object before it; allowed: a name of its own", shown(name))]
+    #[error("is \"{}\", as an object before it; allowed: a name of its own", escaped(name))]
     DuplicateName {
         /// The name.
         name: String,
     },
     /// An object's parent does not exist.
-    #[error("is \"{}\", and no object is called so; allowed: the name of an object", shown(parent))]
+    #[error("is \"{}\", and no object is called so; allowed: the name of an object", escaped(parent))]
     UnknownParent {
         /// The object.
         name: String,
@@ -52,7 +52,7 @@ pub enum SceneError {
         found: u32,
     },
     /// A mesh file cannot be used.
-    #[error("\"{}\"{}", shown(path), error.after(&shown(path)))]
+    #[error("\"{}\"{}", escaped(path), error.after(&escaped(path)))]
     Mesh {
         /// The object.
         name: String,
@@ -84,7 +84,7 @@ pub enum SceneError {
 #[must_use]
 pub fn chain_text(chain: &[String]) -> String {
     const ENDS: usize = 3;
-    let names = |part: &[String]| part.iter().map(|name| shown(name)).collect::<Vec<_>>().join(" → ");
+    let names = |part: &[String]| part.iter().map(|name| escaped(name)).collect::<Vec<_>>().join(" → ");
     match chain.len().checked_sub(2 * ENDS) {
         None | Some(0) => names(chain),
         Some(_) => format!("{} → … → {}", names(&chain[..ENDS]), names(&chain[chain.len() - ENDS..])),

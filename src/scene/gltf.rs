@@ -23,9 +23,9 @@ use super::read_error::Beside;
 use super::soup::Soup;
 use super::{GlbFault, GltfFault, JsonFault, MeshError};
 use crate::appearance::Rgba;
-use crate::foreign::{self, shown};
 use crate::limits::{MAX_OBJECTS, MAX_SCENE_BYTES, MAX_ZEROS};
-use crate::progress::{Doing, Progress, pause};
+use crate::progress::{Activity, Progress, pause};
+use crate::sanitize::{self, escaped};
 
 /// The objects of a glTF or GLB file: one part for each primitive of each node of its scene.
 ///
@@ -36,7 +36,7 @@ pub(super) async fn read(
     read_file: &mut Beside<'_>,
     progress: &Progress,
 ) -> Result<Vec<Part>, MeshError> {
-    progress.begin(Doing::Reading, 0);
+    progress.begin(Activity::Reading, 0);
     let Gltf { document, blob } = parse(bytes)?;
     let buffers = buffers(&document, blob, read_file)?;
     let reader = Reader { buffers, left: Cell::new(MAX_SCENE_BYTES), zeros_left: Cell::new(MAX_ZEROS) };
@@ -101,7 +101,7 @@ fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
         if let Some(version) =
             [Some(&asset.version), asset.min_version.as_ref()].into_iter().flatten().find(|v| !is_second(v))
         {
-            return Err(fault("asset", GltfFault::Version { found: shown(version) }));
+            return Err(fault("asset", GltfFault::Version { found: escaped(version) }));
         }
         for (i, mesh) in root.meshes.iter().enumerate() {
             for (j, primitive) in mesh.primitives.iter().enumerate() {
@@ -116,7 +116,7 @@ fn parse(bytes: &[u8]) -> Result<Gltf, MeshError> {
     Gltf::from_slice(bytes).map_err(|error| match error {
         ::gltf::Error::Deserialize(e) => MeshError::Json { line: e.line(), column: e.column(), fault: json_fault(&e) },
         ::gltf::Error::Validation(all) => match all.into_iter().next() {
-            Some((path, error)) => fault(foreign::within(&path.to_string(), 80), broken_rule(error)),
+            Some((path, error)) => fault(sanitize::within(&path.to_string(), 80), broken_rule(error)),
             None => fault("", GltfFault::Value),
         },
         ::gltf::Error::Binary(::gltf::binary::Error::Version(_)) => container(GlbFault::Version),
@@ -136,7 +136,7 @@ fn json_fault(error: &serde_json::Error) -> JsonFault {
         Category::Data => {
             let words = error.to_string();
             let key = words.strip_prefix("missing field `").and_then(|rest| rest.split('`').next());
-            key.map_or(JsonFault::Value, |key| JsonFault::MissingKey { key: shown(key) })
+            key.map_or(JsonFault::Value, |key| JsonFault::MissingKey { key: escaped(key) })
         }
     }
 }
@@ -171,7 +171,7 @@ fn buffers(
                 }
                 None => {
                     let name = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
-                    let failed = |error| fault(GltfFault::File { uri: shown(uri), error: Box::new(error) });
+                    let failed = |error| fault(GltfFault::File { uri: escaped(uri), error: Box::new(error) });
                     match files.get(&*name) {
                         Some(known) => Rc::clone(known),
                         None => {
@@ -312,7 +312,7 @@ impl Reader {
         let fault = |f| fault(place("accessors", accessor.index()), f);
         let item = N * accessor.data_type().size();
         let held = accessor.count().checked_mul(item).and_then(|bytes| self.left.get().checked_sub(bytes));
-        self.left.set(held.ok_or_else(|| fault(GltfFault::TooMuch))?);
+        self.left.set(held.ok_or_else(|| fault(GltfFault::OverBudget))?);
         let base = match accessor.view() {
             Some(view) => Some(self.strided(&view, accessor.offset(), accessor.count(), item).map_err(fault)?),
             None => None,
@@ -322,7 +322,7 @@ impl Reader {
             Some(base) => base.iter().flatten().copied().collect(),
             None => {
                 let left = self.zeros_left.get().checked_sub(accessor.count());
-                self.zeros_left.set(left.ok_or_else(|| fault(GltfFault::TooMuch))?);
+                self.zeros_left.set(left.ok_or_else(|| fault(GltfFault::OverBudget))?);
                 vec![0; accessor.count() * item]
             }
         };

@@ -119,7 +119,7 @@ mod tests {
             |progress: &Progress| at_once(import("m.obj", text.as_bytes(), &mut crate::scene::no_files, progress));
         progress.cancel();
         assert_eq!(read(&progress).err(), Some(MeshError::Cancelled));
-        let (_, share) = progress.now().unwrap_or((crate::progress::Doing::Encoding, None));
+        let (_, share) = progress.now().unwrap_or((crate::progress::Activity::Encoding, None));
         assert!(share.is_some_and(|share| share > 0.0 && share < 0.2), "{share:?}");
         progress.begin_anew();
         assert!(read(&progress).is_ok());

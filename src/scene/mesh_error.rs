@@ -250,7 +250,7 @@ pub enum GltfFault {
     },
     /// It makes far more of its bytes than there are.
     #[error("its accessors hold more than any mesh")]
-    TooMuch,
+    OverBudget,
     /// A coordinate or matrix is infinite or not a number.
     #[error("a number is not finite")]
     NotFinite,

@@ -14,9 +14,9 @@ use super::read_error::Beside;
 use super::soup::Soup;
 use super::{MeshError, MeshNotice, ObjFault};
 use crate::appearance::Rgba;
-use crate::foreign::shown;
 use crate::limits::MAX_OBJECTS;
-use crate::progress::{Doing, Progress, pause};
+use crate::progress::{Activity, Progress, pause};
+use crate::sanitize::escaped;
 
 /// So many bytes are read before the work is asked whether it is still wanted.
 const STRETCH: usize = 1 << 16;
@@ -29,7 +29,7 @@ const STRETCH: usize = 1 << 16;
 pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Progress) -> Result<Imported, MeshError> {
     let mut file = ObjFile::default();
     let mut lines = Lines { rest: bytes, number: 0 };
-    progress.begin(Doing::Reading, bytes.len());
+    progress.begin(Activity::Reading, bytes.len());
     let mut told = bytes.len();
     while let Some(line) = lines.next() {
         if told - lines.rest.len() >= STRETCH {
@@ -62,7 +62,7 @@ pub(super) async fn read(bytes: &[u8], read_file: &mut Beside<'_>, progress: &Pr
         }
         let material = part.material.and_then(|index| file.materials.get(index));
         if let Some(invisible) = material.filter(|material| material.is_invisible()) {
-            let notice = MeshNotice::Invisible { material: shown(&invisible.name) };
+            let notice = MeshNotice::Invisible { material: escaped(&invisible.name) };
             if !notices.contains(&notice) {
                 notices.push(notice);
             }
@@ -275,7 +275,7 @@ impl ObjFile {
             return Ok(());
         }
         for word in values.split_whitespace() {
-            let corner = Corner::read(word).ok_or_else(|| ObjFault::Corner { found: shown(word) })?;
+            let corner = ObjCorner::read(word).ok_or_else(|| ObjFault::Corner { found: escaped(word) })?;
             let point = from_one(corner.point, self.points.len()).ok_or_else(|| self.no_such_point(word))?;
             self.points_ahead.note(point, self.points.len(), word, line);
             if let Some(index) = corner.texture_coordinate {
@@ -300,7 +300,7 @@ impl ObjFile {
     }
 
     fn no_such_point(&self, corner: &str) -> ObjFault {
-        ObjFault::Index { found: shown(corner), points: self.points.len() }
+        ObjFault::Index { found: escaped(corner), points: self.points.len() }
     }
 
     /// What of the file was left out. Said at its end: a face may come before what it names.
@@ -309,7 +309,7 @@ impl ObjFile {
         self.normals_lack |= no_normal.is_some();
         let lost = self.impossible.take().into_iter().chain(no_normal);
         let lost = lost.chain(self.texture_coordinates_ahead.beyond(self.texture_coordinates));
-        let lost = lost.min().map(|(line, found)| MeshNotice::IndexIgnored { line, found: shown(&found) });
+        let lost = lost.min().map(|(line, found)| MeshNotice::IndexIgnored { line, found: escaped(&found) });
         let count = self.skipped_count;
         let skipped = self.skipped.map(|(line, found)| MeshNotice::FacesSkipped { line, found, count });
         lost.into_iter().chain(skipped).collect()
@@ -347,13 +347,13 @@ fn from_one(index: i64, so_far: usize) -> Option<usize> {
 }
 
 /// The indices of a corner as they are written: `v`, `v/vt`, `v//vn` or `v/vt/vn`; what follows a `/` may be left out.
-struct Corner {
+struct ObjCorner {
     point: i64,
     texture_coordinate: Option<i64>,
     normal: Option<i64>,
 }
 
-impl Corner {
+impl ObjCorner {
     fn read(word: &str) -> Option<Self> {
         let mut fields = word.split('/');
         let point = fields.next()?.parse().ok()?;
@@ -372,7 +372,7 @@ fn point(values: &str) -> Result<DVec3, ObjFault> {
     let point = vector(values)?;
     let [_, _, _, weight] = words[..] else { return Ok(point) };
     let divided = point / number(weight)?;
-    if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: shown(weight) }) }
+    if divided.is_finite() { Ok(divided) } else { Err(ObjFault::Number { found: escaped(weight) }) }
 }
 
 /// The first three numbers.
@@ -385,5 +385,5 @@ fn vector(values: &str) -> Result<DVec3, ObjFault> {
 }
 
 fn number(word: &str) -> Result<f64, ObjFault> {
-    word.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| ObjFault::Number { found: shown(word) })
+    word.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| ObjFault::Number { found: escaped(word) })
 }

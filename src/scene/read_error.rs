@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::io;
 
-use crate::foreign;
 use crate::limits::MAX_SCENE_BYTES;
+use crate::sanitize;
 
 /// Gives the bytes of a file.
 pub type ReadFile<'a> = dyn FnMut(Wanted<'_>) -> Result<Vec<u8>, ReadError> + 'a;
@@ -152,5 +152,5 @@ pub fn is_loop(code: Option<i32>) -> bool {
 /// Always: the file does not exist.
 pub fn no_files(wanted: Wanted<'_>) -> Result<Vec<u8>, ReadError> {
     let problem = ReadProblem::System { kind: io::ErrorKind::NotFound, code: None };
-    Err(ReadError { file: foreign::path_text(wanted.path), problem })
+    Err(ReadError { file: sanitize::path_text(wanted.path), problem })
 }

@@ -15,10 +15,10 @@ use crate::scene::Scene;
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
 use super::label_layout::Rules;
-use super::legend::Row;
+use super::legend::LegendRow;
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
-use super::revealed_scene::{self, Revealed};
+use super::revealed_scene::{self, PipelineReveal};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
 use super::{Labels, Palette, Request, label_layout, probe, triangle_overlay};
@@ -70,7 +70,7 @@ pub(super) fn contents(request: &Request) -> Scene {
     revealed(request).scene
 }
 
-fn revealed(request: &Request) -> Revealed {
+fn revealed(request: &Request) -> PipelineReveal {
     revealed_scene::in_canonical(request, Palette::of(request.shot.look.style.theme))
 }
 
@@ -139,7 +139,13 @@ pub(super) fn box_between(builder: &mut SceneBuilder, near: [DVec3; 4], far: [DV
 }
 
 /// Places the texts of a picture of the volume around its legend; `first`: the names of its axes.
-pub(super) fn settled(mut drawn: Frame, request: &Request, rows: Vec<Row>, first: &[&str], palette: Palette) -> Frame {
+pub(super) fn settled(
+    mut drawn: Frame,
+    request: &Request,
+    rows: Vec<LegendRow>,
+    first: &[&str],
+    palette: Palette,
+) -> Frame {
     let target = request.size.target(palette.paper);
     let legend = revealed_scene::legend(request, rows, &target, palette);
     let rules = Rules {

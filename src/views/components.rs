@@ -5,8 +5,8 @@ use glam::DVec3;
 
 use crate::appearance::{Dash, MarkShape};
 
+use super::camera_gizmo::Gear;
 use super::dimensions::{Pen, Span, span};
-use super::gear::Gear;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::volume::DrawnVolume;
 use super::{Palette, Request};

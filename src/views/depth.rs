@@ -11,7 +11,7 @@ use crate::pipeline::divide_before_clip::divided_first;
 use crate::pipeline::{Frame, Options, Pipeline, Reason, Stage, Target};
 use crate::scene::Scene;
 
-use super::legend::Row;
+use super::legend::LegendRow;
 use super::{Palette, Request, hits};
 
 /// The numbers of one pixel of the image.
@@ -204,7 +204,7 @@ impl Greys {
     }
 
     /// The levels from F to B with their numbers, and what has none.
-    pub(super) fn legend(self, request: &Request, palette: Palette) -> Vec<Row> {
+    pub(super) fn legend(self, request: &Request, palette: Palette) -> Vec<LegendRow> {
         const STEPS: u32 = 40;
         let (camera, labels) = (&request.camera, request.labels);
         let (f, b) = (camera.near(), camera.far());
@@ -228,9 +228,9 @@ impl Greys {
             None => (labels.depth_linear, vec![distances]),
         };
         vec![
-            Row::Title(title.to_owned(), palette.ink),
-            Row::Scale(levels, texts),
-            Row::Swatch(palette.nothing, labels.nothing.to_owned()),
+            LegendRow::Title(title.to_owned(), palette.ink),
+            LegendRow::Scale(levels, texts),
+            LegendRow::Swatch(palette.nothing, labels.nothing.to_owned()),
         ]
     }
 }

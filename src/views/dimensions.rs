@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Dash, Rgba};
 use crate::camera::Projection;
 
-use super::gear::Gear;
+use super::camera_gizmo::Gear;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::volume::DrawnVolume;
 use super::{Palette, Request};
@@ -79,10 +79,13 @@ pub(super) fn in_world(
 ) {
     let lit: Vec<Measured> = request.measured().collect();
     for measure in Measure::ALL {
-        let hot = lit.contains(&Measured::Dimension(measure));
-        if hot || request.shot.look.world.dimensions {
-            let pen =
-                if hot { Pen { color: palette.probe, width: 2.0 } } else { Pen { color: palette.soft, width: 1.2 } };
+        let hovered = lit.contains(&Measured::Dimension(measure));
+        if hovered || request.shot.look.world.dimensions {
+            let pen = if hovered {
+                Pen { color: palette.probe, width: 2.0 }
+            } else {
+                Pen { color: palette.soft, width: 1.2 }
+            };
             one(builder, request, volume, gear, measure, pen);
         }
     }

@@ -10,7 +10,7 @@ use crate::camera::{Camera, Operation};
 use crate::geometry::Ray;
 use crate::scene::{Object, ObjectPaint};
 
-use super::gear::Gear;
+use super::camera_gizmo::Gear;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
 use super::{Ghost, Palette, Request};
 

@@ -6,8 +6,8 @@ use crate::camera::Parameters;
 use crate::figure::Observer;
 use crate::geometry::{Ray, try_unit};
 
-use super::content::Content;
-use super::gear::Gear;
+use super::camera_gizmo::Gear;
+use super::framing::Content;
 use super::screen::Screen;
 use super::volume::DrawnVolume;
 use super::world_framing;

@@ -15,7 +15,7 @@ pub struct Hover {
     /// The operation that is being tried, shown in the world.
     pub ghost: Option<Ghost>,
     /// The handle under the pointer, drawn stronger, in the world.
-    pub hot: Option<Handle>,
+    pub hovered: Option<Handle>,
     /// By this what is selected can be moved, turned or scaled, in the world.
     pub gizmo: Option<TransformGizmo>,
     /// What is pointed at in a panel: these lengths, angles and coordinates are shown in the world.
@@ -134,7 +134,7 @@ pub struct TransformGizmo {
     /// Its axes (world), unit vectors; they need not be at right angles.
     pub axes: [DVec3; 3],
     /// The part under the pointer, drawn stronger.
-    pub hot: Option<GizmoPart>,
+    pub hovered: Option<GizmoPart>,
 }
 
 /// What can be taken of a [`TransformGizmo`].

@@ -11,12 +11,12 @@ use crate::scene::Scene;
 use super::depth::{self, Greys};
 use super::gizmos::{SceneBuilder, stroke};
 use super::label_layout::{Box2, Rules};
-use super::legend::Row;
+use super::legend::LegendRow;
 use super::pixels::{PixelRect, Size, image_frame};
 use super::screen::Screen;
 use super::timed_pipeline::TimedPipeline;
 use super::{
-    Palette, Request, label_layout, outside, partial_paint, probe, revealed_scene, triangle_overlay, vanishing,
+    Palette, Request, label_layout, offscreen_arrows, partial_paint, probe, revealed_scene, triangle_overlay, vanishing,
 };
 
 /// The camera and the pixels that its window fills.
@@ -77,14 +77,14 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let mut rows = revealed.rows;
     if let Some(share) = request.shot.show.painted {
         let [count, all] = partial_paint::first(&mut drawn.drawing, share);
-        rows.push(Row::Title(format!("{count} / {all} {}", request.labels.triangles), palette.ink));
+        rows.push(LegendRow::Title(format!("{count} / {all} {}", request.labels.triangles), palette.ink));
     }
     if let Some(greys) = greys {
         greys.paint(&mut drawn);
         rows.extend(greys.legend(request, palette));
     }
     rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
-    outside::in_image(&mut drawn.drawing, request, palette);
+    offscreen_arrows::in_image(&mut drawn.drawing, request, palette);
     if request.shot.look.reveal.vanishing {
         rows.extend(vanishing::in_image(&mut drawn.drawing, request, palette));
     }

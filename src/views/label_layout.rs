@@ -6,7 +6,7 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba};
 use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
 use crate::text::{measure, x_height};
 
-use super::solids::Solids;
+use super::coverage_grid::Solids;
 
 /// A rectangle in pixels: its middle and half its size.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -23,7 +23,7 @@ const SMALLEST: f64 = 0.5;
 
 /// A line of a legend.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Row {
+pub(super) enum LegendRow {
     /// A heading, in its own colour.
     Title(String, Rgba),
     /// A colour and what it means.
@@ -36,7 +36,7 @@ pub(super) enum Row {
     Scale(Vec<Rgba>, Vec<[String; 3]>),
 }
 
-impl Row {
+impl LegendRow {
     fn lines(&self) -> f64 {
         match self {
             Self::Scale(_, texts) => 1.0 + f64::from(u32::try_from(texts.len()).unwrap_or(u32::MAX)),
@@ -58,7 +58,7 @@ impl Row {
 /// Lines one below the other.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Legend {
-    rows: Vec<Row>,
+    rows: Vec<LegendRow>,
     /// Width and height of the picture.
     picture: DVec2,
     /// Height of the letters in pixels.
@@ -68,7 +68,7 @@ pub(super) struct Legend {
 
 impl Legend {
     /// `scale`: pixels for one unit of stroke width or type size. `None` where there is nothing to say, or no room.
-    pub(super) fn new(rows: Vec<Row>, [width, height]: [u32; 2], scale: f32, palette: Palette) -> Option<Self> {
+    pub(super) fn new(rows: Vec<LegendRow>, [width, height]: [u32; 2], scale: f32, palette: Palette) -> Option<Self> {
         let picture = DVec2::new(f64::from(width), f64::from(height));
         let wanted = f64::from(SMALL_TYPE * scale);
         let legend = Self { rows, picture, em: wanted, palette };
@@ -79,7 +79,7 @@ impl Legend {
 
     /// In pixels.
     fn size(&self) -> DVec2 {
-        let width = self.rows.iter().map(Row::width).fold(0.0, f64::max);
+        let width = self.rows.iter().map(LegendRow::width).fold(0.0, f64::max);
         let height: f64 = self.rows.iter().map(|row| LINE * row.lines()).sum();
         (DVec2::new(width, height) + 2.0 * PAD) * self.em
     }
@@ -109,7 +109,7 @@ impl Legend {
         drawing.areas.push(area(corner, size, 0.4 * self.em, fill));
     }
 
-    fn row(&self, drawing: &mut Drawing, row: &Row, at: DVec2) {
+    fn row(&self, drawing: &mut Drawing, row: &LegendRow, at: DVec2) {
         let em = self.em;
         let mut text = |at: DVec2, text: &str, color: Rgba, anchor: Anchor| {
             drawing.labels.push(Label {
@@ -125,14 +125,14 @@ impl Legend {
         };
         let ink = self.palette.ink;
         match row {
-            Row::Title(title, color) => text(at, title, *color, Anchor::Left),
-            Row::Swatch(color, meaning) | Row::Warning(color, meaning) => {
-                let letters = if matches!(row, Row::Warning(..)) { *color } else { ink };
+            LegendRow::Title(title, color) => text(at, title, *color, Anchor::Left),
+            LegendRow::Swatch(color, meaning) | LegendRow::Warning(color, meaning) => {
+                let letters = if matches!(row, LegendRow::Warning(..)) { *color } else { ink };
                 text(at + DVec2::X * (INDENT * em), meaning, letters, Anchor::Left);
                 let (corner, size) = (at - DVec2::Y * (SWATCH.y / 2.0 * em), SWATCH * em);
                 drawing.areas.extend(sample(corner, size, ink, &[self.palette.paper, *color]));
             }
-            Row::Mark(shape, color, meaning) => {
+            LegendRow::Mark(shape, color, meaning) => {
                 text(at + DVec2::X * (INDENT * em), meaning, ink, Anchor::Left);
                 let middle = at + DVec2::X * (SWATCH.x / 2.0 * em);
                 drawing.marks.push(Mark {
@@ -144,7 +144,7 @@ impl Legend {
                     fade_if_hidden: false,
                 });
             }
-            Row::Scale(colors, texts) => {
+            LegendRow::Scale(colors, texts) => {
                 for (i, line) in (1..).zip(texts) {
                     let below = at + DVec2::Y * (LINE * em * f64::from(i));
                     for (share, part, anchor) in
@@ -203,7 +203,7 @@ mod tests {
 
     #[test]
     fn a_legend_lies_inside_its_picture_or_is_left_out() {
-        let rows = || vec![Row::Swatch(Rgba::rgb(1, 2, 3), "outside the volume".to_owned()); 3];
+        let rows = || vec![LegendRow::Swatch(Rgba::rgb(1, 2, 3), "outside the volume".to_owned()); 3];
         let palette = Palette::of(crate::appearance::Theme::Light);
         let mut smaller = 0;
         for side in (0..400).step_by(8) {

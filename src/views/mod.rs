@@ -11,13 +11,14 @@
 //! | `canonical` | ndc, shown as (x_n, y_n, −z_n), which is right-handed; in other conventions as deep as they are | [`Observer`] |
 
 mod arrangement;
+mod camera_gizmo;
 mod canonical;
 mod canonical_box;
 mod components;
-mod content;
+mod coverage_grid;
 pub mod depth;
 mod dimensions;
-mod gear;
+mod framing;
 mod ghost;
 mod gizmos;
 pub mod handles;
@@ -31,7 +32,7 @@ pub mod named_points;
 mod normalizing;
 mod object_parts;
 pub mod observer;
-mod outside;
+mod offscreen_arrows;
 pub mod palette;
 mod partial_paint;
 pub mod pick;
@@ -42,7 +43,6 @@ mod revealed_scene;
 mod screen;
 mod section;
 mod shot;
-mod solids;
 mod stage_overlay;
 mod timed_pipeline;
 pub mod transform_gizmo;

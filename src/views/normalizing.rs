@@ -15,7 +15,7 @@ use crate::pipeline::Frame;
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
-use super::legend::Row;
+use super::legend::LegendRow;
 use super::observer::{Direction, enclosing};
 use super::pixels::PixelRect;
 use super::screen::Screen;
@@ -76,7 +76,7 @@ impl Way {
     }
 
     /// The step that is under way, or the last whole one, and how the axes are oriented by then.
-    fn said(&self, request: &Request, palette: Palette) -> Vec<Row> {
+    fn said(&self, request: &Request, palette: Palette) -> Vec<LegendRow> {
         let labels = request.labels;
         let shown = if self.share > 0.0 { Some(self.step) } else { self.step.checked_sub(1) };
         let title = shown.map_or(labels.world, |step| labels.step(self.factors[step].step));
@@ -88,7 +88,7 @@ impl Way {
         } else {
             palette.soft
         };
-        vec![Row::Title(title.to_owned(), palette.ink), Row::Title(handedness.to_owned(), color)]
+        vec![LegendRow::Title(title.to_owned(), palette.ink), LegendRow::Title(handedness.to_owned(), color)]
     }
 
     /// The z axis as it is shown, while it turns around: 1 towards the viewer, −1 away.

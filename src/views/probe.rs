@@ -5,9 +5,9 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Dash, MarkShape, Rgba};
 use crate::camera::Projection;
 use crate::figure::NamedPoint;
-use crate::foreign;
 use crate::geometry::Aabb;
 use crate::pipeline::project::displayed_ndc;
+use crate::sanitize;
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{SMALL_TYPE, SceneBuilder, TYPE};
@@ -55,7 +55,7 @@ impl<'a> Look<'a> {
     fn mark(self, builder: &mut SceneBuilder, p: DVec3) {
         builder.mark(p, self.mark.0, self.mark.1, self.color);
         if !self.name.is_empty() {
-            builder.text(p, &foreign::shown(self.name), DVec2::new(0.8, -0.8), TYPE, self.color);
+            builder.text(p, &sanitize::escaped(self.name), DVec2::new(0.8, -0.8), TYPE, self.color);
         }
     }
 }

@@ -284,8 +284,13 @@ mod tests {
     fn what_moves_things_is_seen_in_the_world_alone_and_the_probe_everywhere() {
         let hover = Hover {
             probe: Some(Probe::Window(DVec2::ZERO)),
-            hot: Some(Handle::Near),
-            gizmo: Some(TransformGizmo { does: Transforming::Move, origin: DVec3::ZERO, axes: DVec3::AXES, hot: None }),
+            hovered: Some(Handle::Near),
+            gizmo: Some(TransformGizmo {
+                does: Transforming::Move,
+                origin: DVec3::ZERO,
+                axes: DVec3::AXES,
+                hovered: None,
+            }),
             ..Hover::default()
         };
         assert_eq!(hover.seen_in(View::World), hover);

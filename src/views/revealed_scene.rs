@@ -11,13 +11,13 @@ use crate::pipeline::clip_parts::{Parts, clip_parts};
 use crate::pipeline::cull_result::{CullResult, cull_result};
 use crate::pipeline::divide_before_clip::{DividedFirst, divided_first};
 use crate::pipeline::project::{clipped_scene, displayed_ndc, legible_clipped_scene};
-use crate::pipeline::{Frame, Target, TooMuch, with_triangles};
+use crate::pipeline::{Frame, OverBudget, Target, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::canonical_box::CanonicalBox;
 use super::gizmos::{SMALL_TYPE, SceneBuilder};
 use super::label_layout::Box2;
-use super::legend::{Legend, Row};
+use super::legend::{Legend, LegendRow};
 use super::{Labels, Palette, Request, stage_overlay};
 
 /// How far beyond the canonical volume is shown what lies outside, in its own half sides.
@@ -33,10 +33,10 @@ const GLASS: u8 = 140;
 
 /// What a picture shows.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Revealed {
+pub(super) struct PipelineReveal {
     pub(super) scene: Scene,
     /// What its colours mean.
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<LegendRow>,
     /// New vertices and the sides between them.
     cuts: Vec<DVec3>,
     sides: Vec<[DVec3; 2]>,
@@ -44,7 +44,7 @@ pub(super) struct Revealed {
     names: Vec<(DVec3, String)>,
 }
 
-impl Revealed {
+impl PipelineReveal {
     /// Draws what is more than the scene.
     pub(super) fn mark(&self, builder: &mut SceneBuilder, palette: Palette) {
         for side in &self.sides {
@@ -66,27 +66,27 @@ impl Revealed {
         let meaning = request.labels.cuts.to_owned();
         self.rows.extend(match self.cuts.len() {
             0 => None,
-            1..=MOST_MARKS => Some(Row::Mark(MarkShape::Diamond, palette.cut, meaning)),
-            _ => Some(Row::Swatch(palette.cut, meaning)),
+            1..=MOST_MARKS => Some(LegendRow::Mark(MarkShape::Diamond, palette.cut, meaning)),
+            _ => Some(LegendRow::Swatch(palette.cut, meaning)),
         });
     }
 }
 
 /// A legend of `rows`, where there is room for one.
-pub(super) fn legend(request: &Request, rows: Vec<Row>, target: &Target, palette: Palette) -> Option<Legend> {
+pub(super) fn legend(request: &Request, rows: Vec<LegendRow>, target: &Target, palette: Palette) -> Option<Legend> {
     let size = [request.size.width, request.size.height];
     Legend::new(rows, size, target.scale, palette).filter(|_| !request.finish.bare)
 }
 
 /// What a drawing shows of a stage, and otherwise than it was asked to.
-pub(super) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> Vec<Row> {
+pub(super) fn drawn_rows(drawn: &Frame, request: &Request, palette: Palette) -> Vec<LegendRow> {
     let mut rows = stage_overlay::rows(drawn, request, palette);
     let what = match &drawn.too_much {
         None => return rows,
-        Some(TooMuch::Pieces { .. } | TooMuch::Strokes) => request.labels.not_split,
-        Some(TooMuch::Rounding { .. }) => request.labels.rounded,
+        Some(OverBudget::Pieces { .. } | OverBudget::Strokes) => request.labels.not_split,
+        Some(OverBudget::Rounding { .. }) => request.labels.rounded,
     };
-    rows.push(Row::Title(what.to_owned(), palette.wrong));
+    rows.push(LegendRow::Title(what.to_owned(), palette.wrong));
     rows
 }
 
@@ -106,10 +106,10 @@ pub(super) fn room(legend: Option<&Legend>) -> Option<Box2> {
 }
 
 /// The scene of the world.
-pub(super) fn in_world(request: &Request, palette: Palette) -> Revealed {
+pub(super) fn in_world(request: &Request, palette: Palette) -> PipelineReveal {
     let reveal = request.shot.look.reveal;
     let edges_only = request.shot.look.style.shading == Shading::Wireframe;
-    let mut revealed = Revealed { scene: Scene::clone(&request.scene), ..Revealed::default() };
+    let mut revealed = PipelineReveal { scene: Scene::clone(&request.scene), ..PipelineReveal::default() };
     let mut dropped = Scene::default();
     if reveal.culled {
         let (kept, gone) = culled(request, edges_only, palette, &mut revealed);
@@ -133,7 +133,7 @@ pub(super) fn in_world(request: &Request, palette: Palette) -> Revealed {
     revealed
 }
 
-impl Revealed {
+impl PipelineReveal {
     /// From the display space of the notes to that of a convention of NDC, which is named where it is another and the
     /// picture has room: in a small one the name would cover the axes.
     fn move_into(&mut self, canonical: &CanonicalBox, request: &Request, palette: Palette) {
@@ -148,25 +148,25 @@ impl Revealed {
         let side = f64::from(request.size.width.min(request.size.height));
         if side >= SMALL * f64::from(request.size.scale) {
             let hand = if ndc.is_right_handed() { labels.right_handed } else { labels.left_handed };
-            self.rows.insert(0, Row::Title(format!("{}: {hand}", labels.ndc_title(ndc)), palette.ink));
+            self.rows.insert(0, LegendRow::Title(format!("{}: {hand}", labels.ndc_title(ndc)), palette.ink));
         }
     }
 
     fn add_outside(&mut self, outside: Scene, labels: &Labels, palette: Palette) {
         if !outside.objects.is_empty() || !outside.lines.is_empty() {
-            self.rows.push(Row::Swatch(palette.outside, labels.outside.to_owned()));
+            self.rows.push(LegendRow::Swatch(palette.outside, labels.outside.to_owned()));
         }
         append(&mut self.scene, glass(outside, palette.outside));
     }
 }
 
 /// The scene of the canonical volume, in its display space.
-pub(super) fn in_canonical(request: &Request, palette: Palette) -> Revealed {
+pub(super) fn in_canonical(request: &Request, palette: Palette) -> PipelineReveal {
     let reveal = request.shot.look.reveal;
     let shading = request.shot.look.style.shading;
     let edges_only = shading == Shading::Wireframe;
     let beyond = matches!(reveal.outside, Outside::Tinted | Outside::Shown);
-    let mut revealed = Revealed::default();
+    let mut revealed = PipelineReveal::default();
     let divided =
         reveal.divide_first.then(|| divide_first(request, if beyond { REACH } else { 1.0 }, palette, &mut revealed));
     let right = divided.as_ref().map_or(&*request.scene, |divided| &divided.right);
@@ -195,9 +195,9 @@ pub(super) fn in_canonical(request: &Request, palette: Palette) -> Revealed {
 }
 
 /// The scene of the image: in the world, and in the display space of the canonical volume, whose front is the image.
-pub(super) fn in_image(request: &Request, palette: Palette) -> (Revealed, Option<Scene>) {
+pub(super) fn in_image(request: &Request, palette: Palette) -> (PipelineReveal, Option<Scene>) {
     let reveal = request.shot.look.reveal;
-    let mut revealed = Revealed::default();
+    let mut revealed = PipelineReveal::default();
     let divided = reveal.divide_first.then(|| divide_first(request, 1.0, palette, &mut revealed));
     let (right, wrong) =
         divided.map_or((Scene::clone(&request.scene), None), |divided| (divided.right, Some(divided.wrong)));
@@ -228,14 +228,14 @@ pub(super) fn front() -> Option<Camera> {
 }
 
 /// Divides before clipping, and says so.
-fn divide_first(request: &Request, reach: f64, palette: Palette, revealed: &mut Revealed) -> DividedFirst {
+fn divide_first(request: &Request, reach: f64, palette: Palette, revealed: &mut PipelineReveal) -> DividedFirst {
     let mut divided = divided_first(&request.scene, &request.camera, reach);
     let Scene { objects, lines, marks, .. } = &mut divided.wrong;
     let (labels, edges_only) = (request.labels, request.shot.look.style.shading == Shading::Wireframe);
     revealed.rows.push(if objects.is_empty() && lines.is_empty() && marks.is_empty() {
-        Row::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
+        LegendRow::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
     } else {
-        Row::Warning(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
+        LegendRow::Warning(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
     });
     for object in objects {
         let tinted = |colors: &[Rgba]| Arc::new(colors.iter().map(|c| mixed(*c, palette.wrong)).collect());
@@ -267,7 +267,7 @@ fn culled(
     request: &Request,
     edges_only: bool,
     palette: Palette,
-    revealed: &mut Revealed,
+    revealed: &mut PipelineReveal,
 ) -> (Vec<Object>, Vec<Object>) {
     let open = matches!(request.shot.look.reveal.outside, Outside::Cut | Outside::Tinted);
     let (mut kept, mut dropped) = (Vec::new(), Vec::new());
@@ -289,10 +289,10 @@ fn culled(
         }
     }
     if turned {
-        revealed.rows.push(Row::Swatch(palette.back, request.labels.back_faces.to_owned()));
+        revealed.rows.push(LegendRow::Swatch(palette.back, request.labels.back_faces.to_owned()));
     }
     if !dropped.is_empty() {
-        revealed.rows.push(Row::Swatch(palette.dropped, request.labels.dropped.to_owned()));
+        revealed.rows.push(LegendRow::Swatch(palette.dropped, request.labels.dropped.to_owned()));
     }
     (kept, dropped)
 }

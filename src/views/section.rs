@@ -5,16 +5,16 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Dash, MarkShape};
 use crate::camera::{Camera, Projection};
 use crate::figure::Observer;
-use crate::foreign;
 use crate::geometry::Aabb;
+use crate::sanitize;
 
-use super::content::Content;
 use super::dimensions::{self, Pen, Span};
+use super::framing::Content;
 use super::gizmos::{SceneBuilder, TYPE};
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::probe::Pixel;
 use super::volume::DrawnVolume;
-use super::{Palette, Probe, Request, content};
+use super::{Palette, Probe, Request, framing};
 use crate::figure::Measure;
 
 /// Of a large scene, so many vertices are looked at for one that stands as an example.
@@ -115,7 +115,7 @@ fn example(request: &Request) -> (DVec3, String) {
     };
     let followed = || {
         let mut in_front = request.shot.points.iter().filter(|point| -camera.view_point(point.position).z > least);
-        in_front.next().map(|point| (point.position, foreign::shown(&point.name)))
+        in_front.next().map(|point| (point.position, sanitize::escaped(&point.name)))
     };
     let image = |p: DVec3| {
         let clip = camera.clip_point(p);
@@ -136,7 +136,7 @@ fn example(request: &Request) -> (DVec3, String) {
 /// From where the section is seen: along **u**, with everything in the picture.
 pub(super) fn observer(request: &Request) -> Observer {
     let content = Content::of(request);
-    let iso = content::iso_direction(&request.camera);
+    let iso = framing::iso_direction(&request.camera);
     let direction: Direction = Viewpoint::AlongU.direction(iso, request.camera.basis());
     enclosing(&Profile::new(request, &content).points(), direction, request.size)
 }

@@ -8,12 +8,12 @@ use std::ops::Range;
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Visibility};
 use crate::drawing::{Anchor, Area, Drawing, Label, Mark, Paint, StrokeSet, Surface};
-use crate::foreign;
 use crate::pipeline::{Containment, Frame, Stage, StageWork, VertexWork};
+use crate::sanitize;
 use crate::scene::Scene;
 
 use super::gizmos::{SMALL_TYPE, stroke};
-use super::legend::Row;
+use super::legend::LegendRow;
 use super::{Labels, Palette, Request};
 
 /// So many vertices get their numbers written on them.
@@ -209,7 +209,7 @@ fn draw(drawing: &mut Drawing, work: &StageWork, request: &Request, palette: Pal
     };
     for object in &work.objects {
         if let Some(middle) = object.middle {
-            label(middle, foreign::shown(&object.name));
+            label(middle, sanitize::escaped(&object.name));
         }
     }
     let mut known: Vec<VertexWork> = Vec::new();
@@ -239,26 +239,26 @@ fn in_and_out(stage: Stage, vertex: &VertexWork, labels: &Labels) -> String {
 }
 
 /// What the colours mean.
-pub(super) fn rows(frame: &Frame, request: &Request, palette: Palette) -> Vec<Row> {
+pub(super) fn rows(frame: &Frame, request: &Request, palette: Palette) -> Vec<LegendRow> {
     let Some(work) = &frame.work else { return Vec::new() };
     let ([color_in, color_out], labels) = (colors(palette), request.labels);
     let mut rows = Vec::new();
-    let mut row = |there: bool, row: Row| rows.extend(there.then_some(row));
+    let mut row = |there: bool, row: LegendRow| rows.extend(there.then_some(row));
     let lost = work.objects.iter().filter_map(|object| match object.containment {
         Containment::Outside(planes) => Some((object, planes)),
         Containment::Empty | Containment::Crosses(_) => None,
     });
     for (object, planes) in lost.take(MOST_NAMES) {
-        let name = foreign::shown(&object.name);
-        row(true, Row::Title(format!("{name}: {}", labels.outside_planes(planes)), palette.soft));
+        let name = sanitize::escaped(&object.name);
+        row(true, LegendRow::Title(format!("{name}: {}", labels.outside_planes(planes)), palette.soft));
     }
-    row(!work.before.is_empty(), Row::Swatch(color_in, labels.goes_in.to_owned()));
-    row(!work.dropped.is_empty(), Row::Swatch(palette.back, labels.back_faces.to_owned()));
-    row(!work.after.is_empty(), Row::Swatch(color_out, labels.comes_out.to_owned()));
-    row(!work.cuts.is_empty(), Row::Mark(MarkShape::Diamond, palette.cut, labels.cuts.to_owned()));
+    row(!work.before.is_empty(), LegendRow::Swatch(color_in, labels.goes_in.to_owned()));
+    row(!work.dropped.is_empty(), LegendRow::Swatch(palette.back, labels.back_faces.to_owned()));
+    row(!work.after.is_empty(), LegendRow::Swatch(color_out, labels.comes_out.to_owned()));
+    row(!work.cuts.is_empty(), LegendRow::Mark(MarkShape::Diamond, palette.cut, labels.cuts.to_owned()));
     let vertices = format!("{} → {}", labels.goes_in, labels.comes_out);
-    row(!work.vertices.is_empty(), Row::Mark(MarkShape::Disc, color_out, vertices));
-    row(work.more, Row::Title(labels.not_all.to_owned(), palette.soft));
+    row(!work.vertices.is_empty(), LegendRow::Mark(MarkShape::Disc, color_out, vertices));
+    row(work.more, LegendRow::Title(labels.not_all.to_owned(), palette.soft));
     rows
 }
 

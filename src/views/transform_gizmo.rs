@@ -153,7 +153,7 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
         Transforming::Scale => "S",
     };
     for (axis, (color, name)) in palette.axes.into_iter().zip(["x", "y", "z"]).enumerate() {
-        let width = if gizmo.hot == Some(GizmoPart::Axis(axis)) { 4.5 } else { 2.5 };
+        let width = if gizmo.hovered == Some(GizmoPart::Axis(axis)) { 4.5 } else { 2.5 };
         let arrow = gizmo.does == Transforming::Move;
         let style = LineStyle { color, width, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow };
         let tip = tip(&gizmo, builder.screen, axis);
@@ -174,7 +174,7 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
         builder.text(named, &format!("{letter}_{name}"), toward, SMALL_TYPE, color);
     }
     let (shape, radius) = match gizmo.does {
-        Transforming::Scale if gizmo.hot == Some(GizmoPart::Middle) => (MarkShape::Square, 7.0),
+        Transforming::Scale if gizmo.hovered == Some(GizmoPart::Middle) => (MarkShape::Square, 7.0),
         Transforming::Scale => (MarkShape::Square, 5.0),
         Transforming::Move | Transforming::Turn => (MarkShape::Disc, 3.0),
     };
@@ -196,7 +196,7 @@ mod tests {
 
     fn gizmo(does: Transforming) -> TransformGizmo {
         let axes = [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.0, 0.8)];
-        TransformGizmo { does, origin: DVec3::new(1.0, 0.5, -1.0), axes, hot: None }
+        TransformGizmo { does, origin: DVec3::new(1.0, 0.5, -1.0), axes, hovered: None }
     }
 
     fn with(gizmo: TransformGizmo, observer: Observer, test: impl Fn(&Request, &Screen)) {

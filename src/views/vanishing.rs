@@ -14,7 +14,7 @@ use crate::geometry::Aabb;
 
 use super::gizmos::{SMALL_TYPE, SceneBuilder, stroke};
 use super::label_layout::Box2;
-use super::legend::Row;
+use super::legend::LegendRow;
 use super::{Palette, Request};
 
 /// The directions, and how their vanishing points are called.
@@ -51,11 +51,11 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
 }
 
 /// In the image: the edges of the box around the scene, prolonged to where they meet, and the horizon.
-pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palette) -> Vec<Row> {
+pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palette) -> Vec<LegendRow> {
     let camera = &request.camera;
     let labels = request.labels;
     if camera.projection() == Projection::Parallel {
-        return vec![Row::Title(labels.no_vanishing.to_owned(), palette.ink)];
+        return vec![LegendRow::Title(labels.no_vanishing.to_owned(), palette.ink)];
     }
     let picture = Picture { size: DVec2::new(f64::from(drawing.width), f64::from(drawing.height)), camera };
     let scale = request.size.scale;
@@ -63,7 +63,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
     horizon(drawing, &picture, request, palette);
     for ((direction, name), color) in DIRECTIONS.into_iter().zip(palette.axes) {
         let Some(point) = vanishing_point(camera, direction) else {
-            rows.push(Row::Swatch(color, format!("{name}: {}", labels.ideal)));
+            rows.push(LegendRow::Swatch(color, format!("{name}: {}", labels.ideal)));
             continue;
         };
         let vanishing = picture.place(point);
@@ -87,7 +87,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
             });
             drawing.labels.push(label(vanishing, name, SMALL_TYPE * scale, color, palette));
         } else {
-            rows.push(Row::Swatch(color, format!("{name}: {}", labels.beyond_image)));
+            rows.push(LegendRow::Swatch(color, format!("{name}: {}", labels.beyond_image)));
         }
     }
     rows

@@ -9,11 +9,11 @@ use crate::camera::Projection;
 use crate::pipeline::Frame;
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
-use super::content::Content;
-use super::gear::Gear;
+use super::camera_gizmo::Gear;
+use super::framing::Content;
 use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
 use super::label_layout::Rules;
-use super::revealed_scene::Revealed;
+use super::revealed_scene::PipelineReveal;
 use super::timed_pipeline::TimedPipeline;
 use super::world_framing::{screen_of, seen_from};
 use super::{
@@ -30,8 +30,11 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
     let Some(screen) = screen_of(request, &seen_from(request), &content) else {
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
-    let mut revealed =
-        if request.shot.look.world.section { Revealed::default() } else { revealed_scene::in_world(request, palette) };
+    let mut revealed = if request.shot.look.world.section {
+        PipelineReveal::default()
+    } else {
+        revealed_scene::in_world(request, palette)
+    };
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
     let builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
     let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
@@ -368,10 +371,10 @@ impl World<'_> {
 
     /// A ring around the handle under the pointer.
     fn hot_handle(&mut self) {
-        let Some(hot) = self.request.hover.hot else { return };
+        let Some(hovered) = self.request.hover.hovered else { return };
         if let Some((_, p)) = handles::on_screen(self.request, self.builder.screen, &self.content.volume)
             .into_iter()
-            .find(|(h, _)| *h == hot)
+            .find(|(h, _)| *h == hovered)
         {
             self.builder.mark_above(p, MarkShape::Ring, 9.0, self.palette.probe);
         }

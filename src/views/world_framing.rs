@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::Request;
-use super::content::{Content, iso_direction};
-use super::gear::Gear;
+use super::camera_gizmo::Gear;
+use super::framing::{Content, iso_direction};
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::pixels::PixelRect;
 use super::screen::Screen;

@@ -28,7 +28,7 @@ fn with_cone(state: &mut State) {
 }
 
 fn gizmo(does: Transforming, origin: DVec3, axes: [DVec3; 3]) -> TransformGizmo {
-    TransformGizmo { does, origin, axes, hot: None }
+    TransformGizmo { does, origin, axes, hovered: None }
 }
 
 /// A place in the world picture where the part of an axis can be taken.

@@ -3,7 +3,7 @@
 use camera_lab::appearance::Theme;
 use camera_lab::figure::WorldLook;
 use camera_lab::figure::{Measure, Measured};
-use camera_lab::gui::Asked;
+use camera_lab::gui::LaunchOptions;
 use camera_lab::gui::command::Command;
 use camera_lab::gui::state::{ObserverChange, Side};
 use camera_lab::i18n::Lang;
@@ -230,7 +230,7 @@ fn what_is_changed_is_remembered_for_the_next_window() {
     let remembering = || {
         let mut window = Window::new(Lang::En);
         let ctx = window.harness.ctx.clone();
-        window.app_mut().keep_preferences(&ctx, &folder.file("config"), Asked::default());
+        window.app_mut().keep_preferences(&ctx, &folder.file("config"), LaunchOptions::default());
         window.run();
         window
     };

@@ -4,7 +4,7 @@
 
 use camera_lab::camera::Parameters;
 use camera_lab::exercises::Ask;
-use camera_lab::gui::Asked;
+use camera_lab::gui::LaunchOptions;
 use camera_lab::gui::state::Chosen;
 use camera_lab::i18n::{Lang, exercises as said};
 use eframe::egui::accesskit::Role;
@@ -22,7 +22,11 @@ fn keeping(folder: &Folder) -> Window {
     let mut window = window_of(Lang::En, [1400.0, 1900.0]);
     window.app_mut().state.file_flow.native = false;
     let ctx = window.harness.ctx.clone();
-    window.app_mut().keep_preferences(&ctx, &folder.file("config"), Asked { lang: Some(Lang::En), ..Asked::default() });
+    window.app_mut().keep_preferences(
+        &ctx,
+        &folder.file("config"),
+        LaunchOptions { lang: Some(Lang::En), ..LaunchOptions::default() },
+    );
     window.run();
     window
 }

@@ -5,7 +5,7 @@
 use camera_lab::camera::Parameters;
 use camera_lab::exercises::{Ask, Entry, Exercise, Expected, Free, Stage, entry};
 use camera_lab::gui::state::{Chosen, ExplainTab};
-use camera_lab::gui::{Asked, Start, State};
+use camera_lab::gui::{LaunchOptions, Start, State};
 use camera_lab::i18n::{Lang, exercise_messages, exercise_window, exercises as said};
 use camera_lab::scene::Preset;
 use camera_lab::views::View;
@@ -304,7 +304,11 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     let mut window = working_on("view-matrix", 1, Lang::En);
     window.app_mut().state.file_flow.native = false;
     let ctx = window.harness.ctx.clone();
-    window.app_mut().keep_preferences(&ctx, &folder.file("config"), Asked { lang: Some(Lang::En), ..Asked::default() });
+    window.app_mut().keep_preferences(
+        &ctx,
+        &folder.file("config"),
+        LaunchOptions { lang: Some(Lang::En), ..LaunchOptions::default() },
+    );
     let (_, exercise) = made("view-matrix", 1);
     let mut wrong = right(&exercise.asks[0]);
     let c = exercise.subject.camera().unwrap().position();
@@ -366,7 +370,7 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
         window.app_mut().keep_preferences(
             &ctx,
             &folder.file("config"),
-            Asked { lang: Some(Lang::En), ..Asked::default() },
+            LaunchOptions { lang: Some(Lang::En), ..LaunchOptions::default() },
         );
         window.run();
         if !window.state().shows_exercises() {

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use camera_lab::files::FileError;
 use camera_lab::gui::state::Message;
-use camera_lab::gui::{self, Asked, Start, State};
+use camera_lab::gui::{self, LaunchOptions, Start, State};
 use camera_lab::i18n::Lang;
 use camera_lab::views::View;
 use eframe::egui::{Key, Rect, pos2, vec2};
@@ -213,7 +213,7 @@ fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
     fs::write(&home, "a file").expect("written");
     let mut window = Window::new(Lang::En);
     let ctx = window.harness.ctx.clone();
-    window.app_mut().keep_preferences(&ctx, &home.join(".config/camera-lab"), Asked::default());
+    window.app_mut().keep_preferences(&ctx, &home.join(".config/camera-lab"), LaunchOptions::default());
     window.app_mut().keep_session(&home.join(".local/share/camera-lab"), true);
     window.run();
     let told = |window: &Window| window.harness.query_all_by_label_contains("is not a directory").count();

@@ -9,7 +9,7 @@ use camera_lab::camera::{Camera, Convention, Operation, Projection};
 use camera_lab::drawing::{Anchor, Drawing, Label, Paint};
 use camera_lab::figure::{Figure, Observer};
 use camera_lab::figure::{Measure, Measured};
-use camera_lab::files::{FigureFiles, Reach, open_figure};
+use camera_lab::files::{FigureFiles, FileAccess, open_figure};
 use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures};
 use camera_lab::progress::Progress;
@@ -35,7 +35,7 @@ fn shipped() -> Vec<(String, Figure, SharedScene)> {
     assert!(paths.len() > 20);
     let open = |path: &PathBuf| {
         let figure = open_figure(path).unwrap().figure;
-        let mut files = FigureFiles::new(path.parent().unwrap(), Reach::Figure);
+        let mut files = FigureFiles::new(path.parent().unwrap(), FileAccess::Figure);
         let scene = views::scene_of(&figure, &mut |wanted| files.read(wanted), &Progress::default()).unwrap();
         (path.file_stem().unwrap().to_string_lossy().into_owned(), figure, SharedScene::new(scene))
     };

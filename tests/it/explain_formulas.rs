@@ -3,7 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{Camera, ImageSize, Ndc, NoWayBack, Parameters, Projection, ViewWindow, Viewport};
+use camera_lab::camera::{Camera, ImageSize, Ndc, NotProjectable, Parameters, Projection, ViewWindow, Viewport};
 use camera_lab::explain::{
     Axis, Component, Formula, Matrix, MatrixFormula, Notation, Numbers, Placement, Setting, Step, Style, Symbol,
     Writer, back, definition, forward, leaves, written,
@@ -143,11 +143,11 @@ fn depths_lead_back() {
     }
     let camera = camera(|p| (p.near, p.far) = (1.0, 3.0));
     let way = |viewport: &Viewport, depth| camera.notes_clip_space().way_back(IMAGE, viewport, [0, 0], depth);
-    let infinity = NoWayBack::BeyondInfinity { depth: 1.5, near: 0.0, infinity: 1.5 };
+    let infinity = NotProjectable::BeyondInfinity { depth: 1.5, near: 0.0, infinity: 1.5 };
     assert_eq!(way(&Viewport::whole(IMAGE), 1.5), Err(infinity));
     assert!(way(&Viewport::whole(IMAGE), 1.4).is_ok(), "behind the far plane, before infinity");
     let empty = Viewport { depth_near: 0.5, depth_far: 0.5, ..viewport() };
-    assert_eq!(way(&empty, 0.5), Err(NoWayBack::EmptyDepthRange { depth: 0.5 }));
+    assert_eq!(way(&empty, 0.5), Err(NotProjectable::EmptyDepthRange { depth: 0.5 }));
 }
 
 /// Each row's formula gives the row's number, and its text with the numbers put in is read back as it.

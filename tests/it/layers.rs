@@ -7,13 +7,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Leaves that everybody may import.
-const LEAVES: &[&str] = &["appearance", "chart", "foreign", "limits", "progress", "stage"];
+const LEAVES: &[&str] = &["appearance", "chart", "sanitize", "limits", "progress", "stage"];
 
 /// Each module with the modules that it may import, besides [`LEAVES`].
 const TABLE: &[(&str, &[&str])] = &[
     ("appearance", &[]),
     ("chart", &[]),
-    ("foreign", &[]),
+    ("sanitize", &[]),
     ("limits", &[]),
     ("progress", &[]),
     ("stage", &[]),

@@ -6,9 +6,9 @@ use std::path::Path;
 
 use camera_lab::camera::Camera;
 use camera_lab::figure::read::parse;
-use camera_lab::files::{FigureFiles, Reach, SHIPPED_FIGURES};
+use camera_lab::files::{FigureFiles, FileAccess, SHIPPED_FIGURES};
 use camera_lab::i18n::{Lang, messages, pictures};
-use camera_lab::pipeline::{Frame, TooMuch};
+use camera_lab::pipeline::{Frame, OverBudget};
 use camera_lab::progress::Progress;
 use camera_lab::views::{Request, SharedScene, Size, TimedPipeline, View, frame, scene_of};
 
@@ -29,7 +29,7 @@ fn figure(width: f64) -> String {
 fn drawn(text: &str, view: View) -> Frame {
     let figure = parse(text).unwrap();
     let camera = Camera::new(&figure.camera).unwrap();
-    let mut files = FigureFiles::new(Path::new("."), Reach::Figure);
+    let mut files = FigureFiles::new(Path::new("."), FileAccess::Figure);
     let scene = scene_of(&figure, &mut |wanted| files.read(wanted), &Progress::default()).unwrap();
     let scene = SharedScene::new(scene);
     let size = Size { width: 500, height: 500, scale: 1.0 };
@@ -54,14 +54,14 @@ fn a_vertex_that_is_drawn_beside_its_place_is_named() {
     // The place by whole numbers, and where it was drawn: the one corner that is not cut.
     let aside = whole(1.1) - whole(1.0) - whole(0.1);
     let exact = 250.0 + 250.0 * (aside as f64 / 2_f64.powi(60)) / 5e-15;
-    let TooMuch::Rounding { vertices } = frame.too_much.unwrap() else { panic!("rounding") };
+    let OverBudget::Rounding { vertices } = frame.too_much.unwrap() else { panic!("rounding") };
     let [vertex] = &vertices[..] else { panic!("{vertices:?}") };
     let [x, y, _] = frame.drawing.surfaces[0].positions[vertex.vertex];
     let off = (f64::from(x) - exact).hypot(f64::from(y) - 250.0);
     assert!(off > 4.0 && (vertex.off - off).abs() < 1e-6, "{vertex:?} {off}");
     assert_eq!(vertex.object, "box");
 
-    let said = TooMuch::Rounding { vertices };
+    let said = OverBudget::Rounding { vertices };
     for (lang, words) in [(Lang::En, "is drawn 4.2 pixels beside"), (Lang::PtBr, "é desenhado a 4,2 pixels do")] {
         let text = messages::too_much(lang, &said);
         assert!(text.contains(words) && text.contains("\"box\""), "{text}");

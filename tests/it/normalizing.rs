@@ -7,7 +7,7 @@ use camera_lab::camera::{Camera, Decomposition, Parameters, Projection, ViewWind
 use camera_lab::figure::Figure;
 use camera_lab::figure::ShownStep;
 use camera_lab::i18n::{Lang, pictures::labels};
-use camera_lab::picture::{Film, Renderer};
+use camera_lab::picture::{Animation, Renderer};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3, DVec4};
 use proptest::prelude::*;
@@ -89,7 +89,7 @@ fn steps_are_those_of_the_sources() {
     assert_eq!((has(&aslant), has(&parallel)), ([true, true, false, false], [true, true, false, true]));
 }
 
-fn film(projection: Projection, decomposition: Decomposition) -> Film {
+fn film(projection: Projection, decomposition: Decomposition) -> Animation {
     let mut figure = Figure::default();
     figure.camera.position = DVec3::new(4.0, 3.0, 5.0);
     (figure.camera.near, figure.camera.far, figure.camera.projection) = (3.0, 11.0, projection);
@@ -98,7 +98,7 @@ fn film(projection: Projection, decomposition: Decomposition) -> Film {
     let scene = scene_of(&figure, &mut |_| unreachable!("no meshes"), &Default::default()).unwrap();
     let size = Size { width: 240, height: 180, scale: 1.0 };
     let request = Request::of(&figure, View::Canonical, &camera, &SharedScene::new(scene), labels(Lang::En), size);
-    Film { request, decomposition }
+    Animation { request, decomposition }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use camera_lab::camera::{ImageSize, Ndc, NoWayBack, Place, Projection, Viewport};
+use camera_lab::camera::{ImageSize, Ndc, NotProjectable, Place, Projection, Viewport};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
@@ -47,9 +47,9 @@ fn behind_the_eye_a_point_is_found_from_the_window_and_from_ndc() {
     let (space, viewport) = (camera.notes_clip_space(), Viewport::whole(IMAGE));
     let at = |place| space.world_of(IMAGE, &viewport, place);
     assert_eq!(at(Place::Window(DVec2::new(-0.5, 1.0), -2.0)).unwrap(), DVec3::new(1.0, -2.0, 7.0));
-    assert_eq!(at(Place::Window(DVec2::ONE, 0.0)), Err(NoWayBack::InPlaneOfEye));
+    assert_eq!(at(Place::Window(DVec2::ONE, 0.0)), Err(NotProjectable::InPlaneOfEye));
     // z_n reaches (B + F)/(B − F) = 2 at infinity.
-    let infinity = NoWayBack::BeyondInfinity { depth: 2.0, near: -1.0, infinity: 2.0 };
+    let infinity = NotProjectable::BeyondInfinity { depth: 2.0, near: -1.0, infinity: 2.0 };
     assert_eq!(at(Place::Ndc(DVec3::new(0.0, 0.0, 2.0))), Err(infinity));
     assert_eq!(at(Place::Ndc(DVec3::new(0.0, 0.0, 1.0))).unwrap(), DVec3::new(0.0, 0.0, 2.0));
     // Beyond it are those behind the eye, in every convention: z_n = 2 − 3/distance here.
@@ -61,5 +61,5 @@ fn behind_the_eye_a_point_is_found_from_the_window_and_from_ndc() {
         let found = space.world_of(IMAGE, &viewport, Place::Ndc(projected.ndc)).unwrap();
         assert!(found.abs_diff_eq(behind, 1e-12), "{ndc:?}: {found}");
     }
-    assert_eq!(at(Place::View(DVec3::splat(1e308) * 2.0)), Err(NoWayBack::Overflow { depth: f64::INFINITY }));
+    assert_eq!(at(Place::View(DVec3::splat(1e308) * 2.0)), Err(NotProjectable::Overflow { depth: f64::INFINITY }));
 }

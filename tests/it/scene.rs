@@ -8,7 +8,7 @@ use camera_lab::appearance::{HiddenLines, Rgba, Style, Theme};
 use camera_lab::camera::{Camera, Parameters, Projection};
 use camera_lab::figure::write::to_toml;
 use camera_lab::figure::{Figure, read, recommended_camera};
-use camera_lab::files::{FigureFiles, Reach, open_figure};
+use camera_lab::files::{FigureFiles, FileAccess, open_figure};
 use camera_lab::geometry::Aabb;
 use camera_lab::scene::{
     Light, LightSpec, Mesh, Object, ObjectPaint, ObjectSpec, Preset, Scene, SceneError, SceneSpec, Shape, Wanted,
@@ -444,7 +444,7 @@ fn every_example_figure_can_be_drawn() {
             continue;
         }
         let figure = open_figure(&path).unwrap().figure;
-        let mut files = FigureFiles::new(&folder, Reach::Figure);
+        let mut files = FigureFiles::new(&folder, FileAccess::Figure);
         let mut read = |wanted: Wanted<'_>| files.read(wanted);
         let scene = build(&figure.scene, &figure.style, &mut read).unwrap();
         Camera::new(&figure.camera).unwrap();
@@ -458,7 +458,7 @@ fn every_example_figure_can_be_drawn() {
 #[test]
 fn the_sample_mesh_is_whole() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/meshes");
-    let mut files = FigureFiles::new(&folder, Reach::Figure);
+    let mut files = FigureFiles::new(&folder, FileAccess::Figure);
     let mut read = |wanted: Wanted<'_>| files.read(wanted);
     let teapot = ObjectSpec::new("t", Shape::Mesh { path: "teapot.obj".to_owned() });
     let spec = SceneSpec { preset: Preset::Empty, objects: vec![teapot], lights: vec![] };

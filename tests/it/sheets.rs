@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 
-use camera_lab::exercises::{Exercise, Free, OwnTexts, Told, entries, own};
+use camera_lab::exercises::{Bilingual, Exercise, Free, OwnTexts, entries, own};
 use camera_lab::formula;
 use camera_lab::i18n::notes::{Piece, notes};
 use camera_lab::i18n::{Lang, exercise_sheet as sheet, exercises as texts};
@@ -70,7 +70,7 @@ fn exercise(texts: &[String]) -> Exercise {
     let plain = "id = \"mine\"\ntitle = \"Mine\"\nstatement = \"Say it.\"\n";
     let asks = "[[ask]]\nname = \"a\"\ntext = \"A\"\nchoices = [\"x\", \"y\"]\nanswer = \"x\"\n[[ask]]\nname = \"b\"\ntext = \"B\"\nquantity = \"basis.u\"\n";
     let mut exercise = own::parse(&format!("{plain}{asks}")).unwrap().exercise(0, &Free::new());
-    let told = |text: &String| Told { en: text.clone(), pt_br: text.clone() };
+    let told = |text: &String| Bilingual { en: text.clone(), pt_br: text.clone() };
     let any = |k: usize| told(&texts[k % texts.len()]);
     let statement = texts.join("\n\n");
     exercise.texts = Some(Arc::new(OwnTexts {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::camera::{Camera, ImageSize, Parameters, Projection};
-pub(super) use crate::exercises::given::{about, image, with_point};
+pub(super) use crate::exercises::statement_facts::{about, image, with_point};
 use crate::exercises::{Exercise, Subject};
 use crate::figure::Figure;
 use crate::numbers::random::Random;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::chosen;
 use crate::camera::{ImageSize, Operation, Parameters, Projection, ViewWindow};
-use crate::exercises::given::{about, image, with_point};
+use crate::exercises::statement_facts::{about, image, with_point};
 use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Mistake, Slip, Slips, Subject, Table, Unit, textbook};
 use crate::explain::{Formula, Function, over, plus};

@@ -7,8 +7,8 @@ use glam::{DMat4, DVec3, DVec4};
 
 use super::chosen;
 use crate::camera::{ImageSize, Parameters, Projection};
-use crate::exercises::given::{about, with_point};
 use crate::exercises::products::multiplied;
+use crate::exercises::statement_facts::{about, with_point};
 use crate::exercises::worked::{Worked, named, worked};
 use crate::exercises::{Ask, Exercise, Fact, Free, Kind, Slip, Slips, Subject, Table, textbook};
 use crate::explain::{over, times};

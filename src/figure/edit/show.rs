@@ -26,7 +26,7 @@ fn parsed(key: &str, value: &str) -> Result<Option<Value>, FigureError> {
         Ok(value) => Ok(Some(value)),
         Err(_) if is_word(value) => Ok(Some(value.into())),
         Err(_) => {
-            let problem = Problem::Value { found: crate::foreign::shown(value), allowed: Allowed::TomlValue };
+            let problem = Problem::Value { found: crate::sanitize::escaped(value), allowed: Allowed::TomlValue };
             Err(FigureError { line: 1, key: format!("[show] {key}"), problem })
         }
     }

@@ -16,8 +16,8 @@ use super::words::{DEPTHS, HIDDEN_LINES, OUTSIDES, PROJECTIONS, SHADINGS, THEMES
 use super::{Depth, Figure, Observer, Observers, Outside, Reveal, WorldLook};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters, Projection, ViewWindow, Viewport};
-use crate::foreign;
 use crate::limits::{MAX_FIGURE_BYTES, MAX_OFFSET, MAX_SIDE};
+use crate::sanitize;
 pub use scene::line_of_object;
 pub(crate) use section::{Fault, Section};
 
@@ -273,7 +273,7 @@ fn line_of(text: &str, at: usize) -> usize {
 /// A piece of the text that fits into a sentence: one line, no control characters, not long.
 fn snippet(text: &str, span: Range<usize>) -> String {
     let piece = text.get(span).unwrap_or_default();
-    foreign::shown(&piece.split_whitespace().collect::<Vec<_>>().join(" "))
+    sanitize::escaped(&piece.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 #[cfg(test)]

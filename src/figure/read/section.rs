@@ -237,7 +237,7 @@ impl<'a> Section<'a> {
     /// A text that is the same in all languages, or one for each: `{ en = "…", "pt-BR" = "…" }`; in English and in
     /// Portuguese.
     pub(crate) fn told(&mut self, key: &'static str) -> Option<[String; 2]> {
-        self.read(key, None, Allowed::Told, |value| told(value).map(Some))
+        self.read(key, None, Allowed::Bilingual, |value| told(value).map(Some))
     }
 
     /// A list of such texts.

@@ -4,7 +4,7 @@ use toml_edit::TomlError;
 
 use super::{line_of, snippet};
 use crate::figure::error::{FigureError, Problem};
-use crate::foreign;
+use crate::sanitize;
 
 /// The parser's error in our words.
 pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {
@@ -38,7 +38,7 @@ pub(super) fn explain(text: &str, error: &TomlError) -> FigureError {
 }
 
 fn snippet_of_message(message: &str) -> String {
-    foreign::within(&message.split_whitespace().collect::<Vec<_>>().join(" "), 200)
+    sanitize::within(&message.split_whitespace().collect::<Vec<_>>().join(" "), 200)
 }
 
 /// The greatest place not after `at` that lies between two characters.

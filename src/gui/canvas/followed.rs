@@ -4,10 +4,10 @@ use eframe::egui::Context;
 use glam::{DVec2, DVec3};
 
 use super::Pane;
-use crate::foreign::shown;
 use crate::gui::handle_drag;
 use crate::gui::state::State;
 use crate::i18n::explain_point;
+use crate::sanitize::escaped;
 use crate::views::{Request, View, named_points};
 
 /// A point that is held.
@@ -76,5 +76,5 @@ fn lines(index: usize, state: &State) -> Vec<String> {
     let (lang, digits) = (state.settings.lang, state.settings.digits.min(6));
     let Some(point) = state.document.figure().points.get(index) else { return Vec::new() };
     let place = handle_drag::point(point.position, digits, lang.mark());
-    vec![format!("{} = {place}", shown(&point.name)), explain_point::texts(lang).drag_point.to_owned()]
+    vec![format!("{} = {place}", escaped(&point.name)), explain_point::texts(lang).drag_point.to_owned()]
 }

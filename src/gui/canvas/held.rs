@@ -193,7 +193,7 @@ impl Canvas {
                 ui.set_cursor_icon(CursorIcon::Move);
             }
             Some(Drag::Handle(held)) => {
-                self.hover.hot = Some(held.handle());
+                self.hover.hovered = Some(held.handle());
                 let camera = state.document.camera();
                 let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
                 status.message = match held.stopped() {
@@ -216,7 +216,7 @@ impl Canvas {
             }
             Some(Drag::Gizmo(held)) => {
                 if let Some(gizmo) = &mut self.hover.gizmo {
-                    gizmo.hot = Some(held.part);
+                    gizmo.hovered = Some(held.part);
                 }
                 let mut lines = gizmo_lines(state, digits);
                 if held.is_sheared {

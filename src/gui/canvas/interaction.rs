@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use super::held::{GIZMO_REACH, gizmo_lines, tooltip, turning_with};
 use super::keyboard_probe::Probing;
-use super::picking::{self, PickRequest, What};
+use super::picking::{self, PickQuery, PickRequest};
 use super::status::Status;
 use super::{Canvas, Pane, followed, orbit, readout, toggle_maximized};
 use crate::camera::{Convention, Operation};
@@ -48,7 +48,7 @@ impl Canvas {
             self.probing = None;
         }
         let mut hovered = None;
-        self.hover.hot = None;
+        self.hover.hovered = None;
         for pane in panes {
             self.focus(ui, state, pane);
             if !self.fingers(ui, state, pane) {
@@ -164,7 +164,7 @@ impl Canvas {
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
-            self.hover.hot = Some(handle);
+            self.hover.hovered = Some(handle);
             return probed(handle, state);
         }
         if pane.view == View::World
@@ -175,7 +175,7 @@ impl Canvas {
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
             if let Some(gizmo) = &mut self.hover.gizmo {
-                gizmo.hot = Some(part);
+                gizmo.hovered = Some(part);
             }
             return None;
         }
@@ -208,7 +208,7 @@ impl Canvas {
         if pane.view == View::Canonical && state.is_on_the_way() {
             return None;
         }
-        let what = What::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
+        let what = PickQuery::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
         let request = Request { hover: Hover::default(), ..request };
         self.picker.ask(ui.ctx(), PickRequest { request, what }).probe
     }

@@ -5,11 +5,11 @@ use std::time::Duration;
 use eframe::egui::{self, Key, Modifiers};
 
 use super::Canvas;
-use crate::foreign;
 use crate::gui::state::State;
 use crate::gui::worker::Running;
 use crate::i18n::canvas as words;
 use crate::i18n::{progress, scenes, window};
+use crate::sanitize;
 
 /// What is done sooner is not told.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -30,13 +30,13 @@ impl LongWork {
         let mesh = state
             .scene_cache
             .running()
-            .map(|(path, running)| (format!("{} {}", scenes::texts(lang).loading, foreign::shown(path)), running));
+            .map(|(path, running)| (format!("{} {}", scenes::texts(lang).loading, sanitize::escaped(path)), running));
         let picture =
             canvas.rendering.running().map(|(view, running)| (words::texts(lang).view(view).to_owned(), running));
         let exports = state
             .file_flow
             .running()
-            .map(|(path, running)| (format!("{} {}", window::texts(lang).exporting, foreign::path(path)), running));
+            .map(|(path, running)| (format!("{} {}", window::texts(lang).exporting, sanitize::path(path)), running));
         let all = exports.chain(mesh).chain(picture).filter(|(_, running)| running.time >= PATIENCE);
         let (what, Running { now, .. }) = all.max_by_key(|(_, running)| running.time)?;
         // The name, which may be long, stands where it may be cut off.
@@ -78,12 +78,12 @@ mod tests {
     use crate::gui::export::{Export, ExportError, Exported, Exporting, Task};
     use crate::gui::worker::{Work, one_by_one};
     use crate::i18n::Lang;
-    use crate::progress::{Doing, Progress};
+    use crate::progress::{Activity, Progress};
 
     /// Paints, and does not come to an end by itself.
     fn endless() -> Work<Task, Exported> {
         one_by_one(async |_, progress: &Progress| {
-            progress.begin(Doing::Painting, 4);
+            progress.begin(Activity::Painting, 4);
             progress.advance(3);
             while !progress.is_cancelled() {
                 std::thread::yield_now();

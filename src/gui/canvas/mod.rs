@@ -37,9 +37,9 @@ use self::held::Drag;
 use self::keyboard_probe::Probing;
 use self::long_work::LongWork;
 use self::orbit::Auto;
-use self::picking::{PickRequest, Picker, What};
+use self::picking::{PickQuery, PickRequest, Picker};
 use self::readout::Cell;
-use self::rendering::{Job, Missing, Rendering};
+use self::rendering::{Missing, RenderJob, Rendering};
 use self::status::{Status, StatusAction};
 use self::strip::{Strip, StripAction};
 use self::texture::{PictureRect, PictureTexture};
@@ -58,8 +58,8 @@ use crate::gui::state::{Dialog, ExplainTab, Message, ObserverChange, State};
 use crate::i18n::canvas::{self as words, CanvasTexts};
 use crate::i18n::pictures::labels;
 use crate::numbers::{DecimalMark, EXACT_DIGITS};
-use crate::picture::Account;
-use crate::pipeline::TooMuch;
+use crate::picture::RenderReport;
+use crate::pipeline::OverBudget;
 use crate::views::image_frame;
 use crate::views::{Hover, Look, Palette, Probe, Request, Shot, Size, View, aspect_shown};
 
@@ -75,10 +75,10 @@ pub struct Canvas {
     rendering: Rendering,
     textures: [PictureTexture; 3],
     /// How the pictures on the screen came about.
-    accounts: [Option<Account>; 3],
+    accounts: [Option<RenderReport>; 3],
     /// Why there is none, and what could not be done in it, by picture.
     missing: [Option<Missing>; 3],
-    too_much: [Option<TooMuch>; 3],
+    too_much: [Option<OverBudget>; 3],
     shares: Shares,
     /// From where each picture is seen where the figure does not say, and in this frame.
     autos: [Auto; 3],
@@ -347,7 +347,7 @@ impl Canvas {
             let heavy = style.antialias > 1 && self.rendering.is_heavy(pane.view, self.patience);
             let accounted = state.accounts_for_stages() && state.layout.strip_of == pane.view;
             if !state.annotations.frozen {
-                self.rendering.ask(ctx, Job { request, draft: moving && heavy, max_side, accounted });
+                self.rendering.ask(ctx, RenderJob { request, draft: moving && heavy, max_side, accounted });
             }
         }
         for (view, done) in View::ALL.into_iter().zip(self.rendering.collect(self.patience)) {
@@ -360,7 +360,7 @@ impl Canvas {
             self.textures[i].set(ctx, words::texts(state.settings.lang).view(view), tiles);
             // Said when it comes up; as long as it is so, a note stands in the picture.
             if let Some(too_much) = too_much.as_ref().filter(|_| !self.too_much.contains(&too_much)) {
-                state.say(Message::TooMuch(too_much.clone()));
+                state.say(Message::OverBudget(too_much.clone()));
             }
             self.too_much[i] = too_much;
         }
@@ -429,7 +429,9 @@ impl Canvas {
         let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;
         let depths = asks
             .then(|| {
-                self.depth_picker.ask(ctx, PickRequest { request: request.clone(), what: What::Depths(probe) }).depths
+                self.depth_picker
+                    .ask(ctx, PickRequest { request: request.clone(), what: PickQuery::Depths(probe) })
+                    .depths
             })
             .flatten();
         let (mark, scene) = (texts.lang.mark(), state.scene_cache.scene());

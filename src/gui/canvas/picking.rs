@@ -25,7 +25,7 @@ const PATIENCE: Duration = Duration::from_millis(4);
 
 /// What is asked about a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum What {
+pub(super) enum PickQuery {
     /// What is at a place (pixels), within reach (pixels).
     Under { pointer: DVec2, reach: f64 },
     /// What the depth buffer holds where the probe is.
@@ -36,13 +36,13 @@ pub(super) enum What {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PickRequest {
     pub(super) request: Request,
-    pub(super) what: What,
+    pub(super) what: PickQuery,
 }
 
 impl PickRequest {
     /// True where what was found for the other is better than nothing: the pointer has moved a little.
     fn is_near(&self, other: &Self) -> bool {
-        let is_under = |pick: &Self| matches!(pick.what, What::Under { .. });
+        let is_under = |pick: &Self| matches!(pick.what, PickQuery::Under { .. });
         is_under(self) && is_under(other) && self.request == other.request
     }
 
@@ -51,17 +51,19 @@ impl PickRequest {
         scene.objects.iter().map(|o| o.mesh.positions.len() + o.mesh.triangles.len()).sum::<usize>() > HEAVY
     }
 
-    fn find(&self) -> Found {
+    fn find(&self) -> PickResult {
         match self.what {
-            What::Under { pointer, reach } => Found { probe: probe_at(&self.request, pointer, reach), depths: None },
-            What::Depths(probe) => Found { probe: None, depths: depths(probe, &self.request) },
+            PickQuery::Under { pointer, reach } => {
+                PickResult { probe: probe_at(&self.request, pointer, reach), depths: None }
+            }
+            PickQuery::Depths(probe) => PickResult { probe: None, depths: depths(probe, &self.request) },
         }
     }
 }
 
 /// What was found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Found {
+pub(super) struct PickResult {
     pub(super) probe: Option<Probe>,
     pub(super) depths: Option<Depths>,
 }
@@ -103,9 +105,9 @@ fn depths(probe: Probe, request: &Request) -> Option<Depths> {
 
 /// Answers one pick after the other; one that has not been begun is forgotten when the next comes.
 pub(super) struct Picker {
-    worker: Worker<PickRequest, (PickRequest, Found)>,
+    worker: Worker<PickRequest, (PickRequest, PickResult)>,
     asked: Option<PickRequest>,
-    last: Option<(PickRequest, Found)>,
+    last: Option<(PickRequest, PickResult)>,
 }
 
 impl Default for Picker {
@@ -123,7 +125,7 @@ impl Default for Picker {
 impl Picker {
     /// What was found, or what was found last near it while this is being looked for; `ctx` is asked for a frame when
     /// it is found.
-    pub(super) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> Found {
+    pub(super) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> PickResult {
         if !pick.is_heavy() {
             return pick.find();
         }
@@ -136,7 +138,7 @@ impl Picker {
             self.last = Some(found);
         }
         let near = self.last.as_ref().filter(|(last, _)| *last == pick || last.is_near(&pick));
-        near.map_or_else(Found::default, |(_, found)| *found)
+        near.map_or_else(PickResult::default, |(_, found)| *found)
     }
 }
 
@@ -159,7 +161,7 @@ mod tests {
         let camera = Camera::new(&figure.camera).unwrap();
         let size = Size { width: 400, height: 300, scale: 1.0 };
         let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size);
-        PickRequest { request, what: What::Under { pointer, reach: 7.0 } }
+        PickRequest { request, what: PickQuery::Under { pointer, reach: 7.0 } }
     }
 
     #[test]
@@ -179,7 +181,7 @@ mod tests {
             assert!(clock::now() - start < Duration::from_secs(60));
         }
         // Until the next is found, the last one nearby stands; nothing of another camera.
-        let what = What::Under { pointer: DVec2::new(201.0, 150.0), reach: 7.0 };
+        let what = PickQuery::Under { pointer: DVec2::new(201.0, 150.0), reach: 7.0 };
         let beside = PickRequest { what, ..heavy.clone() };
         assert!(picker.ask(&ctx, beside).probe.is_some());
         let near = crate::camera::Parameters { near: 2.0, ..*heavy.request.camera.parameters() };

@@ -5,12 +5,12 @@ use glam::{DVec2, DVec3};
 use super::picking::{Depths, pixel_of};
 use super::vertex_name::VertexName;
 use crate::camera::Projected;
-use crate::foreign::shown;
 use crate::gui::handle_drag::point;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::scenes::preset_object;
 use crate::numbers::{DecimalMark, significant};
 use crate::pipeline::clip_parts;
+use crate::sanitize::escaped;
 use crate::views::depth::DepthReading;
 use crate::views::{Probe, Request};
 
@@ -118,7 +118,7 @@ fn depth_cells(depths: Option<Depths>, (digits, mark): (usize, DecimalMark), tex
 /// What the point of a probe is: which vertex of which object, numbered from 1.
 pub(super) fn vertex_cell(name: &VertexName, texts: &CanvasTexts) -> Cell {
     let VertexName { object, of_preset, number } = name;
-    let object = if *of_preset { preset_object(texts.lang, object) } else { shown(object) };
+    let object = if *of_preset { preset_object(texts.lang, object) } else { escaped(object) };
     Cell { space: texts.vertex, value: format!("{number} – {object}"), wanted: true }
 }
 

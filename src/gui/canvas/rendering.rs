@@ -7,14 +7,14 @@ use eframe::egui;
 use super::texture::Tiles;
 use crate::clock;
 use crate::gui::worker::{Running, Work, Worker, one_by_one};
-use crate::picture::{Account, Picture, Renderer};
-use crate::pipeline::TooMuch;
+use crate::picture::{Picture, RenderReport, Renderer};
+use crate::pipeline::OverBudget;
 use crate::progress::Progress;
 use crate::views::{Hover, Request, View};
 
 /// A picture to draw. Two equal jobs make the same pixels.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Job {
+pub(super) struct RenderJob {
     pub(super) request: Request,
     /// One sample per pixel, whatever the style says.
     pub(super) draft: bool,
@@ -28,9 +28,9 @@ pub(super) struct Job {
 pub(super) struct Rendered {
     pub(super) tiles: Tiles,
     /// How it came about, where that was asked for.
-    pub(super) account: Option<Account>,
+    pub(super) account: Option<RenderReport>,
     /// What could not be done as it was asked for.
-    pub(super) too_much: Option<TooMuch>,
+    pub(super) too_much: Option<OverBudget>,
 }
 
 /// Why there is no picture.
@@ -49,18 +49,18 @@ impl Missing {
 }
 
 /// What came of a job.
-struct Outcome {
+struct DrawOutcome {
     rendered: Result<Rendered, Missing>,
     draft: bool,
 }
 
 /// Has pictures drawn, one slot for each.
 pub(super) struct Rendering {
-    worker: Worker<Job, Outcome, 3>,
+    worker: Worker<RenderJob, DrawOutcome, 3>,
     /// What was asked for last, by picture.
-    asked: [Option<Job>; 3],
+    asked: [Option<RenderJob>; 3],
     /// What the user gave up, by picture.
-    given_up: [Option<Job>; 3],
+    given_up: [Option<RenderJob>; 3],
     /// How many pictures have been drawn, by picture.
     drawn: [u64; 3],
     /// What the last drawing of each picture took, and the last one that was not a draft.
@@ -81,11 +81,11 @@ impl Default for Rendering {
     }
 }
 
-fn work() -> Work<Job, Outcome> {
+fn work() -> Work<RenderJob, DrawOutcome> {
     let mut renderer = Renderer::default();
     let mut pictures: [Picture; 3] = Default::default();
-    one_by_one(async move |job: Job, progress: &Progress| {
-        let Job { mut request, draft, max_side, accounted } = job;
+    one_by_one(async move |job: RenderJob, progress: &Progress| {
+        let RenderJob { mut request, draft, max_side, accounted } = job;
         if draft {
             request = request.with_shot(|shot| shot.look.style.antialias = 1);
         }
@@ -98,7 +98,7 @@ fn work() -> Work<Job, Outcome> {
             too_much: account.too_much.clone(),
             account: accounted.then_some(account),
         });
-        Outcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft }
+        DrawOutcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft }
     })
 }
 
@@ -122,16 +122,16 @@ impl Rendering {
 
     /// Asks for a picture, unless it, or one of which it would be a draft, was asked for last. `ctx` is asked for a
     /// frame when it is done.
-    pub(super) fn ask(&mut self, ctx: &egui::Context, job: Job) {
+    pub(super) fn ask(&mut self, ctx: &egui::Context, job: RenderJob) {
         let i = job.request.view.index();
         // A picture that is there needs no draft of itself, and no second drawing without the account that it has.
-        let is_as_good = |last: &Job| {
+        let is_as_good = |last: &RenderJob| {
             (!last.draft || job.draft)
                 && (last.accounted || !job.accounted)
                 && last.max_side == job.max_side
                 && last.request == job.request
         };
-        let is_given_up = |up: &Job| same_but_hover(&up.request, &job.request);
+        let is_given_up = |up: &RenderJob| same_but_hover(&up.request, &job.request);
         if self.given_up[i].as_ref().is_some_and(is_given_up) {
             return;
         }
@@ -185,18 +185,18 @@ mod tests {
     use crate::i18n::{Lang, pictures};
     use crate::views::{SharedScene, Size};
 
-    fn job(side: u32) -> Job {
+    fn job(side: u32) -> RenderJob {
         let figure = Figure::default();
         let camera = Camera::new(&figure.camera).unwrap();
         let size = Size { width: side, height: side, scale: 1.0 };
         let labels = pictures::labels(Lang::En);
         let request = Request::of(&figure, View::Image, &camera, &SharedScene::default(), labels, size);
-        Job { request, draft: false, max_side: 2048, accounted: false }
+        RenderJob { request, draft: false, max_side: 2048, accounted: false }
     }
 
-    fn sized(job: &Job, side: u32) -> Job {
+    fn sized(job: &RenderJob, side: u32) -> RenderJob {
         let size = Size { width: side, height: side, scale: 1.0 };
-        Job { request: Request { size, ..job.request.clone() }, ..job.clone() }
+        RenderJob { request: Request { size, ..job.request.clone() }, ..job.clone() }
     }
 
     #[test]
@@ -219,14 +219,14 @@ mod tests {
         let ctx = egui::Context::default();
         let mut rendering = Rendering::default();
         let full = job(30);
-        let draft = Job { draft: true, ..full.clone() };
+        let draft = RenderJob { draft: true, ..full.clone() };
         for (job, drawn) in [
             (full.clone(), 1),
             (full.clone(), 1),
             (draft.clone(), 1),
             (sized(&draft, 31), 2),
             (sized(&full, 31), 3),
-            (Job { accounted: true, ..sized(&full, 31) }, 4),
+            (RenderJob { accounted: true, ..sized(&full, 31) }, 4),
             (sized(&full, 31), 4),
         ] {
             rendering.ask(&ctx, job);
@@ -237,12 +237,12 @@ mod tests {
 
     #[test]
     fn what_was_given_up_is_begun_anew_by_another_picture_and_not_by_what_is_pointed_at() {
-        let waiting = || -> Work<Job, Outcome> {
-            one_by_one(async |job: Job, progress: &Progress| {
+        let waiting = || -> Work<RenderJob, DrawOutcome> {
+            one_by_one(async |job: RenderJob, progress: &Progress| {
                 while !progress.is_cancelled() {
                     std::thread::yield_now();
                 }
-                Outcome { rendered: Err(Missing::of(progress)), draft: job.draft }
+                DrawOutcome { rendered: Err(Missing::of(progress)), draft: job.draft }
             })
         };
         let ctx = egui::Context::default();
@@ -256,8 +256,8 @@ mod tests {
         rendering.cancel();
         assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(Err(Missing::Cancelled))));
         let pointed_at = Hover { probe: Some(crate::views::Probe::Point(glam::DVec3::ZERO)), ..Hover::default() };
-        let same = Job { request: Request { hover: pointed_at, ..job(30).request }, ..job(30) };
-        let same = Job {
+        let same = RenderJob { request: Request { hover: pointed_at, ..job(30).request }, ..job(30) };
+        let same = RenderJob {
             request: Request { scene: rendering.asked[2].as_ref().unwrap().request.scene.clone(), ..same.request },
             ..same
         };

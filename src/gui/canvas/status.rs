@@ -8,7 +8,7 @@ use super::icons::{Icon, icon_button};
 use super::long_work::LongWork;
 use super::readout::Cell;
 use crate::gui::coach::Brief;
-use crate::gui::fitted;
+use crate::gui::elide;
 use crate::gui::focus::with_room_before;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
@@ -153,12 +153,12 @@ impl Status {
         }
         let room = ui.available_width();
         if let Some((keys, opacity)) = self.keys {
-            let said = fitted::parts(keys, |text| fitted::width(ui, &font(ui), text) <= room);
+            let said = elide::parts(keys, |text| elide::width(ui, &font(ui), text) <= room);
             let color = ui.visuals().strong_text_color().gamma_multiply(opacity);
             ui.add(Label::new(RichText::new(said).small().color(color)).truncate().selectable(false)).explained(keys);
             return;
         }
-        let said = fitted::parts(&self.message, |text| fitted::width(ui, &font(ui), text) <= room);
+        let said = elide::parts(&self.message, |text| elide::width(ui, &font(ui), text) <= room);
         let mut text = RichText::new(&said).small();
         if self.warning {
             text = text.color(ui.visuals().warn_fg_color).strong();

@@ -10,14 +10,14 @@ use eframe::egui::{
 };
 
 use super::icons::{Icon, icon_button};
-use crate::gui::fitted;
-use crate::gui::noted::noted;
+use crate::gui::context_help::help_topic;
+use crate::gui::elide;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::sources::with_titles;
 use crate::i18n::{Lang, notes, pipeline as words};
 use crate::numbers;
-use crate::picture::Account;
+use crate::picture::RenderReport;
 use crate::pipeline::{Stage, StageReport};
 use crate::views::View;
 
@@ -41,7 +41,7 @@ pub(super) struct Strip<'a> {
     pub(super) texts: &'a CanvasTexts,
     pub(super) view: View,
     /// `None`: the picture is hidden, or has not been drawn yet.
-    pub(super) account: Option<&'a Account>,
+    pub(super) account: Option<&'a RenderReport>,
     /// The picture is hidden.
     pub(super) hidden: bool,
     /// The stage that is shown in the picture.
@@ -115,7 +115,7 @@ impl Strip<'_> {
                 }
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     let (room, body) = (ui.available_width(), TextStyle::Body.resolve(ui.style()));
-                    let text = fitted::words(&self.sentence(pointed), |text| fitted::width(ui, &body, text) <= room);
+                    let text = elide::words(&self.sentence(pointed), |text| elide::width(ui, &body, text) <= room);
                     ui.add(Label::new(text).truncate().selectable(false));
                 });
             });
@@ -169,7 +169,7 @@ impl Strip<'_> {
             if response.has_focus() || (response.hovered() && pointed.is_none()) {
                 pointed = Some(report.stage);
             }
-            noted(&response, notes::of_stage(report.stage));
+            help_topic(&response, notes::of_stage(report.stage));
             let strong = response.hovered() || response.has_focus();
             self.cell(ui, place, report, account.total, strong);
             response.explained_by(|ui| {
@@ -260,7 +260,7 @@ impl Strip<'_> {
             // Of a reason that is too long the first words; the tooltip tells it whole.
             let room = place.width() - 10.0;
             let whole = words::reason(self.lang, report.reason);
-            let reason = fitted::words(&whole, |text| fitted::width(ui, &font, text) <= room);
+            let reason = elide::words(&whole, |text| elide::width(ui, &font, text) <= room);
             painter.text(at(1.0), Align2::LEFT_TOP, reason, font, ink);
         }
     }

@@ -4,13 +4,13 @@ use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{self, Button, Key, RichText, Role, TextStyle, Ui, WidgetInfo};
 
 use crate::exercises::{Entry, Stage};
-use crate::foreign;
 use crate::gui::state::{Chosen, Exercises};
 use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
 use crate::i18n::exercise_window::Texts;
 use crate::i18n::{Lang, exercise_messages, exercises as said};
 use crate::limits::MAX_TYPED_NAME;
+use crate::sanitize;
 
 /// The field for words; Enter opens the first exercise that is found.
 pub(super) fn search(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
@@ -49,7 +49,7 @@ fn open(state: &mut Exercises, entry: &Entry) {
 pub(super) fn ui(ui: &mut Ui, t: &Texts, state: &mut Exercises) {
     let found: Vec<Entry> = found(t.lang, state).cloned().collect();
     let own = state.own.as_ref().map(|own| own.folder.file_name().unwrap_or(own.folder.as_os_str()));
-    let own = own.map(|name| foreign::shown(&name.to_string_lossy())).unwrap_or_default();
+    let own = own.map(|name| sanitize::escaped(&name.to_string_lossy())).unwrap_or_default();
     let mut group = None;
     let mut chosen = None;
     ui.spacing_mut().item_spacing.y = 1.0;

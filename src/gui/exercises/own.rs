@@ -3,13 +3,13 @@
 use eframe::egui::{CollapsingHeader, RichText, Ui};
 
 use crate::files::BadExercise;
-use crate::foreign;
 use crate::gui::file_flow;
 use crate::gui::panels::complaint;
 use crate::gui::state::{Purpose, State};
 use crate::gui::tooltip::Explained;
 use crate::i18n::exercise_window::Texts;
 use crate::i18n::messages;
+use crate::sanitize;
 
 /// What stands below the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
@@ -20,7 +20,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
     if let Some(own) = state.exercises.own.clone() {
         match &own.found {
             Ok(found) if found.entries.is_empty() && found.faults.is_empty() => {
-                ui.label(format!("{}: {}", foreign::path(&own.folder), t.own_none));
+                ui.label(format!("{}: {}", sanitize::path(&own.folder), t.own_none));
             }
             Ok(found) if found.faults.is_empty() => {}
             // A folder may hold many other files: they are one line until somebody wants to know.
@@ -29,12 +29,12 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
                 let heading = CollapsingHeader::new(RichText::new(text).weak()).id_salt("files that are no exercises");
                 heading.show(ui, |ui| {
                     for BadExercise { path, error, .. } in &found.faults {
-                        complaint(ui, &foreign::printable(&messages::file(t.lang, &foreign::path(path), error)));
+                        complaint(ui, &sanitize::printable(&messages::file(t.lang, &sanitize::path(path), error)));
                     }
                 });
             }
             Err(error) => {
-                complaint(ui, &foreign::printable(&messages::file(t.lang, &foreign::path(&own.folder), error)));
+                complaint(ui, &sanitize::printable(&messages::file(t.lang, &sanitize::path(&own.folder), error)));
             }
         }
     }

@@ -4,12 +4,12 @@
 use eframe::egui::{self, RichText, Ui};
 
 use crate::exercises::{Made, Mistake};
-use crate::foreign;
 use crate::gui::state::{Dialog, Purpose, State};
 use crate::gui::tooltip::Explained;
 use crate::gui::{file_flow, prose};
 use crate::i18n::exercise_window::Texts;
 use crate::i18n::exercises as said;
+use crate::sanitize;
 
 /// The foot of the list.
 pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
@@ -19,7 +19,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, state: &mut State) {
         match &state.exercises.file {
             Some(file) => {
                 ui.label(RichText::new(t.progress_kept_in).weak());
-                ui.add(egui::Label::new(RichText::new(foreign::path(file)).monospace()).wrap().selectable(true));
+                ui.add(egui::Label::new(RichText::new(sanitize::path(file)).monospace()).wrap().selectable(true));
             }
             None => drop(ui.label(RichText::new(t.progress_not_kept).weak())),
         }

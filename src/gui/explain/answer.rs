@@ -6,8 +6,8 @@ use eframe::egui::{self, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 use super::measures;
 use crate::explain::{Definition, Formula, Notation, Numbers, Setting, Symbol, Writer, definition};
 use crate::figure::Measured;
+use crate::gui::context_help::help_topic;
 use crate::gui::mathematics::{Both, Formula as Typeset, Links, chain};
-use crate::gui::noted::noted;
 use crate::gui::state::Matrices;
 use crate::i18n::explain::{self as words, Texts};
 use crate::i18n::{Lang, notes};
@@ -153,7 +153,7 @@ impl Tree<'_> {
         if !definition.equation.is_empty() {
             let place = ui.label(RichText::new(format!("[0] {}", definition.equation)).small().weak());
             if let Some(note) = notes::of_equation(definition.equation) {
-                noted(&place, note);
+                help_topic(&place, note);
             }
         }
     }
@@ -169,7 +169,7 @@ impl Tree<'_> {
             let formula = Typeset::new(ui, &latex, &text, SIZE - 1.0);
             let size = formula.size() + vec2(20.0, 4.0);
             let (place, response) = ui.allocate_exact_size(size, Sense::click());
-            noted(&response, notes::of_symbol(symbol));
+            help_topic(&response, notes::of_symbol(symbol));
             if response.hovered() || response.has_focus() {
                 ui.painter().rect_filled(place, 3.0, ui.visuals().widgets.hovered.bg_fill);
                 self.pointed = Some(symbol);

@@ -8,8 +8,8 @@ use eframe::egui::{self, CollapsingHeader, RichText, TextStyle, text::LayoutJob}
 use super::digits;
 use crate::camera::WayBack;
 use crate::explain::{Line, Notation, Setting, Step, Style, back, forward, written};
+use crate::gui::context_help::help_topic;
 use crate::gui::mathematics;
-use crate::gui::noted::noted;
 use crate::gui::tooltip::Explained;
 use crate::i18n::explain_point::Texts;
 use crate::i18n::{messages, notes};
@@ -74,7 +74,7 @@ pub(super) fn ui(ui: &mut egui::Ui, setting: &Setting<'_>, name: &str, (t, digit
 }
 
 /// From the centre of the point's pixel with its Z; `None` for a point that has no pixel.
-fn way_back(setting: &Setting<'_>) -> Option<Result<WayBack, crate::camera::NoWayBack>> {
+fn way_back(setting: &Setting<'_>) -> Option<Result<WayBack, crate::camera::NotProjectable>> {
     /// Whole numbers up to here are exact.
     const LARGEST: f64 = 9e15;
     let point = setting.point()?;
@@ -99,7 +99,7 @@ fn step(ui: &mut egui::Ui, step: &Step, setting: &Setting<'_>, key: (&str, &str)
         }
     });
     if let Some(note) = notes::of_equation(&step.equation) {
-        noted(&shown.header_response, note);
+        help_topic(&shown.header_response, note);
     }
 }
 

@@ -8,7 +8,7 @@ use crate::camera::{Camera, MatrixKind, Ndc, Parameters, RecoveryError, recover}
 use crate::explain::Axis;
 use crate::explain::vocabulary::{Argument, Line, Quantity, Vocabulary};
 use crate::expression::{self, Dimension};
-use crate::gui::noted::{noted, noted_row};
+use crate::gui::context_help::{help_topic, help_topic_row};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{choice, complaint, section};
 use crate::gui::state::State;
@@ -25,10 +25,10 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     for vocabulary in Vocabulary::ALL {
         let (title, id) = dialects::title(t.lang, vocabulary);
         let title = section(ui, title, id, true, |ui| words(ui, state, vocabulary));
-        noted(&title, note_on_vocabulary(vocabulary));
+        help_topic(&title, note_on_vocabulary(vocabulary));
     }
     let title = section(ui, t.pasted, "pasted matrix", true, |ui| pasted(ui, state));
-    noted(&title, note_on_matrix(state.explain.pasted.kind));
+    help_topic(&title, note_on_matrix(state.explain.pasted.kind));
 }
 
 /// The note on what is particular of a vocabulary.
@@ -140,7 +140,7 @@ fn numbers(ui: &mut egui::Ui, state: &State, vocabulary: Vocabulary, line: &Line
             }
             for argument in row {
                 let shown = ui.scope(|ui| number(ui, state, vocabulary, line, argument, width));
-                noted_row(ui, shown.response.rect, note_on(argument.quantity, vocabulary));
+                help_topic_row(ui, shown.response.rect, note_on(argument.quantity, vocabulary));
                 if let Some(value) = shown.inner {
                     set = Some((argument.quantity, value));
                 }
@@ -220,7 +220,7 @@ fn pasted(ui: &mut egui::Ui, state: &mut State) {
         edit.hint_text(hint).font(egui::TextStyle::Monospace)
     });
     let field = field.show(ui, lang).accessible_name(t.pasted);
-    noted(&field, note_on_matrix(pasted.kind));
+    help_topic(&field, note_on_matrix(pasted.kind));
     if pasted.text.trim().is_empty() {
         return;
     }

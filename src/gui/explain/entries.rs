@@ -5,8 +5,8 @@ use eframe::egui::{
     pos2, vec2,
 };
 
+use crate::gui::context_help::help_topic;
 use crate::gui::mathematics::Formula;
-use crate::gui::noted::noted;
 use crate::gui::panels::values::brackets;
 
 /// An entry as it is written.
@@ -117,7 +117,7 @@ pub(super) fn show(
                 if response.has_focus() {
                     arrows(ui, [i, j]);
                 }
-                noted(&response, note);
+                help_topic(&response, note);
                 if response.hovered() {
                     pointed.hovered = Some([i, j]);
                 }

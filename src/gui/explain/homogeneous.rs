@@ -5,8 +5,7 @@ use glam::{DVec2, DVec3, DVec4};
 
 use crate::camera::{Camera, Projection};
 use crate::explain::homogeneous::{Floor, projected_share};
-use crate::foreign;
-use crate::gui::noted::{noted, noted_row};
+use crate::gui::context_help::{help_topic, help_topic_row};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{complaint, section};
 use crate::gui::state::State;
@@ -14,6 +13,7 @@ use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::homogeneous::{self, Texts};
 use crate::i18n::window;
+use crate::sanitize;
 use crate::views::{Palette, Probe};
 
 /// A point that is shown, or a direction (w = 0 in the world).
@@ -32,7 +32,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     let mut reveal = state.document.figure().reveal;
     let hint = window::texts(state.settings.lang).vanishing_hint;
     let vanishing = ui.checkbox(&mut reveal.vanishing, t.vanishing).explained(hint);
-    noted(&vanishing, "ideal-point");
+    help_topic(&vanishing, "ideal-point");
     if vanishing.changed() {
         state.document.edit(|figure| figure.reveal = reveal);
     }
@@ -41,7 +41,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
 /// A section, with the note on what it shows.
 fn part(ui: &mut egui::Ui, title: &str, (id, note): (&str, &'static str), body: impl FnOnce(&mut egui::Ui)) {
     let shown = ui.scope(|ui| section(ui, title, id, true, body));
-    noted_row(ui, shown.response.rect, note);
+    help_topic_row(ui, shown.response.rect, note);
 }
 
 fn colored(rgba: crate::appearance::Rgba) -> Color32 {
@@ -56,7 +56,7 @@ fn shown(state: &State, palette: Palette) -> (Vec<Shown>, bool) {
         Some(Probe::Point(p)) => Some(("P".to_owned(), p)),
         Some(Probe::Window(_)) | None => None,
     };
-    let named = state.document.figure().points.iter().map(|point| (foreign::shown(&point.name), point.position));
+    let named = state.document.figure().points.iter().map(|point| (sanitize::escaped(&point.name), point.position));
     let mut points: Vec<(String, DVec3)> = named.chain(probe).collect();
     let own = !points.is_empty();
     if !own {
@@ -175,7 +175,7 @@ fn ray(
 /// The ends of the segment: the first two points of the figure, or an edge of the floor that runs away from the eye.
 fn ends(state: &State) -> [(String, DVec3); 2] {
     if let [a, b, ..] = state.document.figure().points.as_slice() {
-        return [(foreign::shown(&a.name), a.position), (foreign::shown(&b.name), b.position)];
+        return [(sanitize::escaped(&a.name), a.position), (sanitize::escaped(&b.name), b.position)];
     }
     let [far, _, _, near] = Floor::new(state.document.camera()).corners;
     [("A".to_owned(), near), ("B".to_owned(), far)]
@@ -256,10 +256,10 @@ fn floor(ui: &mut egui::Ui, t: &Texts, state: &State) {
 
 /// The floor as pixels, drawn again only for another camera.
 fn chequered(ui: &egui::Ui, camera: &Camera, with_w: bool, palette: Palette, key: &str) -> egui::TextureHandle {
-    type Kept = (Camera, Color32, egui::TextureHandle);
+    type CachedFloor = (Camera, Color32, egui::TextureHandle);
     let id = egui::Id::unique(("floor", key));
     let paper = colored(palette.paper);
-    if let Some((made_for, ground, texture)) = ui.data(|data| data.get_temp::<Kept>(id))
+    if let Some((made_for, ground, texture)) = ui.data(|data| data.get_temp::<CachedFloor>(id))
         && made_for == *camera
         && ground == paper
     {

@@ -6,11 +6,11 @@ use eframe::egui::{self, RichText, Ui};
 
 use super::answer::{self, Writing};
 use super::entries::{self, Cell};
-use super::subject::Subject;
+use super::subject::ExplainedSetting;
 use crate::camera::{Ndc, Projection};
 use crate::explain::{Formula, Matrix, MatrixFormula, Setting, forward, leaves};
+use crate::gui::context_help::help_topic;
 use crate::gui::mathematics::Both;
-use crate::gui::noted::noted;
 use crate::gui::panels::erratum;
 use crate::gui::state::{Matrices, Reading, State};
 use crate::gui::theme;
@@ -23,7 +23,7 @@ use crate::numbers::without_rests;
 pub(super) fn ui(ui: &mut Ui, state: &mut State) {
     let t = words::texts(state.settings.lang);
     choices(ui, t, &mut state.explain.matrices);
-    let subject = Subject::of(state);
+    let subject = ExplainedSetting::of(state);
     let matrix = state.explain.matrices.shown();
     if state.explain.matrices.matrix == Matrix::Model {
         match &subject.object {
@@ -31,7 +31,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
                 ui.label(t.select_object);
                 return;
             }
-            Some((name, _)) => drop(ui.label(crate::foreign::shown(name))),
+            Some((name, _)) => drop(ui.label(crate::sanitize::escaped(name))),
         }
     }
     let setting = subject.setting(state);
@@ -96,7 +96,7 @@ fn used_in(
         let Some(term) = formula.terms().get(column).cloned() else { continue };
         let writing = Writing { setting: &followed, ..writing };
         ui.add_space(4.0);
-        let name = crate::foreign::shown(&point.name);
+        let name = crate::sanitize::escaped(&point.name);
         let said = words::used_in(writing.lang, &name, &symbol.text());
         theme::wrapped(ui, &said, &egui::TextStyle::Small, ui.visuals().weak_text_color());
         answer::term(ui, writing, &term, *value);
@@ -109,7 +109,7 @@ fn choices(ui: &mut Ui, t: &'static Texts, state: &mut Matrices) {
         for matrix in Matrices::CHOICES {
             let button = egui::Button::selectable(state.matrix == matrix, matrix_symbol(ui, matrix));
             let button = ui.add(button.frame_when_inactive(true)).explained(words::matrix(t.lang, matrix));
-            noted(&button, notes::of_matrix(matrix));
+            help_topic(&button, notes::of_matrix(matrix));
             button.widget_info(|| {
                 let on = state.matrix == matrix;
                 egui::WidgetInfo::selected(egui::Role::Button, true, on, matrix.text())
@@ -144,7 +144,7 @@ fn heading(ui: &mut Ui, state: &State, setting: &Setting<'_>, formulas: &MatrixF
         ui.label(words::matrix(lang, formulas.matrix));
         let place = format!("[0] {} {}", formulas.section, formulas.equation);
         let place = ui.label(RichText::new(place.trim_end()).weak()).explained(words::in_force(lang, formulas));
-        noted(&place, note_on(formulas));
+        help_topic(&place, note_on(formulas));
         if ndc != Ndc::default() {
             ui.label(RichText::new(format!("· {}", conventions::name(lang, ndc))).weak());
         }

@@ -33,7 +33,7 @@ use crate::i18n::explain::{self, Texts};
 pub(super) use triangle::clicked;
 
 /// A tab: its name, what it is for, and what it shows.
-struct Row {
+struct TabRow {
     tab: ExplainTab,
     name: fn(&Texts) -> &'static str,
     hint: fn(&Texts) -> &'static str,
@@ -42,7 +42,7 @@ struct Row {
     ui: fn(&mut egui::Ui, &mut State),
 }
 
-impl Row {
+impl TabRow {
     /// A tab of which everything scrolls.
     const fn new(
         tab: ExplainTab,
@@ -55,19 +55,19 @@ impl Row {
 }
 
 /// The tabs, in the order in which they are read.
-const TABS: &[Row] = &[
-    Row::new(ExplainTab::Matrices, |t| t.matrices, |t| t.matrices_hint, matrices::ui),
-    Row::new(ExplainTab::Point, |t| t.point, |t| t.point_hint, point::ui),
-    Row::new(ExplainTab::Steps, |t| t.steps, |t| t.steps_hint, steps::ui),
-    Row::new(ExplainTab::Homogeneous, |t| t.homogeneous, |t| t.homogeneous_hint, homogeneous::ui),
-    Row::new(ExplainTab::Stages, |t| t.stages, |t| t.stages_hint, stages::ui),
-    Row::new(ExplainTab::Dialects, |t| t.dialects, |t| t.dialects_hint, dialects::ui),
-    Row { head: Some(order::head), ..Row::new(ExplainTab::Order, |t| t.order, |t| t.order_hint, order::ui) },
-    Row::new(ExplainTab::Code, |t| t.code, |t| t.code_hint, code::ui),
-    Row::new(ExplainTab::Notes, |t| t.notes, |t| t.notes_hint, notes::ui),
-    Row {
+const TABS: &[TabRow] = &[
+    TabRow::new(ExplainTab::Matrices, |t| t.matrices, |t| t.matrices_hint, matrices::ui),
+    TabRow::new(ExplainTab::Point, |t| t.point, |t| t.point_hint, point::ui),
+    TabRow::new(ExplainTab::Steps, |t| t.steps, |t| t.steps_hint, steps::ui),
+    TabRow::new(ExplainTab::Homogeneous, |t| t.homogeneous, |t| t.homogeneous_hint, homogeneous::ui),
+    TabRow::new(ExplainTab::Stages, |t| t.stages, |t| t.stages_hint, stages::ui),
+    TabRow::new(ExplainTab::Dialects, |t| t.dialects, |t| t.dialects_hint, dialects::ui),
+    TabRow { head: Some(order::head), ..TabRow::new(ExplainTab::Order, |t| t.order, |t| t.order_hint, order::ui) },
+    TabRow::new(ExplainTab::Code, |t| t.code, |t| t.code_hint, code::ui),
+    TabRow::new(ExplainTab::Notes, |t| t.notes, |t| t.notes_hint, notes::ui),
+    TabRow {
         head: Some(exercises::head),
-        ..Row::new(ExplainTab::Exercises, |t| t.exercises, |t| t.exercises_hint, exercises::ui)
+        ..TabRow::new(ExplainTab::Exercises, |t| t.exercises, |t| t.exercises_hint, exercises::ui)
     },
 ];
 

@@ -4,7 +4,7 @@
 use eframe::egui::{self, Button, Label, RichText, Role, ScrollArea, TextStyle, Ui, WidgetInfo, vec2};
 
 use super::answer::{self, Writing};
-use super::subject::Subject;
+use super::subject::ExplainedSetting;
 use crate::explain::{Axis, Component, Symbol};
 use crate::gui::mathematics;
 use crate::gui::state::{Notes, State};
@@ -143,7 +143,7 @@ fn numbers(ui: &mut Ui, state: &State, note: &Note) {
         return;
     }
     let t = words::texts(state.settings.lang);
-    let subject = Subject::of(state);
+    let subject = ExplainedSetting::of(state);
     let setting = subject.setting(state);
     let writing = Writing { setting: &setting, lang: state.settings.lang, digits: state.settings.digits };
     ui.label(RichText::new(t.in_this_figure).small().weak());

@@ -32,7 +32,7 @@ pub(super) fn head(ui: &mut Ui, state: &mut State) {
             let wanted = take(ui, state, t, links.as_ref().err().copied());
             match &selected {
                 None => drop(ui.label(t.example)),
-                Some((name, _)) => drop(ui.label(format!("{} {}", t.object, crate::foreign::shown(name)))),
+                Some((name, _)) => drop(ui.label(format!("{} {}", t.object, crate::sanitize::escaped(name)))),
             }
             wanted
         })
@@ -69,9 +69,9 @@ fn own(selected: Option<&(String, Placement)>) -> Own {
     }
 }
 
-type Subject<'a> = Option<&'a (String, Placement)>;
+type OrderedObject<'a> = Option<&'a (String, Placement)>;
 
-fn tab(ui: &mut Ui, state: &mut State, t: &'static Texts, (order, selected): (&mut Order, Subject<'_>)) {
+fn tab(ui: &mut Ui, state: &mut State, t: &'static Texts, (order, selected): (&mut Order, OrderedObject<'_>)) {
     ui.label(RichText::new(t.list).strong()).explained(t.list_hint);
     let stages = read(&order.calls(), order.reading);
     let included: Vec<usize> = match &stages {
@@ -214,7 +214,7 @@ fn equation(ui: &mut Ui, before: &str, calls: &[Call]) {
 }
 
 /// Shows an object in the world where a part of the list puts it; without one, a cube.
-fn place(state: &mut State, selected: Subject<'_>, stage: Stage, wrong: bool) {
+fn place(state: &mut State, selected: OrderedObject<'_>, stage: Stage, wrong: bool) {
     let scene = &state.document.figure().scene;
     let (parent, now, objects) = match selected {
         None => (DMat4::IDENTITY, DMat4::IDENTITY, BTreeSet::new()),
@@ -240,7 +240,7 @@ fn other(
     ui: &mut Ui,
     state: &mut State,
     t: &'static Texts,
-    (order, selected): (&mut Order, Subject<'_>),
+    (order, selected): (&mut Order, OrderedObject<'_>),
     (calls, stages): (&[Call], &[Stage]),
 ) {
     ui.add(egui::Label::new(RichText::new(t.other_hint).small().weak()).wrap());

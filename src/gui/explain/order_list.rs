@@ -6,8 +6,8 @@ use eframe::egui::{
 use glam::DVec3;
 
 use crate::explain::order::Call;
+use crate::gui::context_help::help_topic_row;
 use crate::gui::focus::at_right;
-use crate::gui::noted::noted_row;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::Order;
 use crate::gui::theme;
@@ -65,7 +65,7 @@ pub(super) fn ui(ui: &mut Ui, t: &'static Texts, order: &mut Order, included: &[
             .response
             .rect
         });
-        noted_row(ui, row.inner, note_on(order.list[place].call));
+        help_topic_row(ui, row.inner, note_on(order.list[place].call));
         rows.push(row.inner);
         let focused = ui.memory(egui::Memory::focused).and_then(|id| ui.ctx().read_response(id));
         if focused.is_some_and(|response| row.inner.expand(1.0).contains(response.rect.center())) {

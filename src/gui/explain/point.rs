@@ -4,12 +4,11 @@ use eframe::egui::{self, Key, RichText};
 use glam::{DVec2, DVec3};
 
 use super::arithmetic;
-use super::subject::Subject;
-use crate::camera::{NoWayBack, Place};
+use super::subject::ExplainedSetting;
+use crate::camera::{NotProjectable, Place};
 use crate::explain::{Component, Setting, Symbol};
 use crate::figure::points::may_be_named;
-use crate::foreign::shown;
-use crate::gui::noted::noted_row;
+use crate::gui::context_help::help_topic_row;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::complaint;
 use crate::gui::state::{Space, State};
@@ -18,6 +17,7 @@ use crate::gui::tooltip::Explained;
 use crate::i18n::explain_point::{self, Texts};
 use crate::i18n::{messages, notes, window};
 use crate::limits::{MAX_NAMED_POINTS, MAX_TYPED_NAME};
+use crate::sanitize::escaped;
 use crate::views::Probe;
 
 /// Shows the tab.
@@ -30,7 +30,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
     };
     name(ui, state, t, index);
     let position = state.document.figure().points[index].position;
-    let subject = Subject::of(state);
+    let subject = ExplainedSetting::of(state);
     let setting = subject.setting(state).with_point_seen_from_object(position);
     let moved = places(ui, state, t, &setting);
     if let Some(position) = moved {
@@ -48,7 +48,7 @@ fn choose(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
     let chosen = state.follow.index(&points);
     ui.horizontal_wrapped(|ui| {
         for (i, point) in points.iter().enumerate() {
-            let button = egui::Button::selectable(chosen == Some(i), shown(&point.name)).frame_when_inactive(true);
+            let button = egui::Button::selectable(chosen == Some(i), escaped(&point.name)).frame_when_inactive(true);
             if ui.add(button).clicked() {
                 state.follow.choose(&point.name);
             }
@@ -106,7 +106,7 @@ fn name(ui: &mut egui::Ui, state: &mut State, t: &Texts, index: usize) {
 }
 
 /// The coordinates in one space: what they are called, and the symbols that have them.
-struct Row {
+struct TraceRow {
     space: Space,
     name: &'static str,
     more: &'static str,
@@ -114,9 +114,9 @@ struct Row {
     whole: bool,
 }
 
-fn rows(t: &Texts, setting: &Setting<'_>) -> Vec<Row> {
+fn rows(t: &Texts, setting: &Setting<'_>) -> Vec<TraceRow> {
     use Component::{X, Y, Z};
-    let row = |space, name, more, fields| Row { space, name, more, fields, whole: space == Space::Pixel };
+    let row = |space, name, more, fields| TraceRow { space, name, more, fields, whole: space == Space::Pixel };
     let three = |names: [&'static str; 3], symbol: fn(Component) -> Symbol| {
         [(names[0], symbol(X)), (names[1], symbol(Y)), (names[2], symbol(Z))]
     };
@@ -175,7 +175,7 @@ fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>
                 let field = if whole { field.whole() } else { field };
                 let field = field.of("point").prefix(symbol).hint(t.typed_hint).width(width);
                 let shown = ui.scope(|ui| drop(field.show(ui, words, value)));
-                noted_row(ui, shown.response.rect, notes::of_symbol(*of));
+                help_topic_row(ui, shown.response.rect, notes::of_symbol(*of));
             }
         });
         if after != before {
@@ -189,7 +189,7 @@ fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>
         }
         if let Some((_, why)) = state.follow.refused.filter(|(space, _)| *space == row.space) {
             complaint(ui, &messages::no_way_back(state.settings.lang, why));
-            if row.space == Space::Pixel && matches!(why, NoWayBack::BeyondInfinity { .. }) {
+            if row.space == Space::Pixel && matches!(why, NotProjectable::BeyondInfinity { .. }) {
                 ui.add(egui::Label::new(RichText::new(t.behind_pixel).small().weak()).wrap());
             }
         }
@@ -198,7 +198,7 @@ fn places(ui: &mut egui::Ui, state: &mut State, t: &Texts, setting: &Setting<'_>
 }
 
 /// The coordinates as they stand in the fields: of view coordinates beside the window, the distance.
-fn values(row: &Row, setting: &Setting<'_>) -> [f64; 3] {
+fn values(row: &TraceRow, setting: &Setting<'_>) -> [f64; 3] {
     let mut values = row.fields.map(|(_, symbol)| setting.value(symbol));
     if row.space == Space::Window {
         values[2] = 0.0 - values[2];
@@ -207,7 +207,7 @@ fn values(row: &Row, setting: &Setting<'_>) -> [f64; 3] {
 }
 
 /// The point of the world that has these coordinates in a space.
-fn place(space: Space, [x, y, z]: [f64; 3], setting: &Setting<'_>) -> Result<DVec3, NoWayBack> {
+fn place(space: Space, [x, y, z]: [f64; 3], setting: &Setting<'_>) -> Result<DVec3, NotProjectable> {
     let p = DVec3::new(x, y, z);
     let place = match space {
         Space::Local => {

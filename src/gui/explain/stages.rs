@@ -5,7 +5,7 @@ use eframe::egui::{self, RichText, Slider, Ui};
 use super::triangle;
 use crate::appearance::Visibility;
 use crate::figure::{Depth, Reveal};
-use crate::gui::noted::noted;
+use crate::gui::context_help::help_topic;
 use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
@@ -84,7 +84,7 @@ fn list(ui: &mut Ui, t: &stages::Texts, state: &mut State) {
         let text = if report.is_some_and(|report| !report.ran) { text.strikethrough().weak() } else { text };
         let button = egui::Button::selectable(state.shown_stage() == Some(stage), text);
         let response = ui.add(button);
-        noted(&response, notes::of_stage(stage));
+        help_topic(&response, notes::of_stage(stage));
         let said = report.map(|report| pipeline::line(lang, report)).unwrap_or_default();
         if response.explained(format!("{}\n{said}\n{}", pipeline::purpose(lang, stage), t.show)).clicked() {
             state.toggle_stage(stage);

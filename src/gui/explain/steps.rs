@@ -8,8 +8,8 @@ use glam::DMat4;
 
 use crate::camera::{Camera, Decomposition, Factor};
 use crate::figure::ShownStep;
+use crate::gui::context_help::help_topic;
 use crate::gui::file_flow;
-use crate::gui::noted::noted;
 use crate::gui::panels::values::brackets;
 use crate::gui::state::{Purpose, State, Steps, end_of, step_at, time_of};
 use crate::gui::theme;
@@ -34,7 +34,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         return;
     };
     if ui.button(t.film).explained(t.film_hint).clicked() {
-        file_flow::ask(ui.ctx(), state, Purpose::Film(way));
+        file_flow::ask(ui.ctx(), state, Purpose::Animation(way));
     }
     let steps = &mut state.explain.steps;
     shown = steps.advance(shown, now, &camera);
@@ -195,7 +195,7 @@ fn list(ui: &mut Ui, lang: Lang, camera: &Camera, factors: &[Factor], (steps, sh
         let lowered = theme::lowered(ui, &text, &egui::TextStyle::Button, ui.visuals().text_color());
         let button = Button::selectable(done == i + 1, lowered).wrap();
         let button = ui.add(button).accessible_name(text.replace(['{', '}'], ""));
-        noted(&button, notes::of_step(factor.step));
+        help_topic(&button, notes::of_step(factor.step));
         if button.clicked() {
             steps.hold();
             #[expect(clippy::cast_precision_loss, reason = "a handful of steps")]

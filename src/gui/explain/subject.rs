@@ -11,13 +11,13 @@ use crate::scene::transform::Trs;
 use crate::views::ObjectTransform;
 
 /// What the symbols get their numbers from, without the rest of the window.
-pub(super) struct Subject {
+pub(super) struct ExplainedSetting {
     camera: Camera,
     /// The selected object, by its name.
     pub(super) object: Option<(String, Placement)>,
 }
 
-impl Subject {
+impl ExplainedSetting {
     /// The camera of the figure, and the object that is selected, if one is.
     pub(super) fn of(state: &State) -> Self {
         Self { camera: state.document.camera().clone(), object: selected(state) }

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::camera::ImageSize;
 use crate::figure::{ShownTriangle, TriangleStep, View};
-use crate::gui::noted::{noted, noted_row};
+use crate::gui::context_help::{help_topic, help_topic_row};
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::complaint;
 use crate::gui::state::State;
@@ -71,7 +71,7 @@ pub(super) fn ui(ui: &mut Ui, state: &mut State) {
         TriangleStep::Depth => page.depth(ui, pixels.as_deref(), state.document.figure().image, &mut shown.pixel),
     }
     let row = egui::Rect::from_min_max(top, egui::pos2(ui.max_rect().right(), ui.cursor().min.y));
-    noted_row(ui, row, notes::of_stage(stage_of(step)));
+    help_topic_row(ui, row, notes::of_stage(stage_of(step)));
     if state.shown().triangle.as_ref() != Some(&shown) {
         state.document.show_mut().triangle = Some(shown);
         ui.ctx().request_repaint();
@@ -104,10 +104,10 @@ fn chooser(ui: &mut Ui, t: &Texts, state: &mut State, request: &Request) {
     ui.horizontal_wrapped(|ui| {
         let name = chosen.as_ref().map_or("–", |(name, _)| name).to_owned();
         let response = egui::ComboBox::from_id_salt("object of the triangle")
-            .selected_text(crate::foreign::shown(&name))
+            .selected_text(crate::sanitize::escaped(&name))
             .show_ui(ui, |ui| {
                 for (object, _) in &objects {
-                    if ui.selectable_label(name == *object, crate::foreign::shown(object)).clicked() {
+                    if ui.selectable_label(name == *object, crate::sanitize::escaped(object)).clicked() {
                         chosen = Some(((*object).to_owned(), 0));
                     }
                 }
@@ -149,7 +149,7 @@ fn choose_step(ui: &mut Ui, t: &Texts, step: &mut TriangleStep) {
         for (i, each) in TriangleStep::ALL.into_iter().enumerate() {
             let button = egui::Button::selectable(i == to, words::step(t, each)).frame_when_inactive(true);
             let response = ui.add(button);
-            noted(&response, notes::of_stage(stage_of(each)));
+            help_topic(&response, notes::of_stage(stage_of(each)));
             if response.clicked() {
                 to = i;
             }

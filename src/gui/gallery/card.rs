@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png::figure_bytes;
-use crate::files::{self, FigureFiles, FileError, Opened, Reach, ShippedFigure, figure_from};
+use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
 use crate::gui::worker::{Work, one_by_one};
 use crate::i18n::{Lang, gallery, messages, pictures, window};
 use crate::limits::MAX_FIGURE_BYTES;
@@ -35,7 +35,7 @@ const MOST_KEPT: usize = 400;
 
 /// What is wanted.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Job {
+pub(super) enum CardJob {
     /// The figure files of a folder.
     List(PathBuf),
     /// Which of these files are there.
@@ -47,7 +47,7 @@ pub(super) enum Job {
 }
 
 /// What came of it.
-pub(super) enum Outcome {
+pub(super) enum CardOutcome {
     /// The figure files of this folder, in natural order; or why it cannot be read.
     Listed(PathBuf, Result<Vec<PathBuf>, FileError>),
     /// These files, those that are there first, and those that are gone.
@@ -62,34 +62,34 @@ pub(super) enum Outcome {
 pub(super) type Drawn = Result<Picture, String>;
 
 /// What draws small pictures, and keeps them by what they show.
-pub(super) fn work() -> Work<Job, Outcome> {
+pub(super) fn work() -> Work<CardJob, CardOutcome> {
     let mut renderer = Renderer::default();
     let mut kept: HashMap<u64, Drawn> = HashMap::new();
     one_by_one(async move |job, progress: &Progress| match job {
-        Job::List(folder) => {
+        CardJob::List(folder) => {
             let list = figures_in(&folder);
-            Outcome::Listed(folder, list)
+            CardOutcome::Listed(folder, list)
         }
-        Job::Sort(paths) => {
+        CardJob::Sort(paths) => {
             let is_there = |path: &PathBuf| !files::is_network(path) && path.exists();
             let (mut there, gone): (Vec<PathBuf>, Vec<PathBuf>) = paths.into_iter().partition(is_there);
             there.extend(gone.iter().cloned());
-            Outcome::Sorted(there, gone.into_iter().collect())
+            CardOutcome::Sorted(there, gone.into_iter().collect())
         }
-        Job::Read(sources, lang) => {
+        CardJob::Read(sources, lang) => {
             let of = |source: Source| {
                 let sentence = if progress.is_cancelled() { String::new() } else { sentence(&source, lang) };
                 (source, sentence)
             };
-            Outcome::Read(sources.into_iter().map(of).collect())
+            CardOutcome::Read(sources.into_iter().map(of).collect())
         }
-        Job::Draw { source, theme, lang } => {
+        CardJob::Draw { source, theme, lang } => {
             let text = read(&source);
             let mut hasher = DefaultHasher::new();
             (text.as_ref().ok(), theme as u8, lang, source.folder()).hash(&mut hasher);
             let key = hasher.finish();
             if let (Some(drawn), Ok(_)) = (kept.get(&key), &text) {
-                return Outcome::Drawn(source, drawn.clone());
+                return CardOutcome::Drawn(source, drawn.clone());
             }
             renderer.watch(progress);
             let drawn = match text.and_then(|bytes| figure_from(&bytes)) {
@@ -102,7 +102,7 @@ pub(super) fn work() -> Work<Job, Outcome> {
             if drawn.is_ok() {
                 kept.insert(key, drawn.clone());
             }
-            Outcome::Drawn(source, drawn)
+            CardOutcome::Drawn(source, drawn)
         }
     })
 }
@@ -144,8 +144,8 @@ fn draw(
     figure.style.theme = theme;
     let camera = Camera::new(&figure.camera).map_err(|error| messages::camera(lang, &error))?;
     let reach = match source {
-        Source::Shipped(_) => Reach::Figure,
-        Source::File(path) => Reach::of(path, opened.from_picture, false),
+        Source::Shipped(_) => FileAccess::Figure,
+        Source::File(path) => FileAccess::of(path, opened.from_picture, false),
     };
     let mut files = FigureFiles::new(source.folder().unwrap_or(Path::new("")), reach);
     let scene = scene_of(&figure, &mut |wanted| files.read(wanted), progress);
@@ -202,16 +202,16 @@ mod tests {
         let mut work = work();
         for figure in files::SHIPPED_FIGURES {
             let source = Source::Shipped(figure.name);
-            let job = Job::Draw { source: source.clone(), theme: Theme::Light, lang: Lang::PtBr };
-            let Some(Outcome::Drawn(of, drawn)) = at_once(work(job, Progress::default())) else {
+            let job = CardJob::Draw { source: source.clone(), theme: Theme::Light, lang: Lang::PtBr };
+            let Some(CardOutcome::Drawn(of, drawn)) = at_once(work(job, Progress::default())) else {
                 panic!("{}", figure.name)
             };
             let picture = drawn.map(|picture| [picture.width(), picture.height()]);
             assert_eq!((of, picture), (source, Ok([SIZE.width, SIZE.height])), "{}", figure.name);
         }
         let source = Source::File(PathBuf::from("/no/such/file.toml"));
-        let job = Job::Draw { source, theme: Theme::Light, lang: Lang::En };
-        let Some(Outcome::Drawn(_, drawn)) = at_once(work(job, Progress::default())) else { panic!("a file") };
+        let job = CardJob::Draw { source, theme: Theme::Light, lang: Lang::En };
+        let Some(CardOutcome::Drawn(_, drawn)) = at_once(work(job, Progress::default())) else { panic!("a file") };
         assert!(drawn.is_err_and(|why| why.contains("no such file")));
     }
 }

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 
-use self::card::{Job, Outcome, work};
+use self::card::{CardJob, CardOutcome, work};
 use super::worker::Worker;
 use crate::appearance::Theme;
 use crate::clock;
@@ -58,8 +58,8 @@ pub struct Gallery {
     cards: BTreeMap<Source, Card>,
     /// How they are drawn.
     style: (Theme, Lang),
-    waiting: Vec<Job>,
-    worker: Worker<Job, Outcome>,
+    waiting: Vec<CardJob>,
+    worker: Worker<CardJob, CardOutcome>,
 }
 
 /// What is shown of a figure.
@@ -107,8 +107,8 @@ impl Gallery {
         for card in self.cards.values_mut() {
             (card.fresh, card.sentence) = (false, None);
         }
-        self.waiting = vec![Job::Sort(self.recent.clone())];
-        self.waiting.extend(self.folder.clone().map(Job::List));
+        self.waiting = vec![CardJob::Sort(self.recent.clone())];
+        self.waiting.extend(self.folder.clone().map(CardJob::List));
     }
 
     /// The folder whose figures are shown.
@@ -127,7 +127,7 @@ impl Gallery {
         self.chosen[Part::Folder as usize] = 0;
         self.wants_focus = true;
         self.files = Ok(Vec::new());
-        self.waiting.push(Job::List(folder.clone()));
+        self.waiting.push(CardJob::List(folder.clone()));
         self.folder = Some(folder);
     }
 
@@ -165,13 +165,13 @@ impl Gallery {
         let (theme, lang) = style;
         let unread = |source: &&Source| self.cards.get(source).is_none_or(|card| card.sentence.is_none());
         let unread: Vec<Source> = sources.iter().filter(unread).cloned().collect();
-        let read = (!unread.is_empty()).then_some(Job::Read(unread, lang));
+        let read = (!unread.is_empty()).then_some(CardJob::Read(unread, lang));
         let is_stale = |source: &&Source| !self.cards.get(source).is_some_and(|card| card.fresh);
         let stale = sources.iter().find(is_stale);
-        let draw = stale.map(|source| Job::Draw { source: source.clone(), theme, lang });
+        let draw = stale.map(|source| CardJob::Draw { source: source.clone(), theme, lang });
         let next = if self.waiting.is_empty() { read.or(draw) } else { Some(self.waiting.remove(0)) };
         if let Some(job) = next {
-            if let Job::Draw { source, .. } = &job {
+            if let CardJob::Draw { source, .. } = &job {
                 // Also where drawing panics, it is not asked for again.
                 self.cards.entry(source.clone()).or_default().fresh = true;
             }
@@ -179,20 +179,20 @@ impl Gallery {
         }
     }
 
-    fn take(&mut self, ctx: &Context, outcome: Outcome) {
+    fn take(&mut self, ctx: &Context, outcome: CardOutcome) {
         match outcome {
-            Outcome::Sorted(recent, gone) => (self.recent, self.gone) = (recent, gone),
-            Outcome::Listed(folder, files) if self.folder.as_ref() == Some(&folder) => {
-                let name = crate::foreign::path(&folder);
+            CardOutcome::Sorted(recent, gone) => (self.recent, self.gone) = (recent, gone),
+            CardOutcome::Listed(folder, files) if self.folder.as_ref() == Some(&folder) => {
+                let name = crate::sanitize::path(&folder);
                 self.files = files.map_err(|error| messages::file(self.style.1, &name, &error));
             }
-            Outcome::Listed(..) => {}
-            Outcome::Read(sentences) => {
+            CardOutcome::Listed(..) => {}
+            CardOutcome::Read(sentences) => {
                 for (source, sentence) in sentences {
                     self.cards.entry(source).or_default().sentence = Some(sentence);
                 }
             }
-            Outcome::Drawn(source, drawn) => {
+            CardOutcome::Drawn(source, drawn) => {
                 let fault = drawn.as_ref().err().cloned().unwrap_or_default();
                 let texture = drawn.ok().map(|picture| {
                     let size = [picture.width() as usize, picture.height() as usize];

@@ -9,10 +9,10 @@ use eframe::egui::{
 use super::card::SIZE;
 use super::{Gallery, Part, Source};
 use crate::appearance::Theme;
-use crate::foreign;
 use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::gallery::{self as words, Texts};
+use crate::sanitize;
 
 /// What is to be done after a frame.
 pub(in crate::gui) enum Chosen {
@@ -58,7 +58,7 @@ pub(in crate::gui) fn show(ui: &mut Ui, gallery: &mut Gallery, style: (Theme, La
                 asked = Some(Chosen::Folder);
             }
             if let (Part::Folder, Some(folder)) = (gallery.part, &gallery.folder) {
-                ui.add(eframe::egui::Label::new(RichText::new(foreign::path(folder)).weak()).truncate());
+                ui.add(eframe::egui::Label::new(RichText::new(sanitize::path(folder)).weak()).truncate());
             }
         });
     });
@@ -177,15 +177,15 @@ fn moved(ui: &Ui, from: usize, columns: usize, count: usize) -> usize {
 }
 
 fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response, lang): (Rect, &Response, Lang)) {
-    let title = foreign::shown(&source.title(lang));
+    let title = sanitize::escaped(&source.title(lang));
     let card = gallery.cards.get(source);
     let gone = matches!(source, Source::File(path) if gallery.part == Part::Recent && gallery.gone.contains(path));
     let fault = card.map_or("", |card| &card.fault);
     let own = card.and_then(|card| card.sentence.as_deref());
     let sentence = match (source, own) {
-        (Source::File(path), _) if gone => format!("{} {}", foreign::path(path), t.gone),
+        (Source::File(path), _) if gone => format!("{} {}", sanitize::path(path), t.gone),
         (_, Some(own)) if !fault.is_empty() => format!("{fault} {own}").trim_end().to_owned(),
-        (Source::File(path), Some("")) => foreign::path(path),
+        (Source::File(path), Some("")) => sanitize::path(path),
         (_, own) => own.unwrap_or_default().to_owned(),
     };
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{title}: {sentence}")));
@@ -214,7 +214,7 @@ fn paint(ui: &Ui, t: &Texts, gallery: &Gallery, source: &Source, (rect, response
     let below = picture.left_bottom() + vec2(0.0, 3.0);
     let lower = below + vec2(0.0, name.size().y);
     painter.galley(below, name, visuals.text_color());
-    let words = line(RichText::new(foreign::within(&sentence, 120)).small(), width, TextWrapMode::Wrap);
+    let words = line(RichText::new(sanitize::within(&sentence, 120)).small(), width, TextWrapMode::Wrap);
     let painter = painter.with_clip_rect(rect.shrink(1.0).intersect(ui.clip_rect()));
     painter.galley(lower, words, visuals.text_color());
     if !sentence.is_empty() {

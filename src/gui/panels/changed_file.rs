@@ -2,12 +2,12 @@
 
 use eframe::egui::{self, Label, RichText};
 
-use crate::foreign;
 use crate::gui::file_flow;
 use crate::gui::focus::with_room_before;
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window;
+use crate::sanitize;
 
 /// Shows the bar, where there is something to say.
 pub fn bar(ui: &mut egui::Ui, state: &mut State) {
@@ -16,7 +16,7 @@ pub fn bar(ui: &mut egui::Ui, state: &mut State) {
     let changed = state.document.is_changed();
     egui::Panel::top("changed file").show(ui, |ui| {
         let text = if changed { t.file_changed_unsaved } else { t.file_changed };
-        let text = format!("⚠ {} {text}", foreign::shown(&name));
+        let text = format!("⚠ {} {text}", sanitize::escaped(&name));
         let color = ui.visuals().warn_fg_color;
         let told = |ui: &mut egui::Ui| {
             ui.add(Label::new(RichText::new(&text).color(color)).truncate());

@@ -72,7 +72,7 @@ pub(super) fn row<R>(
 }
 
 /// A vector: its name, and below it three fields side by side.
-pub(super) struct Vector<'a> {
+pub(super) struct VectorField<'a> {
     /// The symbol of the notes; may be empty.
     pub(super) symbol: &'static str,
     /// Its name.
@@ -91,7 +91,7 @@ pub(super) struct Vector<'a> {
     pub(super) marked: bool,
 }
 
-impl Vector<'_> {
+impl VectorField<'_> {
     /// Shows name and fields, and changes `value`.
     pub(super) fn show(&self, ui: &mut egui::Ui, t: &Texts, value: &mut DVec3) -> [FieldOutput; 3] {
         ui.scope(|ui| {

@@ -4,8 +4,8 @@ use eframe::egui::{self, Align, Layout, RichText, Slider};
 
 use super::{TEXT_LINE, complaint, erratum, section};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, OPERATIONS, Operation};
+use crate::gui::context_help::help_topic_row;
 use crate::gui::motion;
-use crate::gui::noted::noted_row;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::{Scrub, State};
 use crate::gui::theme;
@@ -108,7 +108,7 @@ fn operation(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, freedom: F
         controls(ui, t, state, freedom);
     });
     ui.add_space(1.0);
-    noted_row(ui, row.response.rect, notes::of_operation(freedom));
+    help_topic_row(ui, row.response.rect, notes::of_operation(freedom));
     let hovered = ui.rect_contains_pointer(row.response.rect) && ui.is_enabled();
     if state.hover.ghost.is_none() && hovered && !ui.input(|input| input.pointer.any_down()) {
         let before = state.document.camera().clone();

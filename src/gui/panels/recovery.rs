@@ -5,13 +5,13 @@ use std::time::{Duration, UNIX_EPOCH};
 use eframe::egui::{self, Align, Label, Layout, RichText, ScrollArea};
 
 use crate::clock;
-use crate::foreign;
 use crate::gui::focus::with_room_before;
 use crate::gui::session::LeftOver;
 use crate::gui::tooltip::Explained;
 use crate::i18n::Lang;
 use crate::i18n::sessions::ago;
 use crate::i18n::window;
+use crate::sanitize;
 
 /// What the user has decided about a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,7 +63,7 @@ pub fn list(ui: &mut egui::Ui, lang: Lang, left: &[LeftOver]) -> Option<Decision
 /// Which figure, when, and whether it is dangerous.
 fn described(lang: Lang, left: &LeftOver) -> String {
     let t = window::texts(lang);
-    let name = left.path.as_deref().map_or_else(|| t.untitled.to_owned(), foreign::path);
+    let name = left.path.as_deref().map_or_else(|| t.untitled.to_owned(), sanitize::path);
     let now = UNIX_EPOCH.checked_add(Duration::from_secs(clock::seconds_since_1970()));
     let age = now.zip(left.written).map(|(now, written)| now.duration_since(written).unwrap_or_default());
     let age = age.map(|age| format!(" · {}", ago(lang, age)));

@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Align, Button, Label, Layout, RichText, TextStyle};
 
-use crate::gui::fitted;
+use crate::gui::elide;
 use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::window;
@@ -19,7 +19,7 @@ pub fn news(ui: &mut egui::Ui, state: &State) {
         if let Some(message) = state.message.as_ref().filter(|message| !message.is_error()) {
             let text = message.text(state.settings.lang);
             let (font, room) = (TextStyle::Body.resolve(ui.style()), ui.available_width());
-            let said = fitted::parts(&text, |text| fitted::width(ui, &font, text) <= room);
+            let said = elide::parts(&text, |text| elide::width(ui, &font, text) <= room);
             let label = Label::new(RichText::new(said).weak()).truncate().show_tooltip_when_elided(false);
             ui.add(label).explained(text);
         }

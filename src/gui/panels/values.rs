@@ -8,7 +8,7 @@ use super::number_tables::{GAP, Table, cells, lines, ndc_of, tables};
 use super::{TEXT_LINE, complaint, conventions, erratum, section};
 use crate::camera::{Camera, Ndc};
 use crate::explain::Matrix;
-use crate::gui::noted::noted;
+use crate::gui::context_help::help_topic;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::state::{Conventions, State};
 use crate::gui::theme;
@@ -176,7 +176,7 @@ fn questions(
             let (matrix, [row, column]) = entry;
             let name = format!("{}: {number}", explain::entry(t.lang, matrix.text(), row, column));
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
-            noted(&response, notes::of_matrix(matrix));
+            help_topic(&response, notes::of_matrix(matrix));
             if response.hovered() {
                 let under = egui::Stroke::new(1.0, ui.visuals().hyperlink_color);
                 ui.painter().hline(place.x_range(), place.bottom() - 1.0, under);

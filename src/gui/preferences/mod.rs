@@ -4,10 +4,10 @@
 //! wins, key by key, and keys of a later version stay.
 
 mod answers;
-mod kept_file;
 mod progress;
 #[cfg(test)]
 mod progress_tests;
+mod shared_file;
 mod store;
 
 use std::collections::BTreeMap;
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Value};
 
-use super::asked::LANGUAGES;
+use super::launch_options::LANGUAGES;
 use super::state::{ExplainTab, State};
 use crate::camera::{Amount, Convention, Descriptor, Freedom, Ndc, OPERATIONS};
 use crate::export::format::PictureFormat;

@@ -12,7 +12,7 @@ use eframe::egui;
 use toml_edit::{DocumentMut, Value};
 
 use super::answers::{self, NOTHING};
-use super::kept_file::{Change, PATIENCE, Writing, locked, read};
+use super::shared_file::{Change, PATIENCE, Writing, locked, read};
 use crate::exercises::Progress;
 use crate::files::{self, FileError, Overwrite, disk};
 use crate::gui::session::{Keeping, News};
@@ -20,7 +20,7 @@ use crate::gui::state::{Done, Message, State};
 
 /// What one window has done.
 #[derive(Clone, Debug)]
-struct Job {
+struct ProgressJob {
     file: PathBuf,
     /// What was typed: keys with their values as TOML.
     changed: BTreeMap<String, String>,
@@ -29,7 +29,7 @@ struct Job {
 
 /// What came of it.
 #[derive(Debug)]
-struct Written {
+struct ProgressWritten {
     /// What all windows have done.
     progress: Progress,
     /// Where the file went that could not be understood.
@@ -41,8 +41,8 @@ fn understood(text: &str) -> Option<(DocumentMut, Progress)> {
     Some((text.parse().ok()?, Progress::read(text).ok()?))
 }
 
-impl Change for Job {
-    type Written = Written;
+impl Change for ProgressJob {
+    type Written = ProgressWritten;
 
     fn is_empty(&self) -> bool {
         self.changed.is_empty() && self.done.is_empty()
@@ -53,7 +53,7 @@ impl Change for Job {
         self.changed == other.changed && self.done.len() == other.done.len()
     }
 
-    fn write(&self) -> Result<Written, FileError> {
+    fn write(&self) -> Result<ProgressWritten, FileError> {
         let _lock = locked(&self.file)?;
         let ((before, mut progress), set_aside) = read(&self.file, understood)?;
         self.done.iter().for_each(|done| done.note(&mut progress));
@@ -69,14 +69,14 @@ impl Change for Job {
         if text != before.to_string() {
             files::save(&self.file, text.as_bytes(), Overwrite::Writable)?;
         }
-        Ok(Written { progress, set_aside })
+        Ok(ProgressWritten { progress, set_aside })
     }
 }
 
 /// The file of progress, and what of this window is in it.
 pub(super) struct KeptProgress {
     file: PathBuf,
-    writing: Writing<Job>,
+    writing: Writing<ProgressJob>,
     /// What was typed in this window, as it is in the file.
     kept: BTreeMap<String, String>,
     news: Vec<News>,
@@ -149,10 +149,10 @@ impl KeptProgress {
     }
 
     /// What is not in the file yet.
-    fn job(&self, state: &State) -> Job {
+    fn job(&self, state: &State) -> ProgressJob {
         let mut changed: BTreeMap<String, String> = answers::values(state).collect();
         changed.retain(|key, value| self.kept.get(key).map_or(NOTHING, String::as_str) != value);
-        Job { file: self.file.clone(), changed, done: state.exercises.unwritten.clone() }
+        ProgressJob { file: self.file.clone(), changed, done: state.exercises.unwritten.clone() }
     }
 
     /// Takes what came of writing.
@@ -164,7 +164,7 @@ impl KeptProgress {
         }
     }
 
-    fn took(&mut self, state: &mut State, job: Job, Written { progress, set_aside }: Written) {
+    fn took(&mut self, state: &mut State, job: ProgressJob, ProgressWritten { progress, set_aside }: ProgressWritten) {
         self.kept.extend(job.changed);
         let exercises = &mut state.exercises;
         exercises.unwritten.drain(..job.done.len().min(exercises.unwritten.len()));

@@ -7,17 +7,17 @@ use std::time::Duration;
 use eframe::egui;
 use toml_edit::{Array, DocumentMut, Value};
 
-use super::kept_file::{Change, PATIENCE, Writing, locked, read};
 use super::progress::KeptProgress;
+use super::shared_file::{Change, PATIENCE, Writing, locked, read};
 use super::{RECENT, answers, apply, recent, values};
 use crate::files::{self, FileError, Overwrite};
-use crate::gui::asked::Asked;
+use crate::gui::launch_options::LaunchOptions;
 use crate::gui::session::{Keeping, News};
 use crate::gui::state::{State, merged};
 
 /// What one window has changed.
 #[derive(Clone, Debug, PartialEq)]
-struct Job {
+struct SettingsJob {
     file: PathBuf,
     /// Keys with their values as TOML.
     changed: BTreeMap<String, String>,
@@ -29,15 +29,15 @@ struct Job {
 
 /// What came of it.
 #[derive(Debug)]
-struct Written {
+struct SettingsWritten {
     /// All files that are remembered now.
     recent: Vec<PathBuf>,
     /// Where the file went that could not be understood.
     set_aside: Option<PathBuf>,
 }
 
-impl Change for Job {
-    type Written = Written;
+impl Change for SettingsJob {
+    type Written = SettingsWritten;
 
     fn is_empty(&self) -> bool {
         self.changed.is_empty() && self.opened.is_empty() && !self.answers_moved
@@ -47,7 +47,7 @@ impl Change for Job {
         self == other
     }
 
-    fn write(&self) -> Result<Written, FileError> {
+    fn write(&self) -> Result<SettingsWritten, FileError> {
         let _lock = locked(&self.file)?;
         let (mut document, set_aside) = read(&self.file, document)?;
         let before = document.to_string();
@@ -69,7 +69,7 @@ impl Change for Job {
         if text != before {
             files::save(&self.file, text.as_bytes(), Overwrite::Writable)?;
         }
-        Ok(Written { recent, set_aside })
+        Ok(SettingsWritten { recent, set_aside })
     }
 }
 
@@ -80,7 +80,7 @@ fn document(text: &str) -> Option<DocumentMut> {
 /// The preferences of a window, and the file in which they are kept.
 pub struct Preferences {
     file: PathBuf,
-    writing: Writing<Job>,
+    writing: Writing<SettingsJob>,
     /// The keys of this window as they are in the file, or were when it was read.
     kept: BTreeMap<String, String>,
     /// The keys that stand in the file.
@@ -95,7 +95,7 @@ impl Preferences {
     /// Sets a window up as the file in `folder` says. What was `asked` for is that of this window, and is not
     /// remembered.
     #[must_use]
-    pub fn begin(folder: &Path, state: &mut State, asked: Asked) -> Self {
+    pub fn begin(folder: &Path, state: &mut State, asked: LaunchOptions) -> Self {
         let file = folder.join("preferences.toml");
         files::remove_left_over(folder);
         let mut news = Vec::new();
@@ -166,17 +166,17 @@ impl Preferences {
     }
 
     /// What is not in the file yet.
-    fn job(&self, state: &State) -> Job {
+    fn job(&self, state: &State) -> SettingsJob {
         let mut changed = values(state);
         changed.retain(|key, value| self.kept.get(key) != Some(value));
         let answers_moved = self.has_answers && self.progress.is_written(state);
-        Job { file: self.file.clone(), changed, opened: state.recent.new.clone(), answers_moved }
+        SettingsJob { file: self.file.clone(), changed, opened: state.recent.new.clone(), answers_moved }
     }
 
     /// Takes what came of writing.
     fn take(&mut self, state: &mut State, patience: Duration) {
         match self.writing.take(patience) {
-            Some(Ok((Job { changed, opened, answers_moved, .. }, Written { recent, set_aside }))) => {
+            Some(Ok((SettingsJob { changed, opened, answers_moved, .. }, SettingsWritten { recent, set_aside }))) => {
                 self.has_answers &= !answers_moved;
                 self.remembered.extend(changed.keys().cloned());
                 self.kept.extend(changed);
@@ -216,7 +216,7 @@ pub(super) mod tests {
 
         pub(in crate::gui::preferences) fn window(&self) -> (State, Preferences) {
             let mut state = State::new(Start::default()).unwrap();
-            let preferences = Preferences::begin(&self.0, &mut state, Asked::default());
+            let preferences = Preferences::begin(&self.0, &mut state, LaunchOptions::default());
             (state, preferences)
         }
     }
@@ -311,7 +311,7 @@ pub(super) mod tests {
     fn a_language_that_was_asked_for_is_not_remembered() {
         let folder = Folder::new("language");
         let mut state = State::new(Start::default()).unwrap();
-        let asked = Asked { lang: Some(Lang::PtBr), ..Asked::default() };
+        let asked = LaunchOptions { lang: Some(Lang::PtBr), ..LaunchOptions::default() };
         let mut preferences = Preferences::begin(&folder.0, &mut state, asked);
         assert_eq!(state.settings.lang, Lang::PtBr);
         preferences.finish(&mut state);

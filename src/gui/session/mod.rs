@@ -5,8 +5,8 @@
 //! however it ends. What is restored is noted before: what did not survive that is not restored again by itself. What
 //! cannot be understood is put aside, not removed.
 
-mod kept;
 mod news;
+mod session_file;
 mod writer;
 
 use std::io;
@@ -21,8 +21,8 @@ use crate::clock;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
 use crate::limits::{MAX_SESSION_BYTES, MAX_SESSIONS};
-use kept::{Kept, Restored};
 pub use news::{Keeping, News, NewsList, NotKept};
+use session_file::{Restored, SessionFile};
 use writer::Writer;
 
 /// A figure that the window has shown for so long does not keep the program from starting.
@@ -192,7 +192,7 @@ impl Sessions {
             let Ok(Some(_lock)) = self.lock(slot) else { continue };
             let written = disk::written(&file);
             let kept = match files::read_at_most(&file, MAX_SESSION_BYTES) {
-                Ok(bytes) => Kept::read(&bytes),
+                Ok(bytes) => SessionFile::read(&bytes),
                 Err(FileError::TooLarge) => None,
                 Err(error) => {
                     self.news.push(News::Unusable(file, error));
@@ -264,7 +264,7 @@ impl Sessions {
                 return None;
             }
         };
-        if let Some(noted) = Kept::noted(&bytes)
+        if let Some(noted) = SessionFile::noted(&bytes)
             && let Err(error) = files::save(&file, &noted, Overwrite::Writable)
             && !asked
         {
@@ -272,7 +272,7 @@ impl Sessions {
             return None;
         }
         self.left.retain(|left| left.slot != slot);
-        let Some(Restored { document, unknown }) = Kept::read(&bytes).and_then(|kept| kept.restore()) else {
+        let Some(Restored { document, unknown }) = SessionFile::read(&bytes).and_then(|kept| kept.restore()) else {
             self.put_aside(&file);
             return None;
         };

@@ -6,9 +6,9 @@ use super::*;
 use crate::files::SourceFile;
 
 /// A folder that is there for one test.
-struct Place(PathBuf);
+struct TempFolder(PathBuf);
 
-impl Place {
+impl TempFolder {
     fn new(name: &str) -> Self {
         let folder = std::env::temp_dir().join(format!("camera-lab-session-{name}-{}", std::process::id()));
         let _ = fs::remove_dir_all(&folder);
@@ -40,7 +40,7 @@ impl Place {
     }
 }
 
-impl Drop for Place {
+impl Drop for TempFolder {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.0);
         let _ = fs::remove_file(&self.0);
@@ -79,7 +79,7 @@ fn of_file(path: &Path, text: &str, is_picture: bool) -> Document {
 
 #[test]
 fn a_crash_loses_nothing() {
-    let place = Place::new("crash");
+    let place = TempFolder::new("crash");
     let (mut sessions, left) = place.begin(true);
     assert!(left.is_none());
     sessions.write(&changed());
@@ -95,7 +95,7 @@ fn a_crash_loses_nothing() {
 
 #[test]
 fn a_second_window_has_its_own_slot_and_a_saved_one_leaves_nothing() {
-    let place = Place::new("slots");
+    let place = TempFolder::new("slots");
     let (mut first, _) = place.begin(true);
     first.write(&changed());
     let (mut second, left) = place.begin(true);
@@ -109,7 +109,7 @@ fn a_second_window_has_its_own_slot_and_a_saved_one_leaves_nothing() {
 
 #[test]
 fn what_is_left_stays_until_the_user_has_decided() {
-    let place = Place::new("list");
+    let place = TempFolder::new("list");
     for _ in 0..3 {
         place.crash(&changed());
     }
@@ -142,7 +142,7 @@ fn what_is_left_stays_until_the_user_has_decided() {
 
 #[test]
 fn what_cannot_be_understood_is_put_aside() {
-    let place = Place::new("damaged");
+    let place = TempFolder::new("damaged");
     fs::create_dir_all(&place.0).unwrap();
     for number in ["", "-1"] {
         fs::write(place.0.join("session-0.json"), b"{\"path\":").unwrap();
@@ -163,7 +163,7 @@ fn what_cannot_be_understood_is_put_aside() {
 
 #[test]
 fn keys_of_a_later_version_lose_nothing() {
-    let place = Place::new("later");
+    let place = TempFolder::new("later");
     let path = place.0.join("a.toml");
     place.crash(&of_file(&path, "# Mine.\n[camera]\nnear = 0.5\n", false));
     place.edit("session-0.json", |kept| kept["of a later version"] = 1.into());
@@ -193,7 +193,7 @@ fn keys_of_a_later_version_lose_nothing() {
 
 #[test]
 fn a_figure_that_ends_the_program_is_not_restored_by_itself_again() {
-    let place = Place::new("loop");
+    let place = TempFolder::new("loop");
     place.crash(&changed());
     let (sessions, left) = place.begin(true);
     assert!(left.is_some());
@@ -229,7 +229,7 @@ fn a_figure_that_ends_the_program_is_not_restored_by_itself_again() {
 
 #[test]
 fn what_cannot_be_written_is_said_once_and_tried_again() {
-    let place = Place::new("full");
+    let place = TempFolder::new("full");
     // In the folder's place there is a file.
     fs::write(&place.0, "").unwrap();
     let (mut sessions, left) = place.begin(true);
@@ -262,7 +262,7 @@ fn what_cannot_be_written_is_said_once_and_tried_again() {
 
 #[test]
 fn a_window_without_a_slot_says_so_and_gets_the_first_that_is_decided_about() {
-    let place = Place::new("sixteen");
+    let place = TempFolder::new("sixteen");
     for _ in 0..MAX_SESSIONS {
         place.crash(&changed());
     }
@@ -279,7 +279,7 @@ fn a_window_without_a_slot_says_so_and_gets_the_first_that_is_decided_about() {
 
 #[test]
 fn a_figure_out_of_a_picture_keeps_its_comments_and_its_folder() {
-    let place = Place::new("picture");
+    let place = TempFolder::new("picture");
     let path = place.0.join("view.png");
     let before = of_file(&path, "# Mine.\n[camera]\nnear = 0.5\n", true);
     place.crash(&before);
@@ -292,7 +292,7 @@ fn a_figure_out_of_a_picture_keeps_its_comments_and_its_folder() {
 
 #[test]
 fn a_path_that_says_nothing_is_not_saved_to() {
-    let place = Place::new("relative");
+    let place = TempFolder::new("relative");
     place.crash(&of_file(Path::new("/a.toml"), "# Mine.\n", false));
     place.edit("session-0.json", |kept| kept["path"] = "a.toml".into());
     let left = place.begin(true).1.unwrap();
@@ -304,7 +304,7 @@ fn a_path_that_says_nothing_is_not_saved_to() {
 #[test]
 fn a_path_that_is_no_text_comes_back() {
     use std::os::unix::ffi::OsStringExt as _;
-    let place = Place::new("bytes");
+    let place = TempFolder::new("bytes");
     let path = PathBuf::from(std::ffi::OsString::from_vec(b"/tmp/f\xe9.toml".to_vec()));
     place.crash(&of_file(&path, "# Mine.\n", false));
     let (sessions, left) = place.begin(true);
@@ -315,7 +315,7 @@ fn a_path_that_is_no_text_comes_back() {
 
 #[test]
 fn a_folder_in_the_place_of_a_session_is_said_and_left() {
-    let place = Place::new("folder");
+    let place = TempFolder::new("folder");
     fs::create_dir_all(place.0.join("session-0.json")).unwrap();
     let (mut sessions, left) = place.begin(true);
     assert!(left.is_none());
@@ -326,7 +326,7 @@ fn a_folder_in_the_place_of_a_session_is_said_and_left() {
 
 #[test]
 fn a_session_that_is_far_too_large_is_put_aside_unread() {
-    let place = Place::new("large");
+    let place = TempFolder::new("large");
     fs::create_dir_all(&place.0).unwrap();
     fs::File::create(place.0.join("session-0.json")).unwrap().set_len(MAX_SESSION_BYTES + 1).unwrap();
     let (mut sessions, left) = place.begin(true);
@@ -336,7 +336,7 @@ fn a_session_that_is_far_too_large_is_put_aside_unread() {
 
 #[test]
 fn a_figure_that_was_left_stays_written_down_and_goes_on_where_one_comes_back() {
-    let folder = Place::new("left-in-window");
+    let folder = TempFolder::new("left-in-window");
     let changed = |far: f64| {
         let mut document = Document::new(fresh(), None).unwrap();
         let parameters = crate::camera::Parameters { far, ..*document.draft() };

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use super::kept::{Kept, Place};
+use super::session_file::{SessionFile, SessionPlace};
 use crate::clock;
 use crate::figure::Figure;
 use crate::files::disk::{self, Lock};
@@ -22,7 +22,7 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// What is to be written down.
 #[derive(Debug)]
 struct Note {
-    place: Place,
+    place: SessionPlace,
     source: String,
     figure: Figure,
     /// Which scene the figure has.
@@ -33,7 +33,7 @@ struct Note {
 impl Note {
     fn is_of(&self, document: &Document, restoring: bool) -> bool {
         self.restoring == restoring
-            && self.place == Place::of(document)
+            && self.place == SessionPlace::of(document)
             && self.source == document.source()
             && self.has_figure_of(document)
     }
@@ -51,19 +51,19 @@ impl Note {
 }
 
 /// What the slot is to hold; `None`: nothing.
-struct Job {
+struct WriteJob {
     file: PathBuf,
     note: Option<Arc<Note>>,
     /// The slot belongs to this window until the job is done, also where the window is gone before.
     _lock: Arc<Lock>,
 }
 
-impl Job {
+impl WriteJob {
     fn run(self) -> Result<(), FileError> {
         let Some(note) = self.note else {
             return disk::remove(&self.file).map_err(FileError::Write);
         };
-        let kept = Kept::new(&note.place, note.source.clone(), &note.figure, note.restoring);
+        let kept = SessionFile::new(&note.place, note.source.clone(), &note.figure, note.restoring);
         let text = serde_json::to_vec(&kept).map_err(|error| FileError::Write(error.into()))?;
         files::save(&self.file, &text, Overwrite::Writable)
     }
@@ -80,14 +80,14 @@ fn is_worth_keeping(document: &Document) -> bool {
 pub(super) struct Writer {
     file: PathBuf,
     lock: Arc<Lock>,
-    worker: Worker<Job, Result<(), FileError>>,
+    worker: Worker<WriteJob, Result<(), FileError>>,
     /// What was asked for last; `None` before anything was.
     asked: Option<Option<Arc<Note>>>,
 }
 
 impl Writer {
     pub(super) fn new(file: PathBuf, lock: Lock) -> Self {
-        let worker = Worker::new("session", clock::now, || one_by_one(async |job: Job, _: &Progress| job.run()));
+        let worker = Worker::new("session", clock::now, || one_by_one(async |job: WriteJob, _: &Progress| job.run()));
         Self { file, lock: Arc::new(lock), worker, asked: None }
     }
 
@@ -104,7 +104,7 @@ impl Writer {
     pub(super) fn ask(&mut self, ctx: &egui::Context, document: &Document, restoring: bool) {
         let note = is_worth_keeping(document).then(|| {
             Arc::new(Note {
-                place: Place::of(document),
+                place: SessionPlace::of(document),
                 source: document.source().to_owned(),
                 figure: document.figure().clone(),
                 revision: document.revision(),
@@ -112,7 +112,7 @@ impl Writer {
             })
         });
         self.asked = Some(note.clone());
-        self.worker.ask(ctx, 0, Job { file: self.file.clone(), note, _lock: Arc::clone(&self.lock) });
+        self.worker.ask(ctx, 0, WriteJob { file: self.file.clone(), note, _lock: Arc::clone(&self.lock) });
     }
 
     /// What came of it, once.

@@ -16,7 +16,7 @@ use crate::views::SharedScene;
 
 /// What the answer depends on.
 #[derive(Clone, Debug, PartialEq)]
-struct Asked {
+struct HealthRequest {
     camera: Camera,
     scene: SharedScene,
     style: Style,
@@ -37,18 +37,18 @@ pub struct Advice {
 /// The coach.
 #[derive(Debug)]
 pub struct Coach {
-    worker: Worker<Asked, (Asked, Advice)>,
-    asked: Option<Asked>,
-    known: Option<(Asked, Advice)>,
+    worker: Worker<HealthRequest, (HealthRequest, Advice)>,
+    asked: Option<HealthRequest>,
+    known: Option<(HealthRequest, Advice)>,
     /// How far apart two surfaces are, in scene units, of which is asked whether they can be told apart.
     pub gap: f64,
 }
 
 impl Default for Coach {
     fn default() -> Self {
-        let work = || -> Work<Asked, (Asked, Advice)> {
-            one_by_one(async |asked: Asked, _: &Progress| {
-                let Asked { camera, scene, style, image } = &asked;
+        let work = || -> Work<HealthRequest, (HealthRequest, Advice)> {
+            one_by_one(async |asked: HealthRequest, _: &Progress| {
+                let HealthRequest { camera, scene, style, image } = &asked;
                 let advice = Advice {
                     camera: camera.clone(),
                     diagnosis: diagnose(scene, camera, style, *image),
@@ -90,7 +90,7 @@ impl State {
         if ctx.input(|input| input.pointer.any_down()) || self.operations.motion.is_some() {
             return;
         }
-        let asked = Asked {
+        let asked = HealthRequest {
             camera: self.document.camera().clone(),
             scene: self.scene_cache.scene().clone(),
             style: self.document.figure().style,

@@ -41,7 +41,7 @@ pub enum Purpose {
     /// To write a picture.
     Export(Export),
     /// To write the way to the canonical volume, by these steps: an animation or a strip, as the name's ending says.
-    Film(Decomposition),
+    Animation(Decomposition),
     /// To put a mesh into the scene.
     Mesh(MeshFor),
     /// A folder, whose figures the gallery is to show.

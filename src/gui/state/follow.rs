@@ -1,6 +1,6 @@
 //! Which point is followed, and what is being typed of it.
 
-use crate::camera::NoWayBack;
+use crate::camera::NotProjectable;
 use crate::figure::NamedPoint;
 
 /// A space in which a point is typed.
@@ -28,7 +28,7 @@ pub struct Follow {
     /// The name that is being typed, of the point that has this one; and whether its field has been left.
     pub(in crate::gui) typing: Option<(String, String, bool)>,
     /// Why what was typed last belongs to no point; said until something else is typed.
-    pub(in crate::gui) refused: Option<(Space, NoWayBack)>,
+    pub(in crate::gui) refused: Option<(Space, NotProjectable)>,
 }
 
 impl Follow {

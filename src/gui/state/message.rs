@@ -5,12 +5,12 @@ use std::path::PathBuf;
 
 use crate::camera::CameraError;
 use crate::files::FileError;
-use crate::foreign;
 use crate::gui::export::ExportError;
 use crate::gui::session::{Keeping, News};
 use crate::i18n::{Lang, exercise_messages, explain_point, faults, messages, scenes, sessions, sharing, window};
 use crate::limits::MAX_SESSIONS;
-use crate::pipeline::TooMuch;
+use crate::pipeline::OverBudget;
+use crate::sanitize;
 use crate::scene::{Preset, SceneError};
 
 /// What is said at the bottom of the window.
@@ -52,11 +52,11 @@ pub enum Message {
     /// The scene cannot be built.
     Scene(SceneError),
     /// A picture is not as it was asked for.
-    TooMuch(TooMuch),
+    OverBudget(OverBudget),
     /// A picture is being written.
     Exporting,
     /// The picture in this file is written, and not as it was asked for.
-    SavedOtherwise(PathBuf, TooMuch),
+    SavedOtherwise(PathBuf, OverBudget),
     /// No picture was written to this file.
     NotExported(PathBuf, NotExported),
     /// A named scene is a list of objects now.
@@ -115,7 +115,7 @@ impl Message {
             | Self::AndMore(..)
             | Self::Camera(_)
             | Self::Scene(_)
-            | Self::TooMuch(_)
+            | Self::OverBudget(_)
             | Self::SavedOtherwise(..) => true,
         }
     }
@@ -136,10 +136,10 @@ impl Message {
             Self::AndMore(first, more) => exercise_messages::and_more(lang, &first.text(lang), *more),
             Self::FirstFigure => t.first_figure.to_owned(),
             Self::LastFigure => t.last_figure.to_owned(),
-            Self::Opened(path) => format!("{} {}", t.opened, foreign::path(path)),
-            Self::FirstOfDropped(path, count) => sessions::first_of_dropped(lang, &foreign::path(path), *count),
-            Self::Saved(path) => format!("{} {}", t.saved, foreign::path(path)),
-            Self::Downloaded(path) => format!("{} {}", sharing::texts(lang).downloaded, foreign::path(path)),
+            Self::Opened(path) => format!("{} {}", t.opened, sanitize::path(path)),
+            Self::FirstOfDropped(path, count) => sessions::first_of_dropped(lang, &sanitize::path(path), *count),
+            Self::Saved(path) => format!("{} {}", t.saved, sanitize::path(path)),
+            Self::Downloaded(path) => format!("{} {}", sharing::texts(lang).downloaded, sanitize::path(path)),
             Self::LinkCopied(characters) => {
                 format!("{} {characters} {}", sharing::texts(lang).copied, sharing::texts(lang).characters)
             }
@@ -150,25 +150,25 @@ impl Message {
             }
             Self::Camera(error) => faults::camera_error(lang, error),
             Self::Scene(error) => messages::scene(lang, error),
-            Self::TooMuch(too_much) => messages::too_much(lang, too_much),
+            Self::OverBudget(too_much) => messages::too_much(lang, too_much),
             Self::Exporting => t.exporting.to_owned(),
             Self::SavedOtherwise(path, too_much) => {
-                format!("{} {}; {}", t.saved, foreign::path(path), messages::too_much(lang, too_much))
+                format!("{} {}; {}", t.saved, sanitize::path(path), messages::too_much(lang, too_much))
             }
-            Self::NotExported(path, NotExported(error)) => error.text(lang, &foreign::path(path)),
+            Self::NotExported(path, NotExported(error)) => error.text(lang, &sanitize::path(path)),
             Self::WrittenOut(preset) => format!("{} {}", scene.copied, scenes::lost(lang, *preset)),
             Self::Shear => scene.shear.to_owned(),
             Self::Deleted { name, others, shear } => {
                 let others = if *others > 0 { format!(" (+ {others})") } else { String::new() };
                 let shear = if *shear { scene.shear } else { "" };
-                format!("{} {}{others}. {shear}", scene.deleted, foreign::shown(name))
+                format!("{} {}{others}. {shear}", scene.deleted, sanitize::escaped(name))
             }
             Self::LightDeleted(index) => format!("{} {} {}", scene.deleted, scene.light, index + 1),
             Self::SelectedAlone => scene.selected_alone.to_owned(),
-            Self::ProgressDeleted(path) => exercise_messages::progress_deleted(lang, &foreign::path(path)),
+            Self::ProgressDeleted(path) => exercise_messages::progress_deleted(lang, &sanitize::path(path)),
             Self::TooManyPoints => explain_point::texts(lang).too_many.to_owned(),
         };
-        foreign::printable(text.trim())
+        sanitize::printable(text.trim())
     }
 }
 
@@ -180,18 +180,18 @@ pub(in crate::gui) fn about_session(lang: Lang, news: &News) -> String {
         News::Restored if cfg!(target_arch = "wasm32") => sharing::texts(lang).restored.to_owned(),
         News::Restored => t.restored.to_owned(),
         News::RestoredInPart(keys, path) => {
-            let keys: Vec<String> = keys.iter().map(|key| foreign::shown(key)).collect();
-            sessions::in_part(lang, &foreign::within(&keys.join(", "), 200), &foreign::path(path))
+            let keys: Vec<String> = keys.iter().map(|key| sanitize::escaped(key)).collect();
+            sessions::in_part(lang, &sanitize::within(&keys.join(", "), 200), &sanitize::path(path))
         }
-        News::Damaged(path) => sessions::damaged(lang, &foreign::path(path)),
-        News::Unusable(path, error) => messages::file(lang, &foreign::path(path), error),
+        News::Damaged(path) => sessions::damaged(lang, &sanitize::path(path)),
+        News::Unusable(path, error) => messages::file(lang, &sanitize::path(path), error),
         News::Taken => t.taken.to_owned(),
         News::NoSlot => sessions::no_slot(lang, MAX_SESSIONS),
-        News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &foreign::path(path)),
-        News::ProgressSetAside(path) => sessions::progress_set_aside(lang, &foreign::path(path)),
+        News::PreferencesSetAside(path) => sessions::preferences_set_aside(lang, &sanitize::path(path)),
+        News::ProgressSetAside(path) => sessions::progress_set_aside(lang, &sanitize::path(path)),
         News::NotKept(not_kept) => {
             let what = [Keeping::Session, Keeping::Preferences, Keeping::Progress].map(|what| not_kept.is_about(what));
-            sessions::not_kept(lang, what, &messages::file(lang, &foreign::path(&not_kept.path), &not_kept.error))
+            sessions::not_kept(lang, what, &messages::file(lang, &sanitize::path(&not_kept.path), &not_kept.error))
         }
         News::NoHome => sessions::no_home(lang).to_owned(),
     }

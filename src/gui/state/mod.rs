@@ -396,7 +396,7 @@ impl State {
         self.operations.motion = None;
         let image = figure.image;
         self.settings.aspect_follows_image = figure.camera.aspect == f64::from(image.width) / f64::from(image.height);
-        let shown = self.document.lend(figure);
+        let shown = self.document.show_without_file(figure);
         self.say_camera_error(shown);
         // Its objects are to be seen, without frames and handles.
         self.tree = SceneTree::default();

@@ -11,7 +11,7 @@ use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::Progress;
 
 /// What a study is asked with, and the number of the request.
-type Asked = (u64, Study, Effort);
+type StudyRequest = (u64, Study, Effort);
 
 /// The number of the request, the study, and what was found, where it was not given up.
 type Measured = (u64, Study, Option<Findings>);
@@ -32,7 +32,7 @@ pub struct Numerics {
     /// How much is tried.
     pub effort: Effort,
     found: BTreeMap<&'static str, Findings>,
-    worker: Worker<Asked, Measured>,
+    worker: Worker<StudyRequest, Measured>,
     /// The study that is being measured, with the number of its request: one that was given up may still come to its
     /// end.
     measuring: Option<(u64, Study)>,
@@ -41,8 +41,8 @@ pub struct Numerics {
 
 impl Default for Numerics {
     fn default() -> Self {
-        let work = || -> Work<Asked, Measured> {
-            one_by_one(async |(request, study, effort): Asked, progress: &Progress| {
+        let work = || -> Work<StudyRequest, Measured> {
+            one_by_one(async |(request, study, effort): StudyRequest, progress: &Progress| {
                 let findings = numerics::run(study, &effort, progress).await;
                 // What was cancelled is not whole.
                 (request, study, (!progress.is_cancelled()).then_some(findings))

@@ -21,7 +21,7 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{HtmlCanvasElement, Window};
 
 use super::state::MESH_ENDINGS;
-use super::{App, Asked, GuiError, Start, State, fresh, native};
+use super::{App, GuiError, LaunchOptions, Start, State, fresh, native};
 use crate::appearance::Theme;
 use crate::figure::Figure;
 use crate::files::disk::page::KEPT;
@@ -145,7 +145,7 @@ impl Page {
     fn new(ctx: &egui::Context) -> Result<Self, GuiError> {
         let window = window().ok_or_else(|| GuiError::NoWindow("no window".to_owned()))?;
         let location = window.location();
-        let (asked, unknown) = Asked::of_query(&location.search().unwrap_or_default());
+        let (asked, unknown) = LaunchOptions::of_query(&location.search().unwrap_or_default());
         for pair in unknown {
             web_sys::console::warn_1(&format!("Camera Lab does not know what {pair} asks for").into());
         }

@@ -29,7 +29,7 @@ pub(super) struct InFrames<Job, Outcome, const SLOTS: usize> {
     /// The longest slice of the last job of each slot.
     longest: [Duration; SLOTS],
     /// The slot whose job takes long, and of which that has been told in a frame.
-    told: Option<usize>,
+    announced: Option<usize>,
 }
 
 /// A job that has been begun.
@@ -51,13 +51,13 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
             under_way: None,
             ended: None,
             longest: [Duration::ZERO; SLOTS],
-            told: None,
+            announced: None,
         }
     }
 
     /// A job that takes long and of which nothing can be told once it has begun, as it is done in one slice.
-    pub(super) fn told(&self) -> Option<Running> {
-        self.told.map(|slot| Running { slot, time: self.longest[slot], now: None })
+    pub(super) fn announced(&self) -> Option<Running> {
+        self.announced.map(|slot| Running { slot, time: self.longest[slot], now: None })
     }
 
     /// Goes on with the jobs that wait, and asks for another frame where some are left.
@@ -94,9 +94,9 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
     /// The job whose turn it is; `None` where none waits, or it has to be told first.
     fn next(&mut self, shared: &Shared<Job, Outcome, SLOTS>, clock: fn() -> Duration) -> Option<UnderWay<Outcome>> {
         let slot = self.shares.next(shared.mailbox().waiting())?;
-        let is_told = self.told.take() == Some(slot);
+        let is_told = self.announced.take() == Some(slot);
         if self.longest[slot] >= LONG && !is_told {
-            self.told = Some(slot);
+            self.announced = Some(slot);
             return None;
         }
         let job = shared.mailbox().begin(slot, &shared.progress, clock)?;

@@ -18,8 +18,8 @@ use crate::scene::Scene;
 pub use repair::{Repair, Value, changes};
 
 use count::Counter;
-use place::{Place, Side};
-use subject::Subject;
+use place::{Side, Whereabouts};
+use subject::NamedThing;
 
 /// Less than this share of the image is few pixels: 0.1 %, a square of 28 pixels in 1024 × 768.
 const FEW: f64 = 1e-3;
@@ -127,7 +127,7 @@ pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize)
     let drawn = counter.draw(scene, camera, style, image)?;
     #[expect(clippy::cast_precision_loss, reason = "an image has less than 2^53 pixels")]
     let covered = drawn.pixels as f64 / (f64::from(image.width) * f64::from(image.height));
-    let subjects = Subject::all(scene);
+    let subjects = NamedThing::all(scene);
     let mut findings = Findings::default();
     if subjects.is_empty() {
         findings.0.push(Group { cause: Cause::EmptyScene, rank: 0, members: Vec::new() });
@@ -160,7 +160,7 @@ pub fn diagnose(scene: &Scene, camera: &Camera, style: &Style, image: ImageSize)
             let members = group.members.iter().filter(|member| member.partly == partly);
             members.map(|member| subjects[member.subject].name.to_owned()).collect()
         };
-        let leading: Vec<&Subject> = group.leading().map(|member| &subjects[member.subject]).collect();
+        let leading: Vec<&NamedThing> = group.leading().map(|member| &subjects[member.subject]).collect();
         let repair = looked.repair(group.cause, &leading);
         Finding { cause: group.cause, whole: names(false), partly: names(true), repair }
     });
@@ -253,7 +253,7 @@ struct Looked<'a> {
 
 impl Looked<'_> {
     /// The same scene with another camera.
-    fn judge_from(&mut self, camera: &Camera, subject: &Subject, report: Option<&ObjectReport>) -> Judgement {
+    fn judge_from(&mut self, camera: &Camera, subject: &NamedThing, report: Option<&ObjectReport>) -> Judgement {
         let counter = std::mem::take(&mut self.counter);
         let mut other = Looked { camera, counter, ..*self };
         let judgement = other.judge(subject, report);
@@ -262,8 +262,8 @@ impl Looked<'_> {
     }
 
     /// Why a subject is not in the picture; `report`: what the pipeline did with it.
-    fn judge(&mut self, subject: &Subject, report: Option<&ObjectReport>) -> Judgement {
-        let place = Place::of(subject, self.camera, self.image);
+    fn judge(&mut self, subject: &NamedThing, report: Option<&ObjectReport>) -> Judgement {
+        let place = Whereabouts::of(subject, self.camera, self.image);
         let sides = |sides: Vec<Side>| sides.into_iter().map(Cause::outside);
         let mut judgement = if subject.contains(self.camera.position()) {
             Judgement { causes: vec![Cause::CameraInsideObject], partly: true }
@@ -290,14 +290,19 @@ impl Looked<'_> {
     }
 
     /// True for what is smaller than a pixel, and for a face so thin that no centre of a pixel is on it.
-    fn is_between_pixels(&mut self, subject: &Subject, place: &Place) -> bool {
+    fn is_between_pixels(&mut self, subject: &NamedThing, place: &Whereabouts) -> bool {
         place.is_smaller_than_pixel()
             || (place.is_thin() && subject.has_faces(self.style) && self.alone(subject) == Some(0))
     }
 
     /// What no single plane keeps out of the volume, and is not in it all the same: a floor around an eye that looks
     /// up, or a surface of which only back faces are turned to the eye.
-    fn not_drawn(&mut self, subject: &Subject, report: Option<&ObjectReport>, place: &Place) -> Option<Judgement> {
+    fn not_drawn(
+        &mut self,
+        subject: &NamedThing,
+        report: Option<&ObjectReport>,
+        place: &Whereabouts,
+    ) -> Option<Judgement> {
         if !subject.has_faces(self.style) {
             let outside = !subject.is_point() && !place::crosses(subject, self.camera);
             return outside.then(|| Judgement::whole(vec![place.aside()]));
@@ -316,7 +321,7 @@ impl Looked<'_> {
     }
 
     /// What is cut so that little of it is left.
-    fn partly_outside(&self, subject: &Subject, place: &Place) -> Judgement {
+    fn partly_outside(&self, subject: &NamedThing, place: &Whereabouts) -> Judgement {
         let mut causes = Vec::new();
         if subject.has_faces(self.style) && place.center_depth() > self.camera.far() {
             causes.push(Cause::BeyondFar);
@@ -329,16 +334,16 @@ impl Looked<'_> {
     }
 
     /// The pixels of a subject without all others.
-    fn alone(&mut self, subject: &Subject) -> Option<u64> {
+    fn alone(&mut self, subject: &NamedThing) -> Option<u64> {
         self.counter.draw(&subject.alone(self.scene), self.camera, self.style, self.image).map(|drawn| drawn.pixels)
     }
 
     /// The subjects of which the inside is seen, because the near plane cuts their front away.
-    fn opened_by_near(&mut self, subjects: &[Subject], reports: &[ObjectReport]) -> Vec<usize> {
+    fn opened_by_near(&mut self, subjects: &[NamedThing], reports: &[ObjectReport]) -> Vec<usize> {
         if self.style.shading == Shading::Wireframe {
             return Vec::new();
         }
-        let cut_open = |subject: &Subject| {
+        let cut_open = |subject: &NamedThing| {
             let report = subject.index.and_then(|i| reports.get(i));
             report.is_some_and(|report| report.faces == FacesDone::CutOpen && report.triangles > 0)
                 && !subject.contains(self.camera.position())

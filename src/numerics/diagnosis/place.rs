@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::Cause;
-use super::subject::Subject;
+use super::subject::NamedThing;
 use crate::camera::{Camera, ImageSize, Projection, ViewWindow};
 
 /// A side of the view window.
@@ -19,7 +19,7 @@ const SIDES: [Side; 4] = [Side::Left, Side::Right, Side::Bottom, Side::Top];
 
 /// Where a subject lies.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct Whereabouts {
     /// Least and greatest distance from the eye along DOP.
     pub(super) depth: [f64; 2],
     range: [f64; 2],
@@ -34,8 +34,8 @@ pub(super) struct Place {
     center: DVec3,
 }
 
-impl Place {
-    pub(super) fn of(subject: &Subject, camera: &Camera, image: ImageSize) -> Self {
+impl Whereabouts {
+    pub(super) fn of(subject: &NamedThing, camera: &Camera, image: ImageSize) -> Self {
         let lens = Lens::of(camera);
         let mut place = Self {
             depth: [f64::INFINITY, f64::NEG_INFINITY],
@@ -140,7 +140,7 @@ impl Place {
 }
 
 /// True where a segment of it is in the volume.
-pub(super) fn crosses(subject: &Subject, camera: &Camera) -> bool {
+pub(super) fn crosses(subject: &NamedThing, camera: &Camera) -> bool {
     let lens = Lens::of(camera);
     subject.segments().any(|[a, b]| {
         let [from, to] = [a, b].map(|p| lens.distances(camera, camera.view_point(p)));

@@ -5,8 +5,8 @@ use glam::DVec3;
 use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
-use super::place::Place;
-use super::subject::{Subject, ball};
+use super::place::Whereabouts;
+use super::subject::{NamedThing, ball};
 use super::{Ball, Cause, FEW, Looked, MANY_BACK_FACES};
 use crate::appearance::{Shading, Style};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
@@ -35,7 +35,7 @@ enum Wanted {
 
 impl Looked<'_> {
     /// The repair of a cause; `None` where none shows its objects.
-    pub(super) fn repair(&mut self, cause: Cause, members: &[&Subject]) -> Option<Repair> {
+    pub(super) fn repair(&mut self, cause: Cause, members: &[&NamedThing]) -> Option<Repair> {
         let largest = members.iter().max_by(|a, b| radius(a).total_cmp(&radius(b)))?;
         let (camera, style) = (*self.camera.parameters(), *self.style);
         if cause == Cause::FullyTransparent {
@@ -53,7 +53,7 @@ impl Looked<'_> {
     }
 
     /// True where the picture of a camera shows these subjects.
-    fn shows(&mut self, parameters: &Parameters, members: &[&Subject], wanted: Wanted) -> bool {
+    fn shows(&mut self, parameters: &Parameters, members: &[&NamedThing], wanted: Wanted) -> bool {
         let Ok(camera) = Camera::new(parameters) else { return false };
         let mut alone = Scene { lights: self.scene.lights.clone(), ..Scene::default() };
         members.iter().for_each(|member| member.add_to(&mut alone, self.scene));
@@ -82,9 +82,9 @@ impl Looked<'_> {
     }
 
     /// The least that undoes a cause.
-    fn small(&self, cause: Cause, members: &[&Subject]) -> Vec<Parameters> {
+    fn small(&self, cause: Cause, members: &[&NamedThing]) -> Vec<Parameters> {
         let p = *self.camera.parameters();
-        let places = members.iter().map(|member| Place::of(member, self.camera, self.image).depth);
+        let places = members.iter().map(|member| Whereabouts::of(member, self.camera, self.image).depth);
         let depth = places.fold([f64::INFINITY, f64::NEG_INFINITY], |a, b| [a[0].min(b[0]), a[1].max(b[1])]);
         match cause {
             Cause::BeyondFar => nice_above(1.05 * depth[1]).map(|far| Parameters { far, ..p }).into_iter().collect(),
@@ -108,13 +108,13 @@ impl Looked<'_> {
     }
 
     /// The ball around subjects. A point has no size of its own.
-    fn ball(&self, members: &[&Subject]) -> Option<Ball> {
+    fn ball(&self, members: &[&NamedThing]) -> Option<Ball> {
         let Ball { center, radius } = ball(members)?;
         Some(Ball { center, radius: if radius > 0.0 { radius } else { 0.05 * self.camera.distance() } })
     }
 
     /// The camera looks there from where it stands, or, in parallel projection, moves aside.
-    fn turned(&self, members: &[&Subject]) -> Vec<Parameters> {
+    fn turned(&self, members: &[&NamedThing]) -> Vec<Parameters> {
         let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
         let Ball { center, radius } = ball;
         let mut all = Vec::new();
@@ -143,7 +143,7 @@ impl Looked<'_> {
 
     /// The camera stands so that a ball around the subjects fills the window: in its own direction, or another one;
     /// with its own lens, or an ordinary one.
-    fn reframed(&self, members: &[&Subject]) -> Vec<Parameters> {
+    fn reframed(&self, members: &[&NamedThing]) -> Vec<Parameters> {
         let (p, Some(ball)) = (*self.camera.parameters(), self.ball(members)) else { return Vec::new() };
         let b = self.camera.basis();
         let directions = [
@@ -168,7 +168,7 @@ impl Looked<'_> {
     }
 }
 
-fn radius(subject: &Subject) -> f64 {
+fn radius(subject: &NamedThing) -> f64 {
     ball(&[subject]).map_or(0.0, |ball| ball.radius)
 }
 

@@ -10,24 +10,24 @@ use crate::geometry::Aabb;
 use crate::scene::{Line, Object, ObjectPaint, PointMark, Scene};
 
 /// Something that can be seen or not.
-pub(super) struct Subject<'a> {
+pub(super) struct NamedThing<'a> {
     pub(super) name: &'a str,
     /// Its place among the objects of the scene.
     pub(super) index: Option<usize>,
     /// The greatest alpha of its colours.
     pub(super) opacity: u8,
-    what: What<'a>,
+    what: ThingKind<'a>,
 }
 
 /// What it is made of.
 #[derive(Clone, Copy)]
-enum What<'a> {
+enum ThingKind<'a> {
     Object(&'a Object),
     Lines(&'a [Line]),
     Marks(&'a [PointMark]),
 }
 
-impl<'a> Subject<'a> {
+impl<'a> NamedThing<'a> {
     /// All of a scene. What a preset adds to it counts only where it is all there is.
     pub(super) fn all(scene: &'a Scene) -> Vec<Self> {
         let objects = scene.objects.iter().enumerate().filter(|(_, object)| !object.mesh.positions.is_empty());
@@ -35,18 +35,23 @@ impl<'a> Subject<'a> {
             name: &object.name,
             index: Some(index),
             opacity: opacity(object),
-            what: What::Object(object),
+            what: ThingKind::Object(object),
         });
         let lines = |name, lines: &'a [Line]| {
             let opacity = lines.iter().map(|line| line.style.color.a).max()?;
-            Some(Self { name, index: None, opacity, what: What::Lines(lines) })
+            Some(Self { name, index: None, opacity, what: ThingKind::Lines(lines) })
         };
         let grids = scene.grids.iter().filter_map(|(name, range)| lines(name, scene.lines.get(range.clone())?));
         let mut all: Vec<Self> = objects.chain(grids).collect();
         if all.is_empty() {
             all.extend(lines("", &scene.lines));
             let opacity = scene.marks.iter().map(|mark| mark.color.a).max();
-            all.extend(opacity.map(|opacity| Self { name: "", index: None, opacity, what: What::Marks(&scene.marks) }));
+            all.extend(opacity.map(|opacity| Self {
+                name: "",
+                index: None,
+                opacity,
+                what: ThingKind::Marks(&scene.marks),
+            }));
         }
         all
     }
@@ -54,46 +59,46 @@ impl<'a> Subject<'a> {
     /// Its points in the world.
     pub(super) fn points(&self) -> Box<dyn Iterator<Item = DVec3> + '_> {
         match self.what {
-            What::Object(object) => {
+            ThingKind::Object(object) => {
                 Box::new(object.mesh.positions.iter().map(|&p| object.world_from_object.transform_point3(p)))
             }
-            What::Lines(lines) => Box::new(lines.iter().flat_map(|line| line.points.iter().copied())),
-            What::Marks(marks) => Box::new(marks.iter().map(|mark| mark.position)),
+            ThingKind::Lines(lines) => Box::new(lines.iter().flat_map(|line| line.points.iter().copied())),
+            ThingKind::Marks(marks) => Box::new(marks.iter().map(|mark| mark.position)),
         }
     }
 
     /// The segments that it is drawn with, where it has no faces.
     pub(super) fn segments(&self) -> Box<dyn Iterator<Item = [DVec3; 2]> + '_> {
         match self.what {
-            What::Object(object) => Box::new(object.mesh.edges.iter().filter_map(|edge| {
+            ThingKind::Object(object) => Box::new(object.mesh.edges.iter().filter_map(|edge| {
                 let [Some(a), Some(b)] = edge.map(|i| object.mesh.positions.get(i as usize)) else { return None };
                 Some([*a, *b].map(|p| object.world_from_object.transform_point3(p)))
             })),
-            What::Lines(lines) => {
+            ThingKind::Lines(lines) => {
                 Box::new(lines.iter().flat_map(|line| line.points.windows(2).map(|ab| [ab[0], ab[1]])))
             }
-            What::Marks(_) => Box::new(std::iter::empty()),
+            ThingKind::Marks(_) => Box::new(std::iter::empty()),
         }
     }
 
     /// It is drawn as marks, which have their size whatever the camera.
     pub(super) fn is_point(&self) -> bool {
         match self.what {
-            What::Object(object) => !object.faces && object.mesh.edges.is_empty(),
-            What::Lines(_) => false,
-            What::Marks(_) => true,
+            ThingKind::Object(object) => !object.faces && object.mesh.edges.is_empty(),
+            ThingKind::Lines(_) => false,
+            ThingKind::Marks(_) => true,
         }
     }
 
     /// Its faces are drawn.
     pub(super) fn has_faces(&self, style: &Style) -> bool {
-        matches!(self.what, What::Object(object) if object.faces && !object.mesh.triangles.is_empty())
+        matches!(self.what, ThingKind::Object(object) if object.faces && !object.mesh.triangles.is_empty())
             && style.shading != Shading::Wireframe
     }
 
     /// A wireframe draws edges in full colour, whatever the alpha of the object.
     pub(super) fn can_be_wireframe(&self) -> bool {
-        matches!(self.what, What::Object(object) if !object.mesh.edges.is_empty())
+        matches!(self.what, ThingKind::Object(object) if !object.mesh.edges.is_empty())
     }
 
     pub(super) fn is_shown_by_wireframe(&self, style: &Style) -> bool {
@@ -104,7 +109,7 @@ impl<'a> Subject<'a> {
     /// solid angles of its triangles add up to 4π; A. van Oosterom, J. Strackee, *The solid angle of a plane triangle*,
     /// 1983).
     pub(super) fn contains(&self, p_world: DVec3) -> bool {
-        let What::Object(object) = self.what else { return false };
+        let ThingKind::Object(object) = self.what else { return false };
         if !(object.faces && object.mesh.closed) {
             return false;
         }
@@ -124,7 +129,7 @@ impl<'a> Subject<'a> {
     /// Adds it to a scene.
     pub(super) fn add_to(&self, to: &mut Scene, from: &Scene) {
         match self.what {
-            What::Object(object) => {
+            ThingKind::Object(object) => {
                 to.objects.push(object.clone());
                 if self.is_point() {
                     let bits = |p: DVec3| p.to_array().map(f64::to_bits);
@@ -132,8 +137,8 @@ impl<'a> Subject<'a> {
                     to.marks.extend(from.marks.iter().filter(|mark| points.contains(&bits(mark.position))).cloned());
                 }
             }
-            What::Lines(lines) => to.lines.extend_from_slice(lines),
-            What::Marks(marks) => to.marks.extend_from_slice(marks),
+            ThingKind::Lines(lines) => to.lines.extend_from_slice(lines),
+            ThingKind::Marks(marks) => to.marks.extend_from_slice(marks),
         }
     }
 
@@ -146,7 +151,7 @@ impl<'a> Subject<'a> {
 }
 
 /// A ball around subjects; `None` without a finite point.
-pub(super) fn ball(subjects: &[&Subject]) -> Option<Ball> {
+pub(super) fn ball(subjects: &[&NamedThing]) -> Option<Ball> {
     let points = || subjects.iter().flat_map(|subject| subject.points()).filter(|p| p.is_finite());
     let center = Aabb::around(points())?.center();
     let radius = points().map(|p| p.distance(center)).fold(0.0, f64::max);

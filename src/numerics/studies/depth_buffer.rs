@@ -27,7 +27,7 @@ const GAP: f64 = 1e-3;
 
 /// Where in the volume.
 #[derive(Clone, Copy)]
-enum Place {
+enum DepthCase {
     Near,
     Middle,
     Far,
@@ -35,13 +35,13 @@ enum Place {
     Everywhere,
 }
 
-const CASES: [(&str, Projection, Place); 6] = [
-    ("perspective at F", Projection::Perspective, Place::Near),
-    ("perspective at √(F B)", Projection::Perspective, Place::Middle),
-    ("perspective at B", Projection::Perspective, Place::Far),
-    ("perspective z-fighting", Projection::Perspective, Place::Everywhere),
-    ("parallel at √(F B)", Projection::Parallel, Place::Middle),
-    ("parallel z-fighting", Projection::Parallel, Place::Everywhere),
+const CASES: [(&str, Projection, DepthCase); 6] = [
+    ("perspective at F", Projection::Perspective, DepthCase::Near),
+    ("perspective at √(F B)", Projection::Perspective, DepthCase::Middle),
+    ("perspective at B", Projection::Perspective, DepthCase::Far),
+    ("perspective z-fighting", Projection::Perspective, DepthCase::Everywhere),
+    ("parallel at √(F B)", Projection::Parallel, DepthCase::Middle),
+    ("parallel z-fighting", Projection::Parallel, DepthCase::Everywhere),
 ];
 
 pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
@@ -70,7 +70,7 @@ pub(in crate::numerics) async fn run(lab: &Lab) -> Findings {
                 lab.progress.advance_and_pause(1).await;
                 methods.push(Method { name: format.name(), trial, predicted: Some(predicted) });
             }
-            let unit = if matches!(place, Place::Everywhere) { Unit::Share } else { Unit::SceneUnits };
+            let unit = if matches!(place, DepthCase::Everywhere) { Unit::Share } else { Unit::SceneUnits };
             let group = Group { case: case.to_owned(), parameter: ratio, unit, methods };
             rows.extend(group.rows(|i| depths.get(i).map(|&z| figure(&parameters, z))));
         }
@@ -103,7 +103,7 @@ fn figure(camera: &Parameters, depth: f64) -> String {
     write::to_toml(&Figure { camera, scene, ..Figure::default() })
 }
 
-impl Place {
+impl DepthCase {
     fn depth(self, random: &mut Random, far: f64) -> f64 {
         let middle = far.sqrt();
         match self {

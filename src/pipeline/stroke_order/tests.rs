@@ -172,5 +172,5 @@ fn strokes_that_touch_too_often_are_given_up() {
     let drawing = drawing(&[(&one, tested(2.0)), (&other, tested(2.0))]);
     let steps = |few| runs_in_order(&drawing, &mut Steps::few(few)).map(|runs| runs.len());
     assert_eq!(steps(1000), Ok(2));
-    assert_eq!([steps(64), steps(200)], [Err(TooMuch::Strokes), Err(TooMuch::Strokes)]);
+    assert_eq!([steps(64), steps(200)], [Err(OverBudget::Strokes), Err(OverBudget::Strokes)]);
 }

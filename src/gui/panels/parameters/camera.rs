@@ -2,9 +2,9 @@
 
 use eframe::egui;
 
-use super::{Form, Number, Vector, row};
+use super::{Number, ParameterForm, VectorParameter, row};
 use crate::camera::{Camera, Parameters, Projection, ViewWindow};
-use crate::gui::noted::noted;
+use crate::gui::context_help::help_topic;
 use crate::gui::number_field::{NumberField, Step};
 use crate::gui::panels::{erratum, section};
 use crate::gui::state::State;
@@ -14,14 +14,14 @@ use crate::numbers::{EXACT_DIGITS, power_of_ten};
 use crate::scene::Preset;
 
 /// C, PF and VUP.
-pub(super) fn placement(ui: &mut egui::Ui, form: &mut Form) {
+pub(super) fn placement(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     // A drag of a hundred points moves by about the distance to PF.
     let step = power_of_ten(form.good.distance() / 10.0).unwrap_or(1.0);
     section(ui, t.camera, "placement", true, |ui| {
         form.vector(
             ui,
-            Vector {
+            VectorParameter {
                 key: "position",
                 symbol: "C",
                 name: t.position,
@@ -32,7 +32,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut Form) {
         );
         form.vector(
             ui,
-            Vector {
+            VectorParameter {
                 key: "focal_point",
                 symbol: "PF",
                 name: t.focal_point,
@@ -43,7 +43,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut Form) {
         );
         form.vector(
             ui,
-            Vector {
+            VectorParameter {
                 key: "view_up",
                 symbol: "VUP",
                 name: t.view_up,
@@ -59,7 +59,7 @@ pub(super) fn placement(ui: &mut egui::Ui, form: &mut Form) {
 }
 
 /// The kind of projection, θ or H, A, F and B.
-pub(super) fn projection(ui: &mut egui::Ui, form: &mut Form, state: &mut State) {
+pub(super) fn projection(ui: &mut egui::Ui, form: &mut ParameterForm, state: &mut State) {
     let t = form.t;
     section(ui, t.projection, "projection", true, |ui| {
         kind(ui, form);
@@ -108,7 +108,7 @@ pub(super) fn projection(ui: &mut egui::Ui, form: &mut Form, state: &mut State) 
     });
 }
 
-fn kind(ui: &mut egui::Ui, form: &mut Form) {
+fn kind(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     let mut chosen = form.parameters.projection;
     ui.columns(2, |columns| {
@@ -119,7 +119,7 @@ fn kind(ui: &mut egui::Ui, form: &mut Form) {
             columns[column].vertical_centered_justified(|ui| {
                 let button = egui::Button::selectable(chosen == projection, text).frame_when_inactive(true);
                 let button = ui.add(button).explained(hint);
-                noted(&button, note);
+                help_topic(&button, note);
                 if button.clicked() {
                     chosen = projection;
                 }
@@ -135,7 +135,7 @@ fn kind(ui: &mut egui::Ui, form: &mut Form) {
     }
 }
 
-fn angle_or_height(ui: &mut egui::Ui, form: &mut Form) {
+fn angle_or_height(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     let number = match form.parameters.projection {
         Projection::Perspective => Number {
@@ -159,7 +159,7 @@ fn angle_or_height(ui: &mut egui::Ui, form: &mut Form) {
 }
 
 /// The window: symmetric, from θ or H and A, or free.
-pub(super) fn window(ui: &mut egui::Ui, form: &mut Form) {
+pub(super) fn window(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     section(ui, t.window, "window", true, |ui| {
         let mut symmetric = form.parameters.window.is_none();
@@ -237,7 +237,7 @@ fn closed(parameters: &Parameters) -> Parameters {
     if Camera::new(&after).is_ok() { after } else { before }
 }
 
-fn sides(ui: &mut egui::Ui, form: &mut Form) {
+fn sides(ui: &mut egui::Ui, form: &mut ParameterForm) {
     let t = form.t;
     let Some(ViewWindow { mut left, mut right, mut bottom, mut top }) = form.parameters.window else { return };
     let step = power_of_ten((right - left).abs().max((top - bottom).abs()) / 10.0).unwrap_or(1.0);

@@ -7,7 +7,7 @@ use eframe::egui;
 use super::{complaint, row};
 use crate::camera::{ImageSize, Viewport};
 use crate::explain::Symbol;
-use crate::gui::noted::{has_focus, noted_row};
+use crate::gui::context_help::{has_focus, help_topic_row};
 use crate::gui::number_field::{FieldOutput, NumberField, Step};
 use crate::gui::panels::section;
 use crate::gui::state::State;
@@ -72,7 +72,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State) {
 /// The note on a row; while it is under the pointer, or has the keyboard, the explanations mark what depends on it.
 fn point_at(ui: &egui::Ui, pointed: &mut Vec<Symbol>, row: egui::Rect, symbols: &[Symbol]) {
     if let Some(symbol) = symbols.first() {
-        noted_row(ui, row, notes::of_symbol(*symbol));
+        help_topic_row(ui, row, notes::of_symbol(*symbol));
     }
     if ui.rect_contains_pointer(row) {
         pointed.clear();

@@ -14,8 +14,8 @@ use crate::camera::{Camera, CameraError, Parameters};
 use crate::explain::Symbol;
 use crate::figure::{Measure, Measured, WindowSide};
 use crate::gui::command::Command;
+use crate::gui::context_help::{has_focus, help_topic_row};
 use crate::gui::focus::keep_in_sight;
-use crate::gui::noted::{has_focus, noted_row};
 use crate::gui::number_field::{FieldOutput, NumberField};
 use crate::gui::repair::{Repair, repairs};
 use crate::gui::state::{State, Tab, symbols_of};
@@ -73,7 +73,7 @@ fn tabs(ui: &mut egui::Ui, state: &mut State) {
 }
 
 fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
-    let mut form = Form::new(state);
+    let mut form = ParameterForm::new(state);
     if form.error.is_some() && state.problem_out_of_sight {
         form.problem(ui);
         form.said = false;
@@ -92,7 +92,7 @@ fn camera_tab(ui: &mut egui::Ui, state: &mut State) {
 }
 
 /// The camera's parameters while their fields are shown, and what is wrong with them.
-struct Form {
+struct ParameterForm {
     t: &'static Texts,
     lang: Lang,
     /// The scene that the camera looks at: of some exercises the notes have errata.
@@ -109,7 +109,7 @@ struct Form {
     pointed: Vec<Symbol>,
 }
 
-impl Form {
+impl ParameterForm {
     fn new(state: &State) -> Self {
         Self {
             t: window::texts(state.settings.lang),
@@ -158,10 +158,10 @@ impl Form {
     }
 
     /// A vector: its name, and below it three fields side by side.
-    fn vector(&mut self, ui: &mut egui::Ui, vector: Vector) {
-        let Vector { key, symbol, name, hint, step, value } = vector;
+    fn vector(&mut self, ui: &mut egui::Ui, vector: VectorParameter) {
+        let VectorParameter { key, symbol, name, hint, step, value } = vector;
         let marked = self.is_marked(key);
-        let shown = super::Vector { symbol, name, hint, field: symbol, owner: "", step, angles: false, marked };
+        let shown = super::VectorField { symbol, name, hint, field: symbol, owner: "", step, angles: false, marked };
         let outputs = ui.scope(|ui| shown.show(ui, self.t, value(&mut self.parameters)));
         self.point_at(ui, key, outputs.response.rect);
         self.complain(ui, key, &outputs.inner);
@@ -189,7 +189,7 @@ impl Form {
         }
         let symbols = symbols_of(key);
         if let Some(symbol) = symbols.first() {
-            noted_row(ui, row, notes::of_symbol(*symbol));
+            help_topic_row(ui, row, notes::of_symbol(*symbol));
         }
         if pointed || (has_focus(ui, row) && self.pointed.is_empty()) {
             self.pointed = symbols;
@@ -206,7 +206,7 @@ impl Form {
     }
 }
 
-struct Vector {
+struct VectorParameter {
     key: &'static str,
     symbol: &'static str,
     name: &'static str,

@@ -2,8 +2,8 @@
 
 use eframe::egui;
 
-use super::{Edit, Form};
-use crate::gui::panels::{Vector, choice, row};
+use super::{Edit, SceneForm};
+use crate::gui::panels::{VectorField, choice, row};
 use crate::gui::tooltip::Explained;
 use crate::scene::LightSpec;
 
@@ -14,7 +14,7 @@ enum Kind {
 }
 
 /// Kind, direction or place; what the button asks for.
-pub(super) fn ui(ui: &mut egui::Ui, form: &mut Form, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let light = *form.scene.lights.get(index)?;
     let old = if matches!(light, LightSpec::Directional(_)) { Kind::Directional } else { Kind::Point };
@@ -30,7 +30,7 @@ pub(super) fn ui(ui: &mut egui::Ui, form: &mut Form, index: usize) -> Option<Edi
     let owner = format!("light {index}");
     let step = if key == "direction" { 0.1 } else { form.step };
     let marked = form.is_marked(None, key);
-    let field = Vector { symbol: "", name, hint, field: name, owner: &owner, step, angles: false, marked };
+    let field = VectorField { symbol: "", name, hint, field: name, owner: &owner, step, angles: false, marked };
     let outputs = field.show(ui, form.window, &mut vector);
     form.complain(ui, None, key, &outputs);
     // A lamp of the other kind stands, or shines, opposite to where it did.

@@ -12,8 +12,8 @@ use eframe::egui::{self, RichText};
 use super::{choice, row, section};
 use crate::explain::Symbol;
 use crate::figure::Measured;
+use crate::gui::context_help::{has_focus, help_topic_row};
 use crate::gui::focus::keep_in_sight;
-use crate::gui::noted::{has_focus, noted_row};
 use crate::gui::number_field::FieldOutput;
 use crate::gui::state::{Dialog, Draft, Message, Selected, State, symbols_of};
 use crate::gui::tooltip::Explained;
@@ -128,7 +128,7 @@ fn edit_a_copy(ui: &mut egui::Ui, state: &mut State, t: &Texts) {
 /// What is selected, with its fields; what its buttons ask for.
 fn selected(ui: &mut egui::Ui, state: &mut State, t: &Texts) -> Option<Edit> {
     let scene = &state.document.figure().scene;
-    let mut form = Form::new(state);
+    let mut form = SceneForm::new(state);
     let asked = match state.tree.selected(scene).cloned() {
         None => {
             ui.add(egui::Label::new(RichText::new(t.nothing_selected).weak()).wrap());
@@ -155,7 +155,7 @@ fn section_of<R>(ui: &mut egui::Ui, title: &str, body: impl FnOnce(&mut egui::Ui
 }
 
 /// The scene while its fields are shown, and what is wrong with it.
-struct Form {
+struct SceneForm {
     t: &'static Texts,
     window: &'static window::Texts,
     lang: crate::i18n::Lang,
@@ -170,7 +170,7 @@ struct Form {
     pointed: Vec<Symbol>,
 }
 
-impl Form {
+impl SceneForm {
     fn new(state: &State) -> Self {
         let lang = state.settings.lang;
         let base = state.document.figure().scene.clone();
@@ -193,7 +193,7 @@ impl Form {
     fn point_at(&mut self, ui: &egui::Ui, rect: egui::Rect, key: &str) {
         let symbols = symbols_of(key);
         let Some(symbol) = symbols.first() else { return };
-        noted_row(ui, rect, notes::of_symbol(*symbol));
+        help_topic_row(ui, rect, notes::of_symbol(*symbol));
         let pointed = ui.rect_contains_pointer(rect);
         if pointed || (has_focus(ui, rect) && self.pointed.is_empty()) {
             self.measured = if ui.input(|input| input.pointer.any_down()) {

@@ -5,14 +5,13 @@ use std::collections::BTreeSet;
 use eframe::egui::{self, Key, RichText};
 use glam::DVec3;
 
-use super::{Edit, Form};
+use super::{Edit, SceneForm};
 use crate::appearance::Rgba;
 use crate::explain::Matrix;
-use crate::foreign::shown;
+use crate::gui::context_help::{help_topic, help_topic_row};
 use crate::gui::file_flow;
-use crate::gui::noted::{noted, noted_row};
 use crate::gui::number_field::{FieldError, NumberField, Step};
-use crate::gui::panels::{Vector, complaint, row};
+use crate::gui::panels::{VectorField, complaint, row};
 use crate::gui::state::{MeshFor, Purpose, Selected, State, Typing, preset_objects};
 use crate::gui::text_field::TextField;
 use crate::gui::tooltip::Explained;
@@ -20,18 +19,19 @@ use crate::i18n::scenes::{self, Texts, preset_object};
 use crate::i18n::{Lang, faults, messages, notes};
 use crate::limits::{MAX_POINTS_IN_PANEL, MAX_SEGMENTS, MAX_TYPED, MAX_TYPED_NAME, MIN_SEGMENTS};
 use crate::numbers::without_rests;
+use crate::sanitize::escaped;
 use crate::scene::edit::{self, Children, descendants, placement};
 use crate::scene::transform;
 use crate::scene::{ObjectPaint, ObjectSpec, SceneError, Shape, ShapeData};
 use crate::views::Transforming;
 
 /// The fields of the object at this place of the list; what its buttons ask for.
-pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) -> Option<Edit> {
+pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let name = form.scene.objects[index].name.clone();
     let together = state.tree.names(&form.scene).len();
     if together > 1 {
-        let words = format!("{together} {} {}", t.several, shown(&name));
+        let words = format!("{together} {} {}", t.several, escaped(&name));
         ui.add(egui::Label::new(RichText::new(words).weak()).wrap());
     }
     rename(ui, state, form, &name);
@@ -55,7 +55,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: u
 }
 
 /// What an object of the named scene is like; it cannot be changed.
-pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut Form, name: &str) {
+pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut SceneForm, name: &str) {
     let t = scenes::texts(state.settings.lang);
     let preset = preset_objects(state.document.figure().scene.preset);
     let Some(object) = preset.iter().find(|o| o.name == name) else { return };
@@ -80,7 +80,7 @@ pub(super) fn of_preset(ui: &mut egui::Ui, state: &State, form: &mut Form, name:
 
 /// A name takes effect with Enter, or when its field is left; one that is wrong stays with its reason until it is
 /// mended.
-fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut Form, name: &str) {
+fn rename(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, name: &str) {
     let t = form.t;
     let mut typing = typing(state, name, "name").unwrap_or_else(|| Typing::of(name, "name", name));
     let mut left = false;
@@ -142,7 +142,7 @@ fn typing(state: &mut State, owner: &str, key: &'static str) -> Option<Typing> {
 }
 
 /// Another shape with the same transform; what needs data of its own does not change into something else.
-fn kind(ui: &mut egui::Ui, form: &mut Form, index: usize) {
+fn kind(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let object = &mut form.scene.objects[index];
     let is_plain = |shape: &Shape| shape.data() == ShapeData::None;
@@ -177,7 +177,7 @@ fn kind(ui: &mut egui::Ui, form: &mut Form, index: usize) {
 }
 
 /// The parent: any object but itself and those that hang on it.
-fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Option<Edit> {
+fn parent(ui: &mut egui::Ui, state: &mut State, form: &SceneForm, index: usize) -> Option<Edit> {
     let t = form.t;
     let object = &form.scene.objects[index];
     let below = descendants(&form.scene, &object.name);
@@ -186,7 +186,7 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Op
     let mut names: Vec<&String> = own.filter(|name| **name != object.name && !below.contains(*name)).collect();
     names.extend(preset.iter().map(|o| &o.name).filter(|name| form.scene.objects.iter().all(|o| o.name != **name)));
     let is_own = |name: &str| form.scene.objects.iter().any(|o| o.name == name);
-    let called = |name: &str| if is_own(name) { shown(name) } else { preset_object(t.lang, name) };
+    let called = |name: &str| if is_own(name) { escaped(name) } else { preset_object(t.lang, name) };
     let mut chosen = object.parent.clone();
     let place = ui.scope(|ui| {
         row(ui, "", t.parent, t.parent_hint, |ui| {
@@ -205,14 +205,14 @@ fn parent(ui: &mut egui::Ui, state: &mut State, form: &Form, index: usize) -> Op
                 .accessible_name(t.parent);
         });
     });
-    noted_row(ui, place.response.rect, notes::of_matrix(Matrix::Model));
+    help_topic_row(ui, place.response.rect, notes::of_matrix(Matrix::Model));
     let mut stay = !state.tree.moves_with_parent;
     ui.checkbox(&mut stay, t.stay).explained(t.stay_hint);
     state.tree.moves_with_parent = !stay;
     (chosen != object.parent).then(|| Edit::Hang { name: object.name.clone(), parent: chosen })
 }
 
-fn transform_fields(ui: &mut egui::Ui, form: &mut Form, index: usize, transforming: &mut Transforming) {
+fn transform_fields(ui: &mut egui::Ui, form: &mut SceneForm, index: usize, transforming: &mut Transforming) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let step = form.step;
@@ -220,7 +220,7 @@ fn transform_fields(ui: &mut egui::Ui, form: &mut Form, index: usize, transformi
     let mut show =
         |ui: &mut egui::Ui, key, symbol, name, hint, step, angles, value: fn(&mut ObjectSpec) -> &mut DVec3| {
             let marked = form.is_marked(Some(&owner), key);
-            let field = Vector { symbol, name, hint, field: name, owner: &owner, step, angles, marked };
+            let field = VectorField { symbol, name, hint, field: name, owner: &owner, step, angles, marked };
             let outputs = ui.scope(|ui| field.show(ui, form.window, value(&mut form.scene.objects[index])));
             form.point_at(ui, outputs.response.rect, key);
             let outputs = outputs.inner;
@@ -233,7 +233,7 @@ fn transform_fields(ui: &mut egui::Ui, form: &mut Form, index: usize, transformi
 }
 
 /// What dragging in the world does.
-fn gizmo(ui: &mut egui::Ui, form: &Form, transforming: &mut Transforming) {
+fn gizmo(ui: &mut egui::Ui, form: &SceneForm, transforming: &mut Transforming) {
     let t = form.t;
     let kinds =
         [(Transforming::Move, t.gizmo_move), (Transforming::Turn, t.gizmo_turn), (Transforming::Scale, t.gizmo_scale)];
@@ -245,7 +245,7 @@ fn gizmo(ui: &mut egui::Ui, form: &Form, transforming: &mut Transforming) {
     });
 }
 
-fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
+fn color(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let of_parts = format!("{owner}/");
@@ -293,7 +293,7 @@ fn color(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
     form.scene.objects[index].color = chosen;
 }
 
-fn segments(ui: &mut egui::Ui, form: &mut Form, index: usize) {
+fn segments(ui: &mut egui::Ui, form: &mut SceneForm, index: usize) {
     let (t, owner) = (form.t, form.scene.objects[index].name.clone());
     let object = &form.scene.objects[index];
     if !object.shape.as_ref().is_some_and(Shape::has_segments) {
@@ -317,7 +317,7 @@ fn segments(ui: &mut egui::Ui, form: &mut Form, index: usize) {
 }
 
 /// The points of points and segments, the file of a mesh.
-fn data(ui: &mut egui::Ui, state: &mut State, form: &mut Form, index: usize) {
+fn data(ui: &mut egui::Ui, state: &mut State, form: &mut SceneForm, index: usize) {
     let t = form.t;
     let owner = form.scene.objects[index].name.clone();
     let (window, step) = (form.window, form.step);
@@ -364,7 +364,7 @@ fn point_list(
     for (i, point) in points.iter_mut().enumerate() {
         let owner = format!("{owner} {i}");
         ui.horizontal(|ui| {
-            let field = Vector {
+            let field = VectorField {
                 symbol: "",
                 name: title,
                 hint: "",
@@ -433,7 +433,7 @@ fn mesh_file(ui: &mut egui::Ui, state: &mut State, t: &Texts, owner: &str, path:
 }
 
 /// Copies what is selected; the copies are selected then.
-fn duplicate(state: &mut State, form: &mut Form) {
+fn duplicate(state: &mut State, form: &mut SceneForm) {
     let names = state.tree.names(&form.scene);
     let mut copies = transform::duplicate(&mut form.scene, &names);
     let first = copies.pop_first();
@@ -441,7 +441,7 @@ fn duplicate(state: &mut State, form: &mut Form) {
 }
 
 /// The button; a menu where something hangs on what is selected.
-fn delete(ui: &mut egui::Ui, form: &Form, names: &BTreeSet<String>) -> Option<Edit> {
+fn delete(ui: &mut egui::Ui, form: &SceneForm, names: &BTreeSet<String>) -> Option<Edit> {
     let t = form.t;
     let below = transform::below(&form.scene, names);
     let remove = |children| Some(Edit::Remove { names: names.clone(), children });
@@ -465,7 +465,7 @@ fn delete(ui: &mut egui::Ui, form: &Form, names: &BTreeSet<String>) -> Option<Ed
 }
 
 /// The matrix that takes the object to the world.
-fn matrix(ui: &mut egui::Ui, form: &Form, name: &str) {
+fn matrix(ui: &mut egui::Ui, form: &SceneForm, name: &str) {
     let t = form.t;
     let Ok(Some(matrix)) = placement(&form.scene, name) else { return };
     let shown = egui::CollapsingHeader::new(t.matrix).default_open(false).show_unindented(ui, |ui| {
@@ -478,5 +478,5 @@ fn matrix(ui: &mut egui::Ui, form: &Form, name: &str) {
             }
         });
     });
-    noted(&shown.header_response, notes::of_matrix(Matrix::Model));
+    help_topic(&shown.header_response, notes::of_matrix(Matrix::Model));
 }

@@ -10,11 +10,11 @@ use eframe::egui::{
 
 use super::Edit;
 use crate::appearance::Rgba;
-use crate::foreign::shown;
 use crate::gui::focus::keep_in_sight;
 use crate::gui::state::{Selected, State, preset_objects};
 use crate::gui::tooltip::Explained;
 use crate::i18n::scenes::{Texts, preset_object};
+use crate::sanitize::escaped;
 use crate::scene::edit::descendants;
 use crate::scene::{LightSpec, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec};
 
@@ -22,7 +22,7 @@ use crate::scene::{LightSpec, ObjectPaint, ObjectSpec, Preset, Scene, SceneSpec}
 const INDENT: f32 = 13.0;
 
 /// A line of the tree.
-struct Row {
+struct TreeRow {
     /// `None`: the world, on which everything hangs.
     what: Option<Selected>,
     /// What it is called in the figure.
@@ -90,7 +90,7 @@ pub(super) fn ui(ui: &mut egui::Ui, state: &mut State, t: &'static Texts, height
 }
 
 /// Clicks and keys on a row.
-fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &Row, response: &Response, edits: &mut Vec<Edit>) {
+fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &TreeRow, response: &Response, edits: &mut Vec<Edit>) {
     if response.clicked() {
         state.select(row.what.clone(), ui.input(|input| input.modifiers.command));
         response.request_focus();
@@ -138,7 +138,7 @@ fn clicks_and_keys(ui: &egui::Ui, state: &mut State, row: &Row, response: &Respo
 /// What becomes of an object that is held over, or dropped on, a row.
 fn dropped(
     ui: &egui::Ui,
-    row: &Row,
+    row: &TreeRow,
     response: &Response,
     scene: &SceneSpec,
     dragged: Option<&Dragged>,
@@ -168,7 +168,7 @@ fn follow(ui: &egui::Ui, name: &str) {
     let layer = egui::LayerId::new(egui::Order::Tooltip, Id::unique("dragged object"));
     let painter = ui.ctx().layer_painter(layer);
     let font = TextStyle::Body.resolve(ui.style());
-    let galley = painter.layout_no_wrap(shown(name), font, ui.visuals().text_color());
+    let galley = painter.layout_no_wrap(escaped(name), font, ui.visuals().text_color());
     let place = Rect::from_min_size(pointer + vec2(12.0, 4.0), galley.size());
     painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, ui.visuals().selection.bg_fill);
     painter.galley(place.min, galley, ui.visuals().text_color());
@@ -179,7 +179,7 @@ fn row_height(ui: &egui::Ui) -> f32 {
 }
 
 /// Draws a row: triangle, colour, name, kind.
-fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
+fn show(ui: &mut egui::Ui, row: &TreeRow, selected: bool) -> Response {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), row_height(ui)));
     let sense = if matches!(row.what, Some(Selected::Object(_))) { Sense::click_and_drag() } else { Sense::CLICK };
     let response = ui.interact(rect, Id::unique(("row of the scene", format!("{:?} {}", row.what, row.kind))), sense);
@@ -233,7 +233,7 @@ fn show(ui: &mut egui::Ui, row: &Row, selected: bool) -> Response {
     response.explained(row.hint)
 }
 
-fn triangle_place(row: &Row, rect: Rect) -> Rect {
+fn triangle_place(row: &TreeRow, rect: Rect) -> Rect {
     let left = rect.left() + 2.0 + INDENT * f32::from(row.depth);
     Rect::from_min_max(pos2(left, rect.top()), pos2(left + 12.0, rect.bottom()))
 }
@@ -254,7 +254,7 @@ type Node<'a> = (bool, &'a ObjectSpec);
 
 /// The rows that are shown: the world, the objects of the named scene and of the figure under their parents, the
 /// lights.
-fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static Texts) -> Vec<Row> {
+fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static Texts) -> Vec<TreeRow> {
     let preset = preset_objects(scene.preset);
     let colors: BTreeMap<&str, Rgba> = built
         .objects
@@ -275,7 +275,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
         children.entry(parent).or_default().push((true, object));
     }
     let count = preset.len() + scene.objects.len();
-    let world = Row {
+    let world = TreeRow {
         what: None,
         name: t.root.to_owned(),
         shown: t.root.to_owned(),
@@ -293,13 +293,13 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
         let below = of(Some((is_own, &object.name)));
         let is_open = !folded.contains(&object.name);
         let name = object.name.clone();
-        rows.push(Row {
+        rows.push(TreeRow {
             color: colors.get(name.as_str()).copied().filter(|_| object.shape.is_some()),
             kind: t.shape(object.shape.as_ref()),
             depth,
             open: (!below.is_empty()).then_some(is_open),
             hint: if is_own { t.row_hint } else { t.of_preset_hint },
-            shown: if is_own { shown(&name) } else { preset_object(t.lang, &name) },
+            shown: if is_own { escaped(&name) } else { preset_object(t.lang, &name) },
             what: Some(if is_own { Selected::Object(name.clone()) } else { Selected::OfPreset(name.clone()) }),
             name,
         });
@@ -307,7 +307,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
             open.extend(below.into_iter().map(|child| (depth.saturating_add(1), child)));
         }
     }
-    rows.extend(scene.lights.iter().enumerate().map(|(i, light)| Row {
+    rows.extend(scene.lights.iter().enumerate().map(|(i, light)| TreeRow {
         what: Some(Selected::Light(i)),
         name: format!("{} {}", t.light, i + 1),
         shown: format!("{} {}", t.light, i + 1),
@@ -318,7 +318,7 @@ fn rows(scene: &SceneSpec, built: &Scene, folded: &BTreeSet<String>, t: &'static
         hint: t.row_hint,
     }));
     if scene.lights.is_empty() {
-        rows.push(Row {
+        rows.push(TreeRow {
             what: None,
             name: t.default_light.to_owned(),
             shown: t.default_light.to_owned(),

@@ -14,7 +14,7 @@ pub(in crate::gui) const LANGUAGES: Words<Lang> = &[("en", Lang::En), ("pt-BR", 
 
 /// What is asked of one window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Asked {
+pub struct LaunchOptions {
     /// The language.
     pub lang: Option<Lang>,
     /// The ground of the window and its pictures.
@@ -25,7 +25,7 @@ pub struct Asked {
     pub bare: bool,
 }
 
-impl Asked {
+impl LaunchOptions {
     /// What stands in an address after the `?`; and what there cannot be understood, word for word.
     #[must_use]
     pub fn of_query(query: &str) -> (Self, Vec<String>) {
@@ -85,9 +85,9 @@ mod tests {
 
     #[test]
     fn an_address_says_what_is_shown_and_what_it_does_not_know_is_told() {
-        let (asked, unknown) = Asked::of_query("?view=image&panels=none&lang=pt-BR&theme=dark");
+        let (asked, unknown) = LaunchOptions::of_query("?view=image&panels=none&lang=pt-BR&theme=dark");
         assert_eq!(unknown, [""; 0]);
-        let all = Asked {
+        let all = LaunchOptions {
             lang: Some(Lang::PtBr),
             theme: Some(Theme::Dark),
             views: Some(Views::One(View::Image)),
@@ -99,9 +99,13 @@ mod tests {
         assert_eq!((state.layout.shown, state.settings.panels.wanted), ([false, false, true], [false; 3]));
         assert_eq!((state.settings.lang, state.settings.theme, state.settings.bare), (Lang::PtBr, Theme::Dark, true));
 
-        let (asked, unknown) = Asked::of_query("view=side&panels=some&lang=%70t-BR&theme=&utm_source=x&view=all");
+        let (asked, unknown) =
+            LaunchOptions::of_query("view=side&panels=some&lang=%70t-BR&theme=&utm_source=x&view=all");
         assert_eq!(unknown, ["view=side", "panels=some", "theme=", "utm_source=x"]);
-        assert_eq!(asked, Asked { lang: Some(Lang::PtBr), views: Some(Views::All), ..Asked::default() });
-        assert_eq!(Asked::of_query(""), Default::default());
+        assert_eq!(
+            asked,
+            LaunchOptions { lang: Some(Lang::PtBr), views: Some(Views::All), ..LaunchOptions::default() }
+        );
+        assert_eq!(LaunchOptions::of_query(""), Default::default());
     }
 }

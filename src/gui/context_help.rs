@@ -25,12 +25,12 @@ pub(super) fn asked(ctx: &egui::Context) -> Option<&'static str> {
 }
 
 /// Says that F1 on this control opens the note `id`.
-pub(super) fn noted(response: &Response, id: &'static str) {
+pub(super) fn help_topic(response: &Response, id: &'static str) {
     say(&response.ctx, response.contains_pointer(), response.has_focus(), id);
 }
 
 /// Says that F1 on a row, or on a field in it, opens the note `id`.
-pub(super) fn noted_row(ui: &Ui, row: Rect, id: &'static str) {
+pub(super) fn help_topic_row(ui: &Ui, row: Rect, id: &'static str) {
     say(ui.ctx(), ui.rect_contains_pointer(row), has_focus(ui, row), id);
 }
 

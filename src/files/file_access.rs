@@ -5,14 +5,14 @@ use std::path::{Component, Path, PathBuf};
 
 use super::shipped::shipped_file;
 use super::{FileError, disk, is_network, read_at_most};
-use crate::foreign;
 use crate::limits::MAX_SCENE_BYTES;
+use crate::sanitize;
 use crate::scene::{NamedBy, ReadError, ReadProblem, Wanted};
 use crate::share;
 
 /// Which files a figure may name.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Reach {
+pub enum FileAccess {
     /// Of a figure that came without a folder, as in a link: it has the meshes of the program.
     Link,
     /// Of a figure that came in a picture: its meshes, and what they name, lie in the picture's folder and below.
@@ -24,7 +24,7 @@ pub enum Reach {
     Anywhere,
 }
 
-impl Reach {
+impl FileAccess {
     /// The reach of a figure that came in a picture or in a file of its own with this path, or in a link; `allowed`:
     /// the user lets it name any file.
     #[must_use]
@@ -46,7 +46,7 @@ impl Reach {
 #[derive(Clone, Debug)]
 pub struct FigureFiles {
     folder: PathBuf,
-    reach: Reach,
+    reach: FileAccess,
     left: usize,
     unread: Vec<ReadError>,
 }
@@ -54,7 +54,7 @@ pub struct FigureFiles {
 impl FigureFiles {
     /// The files of a figure whose paths are relative to `folder`.
     #[must_use]
-    pub fn new(folder: &Path, reach: Reach) -> Self {
+    pub fn new(folder: &Path, reach: FileAccess) -> Self {
         Self { folder: folder.to_owned(), reach, left: MAX_SCENE_BYTES, unread: Vec::new() }
     }
 
@@ -87,8 +87,8 @@ impl FigureFiles {
         }
         let path = self.folder.join(wanted.path);
         // The folder of a link is none.
-        let named = if self.reach == Reach::Link { Path::new(wanted.path) } else { &path };
-        let file = foreign::path(named);
+        let named = if self.reach == FileAccess::Link { Path::new(wanted.path) } else { &path };
+        let file = sanitize::path(named);
         let read = self.read_problem(&path, wanted).map_err(|problem| ReadError { file, problem });
         if let (Err(error), Some(_)) = (&read, wanted.named_by) {
             self.unread.push(error.clone());
@@ -100,14 +100,14 @@ impl FigureFiles {
         if is_network(path) || is_network(Path::new(wanted.path)) {
             return Err(ReadProblem::Network);
         }
-        if self.reach == Reach::Link {
+        if self.reach == FileAccess::Link {
             return Err(ReadProblem::NoFolder);
         }
         let path = match self.bound(wanted) {
             Some((folder, named_by)) => inside(&folder, path).map_err(|error| match error {
                 Elsewhere::Outside => {
                     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { &folder };
-                    ReadProblem::Outside { folder: foreign::path(folder), named_by }
+                    ReadProblem::Outside { folder: sanitize::path(folder), named_by }
                 }
                 Elsewhere::System(error) => ReadProblem::system(&error),
             })?,
@@ -133,12 +133,12 @@ impl FigureFiles {
     /// The folder in which a file has to lie, where it has to, and who names it.
     fn bound(&self, wanted: Wanted<'_>) -> Option<(PathBuf, NamedBy)> {
         match (self.reach, wanted.named_by) {
-            (Reach::Anywhere, _) | (Reach::Figure, None) => None,
-            (Reach::Figure, Some(mesh)) => {
+            (FileAccess::Anywhere, _) | (FileAccess::Figure, None) => None,
+            (FileAccess::Figure, Some(mesh)) => {
                 let folder = self.folder.join(mesh).parent().map(Path::to_owned).unwrap_or_default();
                 Some((folder, NamedBy::Mesh))
             }
-            (Reach::Picture | Reach::Link, _) => Some((self.folder.clone(), NamedBy::Picture)),
+            (FileAccess::Picture | FileAccess::Link, _) => Some((self.folder.clone(), NamedBy::Picture)),
         }
     }
 }
@@ -215,7 +215,7 @@ mod tests {
         let outside =
             ["meshes/../../secret", "meshes/../beside", "meshes/deep/../../beside", "meshes/../../nothing", absolute];
 
-        let mut files = FigureFiles::new(&folder, Reach::Figure);
+        let mut files = FigureFiles::new(&folder, FileAccess::Figure);
         for (path, bytes) in [("meshes/a.bin", "a"), ("meshes/deep/b.bin", "b"), ("meshes/deep/../a.bin", "a")] {
             assert_eq!(files.read(of_mesh(path, "meshes/m.obj")).unwrap(), bytes.as_bytes(), "{path}");
         }
@@ -225,10 +225,10 @@ mod tests {
         // The figure's own words reach further, and so do the user's.
         assert_eq!(files.read(of_figure("../secret")).unwrap(), b"secret");
         assert_eq!(files.read(of_figure(absolute)).unwrap(), b"secret");
-        let mut files = FigureFiles::new(&folder, Reach::Anywhere);
+        let mut files = FigureFiles::new(&folder, FileAccess::Anywhere);
         assert_eq!(files.read(of_mesh("meshes/../../secret", "meshes/m.obj")).unwrap(), b"secret");
 
-        let mut files = FigureFiles::new(&folder, Reach::Picture);
+        let mut files = FigureFiles::new(&folder, FileAccess::Picture);
         assert_eq!(files.read(of_figure("beside")).unwrap(), b"beside");
         assert_eq!(files.read(of_mesh("meshes/../beside", "meshes/m.obj")).unwrap(), b"beside");
         assert!(is_outside(files.read(of_figure("../secret"))));
@@ -247,19 +247,19 @@ mod tests {
         std::os::unix::fs::symlink(root.join("secret"), root.join("figure/link")).unwrap();
         std::os::unix::fs::symlink(root, root.join("figure/up")).unwrap();
         std::os::unix::fs::symlink("inner/x", root.join("figure/within")).unwrap();
-        let mut files = FigureFiles::new(&root.join("figure"), Reach::Picture);
+        let mut files = FigureFiles::new(&root.join("figure"), FileAccess::Picture);
         assert!(is_outside(files.read(of_figure("link"))));
         assert!(is_outside(files.read(of_figure("up/secret"))));
         assert_eq!(files.read(of_figure("within")).unwrap(), b"x");
         // The folder itself may be a link.
         std::os::unix::fs::symlink(root.join("figure"), root.join("linked")).unwrap();
-        let mut files = FigureFiles::new(&root.join("linked"), Reach::Picture);
+        let mut files = FigureFiles::new(&root.join("linked"), FileAccess::Picture);
         assert_eq!(files.read(of_figure("inner/x")).unwrap(), b"x");
     }
 
     #[test]
     fn no_reach_leads_to_another_machine() {
-        for reach in [Reach::Picture, Reach::Figure, Reach::Anywhere] {
+        for reach in [FileAccess::Picture, FileAccess::Figure, FileAccess::Anywhere] {
             let mut files = FigureFiles::new(Path::new("folder"), reach);
             for path in [r"\\host\share\x.obj", "//host/share/x.obj"] {
                 for wanted in [of_figure(path), of_mesh(path, "m.obj")] {
@@ -278,7 +278,7 @@ mod tests {
             fs::File::create(directory.path().join(name)).unwrap().set_len(bytes).unwrap();
         }
         let problem = |read: Result<Vec<u8>, ReadError>| read.map(|bytes| bytes.len()).map_err(|error| error.problem);
-        let mut files = FigureFiles::new(directory.path(), Reach::Figure);
+        let mut files = FigureFiles::new(directory.path(), FileAccess::Figure);
         assert_eq!(problem(files.read(of_figure("large"))), Err(ReadProblem::Budget));
         assert_eq!(files.spent(), 0);
         let mut files = files.after(MAX_SCENE_BYTES - 150);

@@ -27,7 +27,7 @@ pub struct WayBack {
 
 /// Why a depth belongs to no point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum NoWayBack {
+pub enum NotProjectable {
     /// glDepthRange(n, n).
     #[error("every depth is {depth}: with depth_near = depth_far the way back is lost")]
     EmptyDepthRange {
@@ -77,18 +77,18 @@ impl ClipSpace<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`NoWayBack`]: an empty depth range, or a depth that no point in front of the camera has.
+    /// [`NotProjectable`]: an empty depth range, or a depth that no point in front of the camera has.
     pub fn way_back(
         &self,
         image: ImageSize,
         viewport: &Viewport,
         pixel: [i64; 2],
         depth: f64,
-    ) -> Result<WayBack, NoWayBack> {
+    ) -> Result<WayBack, NotProjectable> {
         let camera = self.camera();
         let Viewport { depth_near, depth_far, .. } = *viewport;
         if depth_near == depth_far {
-            return Err(NoWayBack::EmptyDepthRange { depth: depth_near });
+            return Err(NotProjectable::EmptyDepthRange { depth: depth_near });
         }
         let (near, far) = (Dd::new(camera.near()), Dd::new(camera.far()));
         let range = Dd::difference(depth_far, depth_near);
@@ -102,7 +102,7 @@ impl ClipSpace<'_> {
                     // t/F = (t − 1)... : where 1/(−z_c) is 0.
                     let limit = far / (far - near);
                     let infinity = (Dd::new(depth_near) + range * limit).value();
-                    return Err(NoWayBack::BeyondInfinity { depth, near: depth_near, infinity });
+                    return Err(NotProjectable::BeyondInfinity { depth, near: depth_near, infinity });
                 }
                 let distance = Dd::ONE / over_distance;
                 Dd3::new(x * distance / near, y * distance / near, -distance)
@@ -121,6 +121,6 @@ impl ClipSpace<'_> {
             world: camera.world_of_view(view).value() + 0.0,
         };
         let finite = way.ndc.is_finite() && way.clip.is_finite() && way.view.is_finite() && way.world.is_finite();
-        if finite { Ok(way) } else { Err(NoWayBack::Overflow { depth }) }
+        if finite { Ok(way) } else { Err(NotProjectable::Overflow { depth }) }
     }
 }

@@ -16,7 +16,7 @@ pub struct Stamp {
 
 /// What there is where `known` was read or saved.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Found {
+pub enum FileChange {
     /// The same bytes.
     Same(Stamp),
     /// These bytes; `None` where they cannot be read, or are more than any figure file has.
@@ -27,20 +27,20 @@ pub enum Found {
 
 /// Looks at a file that held `known`. Where its time and size are still `stamp`, it is not read.
 #[must_use]
-pub fn look(path: &Path, known: &[u8], stamp: Option<Stamp>) -> Found {
-    let Ok(meta) = fs::metadata(path) else { return Found::Gone };
+pub fn look(path: &Path, known: &[u8], stamp: Option<Stamp>) -> FileChange {
+    let Ok(meta) = fs::metadata(path) else { return FileChange::Gone };
     // Taken before the bytes are read: what is written after that has another one.
     let now = Stamp { modified: meta.modified().ok(), size: meta.len() };
     if stamp == Some(now) && now.modified.is_some() {
-        return Found::Same(now);
+        return FileChange::Same(now);
     }
     if now.size > MAX_FIGURE_BYTES as u64 {
-        return Found::Other(None);
+        return FileChange::Other(None);
     }
     match read_file(path) {
-        Ok(bytes) if bytes == known => Found::Same(now),
-        Ok(bytes) => Found::Other(Some(bytes)),
-        Err(_) => Found::Other(None),
+        Ok(bytes) if bytes == known => FileChange::Same(now),
+        Ok(bytes) => FileChange::Other(Some(bytes)),
+        Err(_) => FileChange::Other(None),
     }
 }
 
@@ -55,20 +55,20 @@ mod tests {
     fn what_another_program_wrote_is_found_and_what_it_only_touched_is_not() {
         let directory = Directory::new("look");
         let path = directory.path().join("a.toml");
-        assert_eq!(look(&path, b"mine", None), Found::Gone);
+        assert_eq!(look(&path, b"mine", None), FileChange::Gone);
         fs::write(&path, "mine").unwrap();
-        let Found::Same(stamp) = look(&path, b"mine", None) else { panic!("the same") };
-        assert_eq!(look(&path, b"mine", Some(stamp)), Found::Same(stamp));
+        let FileChange::Same(stamp) = look(&path, b"mine", None) else { panic!("the same") };
+        assert_eq!(look(&path, b"mine", Some(stamp)), FileChange::Same(stamp));
         let file = fs::File::options().write(true).open(&path).unwrap();
         file.set_modified(SystemTime::UNIX_EPOCH).unwrap();
-        assert!(matches!(look(&path, b"mine", Some(stamp)), Found::Same(touched) if touched != stamp));
+        assert!(matches!(look(&path, b"mine", Some(stamp)), FileChange::Same(touched) if touched != stamp));
         fs::write(&path, "theirs").unwrap();
-        assert_eq!(look(&path, b"mine", Some(stamp)), Found::Other(Some(b"theirs".to_vec())));
+        assert_eq!(look(&path, b"mine", Some(stamp)), FileChange::Other(Some(b"theirs".to_vec())));
         // Of the same size: it is the content that counts.
         fs::write(&path, "ours").unwrap();
-        assert_eq!(look(&path, b"mine", None), Found::Other(Some(b"ours".to_vec())));
+        assert_eq!(look(&path, b"mine", None), FileChange::Other(Some(b"ours".to_vec())));
         file.set_len(MAX_FIGURE_BYTES as u64 + 1).unwrap();
-        assert_eq!(look(&path, b"mine", Some(stamp)), Found::Other(None));
-        assert_eq!(look(directory.path(), b"mine", None), Found::Other(None));
+        assert_eq!(look(&path, b"mine", Some(stamp)), FileChange::Other(None));
+        assert_eq!(look(directory.path(), b"mine", None), FileChange::Other(None));
     }
 }

@@ -1,12 +1,12 @@
 //! What there can be too much of, so that a drawing is not what was asked for.
 
-use super::misplaced::MisplacedVertex;
-use crate::foreign::shown;
+use super::rounding_check::MisplacedVertex;
 use crate::limits::{MAX_PIECES, MAX_STROKE_STEPS};
+use crate::sanitize::escaped;
 
 /// What there is too much of.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum TooMuch {
+pub enum OverBudget {
     /// Faces that cross one another make too many pieces: nothing was put in order, and a depth buffer has to decide.
     #[error(
         "the faces of {} cross too often to be split (more than {MAX_PIECES} pieces), and the depth buffer decides; allowed: fewer faces, or visibility = \"depth-buffer\"",
@@ -35,7 +35,7 @@ pub enum TooMuch {
 
 fn beside(vertices: &[MisplacedVertex]) -> String {
     let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
-        format!("vertex {vertex} of {:?} is drawn {off:.1} pixels beside its place", shown(object))
+        format!("vertex {vertex} of {:?} is drawn {off:.1} pixels beside its place", escaped(object))
     };
     let first = vertices.first().map(one).unwrap_or_default();
     match vertices.len() {
@@ -44,7 +44,7 @@ fn beside(vertices: &[MisplacedVertex]) -> String {
     }
 }
 
-impl TooMuch {
+impl OverBudget {
     /// `shares`: how many pieces each object has, by its name.
     pub(super) fn pieces<'a>(shares: impl Iterator<Item = (&'a str, usize)>) -> Self {
         let mut shares: Vec<(&str, usize)> = shares.collect();
@@ -81,7 +81,7 @@ const MOST_NAMES: usize = 3;
 /// The names of a few objects, in quotes; `rest` stands for the others.
 #[must_use]
 pub fn names(objects: &[String], rest: &str) -> String {
-    let mut named: Vec<String> = objects.iter().take(MOST_NAMES).map(|name| format!("{:?}", shown(name))).collect();
+    let mut named: Vec<String> = objects.iter().take(MOST_NAMES).map(|name| format!("{:?}", escaped(name))).collect();
     if objects.len() > MOST_NAMES {
         named.push(rest.to_owned());
     }
@@ -94,8 +94,8 @@ mod tests {
 
     #[test]
     fn of_objects_that_nobody_knows_nothing_is_said() {
-        let shares = || TooMuch::pieces([("cube", 3), ("camera", 5)].into_iter());
-        let TooMuch::Pieces { objects } =
+        let shares = || OverBudget::pieces([("cube", 3), ("camera", 5)].into_iter());
+        let OverBudget::Pieces { objects } =
             shares().about(|name| name == "cube").into_iter().next().unwrap_or_else(shares)
         else {
             panic!("pieces")

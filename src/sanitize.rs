@@ -11,7 +11,7 @@ const LONGEST_PATH: usize = 160;
 
 /// A foreign text as a part of a message: on one line, without control characters, at most 40 characters and `…`.
 #[must_use]
-pub fn shown(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     within(text, LONGEST)
 }
 
@@ -100,18 +100,18 @@ mod tests {
 
     #[test]
     fn what_a_terminal_would_obey_is_written_as_an_escape() {
-        assert_eq!(shown("\u{1b}[31mEVIL\u{9b}2J\0\r\n"), "\\u{1b}[31mEVIL\\u{9b}2J\\u{0}\\r\\n");
+        assert_eq!(escaped("\u{1b}[31mEVIL\u{9b}2J\0\r\n"), "\\u{1b}[31mEVIL\\u{9b}2J\\u{0}\\r\\n");
         assert_eq!(printable("a\u{202e}txt.obj"), "a\\u{202e}txt.obj");
         assert_eq!(path(Path::new("a\u{7}b")), "a\\u{7}b");
         // Words of any language, quotes and backslashes stay as they are.
         let plain = "câmera “θ” \"a\" C:\\x 照相机 👩\u{200d}🔬";
-        assert_eq!([shown(plain), printable(plain), path_text(plain)], [plain; 3]);
+        assert_eq!([escaped(plain), printable(plain), path_text(plain)], [plain; 3]);
     }
 
     #[test]
     fn long_texts_are_cut_at_their_end_and_long_paths_at_their_start() {
-        assert_eq!(shown(&"é".repeat(40)), "é".repeat(40));
-        assert_eq!(shown(&"é".repeat(5_000_000)), format!("{}…", "é".repeat(40)));
+        assert_eq!(escaped(&"é".repeat(40)), "é".repeat(40));
+        assert_eq!(escaped(&"é".repeat(5_000_000)), format!("{}…", "é".repeat(40)));
         assert_eq!(within("\u{1b}\u{1b}", 7), "\\u{1b}…", "an escape is whole or not there");
         let long = format!("{}/meshes/cow.obj", "x".repeat(1000));
         let cut = path_text(&long);

@@ -2,18 +2,18 @@
 
 use std::path::Path;
 
-use super::{Form, Picture, PictureError, PictureFile, Renderer, Sheet, file, gap};
+use super::{Composite, FileOptions, Picture, PictureError, PictureFile, Renderer, file, gap};
 use crate::appearance::Rgba;
 use crate::camera::Decomposition;
 use crate::export::animation::{AnimationError, AnimationFormat, TICK, animation};
 use crate::export::format::PictureFormat;
 use crate::figure::ShownStep;
-use crate::progress::{Doing, Progress};
+use crate::progress::{Activity, Progress};
 use crate::views::{Arrangement, Palette, Request};
 
 /// A way, and how it is shown.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Film {
+pub struct Animation {
     /// The canonical picture; its size is that of each picture.
     pub request: Request,
     /// Whose steps.
@@ -43,7 +43,7 @@ const PER_SECOND: u32 = 20;
 /// How long a whole step stands still, in seconds.
 const REST: f64 = 1.2;
 
-impl Film {
+impl Animation {
     /// How many steps it has; 0 where the camera has no such steps.
     #[must_use]
     pub fn steps(&self) -> u32 {
@@ -60,10 +60,10 @@ impl Film {
 
     /// The world and what is left after each step, side by side.
     #[must_use]
-    pub fn stills(&self) -> Sheet {
+    pub fn stills(&self) -> Composite {
         let requests = (0..=self.steps()).map(|step| self.at(f64::from(step))).collect();
         let ground: Rgba = Palette::of(self.request.shot.look.style.theme).surround;
-        Sheet { requests, arrangement: Arrangement::Row, gap: gap(self.request.size.scale), ground, crowded: None }
+        Composite { requests, arrangement: Arrangement::Row, gap: gap(self.request.size.scale), ground, crowded: None }
     }
 
     /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format
@@ -83,7 +83,7 @@ impl Film {
                 Ok(PictureFile { bytes: self.animation(format, seconds, progress).await?, too_much: None })
             }
             FilmFormat::Strip(format) => {
-                file(&self.stills(), Form { format, crop: false, dpi: None }, figure, progress).await
+                file(&self.stills(), FileOptions { format, crop: false, dpi: None }, figure, progress).await
             }
         }
     }
@@ -106,7 +106,7 @@ impl Film {
         // given up.
         let mut renderer = Renderer::default();
         let size = [self.request.size.width, self.request.size.height];
-        progress.begin(Doing::Encoding, pictures as usize);
+        progress.begin(Activity::Encoding, pictures as usize);
         let made = animation(format, size, pictures, async |picture| {
             let time = f64::from(picture / per_step) + eased(f64::from(picture % per_step) / f64::from(per_step));
             let still = picture % per_step == 0;

@@ -43,7 +43,7 @@ impl KeptPath {
 
 /// What is written down. Keys that are not known here, from a later version, are passed over.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Kept {
+pub(super) struct SessionFile {
     /// The figure's file, if it has one.
     path: Option<KeptPath>,
     /// Of a figure without a file of its own: the folder of the picture that it came from.
@@ -57,7 +57,7 @@ pub(super) struct Kept {
     pub(super) restoring: bool,
 }
 
-/// The key of [`Kept::restoring`].
+/// The key of [`SessionFile::restoring`].
 const RESTORING: &str = "restoring";
 
 /// A window that has come back.
@@ -67,8 +67,8 @@ pub(super) struct Restored {
     pub(super) unknown: Vec<String>,
 }
 
-impl Kept {
-    pub(super) fn new(place: &Place, source: String, figure: &Figure, restoring: bool) -> Self {
+impl SessionFile {
+    pub(super) fn new(place: &SessionPlace, source: String, figure: &Figure, restoring: bool) -> Self {
         let figure = update(&source, figure);
         let kept = |path: &Option<PathBuf>| path.as_deref().map(KeptPath::from);
         Self { path: kept(&place.path), folder: kept(&place.folder), source, figure, restoring }
@@ -121,12 +121,12 @@ impl Kept {
 
 /// Where a document belongs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct SessionPlace {
     pub(super) path: Option<PathBuf>,
     pub(super) folder: Option<PathBuf>,
 }
 
-impl Place {
+impl SessionPlace {
     pub(super) fn of(document: &Document) -> Self {
         let path = document.path().cloned();
         let folder = document.folder().filter(|_| path.is_none()).map(Path::to_owned);

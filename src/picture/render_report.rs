@@ -3,12 +3,12 @@
 use std::time::Duration;
 
 use crate::drawing::{Drawing, Paint, Surface};
-use crate::pipeline::{Frame, ObjectReport, Stage, StageReport, TooMuch};
+use crate::pipeline::{Frame, ObjectReport, OverBudget, Stage, StageReport};
 use crate::raster::Work;
 
 /// How a picture came about; without a clock there is only what could not be done.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Account {
+pub struct RenderReport {
     /// Every stage, in order. Their times add up to the total.
     pub stages: Vec<StageReport>,
     /// What was done with each object that went through the pipeline: those of the scene first, in its order.
@@ -16,10 +16,10 @@ pub struct Account {
     /// From the scene to the last pixel.
     pub total: Duration,
     /// What could not be done as it was asked for; also without a clock.
-    pub too_much: Option<TooMuch>,
+    pub too_much: Option<OverBudget>,
 }
 
-impl Account {
+impl RenderReport {
     /// The report of the pipeline, completed with what was done to pixels; `on_window` is the time that the image on
     /// the view window took, if it was drawn. What is neither the pipeline's nor the rasterizer's work went into the
     /// scene that the picture shows: the canonical volume's is clipped and projected, the world's has the camera's gear

@@ -22,7 +22,7 @@ pub struct OnPaper {
     /// Pixels per inch.
     pub dpi: f64,
     /// Height of the letters of names in points; `None`: by the scale of the picture. Where there are three pictures,
-    /// they are smaller as long as they can be read if they would cover what they name: [`Sheet::crowded`] tells.
+    /// they are smaller as long as they can be read if they would cover what they name: [`Composite::crowded`] tells.
     pub letters: Option<f64>,
     /// Width of the edges of solids in points, and other strokes in proportion; `None`: in proportion to the letters.
     pub lines: Option<f64>,
@@ -70,7 +70,7 @@ pub struct Crowded {
 
 /// Why there is no sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NoSheet {
+pub enum NoComposite {
     /// It would have more pixels than any picture.
     #[error("there is no memory for a picture of this size")]
     TooLarge,
@@ -84,7 +84,7 @@ pub enum NoSheet {
 
 /// Pictures that belong together, and how they stand on their sheet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sheet {
+pub struct Composite {
     /// What is drawn, in the order of [`View::ALL`].
     pub requests: Vec<Request>,
     /// How they share the sheet.
@@ -97,24 +97,24 @@ pub struct Sheet {
     pub crowded: Option<Crowded>,
 }
 
-impl Sheet {
+impl Composite {
     /// What is drawn for `views`: `request` for each of them, seen by its observer. All three together are as large as
     /// `request` says.
     ///
     /// # Errors
-    /// [`NoSheet`] where there is no room for three, and where they would have more pixels than any picture.
-    pub fn of(views: Views, request: &Request, shot: &Shot, paper: Option<&OnPaper>) -> Result<Self, NoSheet> {
+    /// [`NoComposite`] where there is no room for three, and where they would have more pixels than any picture.
+    pub fn of(views: Views, request: &Request, shot: &Shot, paper: Option<&OnPaper>) -> Result<Self, NoComposite> {
         // Each of the three may be as large as a picture can be; the sheet of them may not be larger.
         let whole = request.size;
         if u64::from(whole.width) * u64::from(whole.height) > MAX_PIXELS {
-            return Err(NoSheet::TooLarge);
+            return Err(NoComposite::TooLarge);
         }
         let (arrangement, mut sizes, crowded) = match views {
             Views::One(_) => (Arrangement::Row, vec![whole], None),
             Views::All => {
                 let arranged = paper.is_some_and(|paper| paper.arranged);
                 let arrangement = if arranged { best(request) } else { Arrangement::Row };
-                let no_room = NoSheet::NoRoom { gap: gap(whole.scale) };
+                let no_room = NoComposite::NoRoom { gap: gap(whole.scale) };
                 // Gaps alone are no pictures.
                 let sizes = sizes(arrangement, whole).filter(|all| all.iter().all(|s| s.width > 0 && s.height > 0));
                 (arrangement, sizes.ok_or(no_room)?.to_vec(), None)
@@ -135,7 +135,7 @@ impl Sheet {
     }
 }
 
-impl Sheet {
+impl Composite {
     /// The same sheet, smaller by a factor, with letters and strokes: to be looked at before it is made.
     #[must_use]
     pub fn reduced(mut self, factor: f32) -> Self {
@@ -257,13 +257,13 @@ mod tests {
     use crate::views::SharedScene;
 
     /// A sheet of the figure that is there at first, so many pixels large.
-    fn sheet(views: Views, [width, height]: [u32; 2], paper: Option<OnPaper>) -> Sheet {
+    fn sheet(views: Views, [width, height]: [u32; 2], paper: Option<OnPaper>) -> Composite {
         let figure = Figure::default();
         let camera = Camera::new(&figure.camera).unwrap();
         let size = Size { width, height, scale: 1.0 };
         let scene = SharedScene::new(Scene::default());
         let request = Request::of(&figure, View::Image, &camera, &scene, pictures::labels(Lang::En), size);
-        Sheet::of(views, &request, &Shot::of(&figure), paper.as_ref()).unwrap()
+        Composite::of(views, &request, &Shot::of(&figure), paper.as_ref()).unwrap()
     }
 
     const PAPER: OnPaper = OnPaper { dpi: 300.0, letters: Some(9.0), lines: None, arranged: true };

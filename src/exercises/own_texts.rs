@@ -7,14 +7,14 @@ use super::value::Table;
 
 /// A text in both languages.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Told {
+pub struct Bilingual {
     /// In English.
     pub en: String,
     /// In Portuguese.
     pub pt_br: String,
 }
 
-impl From<[String; 2]> for Told {
+impl From<[String; 2]> for Bilingual {
     fn from([en, pt_br]: [String; 2]) -> Self {
         Self { en, pt_br }
     }
@@ -24,31 +24,31 @@ impl From<[String; 2]> for Told {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OwnTexts {
     /// Its title.
-    pub title: Told,
+    pub title: Bilingual,
     /// Its statement in Markdown.
-    pub statement: Told,
+    pub statement: Bilingual,
     /// How it is read.
-    pub assumptions: Vec<Told>,
+    pub assumptions: Vec<Bilingual>,
     /// What is asked, by the names of the asks.
-    pub asks: BTreeMap<String, Told>,
+    pub asks: BTreeMap<String, Bilingual>,
 }
 
 /// A wrong answer that a lecturer expects.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OwnMistake {
     /// The answer.
-    pub answer: Given,
+    pub answer: ExpectedAnswer,
     /// Which of the known mistakes it is, if it is one.
     pub mistake: Option<Mistake>,
     /// What is said of it.
-    pub message: Told,
+    pub message: Bilingual,
     /// Hints, weaker ones first.
-    pub hints: Vec<Told>,
+    pub hints: Vec<Bilingual>,
 }
 
 /// An answer as a lecturer gives it.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Given {
+pub enum ExpectedAnswer {
     /// Numbers.
     Numbers(Table),
     /// One of the choices, from 0.

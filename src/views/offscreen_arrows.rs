@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::appearance::{Dash, HiddenLines, LineStyle};
 use crate::camera::{Camera, Projection};
 use crate::drawing::{Anchor, Drawing, Label, StrokeSet};
-use crate::foreign;
+use crate::sanitize;
 
 use super::gizmos::{SMALL_TYPE, stroke};
 use super::{Palette, Request, probe};
@@ -57,7 +57,7 @@ pub(super) fn in_image(drawing: &mut Drawing, request: &Request, palette: Palett
             polylines: std::iter::once(0..2).collect(),
             style: LineStyle { arrow: true, ..style },
         });
-        let name = if look.name.is_empty() { String::new() } else { foreign::shown(look.name) };
+        let name = if look.name.is_empty() { String::new() } else { sanitize::escaped(look.name) };
         let text = match (behind, name.is_empty()) {
             (false, _) => name,
             (true, true) => request.labels.behind_eye.to_owned(),
