@@ -9,8 +9,9 @@ use super::bounds::Bounds;
 use super::cull::{Containment, containment, outside};
 use super::depths::InView;
 use super::projector::Projector;
+use super::scenes::Scenes;
 use crate::geometry::Aabb;
-use crate::scene::{Mesh, Object, Scene};
+use crate::scene::{Mesh, Object};
 
 /// The scene that was drawn last, and the tree of boxes over its objects.
 ///
@@ -70,8 +71,8 @@ const LEAF: usize = 4;
 
 impl BoundingTree {
     /// Where each object of `scene` lies.
-    pub(super) fn places(&mut self, scene: &Scene, projector: &Projector) -> Places {
-        self.update(&scene.objects);
+    pub(super) fn places(&mut self, scenes: Scenes, projector: &Projector) -> Places {
+        self.update(scenes);
         let (mut tested, mut in_view) = (0, InView::NOTHING);
         let mut test = |k: usize| match &self.objects[k] {
             Known { bounds: None, .. } => Containment::Empty,
@@ -111,10 +112,11 @@ impl BoundingTree {
     }
 
     /// Brings what is known up to date.
-    fn update(&mut self, objects: &[Object]) {
-        self.objects.truncate(objects.len());
-        self.loose.retain(|&k| (k as usize) < objects.len());
-        for (k, object) in (0_u32..).zip(objects) {
+    fn update(&mut self, scenes: Scenes) {
+        let count = scenes.object_count();
+        self.objects.truncate(count);
+        self.loose.retain(|&k| (k as usize) < count);
+        for (k, object) in (0_u32..).zip(scenes.objects()) {
             match self.objects.get(k as usize) {
                 Some(known) if known.is(object) => continue,
                 Some(_) => self.objects[k as usize] = self.look_at(object),
@@ -125,13 +127,13 @@ impl BoundingTree {
             }
             self.loose.insert(k);
         }
-        if self.meshes.len() > 2 * objects.len() + FEW {
+        if self.meshes.len() > 2 * count + FEW {
             self.meshes.retain(|_, (mesh, _)| mesh.strong_count() > 0);
         }
-        if objects.len() < FEW {
+        if count < FEW {
             self.nodes.clear();
             self.loose.clear();
-        } else if self.nodes.is_empty() || self.loose.len() > self.without_box + FEW + objects.len() / 8 {
+        } else if self.nodes.is_empty() || self.loose.len() > self.without_box + FEW + count / 8 {
             self.build();
         }
     }

@@ -10,20 +10,21 @@ use super::depths::InView;
 use super::outline::outline;
 use super::planes::outcode;
 use super::projector::{ClipPoint, Projector};
+use super::scenes::Scenes;
 use super::transform::{Screen, Vertices, off_grid};
 use crate::appearance::{Dash, HiddenLines, LineStyle, Rgba, Shading, Style};
 use crate::drawing::{Anchor, Label, Mark, StrokeSet};
-use crate::scene::{Object, ObjectPaint, Scene};
+use crate::scene::{Object, ObjectPaint};
 
 /// Between which distances lines, marks and texts of the scene are in the volume.
-pub(super) fn in_view(scene: &Scene, projector: &Projector) -> InView {
+pub(super) fn in_view(scenes: Scenes, projector: &Projector) -> InView {
     let clip = |p: DVec3| projector.clip(projector.view(p));
     let mut clipper = Clipper::default();
-    let segments = scene.lines.iter().flat_map(|line| line.points.windows(2));
+    let segments = scenes.lines().flat_map(|line| line.points.windows(2));
     let lines = segments
         .filter_map(|ends| clipper.segment(projector, [clip(ends[0]), clip(ends[1])]))
         .flat_map(|ends| ends.map(|(p, _)| p.depth));
-    let points = scene.marks.iter().map(|mark| mark.position).chain(scene.texts.iter().map(|text| text.position));
+    let points = scenes.marks().map(|mark| mark.position).chain(scenes.texts().map(|text| text.position));
     let points = points.map(clip).filter(|&p| outcode(projector, p) == 0).map(|p| p.depth);
     lines.chain(points).fold(InView::NOTHING, |all, depth| all.and(InView::between(depth, depth)))
 }
@@ -105,10 +106,10 @@ impl<'a> Strokes<'a> {
     }
 
     /// The lines that stand in the world.
-    pub(super) fn lines(&mut self, scene: &Scene) {
+    pub(super) fn lines(&mut self, scenes: Scenes) {
         let projector = self.projector;
-        self.asked += scene.lines.len() + scene.marks.len() + scene.texts.len();
-        for line in &scene.lines {
+        self.asked += scenes.line_count();
+        for line in scenes.lines() {
             self.polyline(line.points.iter().map(|&p| projector.view(p)), line.style);
         }
     }
@@ -119,8 +120,8 @@ impl<'a> Strokes<'a> {
     }
 
     /// The marks inside the volume.
-    pub(super) fn marks(&self, scene: &Scene, background: Rgba) -> Vec<Mark> {
-        let marks = scene.marks.iter().filter_map(|mark| {
+    pub(super) fn marks(&self, scenes: Scenes, background: Rgba) -> Vec<Mark> {
+        let marks = scenes.marks().filter_map(|mark| {
             Some(Mark {
                 position: self.inside(mark.position)?,
                 shape: mark.shape,
@@ -134,8 +135,8 @@ impl<'a> Strokes<'a> {
     }
 
     /// The texts whose point is inside the volume.
-    pub(super) fn labels(&self, scene: &Scene, background: Rgba) -> Vec<Label> {
-        let labels = scene.texts.iter().filter_map(|text| {
+    pub(super) fn labels(&self, scenes: Scenes, background: Rgba) -> Vec<Label> {
+        let labels = scenes.texts().filter_map(|text| {
             Some(Label {
                 position: self.inside(text.position)?,
                 offset: text.offset.map(|c| c * self.scale),

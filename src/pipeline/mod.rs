@@ -9,12 +9,13 @@
 //! | back faces dropped | pixels | `faces`, `cull` |
 //! | clipping, before the divide | clip | `faces`, `clip` |
 //! | light on what is left | view | `light`, `shade` |
-//! | order of faces, where no depth buffer decides | view | `visibility` |
+//! | order of faces, where no depth buffer decides | view | `hidden_surfaces`, `visibility` |
 //! | edges, outlines, lines, marks, texts | world → pixels | `lines`, `outline` |
 //!
 //! Light comes last although the notes have it second: only faces that are left need any. Filling, hidden surfaces,
 //! blending and smoothing are the output's ([`raster`](crate::raster)). [`project`] takes the scene only as far as ndc.
-//! What goes into a stage and comes out of it is noted by `stage_work`, where a picture shows it. [`clip_parts`],
+//! [`Pipeline::frame`] takes the objects through the stages one by one, each by `object_pass`; `recorder` counts and
+//! times them, and notes in `stage_work` what goes into the stage that a picture shows, and what comes out. [`clip_parts`],
 //! [`cull_result`], [`one_triangle`] and [`divide_before_clip`] are not on the way to a picture: they show what
 //! clipping and culling do, and what would come of dividing first.
 //!
@@ -34,8 +35,10 @@ mod cut;
 pub mod depths;
 pub mod divide_before_clip;
 mod faces;
+mod hidden_surfaces;
 pub mod light;
 mod lines;
+mod object_pass;
 pub mod one_triangle;
 mod outline;
 pub mod plan;
@@ -44,9 +47,11 @@ mod planes;
 mod pool;
 pub mod project;
 mod projector;
+mod recorder;
 pub mod report;
 mod resample;
 mod rounding_check;
+mod scenes;
 mod shade;
 mod stage_work;
 mod stages;
@@ -57,33 +62,32 @@ mod visibility;
 
 use crate::appearance::{Rgba, Shading, Style, Visibility};
 use crate::camera::Camera;
-use crate::drawing::{Drawing, Surface};
+use crate::drawing::Drawing;
 use crate::limits::MAX_PIECES;
 use crate::progress::Progress;
 use crate::scene::Scene;
 use bounding_tree::BoundingTree;
 pub use budget::OverBudget;
 pub use cull::Containment;
-use faces::{FaceTask, Faces};
+use faces::Faces;
+use hidden_surfaces::Unordered;
 use light::Lights;
 use lines::Strokes;
+use object_pass::{ObjectPass, PassContext};
 pub use plan::{Options, Output, Plan, Reason, Stage};
-use plan_counts::Survey;
 pub use planes::{NEAR, PlaneSet};
 use pool::Pool;
 use projector::Projector;
+use recorder::Recorder;
 use report::Meter;
 pub use report::{FollowedTriangle, Frame, StageReport};
 pub use resample::with_triangles;
 use rounding_check::Misplaced;
 pub use rounding_check::MisplacedVertex;
-use shade::Shaded;
-use stage_work::Notes;
+pub use scenes::Scenes;
 pub use stage_work::{ObjectWork, StageWork, VertexWork};
-use stages::LitAt;
 pub use stages::{FacesDone, ObjectReport};
-use transform::{Screen, Vertices};
-use visibility::{Layer, TooManyPieces};
+use transform::Screen;
 
 /// The picture to make: its size in pixels, and how large a stroke's or letter's unit is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,141 +145,67 @@ impl Pipeline {
         self.progress = progress.clone();
     }
 
-    /// Draws as [`draw`] does, and tells what was done.
+    /// Draws as [`draw`] does, and tells what was done. A scene and the gear of a picture are handed over side by side.
     #[must_use]
-    pub fn frame(&mut self, scene: &Scene, camera: &Camera, target: Target, style: &Style, options: Options) -> Frame {
-        let mut meter = Meter::new(options);
+    pub fn frame<'a>(
+        &mut self,
+        scenes: impl Into<Scenes<'a>>,
+        camera: &Camera,
+        target: Target,
+        style: &Style,
+        options: Options,
+    ) -> Frame {
+        let (scenes, screen, meter) = (scenes.into(), Screen::new(target), Meter::new(options));
         let mut projector = Projector::new(camera);
-        let screen = Screen::new(target);
-        let places = self.tree.places(scene, &projector);
+
+        let places = self.tree.places(scenes, &projector);
         if !options.depth_of_volume {
-            let in_view = places.in_view.and(lines::in_view(scene, &projector));
+            let in_view = places.in_view.and(lines::in_view(scenes, &projector));
             projector.depths = projector.depths.resolving(in_view);
         }
-        let mut misplaced = Misplaced::new(camera, &screen, places.in_view);
-        let plan = Plan::new(scene, &projector, style, places, options);
-        let lights = Lights::new(&scene.lights, &projector, style.shading);
+        let misplaced = Misplaced::new(camera, &screen, places.in_view);
+        let plan = Plan::new(scenes, &projector, style, places, options);
+        let lights = Lights::new(scenes.lights(), &projector, style.shading);
+        let context =
+            PassContext { plan: &plan, projector: &projector, screen: &screen, lights: &lights, style, options };
+        let mut recorder = Recorder::new(meter, misplaced, scenes, context);
         let mut strokes = Strokes::new(&projector, &screen, target);
-        let (faces, pool) = (&mut self.faces, &mut self.pool);
-        let mut done: Vec<ObjectReport> = plan.objects.iter().map(ObjectReport::new).collect();
-        let (mut surfaces, mut layers, mut of_object) = (Vec::new(), Vec::new(), Vec::new());
-        let mut notes = options.shown.map(|stage| Notes::new(stage, &projector, &screen));
-        if let Some(notes) = &mut notes {
-            notes.objects(scene, &plan);
-        }
-        meter.lap(Stage::Traverse);
+        let mut unordered = Unordered::default();
 
-        let mut followed = None;
-        let objects = scene.objects.iter().zip(&plan.objects).zip(&mut done).enumerate();
-        for (index, ((object, todo), done)) in objects.filter(|(_, ((_, todo), _))| todo.drawn) {
+        let (faces, pool) = (&mut self.faces, &mut self.pool);
+        let objects = scenes.objects().zip(&plan.objects).enumerate();
+        for (index, (object, todo)) in objects.filter(|(_, (_, todo))| todo.drawn) {
             if self.progress.is_cancelled() {
                 break;
             }
-            let view_from_object = projector.view_from_object(object.world_from_object);
-            let mesh = &object.mesh;
-            let vertices =
-                Vertices { projector: &projector, view_from_object: &view_from_object, positions: &mesh.positions };
+            let pass = ObjectPass::new(index, object, todo, context);
             if todo.faces {
-                let interpolates = projector.perspective && Shaded::interpolates(object, todo.lit);
-                pool.refill(faces);
-                faces.image.fill(&vertices, &screen, todo.clip_planes != 0, interpolates);
-                if let Some(notes) = &mut notes {
-                    notes.vertices(object, &vertices, &lights);
-                }
-                meter.lap(Stage::Transform);
-
-                let cut_open = mesh.closed && faces.cut_open();
-                let cull_back = todo.cull_back && !cut_open;
-                let task = FaceTask {
-                    cull_back,
-                    watch_turning: !plan.depth,
-                    want_source: Shaded::colors_faces(object, todo.lit) || options.followed.is_some(),
-                    want_used: todo.lit == LitAt::Vertices,
-                };
-                faces.cull(&vertices, &mesh.triangles, task);
-                if let Some(notes) = &mut notes {
-                    notes.culled(&vertices, &mesh.triangles, faces);
-                }
-                meter.lap(Stage::CullFaces);
-
-                faces.clip(&vertices, &screen, task.want_source, options.force_all_stages);
-                if let Some(notes) = &mut notes {
-                    notes.clipped(&vertices, faces);
-                }
-                meter.lap(Stage::Clip);
-                if let Some((_, triangle)) = options.followed.filter(|(of, _)| *of == index) {
-                    let its = (0..).zip(&faces.source).filter(|(_, source)| **source == triangle).map(|(i, _)| i);
-                    followed = Some(FollowedTriangle { surface: surfaces.len(), triangles: its.collect() });
-                }
-                done.triangles = faces.triangles.len();
-                done.lit = todo.lit;
-                done.faces = match cull_back {
-                    true => FacesDone::BackDropped,
-                    false if todo.cull_back => FacesDone::CutOpen,
-                    false => FacesDone::BothSides,
-                };
-                meter.count(&vertices, faces, object, done);
-
-                let shaded = Shaded {
-                    object,
-                    vertices,
-                    lights: &lights,
-                    lit: todo.lit,
-                    both_sides: object.two_sided || cut_open || (mesh.closed && todo.translucent),
-                    depth_test: plan.depth || (faces.turned_over > 0 && plan.order == Visibility::DepthBuffer),
-                };
-                if plan.order == Visibility::DepthBuffer {
-                    surfaces.extend(shaded.surfaces(faces, pool));
-                } else {
-                    let never_hides_itself = mesh.convex && mesh.closed && cull_back && faces.turned_over == 0;
-                    layers.extend(shaded.layers(faces, pool, never_hides_itself));
-                    of_object.resize(layers.len(), object);
-                }
-                meter.lap(Stage::Light);
+                pass.transform(faces, pool);
+                recorder.transformed(&pass);
+                pass.cull(faces);
+                recorder.culled(&pass, faces);
+                pass.clip(faces);
+                recorder.clipped(&pass, faces, unordered.surfaces.len());
+                pass.light(faces, pool, &mut unordered);
+                recorder.meter.lap(Stage::Light);
             }
-            let ends = strokes.edges(object, &vertices, style) + strokes.outline(object, &vertices, style);
-            if !todo.faces {
-                meter.count_ends(ends);
-            }
-            meter.lap(Stage::Lines);
-            misplaced.look_at(object, &vertices);
-            meter.lap(Stage::Transform);
+            let ends = pass.lines(&mut strokes);
+            recorder.drawn(&pass, ends);
         }
-        let mut too_many: Option<TooManyPieces> = None;
-        match plan.order {
+
+        if style.shading == Shading::Wireframe {
             // Forced to be made, but only edges were asked for.
-            _ if style.shading == Shading::Wireframe => surfaces.clear(),
-            Visibility::DepthBuffer => {}
-            order @ (Visibility::Painter | Visibility::Bsp) => {
-                let faces = layers.iter().map(|layer| layer.surface.triangles.len()).sum();
-                let sorted = match order {
-                    Visibility::Bsp => {
-                        visibility::by_splitting(&layers, &projector, &screen, self.max_pieces, &self.progress)
-                    }
-                    Visibility::Painter | Visibility::DepthBuffer => {
-                        Ok(visibility::by_centroid(&layers, &projector, &screen))
-                    }
-                };
-                match sorted {
-                    Ok((sorted, pieces)) => {
-                        surfaces = sorted;
-                        meter.pieces = Some((faces, pieces));
-                    }
-                    Err(error) => {
-                        // A depth buffer decides what no order can be found for.
-                        let tested = |layer: Layer| Surface { depth_test: true, ..layer.surface };
-                        surfaces = std::mem::take(&mut layers).into_iter().map(tested).collect();
-                        too_many = Some(error);
-                    }
-                }
-            }
+            unordered = Unordered::default();
         }
-        meter.lap(Stage::HiddenSurfaces);
-        strokes.lines(scene);
-        let marks = strokes.marks(scene, target.background);
-        let labels = strokes.labels(scene, target.background);
-        meter.lines = (strokes.asked, strokes.drawn() + marks.len() + labels.len());
-        meter.lap(Stage::Lines);
+        let ordered = unordered.ordered(plan.order, (&projector, &screen), self.max_pieces, &self.progress);
+        recorder.meter.pieces = ordered.pieces;
+        recorder.meter.lap(Stage::HiddenSurfaces);
+
+        strokes.lines(scenes);
+        let marks = strokes.marks(scenes, target.background);
+        let labels = strokes.labels(scenes, target.background);
+        recorder.meter.lines = (strokes.asked, strokes.drawn() + marks.len() + labels.len());
+        recorder.meter.lap(Stage::Lines);
 
         let drawing = Drawing {
             width: target.width,
@@ -283,34 +213,18 @@ impl Pipeline {
             background: target.background,
             antialias: style.antialias,
             // Without faces any order is right.
-            painted_in_order: too_many.is_none()
+            painted_in_order: ordered.given_up.is_none()
                 && (plan.order != Visibility::DepthBuffer || options.output == Output::Vectors),
-            surfaces,
+            surfaces: ordered.surfaces,
             strokes: strokes.sets,
             areas: Vec::new(),
             marks,
             labels,
         };
-        let report = meter.report(&plan, &Survey::of_done(scene, &plan.objects, &done, style), style);
-        let too_much = OverBudget::rounding(misplaced.found());
-        let work = notes.map(|notes| notes.work).filter(|work| report.iter().any(|r| r.stage == work.stage && r.ran));
-        let depths = projector.depths;
-        let mut frame = Frame {
-            drawing,
-            report,
-            plan,
-            objects: done,
-            too_much,
-            depths,
-            work,
-            dropped_faces: Vec::new(),
-            before: None,
-            followed,
-        };
-        if let Some(TooManyPieces { pieces, of_layer }) = too_many {
+        let mut frame = recorder.frame(drawing, scenes);
+        if let Some((pieces, over_budget)) = ordered.given_up {
             frame.say(Stage::HiddenSurfaces, Reason::TooManyPieces { pieces });
-            frame.too_much =
-                Some(OverBudget::pieces(of_object.iter().map(|object| object.name.as_str()).zip(of_layer)));
+            frame.too_much = Some(over_budget);
         }
         frame
     }

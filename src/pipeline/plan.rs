@@ -11,9 +11,10 @@ use super::cull::Containment;
 use super::plan_counts::Survey;
 use super::planes::ALL_PLANES;
 use super::projector::Projector;
+use super::scenes::Scenes;
 pub use super::stages::{LitAt, ObjectPlan, Output, Reason, StagePlan};
 use crate::appearance::{Shading, Style, Visibility};
-use crate::scene::{Object, ObjectPaint, Scene};
+use crate::scene::{Object, ObjectPaint};
 pub use crate::stage::Stage;
 
 /// What a picture needs.
@@ -54,14 +55,14 @@ pub struct Options {
 
 impl Plan {
     /// Plans the picture; `places` are those of the objects.
-    pub(super) fn new(scene: &Scene, projector: &Projector, style: &Style, places: Places, options: Options) -> Self {
+    pub(super) fn new(scenes: Scenes, projector: &Projector, style: &Style, places: Places, options: Options) -> Self {
         let Places { containments, boxes_tested, .. } = places;
         let force = options.force_all_stages;
-        let dark = scene.lights.is_empty();
-        let objects = scene.objects.iter().zip(containments);
+        let dark = scenes.lights().is_empty();
+        let objects = scenes.objects().zip(containments);
         let objects = objects.map(|(object, containment)| plan_object(object, containment, style, dark, force));
         let objects: Vec<ObjectPlan> = objects.collect();
-        let survey = Survey::new(scene, &objects, style);
+        let survey = Survey::new(scenes, &objects, style);
         let stages = Stage::ALL
             .map(|stage| {
                 let (runs, reason) = survey.stage(stage, projector, style, options.output);

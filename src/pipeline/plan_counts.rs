@@ -3,10 +3,11 @@
 use super::cull::Containment;
 use super::planes::{NEAR, PlaneSet};
 use super::projector::Projector;
+use super::scenes::Scenes;
 use super::shade::Shaded;
 use super::stages::{FacesDone, LitAt, ObjectPlan, ObjectReport, Output, Reason, StagePlan};
 use crate::appearance::{HiddenLines, Shading, Style, Visibility};
-use crate::scene::{Object, ObjectPaint, Scene};
+use crate::scene::{Object, ObjectPaint};
 use crate::stage::Stage;
 
 /// The counts on which the plan of a frame rests, or, of what was done, its account. Of objects in view only, and of
@@ -33,10 +34,9 @@ pub(super) struct Survey {
 }
 
 impl Survey {
-    pub(super) fn new(scene: &Scene, plans: &[ObjectPlan], style: &Style) -> Self {
-        let in_view: Vec<(&Object, &ObjectPlan)> = scene
-            .objects
-            .iter()
+    pub(super) fn new(scenes: Scenes, plans: &[ObjectPlan], style: &Style) -> Self {
+        let in_view: Vec<(&Object, &ObjectPlan)> = scenes
+            .objects()
             .zip(plans)
             .filter(|(_, plan)| matches!(plan.containment, Containment::Crosses(_)))
             .collect();
@@ -54,7 +54,7 @@ impl Survey {
             !(object.mesh.convex && object.mesh.closed && plan.cull_back && planes(plan) & NEAR == 0)
         };
         Self {
-            objects: scene.objects.len(),
+            objects: scenes.object_count(),
             outside: plans.iter().filter(|plan| matches!(plan.containment, Containment::Outside(_))).count(),
             in_view: in_view.len(),
             crossing: in_view.iter().filter(|(_, plan)| planes(plan) != 0).count(),
@@ -65,36 +65,36 @@ impl Survey {
             lit_faces: lit(LitAt::Faces),
             lit_vertices: lit(LitAt::Vertices),
             lit_pixels: lit(LitAt::Pixels),
-            dark: scene.lights.is_empty(),
+            dark: scenes.lights().is_empty(),
             varies: faces.iter().filter(|(object, plan)| Shaded::interpolates(object, plan.lit)).count(),
             textured: faces.iter().filter(|(object, _)| matches!(object.paint, ObjectPaint::Texture { .. })).count(),
             translucent: faces.iter().filter(|(_, plan)| plan.translucent).count(),
             hides_itself: faces.iter().any(|(object, plan)| hides_itself(object, plan)),
             lines_ask: in_view.iter().any(|(object, _)| object.edges.is_some_and(|style| asks(style.hidden)))
                 || in_view.iter().any(|(object, _)| outline(object).is_some_and(|style| asks(style.hidden)))
-                || scene.lines.iter().any(|line| asks(line.style.hidden))
-                || scene.marks.iter().any(|mark| mark.fade_if_hidden)
-                || scene.texts.iter().any(|text| text.fade_if_hidden),
+                || scenes.lines().any(|line| asks(line.style.hidden))
+                || scenes.marks().any(|mark| mark.fade_if_hidden)
+                || scenes.texts().any(|text| text.fade_if_hidden),
             lines: in_view.iter().any(|(object, _)| wireframe || object.edges.is_some() || outline(object).is_some())
-                || !(scene.lines.is_empty() && scene.marks.is_empty() && scene.texts.is_empty()),
+                || scenes.line_count() > 0,
         }
     }
 
     /// The same counts of what was done: an object all of whose faces were dropped or clipped away has none, and what
     /// the near plane has cut open keeps its back faces.
-    pub(super) fn of_done(scene: &Scene, plans: &[ObjectPlan], done: &[ObjectReport], style: &Style) -> Self {
+    pub(super) fn of_done(scenes: Scenes, plans: &[ObjectPlan], done: &[ObjectReport], style: &Style) -> Self {
         let left = plans.iter().zip(done).map(|(plan, done)| ObjectPlan {
             faces: plan.faces && done.triangles > 0,
             cull_back: done.faces == FacesDone::BackDropped,
             ..*plan
         });
-        let left = Self::new(scene, &left.collect::<Vec<_>>(), style);
+        let left = Self::new(scenes, &left.collect::<Vec<_>>(), style);
         // Culling has come before what is left is known: it counts all objects whose faces it was given.
         let culling = plans
             .iter()
             .zip(done)
             .map(|(plan, done)| ObjectPlan { cull_back: done.faces == FacesDone::BackDropped, ..*plan });
-        let culling = Self::new(scene, &culling.collect::<Vec<_>>(), style);
+        let culling = Self::new(scenes, &culling.collect::<Vec<_>>(), style);
         let cut_open = done.iter().filter(|done| done.faces == FacesDone::CutOpen).count();
         Self { culled: culling.culled, cut_open, ..left }
     }

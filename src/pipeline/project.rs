@@ -40,7 +40,7 @@ pub fn legible_clipped_scene(scene: &Scene, camera: &Camera, shading: Shading) -
 }
 
 fn clipped_by(scene: &Scene, projector: &Projector, shading: Shading) -> (Scene, InView) {
-    let mut in_view = lines::in_view(scene, projector);
+    let mut in_view = lines::in_view(scene.into(), projector);
     // Edges alone show the object's own colour.
     let lit = shading != Shading::Wireframe && !scene.lights.is_empty();
     let lights = lit.then(|| Lights::new(&scene.lights, projector, shading));

@@ -9,8 +9,9 @@ use super::light::{Lights, ObjectLight};
 use super::plan::Plan;
 use super::projector::{ClipPoint, Projector};
 use super::resample::VertexOrigin;
+use super::scenes::Scenes;
 use super::transform::{Screen, Vertices, off_grid};
-use crate::scene::{Object, Scene};
+use crate::scene::Object;
 use crate::stage::Stage;
 
 /// So many sides, vertices and faces are noted; of more, nobody could tell one from another.
@@ -104,11 +105,11 @@ impl<'a> Notes<'a> {
     }
 
     /// The boxes of objects: those of all go in, those that may be in view come out.
-    pub(super) fn objects(&mut self, scene: &Scene, plan: &Plan) {
+    pub(super) fn objects(&mut self, scenes: Scenes, plan: &Plan) {
         if !matches!(self.work.stage, Stage::Traverse | Stage::CullObjects) {
             return;
         }
-        for (object, planned) in scene.objects.iter().zip(&plan.objects) {
+        for (object, planned) in scenes.objects().zip(&plan.objects) {
             let Some(bounds) = object.bounds() else { continue };
             if !self.has_room(12 * self.work.objects.len()) {
                 return;

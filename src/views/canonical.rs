@@ -9,11 +9,11 @@ use crate::appearance::{Dash, HiddenLines};
 use crate::camera::Basis;
 use crate::figure::{Observer, Outside};
 use crate::geometry::Aabb;
-use crate::pipeline::Frame;
+use crate::pipeline::{Frame, Scenes};
 use crate::scene::Scene;
 
 use super::canonical_box::CanonicalBox;
-use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
+use super::gizmos::{self, GearBuilder, SMALL_TYPE};
 use super::label_layout::Rules;
 use super::legend::LegendRow;
 use super::observer::{Direction, Viewpoint, enclosing};
@@ -67,10 +67,10 @@ pub(super) fn screen(request: &Request) -> Option<Screen> {
 
 /// The clipped and projected scene, in display space.
 pub(super) fn contents(request: &Request) -> Scene {
-    revealed(request).scene
+    revealed(request).scene.into_owned()
 }
 
-fn revealed(request: &Request) -> PipelineReveal {
+fn revealed(request: &Request) -> PipelineReveal<'_> {
     revealed_scene::in_canonical(request, Palette::of(request.shot.look.style.theme))
 }
 
@@ -89,19 +89,19 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     };
     let mut revealed = revealed(request);
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
-    let mut builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
+    let mut builder = GearBuilder::new(&screen, style.hidden_lines);
     let canonical = CanonicalBox::of(request);
     axes(&mut builder, &canonical, palette);
     revealed.mark(&mut builder, palette);
     probe::in_canonical(&mut builder, request, palette);
     triangle_overlay::in_canonical(&mut builder, request, palette);
     cube(&mut builder, &canonical, request.labels, palette);
-    let drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
+    let drawn = pipeline.frame(request, Scenes::new(&scene, &builder.gear), screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     settled(drawn, request, revealed.rows, &["x_n", "y_n", "z_n"], palette)
 }
 
-fn axes(builder: &mut SceneBuilder, canonical: &CanonicalBox, palette: Palette) {
+fn axes(builder: &mut GearBuilder, canonical: &CanonicalBox, palette: Palette) {
     for ((axis, name), color) in canonical.axes().into_iter().zip(["x_n", "y_n", "z_n"]).zip(palette.axes) {
         builder.vector(DVec3::ZERO, axis * AXIS, color, 1.8, name);
     }
@@ -109,7 +109,7 @@ fn axes(builder: &mut SceneBuilder, canonical: &CanonicalBox, palette: Palette) 
 
 /// The box: its near face (z_n = −1 in the notes) stands out as the window does in the world, its far face has dashed
 /// edges as there.
-fn cube(builder: &mut SceneBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
+fn cube(builder: &mut GearBuilder, canonical: &CanonicalBox, labels: &Labels, palette: Palette) {
     let bounds = canonical.bounds();
     let [near, far] = canonical.faces();
     box_between(builder, near, far, palette);
@@ -127,7 +127,7 @@ fn cube(builder: &mut SceneBuilder, canonical: &CanonicalBox, labels: &Labels, p
 }
 
 /// A volume between its near and its far face, each counter-clockwise as the camera sees it.
-pub(super) fn box_between(builder: &mut SceneBuilder, near: [DVec3; 4], far: [DVec3; 4], palette: Palette) {
+pub(super) fn box_between(builder: &mut GearBuilder, near: [DVec3; 4], far: [DVec3; 4], palette: Palette) {
     let side = |i: usize| [near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
     builder.sheer("volume", &[side(0), side(1), side(2), side(3), far], palette.volume);
     builder.sheer("near", &[near], palette.volume.with_alpha(palette.volume.a * 2));
@@ -204,7 +204,7 @@ fn coordinate(a: f64, b: f64) -> &'static str {
 }
 
 /// Short strokes along the inner side of the near face's border, as draughtsmen mark a plane.
-fn hatch(builder: &mut SceneBuilder, depth: f64, palette: Palette) {
+fn hatch(builder: &mut GearBuilder, depth: f64, palette: Palette) {
     const STROKES: i32 = 12;
     const LENGTH: f64 = 0.07;
     let hidden = std::mem::replace(&mut builder.hidden, HiddenLines::Hidden);

@@ -7,7 +7,7 @@ use crate::appearance::{Dash, MarkShape};
 
 use super::camera_gizmo::Gear;
 use super::dimensions::{Pen, Span, span};
-use super::gizmos::{SMALL_TYPE, SceneBuilder};
+use super::gizmos::{GearBuilder, SMALL_TYPE};
 use super::volume::DrawnVolume;
 use super::{Palette, Request};
 use crate::figure::{Measured, WindowSide};
@@ -17,7 +17,7 @@ const AXES: [&str; 3] = ["u", "v", "n"];
 
 /// Draws what is pointed at in a panel, but for what has a dimension line, and what is of an object.
 pub(super) fn in_world(
-    builder: &mut SceneBuilder,
+    builder: &mut GearBuilder,
     request: &Request,
     palette: Palette,
     volume: &DrawnVolume,
@@ -75,14 +75,14 @@ fn along(vector: DVec3, i: usize) -> [DVec3; 2] {
 }
 
 /// A vector, and its component along an axis.
-pub(super) fn component(builder: &mut SceneBuilder, from: DVec3, [vector, along]: [DVec3; 2], text: &str, pen: Pen) {
+pub(super) fn component(builder: &mut GearBuilder, from: DVec3, [vector, along]: [DVec3; 2], text: &str, pen: Pen) {
     builder.arrow(vec![from, from + vector], pen.color, pen.width, Dash::Solid);
     builder.line(vec![from + along, from + vector], pen.color, 0.8 * pen.width, Dash::Dotted);
     lettered(builder, [from, from + along], text, pen);
 }
 
 /// A strong stroke with its text beside its middle.
-pub(super) fn lettered(builder: &mut SceneBuilder, [from, to]: [DVec3; 2], text: &str, pen: Pen) {
+pub(super) fn lettered(builder: &mut GearBuilder, [from, to]: [DVec3; 2], text: &str, pen: Pen) {
     builder.line(vec![from, to], pen.color, 2.0 * pen.width, Dash::Solid);
     let (middle, across) = (from.lerp(to, 0.5), builder.screen.heading(from, to - from).perp());
     builder.text(middle, text, across, SMALL_TYPE, pen.color);

@@ -28,7 +28,9 @@ impl Solids {
         let cells = |side: u32| (f64::from(side) / cell).ceil() as usize;
         let (columns, rows) = (cells(drawing.width), cells(drawing.height));
         let mut covered = vec![false; columns * rows];
-        for surface in &drawing.surfaces {
+        // A picture without pixels has no cell that a face could cover.
+        let surfaces = drawing.surfaces.iter().filter(|_| columns * rows > 0);
+        for surface in surfaces {
             let positions: Vec<DVec2> =
                 surface.positions.iter().map(|p| DVec2::new(f64::from(p[0]), f64::from(p[1])) / cell).collect();
             let opaque = surface.triangles.iter().enumerate().filter(|(i, t)| is_opaque(&surface.paint, *i, t[0]));
@@ -132,6 +134,14 @@ mod tests {
             areas: Vec::new(),
             marks: Vec::new(),
             labels: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_picture_without_pixels_has_nothing_covered() {
+        for (width, height) in [(0, 100), (200, 0), (0, 0)] {
+            let solids = Solids::of(&Drawing { width, height, ..drawing(255) });
+            assert_eq!(solids.share(DVec2::splat(10.0), DVec2::splat(5.0)), 0.0);
         }
     }
 

@@ -6,7 +6,7 @@ use crate::appearance::{Dash, Rgba};
 use crate::camera::Projection;
 
 use super::camera_gizmo::Gear;
-use super::gizmos::{SMALL_TYPE, SceneBuilder};
+use super::gizmos::{GearBuilder, SMALL_TYPE};
 use super::volume::DrawnVolume;
 use super::{Palette, Request};
 use crate::figure::{Measure, Measured};
@@ -29,7 +29,7 @@ pub(super) struct Pen {
 }
 
 /// Draws the length of a span.
-pub(super) fn span(builder: &mut SceneBuilder, span: &Span<'_>, pen: Pen) {
+pub(super) fn span(builder: &mut GearBuilder, span: &Span<'_>, pen: Pen) {
     let Span { ends: [a, b], aside, text, gap } = *span;
     for p in [a, b] {
         builder.line(vec![p, p + aside * 1.06], pen.color, 0.6 * pen.width, Dash::Solid);
@@ -48,7 +48,7 @@ pub(super) fn span(builder: &mut SceneBuilder, span: &Span<'_>, pen: Pen) {
 
 /// An angle at `corner` from one direction to another (unit vectors), with an arc of a radius.
 pub(super) fn angle(
-    builder: &mut SceneBuilder,
+    builder: &mut GearBuilder,
     corner: DVec3,
     [from, to]: [DVec3; 2],
     radius: f64,
@@ -71,7 +71,7 @@ pub(super) fn angle(
 
 /// The dimension lines of the world: all that the figure asks for, and those that are pointed at in a panel.
 pub(super) fn in_world(
-    builder: &mut SceneBuilder,
+    builder: &mut GearBuilder,
     request: &Request,
     palette: Palette,
     volume: &DrawnVolume,
@@ -94,7 +94,7 @@ pub(super) fn in_world(
 /// How far below the axis the lowest of the dimension lines lies, in lengths of the camera's axes.
 pub(super) const LOWEST: f64 = 1.75;
 
-fn one(builder: &mut SceneBuilder, request: &Request, volume: &DrawnVolume, gear: Gear, measure: Measure, pen: Pen) {
+fn one(builder: &mut GearBuilder, request: &Request, volume: &DrawnVolume, gear: Gear, measure: Measure, pen: Pen) {
     let camera = &request.camera;
     let (c, dop, basis) = (camera.position(), camera.direction_of_projection(), camera.basis());
     let [_, rb, rt, lt] = volume.window();

@@ -11,11 +11,11 @@ use crate::geometry::Ray;
 use crate::scene::{Object, ObjectPaint};
 
 use super::camera_gizmo::Gear;
-use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
+use super::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
 use super::{Ghost, Palette, Request};
 
 /// Adds the operation that is being tried, and the camera that an answer describes, where there are any.
-pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear) {
+pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear) {
     if let Some(answered) = &request.shot.answered {
         camera_answered(builder, request, palette, gear, answered);
     }
@@ -35,7 +35,7 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
 }
 
 /// The camera before, faintly, with its name where it has moved.
-fn camera_before(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear, before: &Camera) {
+fn camera_before(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear, before: &Camera) {
     let (c, color) = (before.position(), palette.ghost);
     camera(builder, gear, before, "camera before", color);
     let moved = c.distance(request.camera.position()) > 0.5 * gear.axis;
@@ -46,7 +46,7 @@ fn camera_before(builder: &mut SceneBuilder, request: &Request, palette: Palette
 }
 
 /// The camera of an answer with its axes and its name, in the colour of what is wrong.
-fn camera_answered(builder: &mut SceneBuilder, request: &Request, palette: Palette, gear: Gear, answered: &Camera) {
+fn camera_answered(builder: &mut GearBuilder, request: &Request, palette: Palette, gear: Gear, answered: &Camera) {
     let (c, color) = (answered.position(), palette.wrong);
     camera(builder, gear, answered, "camera of the answer", color);
     let basis = answered.basis();
@@ -58,9 +58,9 @@ fn camera_answered(builder: &mut SceneBuilder, request: &Request, palette: Palet
 }
 
 /// A camera that is not the one of the picture, faintly: body, line to PF, and where its window is.
-fn camera(builder: &mut SceneBuilder, gear: Gear, camera: &Camera, name: &str, color: Rgba) {
+fn camera(builder: &mut GearBuilder, gear: Gear, camera: &Camera, name: &str, color: Rgba) {
     let c = camera.position();
-    builder.scene.objects.push(Object {
+    builder.gear.objects.push(Object {
         part_of: None,
         name: name.to_owned(),
         mesh: Arc::new(gizmos::camera_body()),
@@ -78,7 +78,7 @@ fn camera(builder: &mut SceneBuilder, gear: Gear, camera: &Camera, name: &str, c
 }
 
 /// The axis through the pivot, and the arc in the sense of the rotation.
-fn turn(builder: &mut SceneBuilder, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) {
+fn turn(builder: &mut GearBuilder, palette: Palette, gear: Gear, ghost: &Ghost, axis: Ray) {
     let (before, pivot) = (&ghost.before, axis.origin);
     let [u, v, n] = palette.axes;
     let (moved, color, name) = match ghost.operation {

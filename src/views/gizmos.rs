@@ -1,5 +1,6 @@
 //! The gear that pictures add to a scene: lines, arrows, marks, texts, and the camera's body.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
@@ -22,18 +23,23 @@ pub(super) fn stroke(color: Rgba, width: f32, dash: Dash, hidden: HiddenLines) -
     LineStyle { color, width, dash, hidden, arrow: false }
 }
 
-/// A scene that grows.
+/// The gear of a picture while it is made.
 #[derive(Debug)]
-pub(super) struct SceneBuilder<'a> {
-    pub(super) scene: Scene,
+pub(super) struct GearBuilder<'a> {
+    pub(super) gear: Scene,
     pub(super) screen: &'a Screen,
     pub(super) hidden: HiddenLines,
 }
 
-impl SceneBuilder<'_> {
+impl<'a> GearBuilder<'a> {
+    /// No gear yet; lines are hidden as those of the scene are.
+    pub(super) fn new(screen: &'a Screen, hidden: HiddenLines) -> Self {
+        Self { gear: Scene::default(), screen, hidden }
+    }
+
     pub(super) fn line(&mut self, points: Vec<DVec3>, color: Rgba, width: f32, dash: Dash) {
         let style = stroke(color, width, dash, self.hidden);
-        self.scene.lines.push(Line { points, style });
+        self.gear.lines.push(Line { points, style });
     }
 
     pub(super) fn closed(&mut self, points: &[DVec3], color: Rgba, width: f32, dash: Dash) {
@@ -43,7 +49,7 @@ impl SceneBuilder<'_> {
 
     pub(super) fn arrow(&mut self, points: Vec<DVec3>, color: Rgba, width: f32, dash: Dash) {
         let style = LineStyle { arrow: true, ..stroke(color, width, dash, self.hidden) };
-        self.scene.lines.push(Line { points, style });
+        self.gear.lines.push(Line { points, style });
     }
 
     /// The two strokes between which a line is left out.
@@ -74,19 +80,19 @@ impl SceneBuilder<'_> {
     }
 
     pub(super) fn mark(&mut self, position: DVec3, shape: MarkShape, radius: f32, color: Rgba) {
-        self.scene.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: true });
+        self.gear.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: true });
     }
 
     /// A mark that nothing hides.
     pub(super) fn mark_above(&mut self, position: DVec3, shape: MarkShape, radius: f32, color: Rgba) {
-        self.scene.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: false });
+        self.gear.marks.push(PointMark { position, shape, radius, color, fade_if_hidden: false });
     }
 
     /// A text beside a point, if there is room in this direction (pixels, y down); texts that come first have the
     /// choice.
     pub(super) fn text(&mut self, position: DVec3, text: &str, toward: DVec2, size: f32, color: Rgba) {
         let d = toward.normalize_or(DVec2::X) * GAP;
-        self.scene.texts.push(Text {
+        self.gear.texts.push(Text {
             position,
             text: text.to_owned(),
             offset: [short(d.x), short(d.y)],
@@ -103,7 +109,7 @@ impl SceneBuilder<'_> {
             add_polygon(&mut mesh, face);
         }
         mesh.edges.clear();
-        self.scene.objects.push(Object {
+        self.gear.objects.push(Object {
             part_of: None,
             name: name.to_owned(),
             mesh: Arc::new(mesh),
@@ -125,11 +131,11 @@ fn short(v: f64) -> f32 {
 
 /// In wireframe, the scene's objects as edges in their own colours, and a style in which the camera's gear keeps its
 /// faces.
-pub(super) fn wired(mut scene: Scene, style: &Style) -> (Scene, Style) {
+pub(super) fn wired<'a>(mut scene: Cow<'a, Scene>, style: &Style) -> (Cow<'a, Scene>, Style) {
     if style.shading != Shading::Wireframe {
         return (scene, *style);
     }
-    for object in &mut scene.objects {
+    for object in &mut scene.to_mut().objects {
         let own = match object.paint {
             ObjectPaint::Solid(color) => color.with_alpha(255),
             ObjectPaint::Faces(_) | ObjectPaint::Vertices(_) | ObjectPaint::Texture { .. } => {

@@ -4,12 +4,11 @@ use glam::DVec2;
 
 use crate::appearance::{Dash, HiddenLines, Rgba, Style, Visibility};
 use crate::drawing::{Drawing, Paint, StrokeSet, Surface};
-use crate::figure::Reveal;
-use crate::pipeline::{Frame, Reason, Stage, Target};
+use crate::pipeline::{Frame, Reason, Scenes, Stage, Target};
 use crate::scene::Scene;
 
 use super::depth::{self, Greys};
-use super::gizmos::{SceneBuilder, stroke};
+use super::gizmos::{GearBuilder, stroke};
 use super::label_layout::{Box2, Rules};
 use super::legend::LegendRow;
 use super::pixels::{PixelRect, Size, image_frame};
@@ -43,22 +42,16 @@ pub(super) fn frame_of(request: &Request, pipeline: &mut TimedPipeline) -> Frame
     let (whole, screen) = (request.size.target(paper), screen(request));
     let rect = frame(request);
     let target = Target { width: rect.width, height: rect.height, ..whole };
-    // A scene of many objects is not copied where nothing is added to it.
-    let nothing_followed = request.shot.points.is_empty() && request.triangle.is_none();
-    let plain = request.shot.look.reveal == Reveal::default() && request.probe().is_none() && nothing_followed;
-    let (revealed, wrong) = if plain { Default::default() } else { revealed_scene::in_image(request, palette) };
-    let mut drawn = if plain {
-        pipeline.frame(request, &request.scene, &request.camera, target, &style)
-    } else {
-        let mut builder = SceneBuilder { scene: revealed.scene.clone(), screen: &screen, hidden: style.hidden_lines };
-        if greys.is_some() {
-            depth::only(&mut builder.scene);
-        }
-        revealed.mark(&mut builder, palette);
-        probe::in_image(&mut builder, request, palette);
-        triangle_overlay::in_image(&mut builder, request, palette);
-        pipeline.frame(request, &builder.scene, &request.camera, target, &style)
-    };
+    let (mut revealed, wrong) = revealed_scene::in_image(request, palette);
+    if greys.is_some() {
+        depth::only(revealed.scene.to_mut());
+    }
+    let mut builder = GearBuilder::new(&screen, style.hidden_lines);
+    revealed.mark(&mut builder, palette);
+    probe::in_image(&mut builder, request, palette);
+    triangle_overlay::in_image(&mut builder, request, palette);
+    let scenes = Scenes::new(&revealed.scene, &builder.gear);
+    let mut drawn = pipeline.frame(request, scenes, &request.camera, target, &style);
     // Where nothing is behind the eye, dividing first makes no difference, and clipping did its work as ever.
     let wrong = wrong.filter(|wrong| *wrong != Scene { lights: wrong.lights.clone(), ..Scene::default() });
     if let Some((wrong, front)) = wrong.zip(revealed_scene::front()) {

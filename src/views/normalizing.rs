@@ -5,16 +5,18 @@
 //! construction. z always points towards the viewer in the picture; where a step makes the space left-handed, it is the
 //! axis that turns around.
 
+use std::borrow::Cow;
+
 use glam::{DMat4, DVec3, DVec4};
 
 use crate::appearance::MarkShape;
 use crate::camera::{Camera, Factor};
 use crate::figure::Observer;
 use crate::geometry::Aabb;
-use crate::pipeline::Frame;
+use crate::pipeline::{Frame, Scenes};
 
 use super::canonical_box::CanonicalBox;
-use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
+use super::gizmos::{self, GearBuilder, SMALL_TYPE};
 use super::legend::LegendRow;
 use super::observer::{Direction, enclosing};
 use super::pixels::PixelRect;
@@ -170,8 +172,8 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     let screen = Screen::new(camera, PixelRect::whole(request.size), request.size.scale);
     let mut scene = canonical::contents(request);
     scene.project(&matrix);
-    let (scene, style) = gizmos::wired(scene, &request.shot.look.style);
-    let mut builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
+    let (scene, style) = gizmos::wired(Cow::Owned(scene), &request.shot.look.style);
+    let mut builder = GearBuilder::new(&screen, style.hidden_lines);
     let last = way.step + 1 == way.factors.len();
     let before = radius(way, &request.camera, way.step)?;
     let after = if last { the_box.bounds().radius() } else { radius(way, &request.camera, way.step + 1)? };
@@ -184,11 +186,11 @@ fn moved(request: &Request, way: &Way, pipeline: &mut TimedPipeline) -> Option<F
     probe::on_the_way(&mut builder, request, palette, |p| {
         mapped(&now, p).filter(|p| p.distance(bounds.center()) <= FARTHEST * reach)
     });
-    let drawn = pipeline.frame(request, &builder.scene, screen.camera(), target, &style);
+    let drawn = pipeline.frame(request, Scenes::new(&scene, &builder.gear), screen.camera(), target, &style);
     Some(canonical::settled(drawn, request, way.said(request, palette), &["x", "y", "z"], palette))
 }
 
-fn axes(builder: &mut SceneBuilder, way: &Way, reach: f64, palette: Palette) {
+fn axes(builder: &mut GearBuilder, way: &Way, reach: f64, palette: Palette) {
     let z = way.z_axis();
     for ((axis, name), color) in [DVec3::X, DVec3::Y, DVec3::Z * z].into_iter().zip(["x", "y", "z"]).zip(palette.axes) {
         if axis.length() > 0.1 {
@@ -198,7 +200,7 @@ fn axes(builder: &mut SceneBuilder, way: &Way, reach: f64, palette: Palette) {
 }
 
 /// C, until it has gone too far: a division sends it to infinity.
-fn eye(builder: &mut SceneBuilder, request: &Request, way: &Way, bounds: Aabb, palette: Palette) {
+fn eye(builder: &mut GearBuilder, request: &Request, way: &Way, bounds: Aabb, palette: Palette) {
     let Some(p) = mapped(&way.now(), request.camera.position()) else { return };
     if p.distance(bounds.center()) <= FARTHEST * bounds.radius() {
         builder.mark(p, MarkShape::Disc, 4.0, palette.body_edge);

@@ -8,7 +8,7 @@ use crate::geometry::Angle;
 
 use super::components::{component, lettered};
 use super::dimensions::Pen;
-use super::gizmos::{SMALL_TYPE, SceneBuilder};
+use super::gizmos::{GearBuilder, SMALL_TYPE};
 use super::{ObjectTransform, Palette, Request};
 use crate::figure::Measured;
 
@@ -16,7 +16,7 @@ use crate::figure::Measured;
 const RADIUS: f64 = 46.0;
 
 /// Draws what is pointed at of the object that is explained.
-pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let Some(object) = request.measured_object() else { return };
     let pen = Pen { color: palette.probe, width: 2.0 };
     for measured in request.measured() {
@@ -34,7 +34,7 @@ fn written(request: &Request, symbol: char, i: usize, value: f64, unit: &str) ->
 }
 
 /// From the origin of the parent's frame, which is the world's where there is no parent, to that of the object.
-fn translation(builder: &mut SceneBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
+fn translation(builder: &mut GearBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     let ObjectTransform { world_from_parent, trs } = object;
     let origin = world_from_parent.transform_point3(DVec3::ZERO);
     let of = |v: DVec3| world_from_parent.transform_vector3(v);
@@ -50,7 +50,7 @@ fn axis_of_rotation(rotate: DVec3, i: usize) -> DQuat {
 }
 
 /// About which line through its origin the object is turned, and the arc of the angle, which begins at the next axis.
-fn rotation(builder: &mut SceneBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
+fn rotation(builder: &mut GearBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     /// An arc has a point for each of so many degrees.
     const STEP: f64 = 5.0;
     let ObjectTransform { world_from_parent, trs } = object;
@@ -89,7 +89,7 @@ fn share(length: f64, vector: DVec3) -> Option<f64> {
 }
 
 /// A local axis as long as the scale makes it, with a mark where it ended before.
-fn scale(builder: &mut SceneBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
+fn scale(builder: &mut GearBuilder, request: &Request, object: ObjectTransform, i: usize, pen: Pen) {
     let ObjectTransform { world_from_parent, trs } = object;
     let frame = world_from_parent * DMat4::from_translation(trs.translate);
     let origin = frame.transform_point3(DVec3::ZERO);

@@ -10,7 +10,7 @@ use crate::pipeline::project::displayed_ndc;
 use crate::sanitize;
 
 use super::canonical_box::CanonicalBox;
-use super::gizmos::{SMALL_TYPE, SceneBuilder, TYPE};
+use super::gizmos::{GearBuilder, SMALL_TYPE, TYPE};
 use super::volume::DrawnVolume;
 use super::{Palette, Probe, Request, hits};
 
@@ -52,7 +52,7 @@ impl<'a> Look<'a> {
     }
 
     /// The mark, and the name beside it.
-    fn mark(self, builder: &mut SceneBuilder, p: DVec3) {
+    fn mark(self, builder: &mut GearBuilder, p: DVec3) {
         builder.mark(p, self.mark.0, self.mark.1, self.color);
         if !self.name.is_empty() {
             builder.text(p, &sanitize::escaped(self.name), DVec2::new(0.8, -0.8), TYPE, self.color);
@@ -75,7 +75,7 @@ pub(super) fn points<'a>(request: &'a Request, palette: Palette) -> impl Iterato
 
 /// A point with its projector from O_R, on to the window where it lies before it; behind the eye, the line back to it
 /// is dotted, since nothing of it reaches the window.
-fn point_in_world(builder: &mut SceneBuilder, request: &Request, p: DVec3, look: Look<'_>) {
+fn point_in_world(builder: &mut GearBuilder, request: &Request, p: DVec3, look: Look<'_>) {
     let c = request.camera.view_point(p);
     let parallel = request.camera.projection() == Projection::Parallel;
     if c.is_finite() {
@@ -96,7 +96,7 @@ fn point_in_world(builder: &mut SceneBuilder, request: &Request, p: DVec3, look:
 }
 
 /// The rays of points, from O_R to each; or the ray from O_R through the window.
-pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette, volume: &DrawnVolume) {
+pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette, volume: &DrawnVolume) {
     for (p, look) in points(request, palette) {
         point_in_world(builder, request, p, look);
     }
@@ -125,7 +125,7 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
 }
 
 /// Projectors are parallel to z_n in the canonical volume, whatever the projection.
-pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_canonical(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let canonical = CanonicalBox::of(request);
     let shown = |p: DVec3| displayed_ndc(&request.camera, p).map(|p| canonical.place(p));
     for (p, look) in points(request, palette) {
@@ -144,7 +144,7 @@ pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palett
 
 /// The projector through a place, up to what is marked on it, and dotted to the back of the box.
 fn ray_through_box(
-    builder: &mut SceneBuilder,
+    builder: &mut GearBuilder,
     canonical: &CanonicalBox,
     through: DVec3,
     marked: Option<DVec3>,
@@ -165,7 +165,7 @@ fn ray_through_box(
 
 /// The figure's points on the way from the world to the canonical volume, as far as they can be seen with the volume.
 pub(super) fn on_the_way(
-    builder: &mut SceneBuilder,
+    builder: &mut GearBuilder,
     request: &Request,
     palette: Palette,
     place: impl Fn(DVec3) -> Option<DVec3>,
@@ -178,7 +178,7 @@ pub(super) fn on_the_way(
 }
 
 /// A cross at the pixel, or a ring around the point; the figure's points with their names.
-pub(super) fn in_image(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     for (p, look) in points(request, palette) {
         // A ring around a corner of the scene hides nothing of it, and needs no name.
         let name = if look.mark.0 == MarkShape::Ring { "" } else { look.name };

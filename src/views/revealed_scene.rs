@@ -1,5 +1,6 @@
 //! What the pictures show of the pipeline's inner work: the scene of each, changed as `[reveal]` wants it.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3};
@@ -15,7 +16,7 @@ use crate::pipeline::{Frame, OverBudget, Target, with_triangles};
 use crate::scene::{Object, ObjectPaint, Scene};
 
 use super::canonical_box::CanonicalBox;
-use super::gizmos::{SMALL_TYPE, SceneBuilder};
+use super::gizmos::{GearBuilder, SMALL_TYPE};
 use super::label_layout::Box2;
 use super::legend::{Legend, LegendRow};
 use super::{Labels, Palette, Request, stage_overlay};
@@ -31,10 +32,10 @@ const WRONG: f64 = 0.75;
 /// The opacity of what is wrong: the right scene behind it is still seen.
 const GLASS: u8 = 140;
 
-/// What a picture shows.
-#[derive(Clone, Debug, Default)]
-pub(super) struct PipelineReveal {
-    pub(super) scene: Scene,
+/// What a picture shows: a scene of its own, or that of the request, which is not copied.
+#[derive(Clone, Debug)]
+pub(super) struct PipelineReveal<'a> {
+    pub(super) scene: Cow<'a, Scene>,
     /// What its colours mean.
     pub(super) rows: Vec<LegendRow>,
     /// New vertices and the sides between them.
@@ -44,9 +45,14 @@ pub(super) struct PipelineReveal {
     names: Vec<(DVec3, String)>,
 }
 
-impl PipelineReveal {
+impl<'a> PipelineReveal<'a> {
+    /// A scene as it is.
+    pub(super) fn plain(scene: Cow<'a, Scene>) -> Self {
+        Self { scene, rows: Vec::new(), cuts: Vec::new(), sides: Vec::new(), names: Vec::new() }
+    }
+
     /// Draws what is more than the scene.
-    pub(super) fn mark(&self, builder: &mut SceneBuilder, palette: Palette) {
+    pub(super) fn mark(&self, builder: &mut GearBuilder, palette: Palette) {
         for side in &self.sides {
             builder.line(side.to_vec(), palette.cut, 1.6, Dash::Solid);
         }
@@ -106,14 +112,14 @@ pub(super) fn room(legend: Option<&Legend>) -> Option<Box2> {
 }
 
 /// The scene of the world.
-pub(super) fn in_world(request: &Request, palette: Palette) -> PipelineReveal {
+pub(super) fn in_world(request: &Request, palette: Palette) -> PipelineReveal<'_> {
     let reveal = request.shot.look.reveal;
     let edges_only = request.shot.look.style.shading == Shading::Wireframe;
-    let mut revealed = PipelineReveal { scene: Scene::clone(&request.scene), ..PipelineReveal::default() };
+    let mut revealed = PipelineReveal::plain(Cow::Borrowed(&*request.scene));
     let mut dropped = Scene::default();
     if reveal.culled {
         let (kept, gone) = culled(request, edges_only, palette, &mut revealed);
-        revealed.scene.objects = kept;
+        revealed.scene.to_mut().objects = kept;
         dropped.objects = gone;
     }
     let parted = matches!(reveal.outside, Outside::Cut | Outside::Tinted);
@@ -123,17 +129,19 @@ pub(super) fn in_world(request: &Request, palette: Palette) -> PipelineReveal {
             revealed.note_cuts(&parts, request, palette, |p| p);
         }
         if parted {
-            revealed.scene = parts.inside;
+            revealed.scene = Cow::Owned(parts.inside);
         }
         if reveal.outside == Outside::Tinted {
             revealed.add_outside(parts.outside, request.labels, palette);
         }
     }
-    append(&mut revealed.scene, glass(dropped, palette.dropped));
+    if !dropped.objects.is_empty() {
+        append(revealed.scene.to_mut(), glass(dropped, palette.dropped));
+    }
     revealed
 }
 
-impl PipelineReveal {
+impl PipelineReveal<'_> {
     /// From the display space of the notes to that of a convention of NDC, which is named where it is another and the
     /// picture has room: in a small one the name would cover the axes.
     fn move_into(&mut self, canonical: &CanonicalBox, request: &Request, palette: Palette) {
@@ -142,7 +150,7 @@ impl PipelineReveal {
         if ndc == Ndc::default() {
             return;
         }
-        canonical.move_scene(&mut self.scene);
+        canonical.move_scene(self.scene.to_mut());
         let points = self.cuts.iter_mut().chain(self.sides.iter_mut().flatten());
         points.chain(self.names.iter_mut().map(|(p, _)| p)).for_each(|p| *p = canonical.place(*p));
         let side = f64::from(request.size.width.min(request.size.height));
@@ -156,21 +164,21 @@ impl PipelineReveal {
         if !outside.objects.is_empty() || !outside.lines.is_empty() {
             self.rows.push(LegendRow::Swatch(palette.outside, labels.outside.to_owned()));
         }
-        append(&mut self.scene, glass(outside, palette.outside));
+        append(self.scene.to_mut(), glass(outside, palette.outside));
     }
 }
 
 /// The scene of the canonical volume, in its display space.
-pub(super) fn in_canonical(request: &Request, palette: Palette) -> PipelineReveal {
+pub(super) fn in_canonical(request: &Request, palette: Palette) -> PipelineReveal<'_> {
     let reveal = request.shot.look.reveal;
     let shading = request.shot.look.style.shading;
     let edges_only = shading == Shading::Wireframe;
     let beyond = matches!(reveal.outside, Outside::Tinted | Outside::Shown);
-    let mut revealed = PipelineReveal::default();
-    let divided =
-        reveal.divide_first.then(|| divide_first(request, if beyond { REACH } else { 1.0 }, palette, &mut revealed));
+    let (divided, rows) = divide_first(request, if beyond { REACH } else { 1.0 }, palette).unzip();
     let right = divided.as_ref().map_or(&*request.scene, |divided| &divided.right);
-    revealed.scene = legible_clipped_scene(right, &request.camera, shading);
+    let scene = legible_clipped_scene(right, &request.camera, shading);
+    let mut revealed = PipelineReveal::plain(Cow::Owned(scene));
+    revealed.rows.extend(rows);
     if beyond || reveal.clipping {
         let parts = clip_parts(right, &request.camera, edges_only);
         if reveal.clipping {
@@ -183,32 +191,34 @@ pub(super) fn in_canonical(request: &Request, palette: Palette) -> PipelineRevea
             if reveal.outside == Outside::Tinted {
                 revealed.add_outside(outside, request.labels, palette);
             } else {
-                append(&mut revealed.scene, outside);
+                append(revealed.scene.to_mut(), outside);
             }
         }
     }
     if let Some(divided) = divided {
-        append(&mut revealed.scene, divided.wrong);
+        append(revealed.scene.to_mut(), divided.wrong);
     }
     revealed.move_into(&CanonicalBox::of(request), request, palette);
     revealed
 }
 
 /// The scene of the image: in the world, and in the display space of the canonical volume, whose front is the image.
-pub(super) fn in_image(request: &Request, palette: Palette) -> (PipelineReveal, Option<Scene>) {
+pub(super) fn in_image(request: &Request, palette: Palette) -> (PipelineReveal<'_>, Option<Scene>) {
     let reveal = request.shot.look.reveal;
-    let mut revealed = PipelineReveal::default();
-    let divided = reveal.divide_first.then(|| divide_first(request, 1.0, palette, &mut revealed));
-    let (right, wrong) =
-        divided.map_or((Scene::clone(&request.scene), None), |divided| (divided.right, Some(divided.wrong)));
+    let (divided, rows) = divide_first(request, 1.0, palette).unzip();
+    let (right, wrong) = match divided {
+        None => (Cow::Borrowed(&*request.scene), None),
+        Some(divided) => (Cow::Owned(divided.right), Some(divided.wrong)),
+    };
+    let mut revealed = PipelineReveal::plain(right);
+    revealed.rows.extend(rows);
     if reveal.clipping {
         let edges_only = request.shot.look.style.shading == Shading::Wireframe;
-        let parts = clip_parts(&right, &request.camera, edges_only);
+        let parts = clip_parts(&revealed.scene, &request.camera, edges_only);
         // A hair inwards, so that rounding does not leave a new vertex outside the plane that it is in.
         let middle = request.camera.volume_corners().iter().fold(DVec3::ZERO, |sum, &p| sum + p / 8.0);
         revealed.note_cuts(&parts, request, palette, |p| p + (middle - p) * 1e-9);
     }
-    revealed.scene = right;
     (revealed, wrong)
 }
 
@@ -227,16 +237,19 @@ pub(super) fn front() -> Option<Camera> {
     Camera::new(&parameters).ok()
 }
 
-/// Divides before clipping, and says so.
-fn divide_first(request: &Request, reach: f64, palette: Palette, revealed: &mut PipelineReveal) -> DividedFirst {
+/// Divides before clipping, where that is to be shown, and says so.
+fn divide_first(request: &Request, reach: f64, palette: Palette) -> Option<(DividedFirst, LegendRow)> {
+    if !request.shot.look.reveal.divide_first {
+        return None;
+    }
     let mut divided = divided_first(&request.scene, &request.camera, reach);
     let Scene { objects, lines, marks, .. } = &mut divided.wrong;
     let (labels, edges_only) = (request.labels, request.shot.look.style.shading == Shading::Wireframe);
-    revealed.rows.push(if objects.is_empty() && lines.is_empty() && marks.is_empty() {
+    let row = if objects.is_empty() && lines.is_empty() && marks.is_empty() {
         LegendRow::Title(format!("{}: {}", labels.divided_first, labels.no_difference), palette.ink)
     } else {
         LegendRow::Warning(palette.wrong, format!("{}: {}", labels.divided_first, labels.wrong))
-    });
+    };
     for object in objects {
         let tinted = |colors: &[Rgba]| Arc::new(colors.iter().map(|c| mixed(*c, palette.wrong)).collect());
         object.paint = match &object.paint {
@@ -253,7 +266,7 @@ fn divide_first(request: &Request, reach: f64, palette: Palette, revealed: &mut 
     }
     lines.iter_mut().for_each(|line| line.style.color = palette.wrong);
     marks.iter_mut().for_each(|mark| mark.color = palette.wrong);
-    divided
+    Some((divided, row))
 }
 
 fn mixed(own: Rgba, with: Rgba) -> Rgba {

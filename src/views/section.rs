@@ -10,7 +10,7 @@ use crate::sanitize;
 
 use super::dimensions::{self, Pen, Span};
 use super::framing::Content;
-use super::gizmos::{SceneBuilder, TYPE};
+use super::gizmos::{GearBuilder, TYPE};
 use super::observer::{Direction, Viewpoint, enclosing};
 use super::probe::Pixel;
 use super::volume::DrawnVolume;
@@ -142,14 +142,14 @@ pub(super) fn observer(request: &Request) -> Observer {
 }
 
 /// Adds the section: the volume's profile, the construction of a point's image, and the lengths.
-pub(super) fn draw(builder: &mut SceneBuilder, request: &Request, palette: Palette, content: &Content) {
+pub(super) fn draw(builder: &mut GearBuilder, request: &Request, palette: Palette, content: &Content) {
     let profile = Profile::new(request, content);
     outline(builder, request, palette, &profile);
     construction(builder, palette, &profile);
     lengths(builder, request, palette, &profile);
 }
 
-fn outline(builder: &mut SceneBuilder, request: &Request, palette: Palette, profile: &Profile) {
+fn outline(builder: &mut GearBuilder, request: &Request, palette: Palette, profile: &Profile) {
     let (camera, volume) = (profile.camera, &profile.volume);
     for [from, to] in volume.parts() {
         let ([a, b], [c, d]) = (profile.sides(from), profile.sides(to));
@@ -175,7 +175,7 @@ fn outline(builder: &mut SceneBuilder, request: &Request, palette: Palette, prof
 }
 
 /// The point, its projector and its image.
-fn construction(builder: &mut SceneBuilder, palette: Palette, profile: &Profile) {
+fn construction(builder: &mut GearBuilder, palette: Palette, profile: &Profile) {
     let (camera, color) = (profile.camera, palette.probe);
     let (distance, height) = (profile.distance(), profile.height());
     let (p, image) = (profile.at(distance, height), profile.at(camera.near(), profile.image()));
@@ -194,13 +194,13 @@ fn construction(builder: &mut SceneBuilder, palette: Palette, profile: &Profile)
     }
 }
 
-fn lengths(builder: &mut SceneBuilder, request: &Request, palette: Palette, profile: &Profile) {
+fn lengths(builder: &mut GearBuilder, request: &Request, palette: Palette, profile: &Profile) {
     let camera = profile.camera;
     let (step, dop, v) = (profile.step, camera.direction_of_projection(), camera.basis().v);
     let pen = |color| Pen { color, width: 1.2 };
     let (soft, probe) = (pen(palette.soft), pen(palette.probe));
     let lowest = profile.lowest();
-    let along = |builder: &mut SceneBuilder, to: f64, row: f64, text: &str, gap, pen| {
+    let along = |builder: &mut GearBuilder, to: f64, row: f64, text: &str, gap, pen| {
         let ends = [camera.position(), profile.at(to, 0.0)];
         let aside = v * (lowest - row * step);
         dimensions::span(builder, &Span { ends, aside, text, gap }, pen);
@@ -213,7 +213,7 @@ fn lengths(builder: &mut SceneBuilder, request: &Request, palette: Palette, prof
     along(builder, profile.distance(), 2.0, &format!("−z_c = {}", number(profile.distance())), None, probe);
 
     let window = camera.window();
-    let upright = |builder: &mut SceneBuilder, at: f64, to: f64, aside: DVec3, text: &str, pen| {
+    let upright = |builder: &mut GearBuilder, at: f64, to: f64, aside: DVec3, text: &str, pen| {
         if to.abs() > 0.05 * step {
             let ends = [profile.at(at, 0.0), profile.at(at, to)];
             dimensions::span(builder, &Span { ends, aside, text, gap: None }, pen);

@@ -8,9 +8,8 @@ use std::ops::Range;
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Visibility};
 use crate::drawing::{Anchor, Area, Drawing, Label, Mark, Paint, StrokeSet, Surface};
-use crate::pipeline::{Containment, Frame, Stage, StageWork, VertexWork};
+use crate::pipeline::{Containment, Frame, Scenes, Stage, StageWork, VertexWork};
 use crate::sanitize;
-use crate::scene::Scene;
 
 use super::gizmos::{SMALL_TYPE, stroke};
 use super::legend::LegendRow;
@@ -29,13 +28,13 @@ const GLASS: u8 = 150;
 pub(super) fn show(
     frame: &mut Frame,
     request: &Request,
-    scene: &Scene,
+    scenes: Scenes,
     style: &Style,
-    again: impl FnOnce(&Scene, &Style) -> Drawing,
+    again: impl FnOnce(Scenes, &Style) -> Drawing,
 ) {
     let Some(work) = frame.work.take() else { return };
     let palette = Palette::of(request.shot.look.style.theme);
-    frame.before = before(work.stage, &frame.drawing, (scene, style), again, request);
+    frame.before = before(work.stage, &frame.drawing, (scenes, style), again, request);
     frame.dropped_faces = work.dropped.iter().map(|polygon| dropped_face(polygon, palette)).collect();
     draw(&mut frame.drawing, &work, request, palette);
     frame.work = Some(work);
@@ -45,14 +44,14 @@ pub(super) fn show(
 fn before(
     stage: Stage,
     drawing: &Drawing,
-    (scene, style): (&Scene, &Style),
-    again: impl FnOnce(&Scene, &Style) -> Drawing,
+    (scenes, style): (Scenes, &Style),
+    again: impl FnOnce(Scenes, &Style) -> Drawing,
     request: &Request,
 ) -> Option<Drawing> {
     let mut before = match stage {
-        Stage::Light => again(&Scene { lights: Vec::new(), ..scene.clone() }, style),
+        Stage::Light => again(scenes.without_lights(), style),
         // One object over the other, as they come.
-        Stage::HiddenSurfaces => again(scene, &Style { visibility: Visibility::DepthBuffer, ..*style }),
+        Stage::HiddenSurfaces => again(scenes, &Style { visibility: Visibility::DepthBuffer, ..*style }),
         Stage::Fill
         | Stage::Interpolate
         | Stage::Texture

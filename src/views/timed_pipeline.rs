@@ -5,8 +5,7 @@ use std::time::Duration;
 use super::{Request, View, stage_overlay};
 use crate::appearance::Style;
 use crate::camera::Camera;
-use crate::pipeline::{Frame, Options, Pipeline, Target};
-use crate::scene::Scene;
+use crate::pipeline::{Frame, Options, Pipeline, Scenes, Target};
 
 /// The pipeline, with buffers that serve one picture after the other, and a clock for those who want to know how long
 /// each stage takes.
@@ -20,10 +19,10 @@ pub struct TimedPipeline {
 
 impl TimedPipeline {
     /// Sends what a picture shows through the pipeline.
-    pub(super) fn frame(
+    pub(super) fn frame<'a>(
         &mut self,
         request: &Request,
-        scene: &Scene,
+        scenes: impl Into<Scenes<'a>>,
         camera: &Camera,
         target: Target,
         style: &Style,
@@ -37,12 +36,14 @@ impl TimedPipeline {
             followed: None,
             clock: self.clock,
         };
-        let mut frame = self.stages.frame(scene, camera, target, style, options);
+        let scenes = scenes.into();
+        let mut frame = self.stages.frame(scenes, camera, target, style, options);
         if frame.work.is_some() {
             let options = Options { shown: None, clock: None, ..options };
-            let again =
-                |scene: &Scene, style: &Style| Pipeline::default().frame(scene, camera, target, style, options).drawing;
-            stage_overlay::show(&mut frame, request, scene, style, again);
+            let again = |scenes: Scenes, style: &Style| {
+                Pipeline::default().frame(scenes, camera, target, style, options).drawing
+            };
+            stage_overlay::show(&mut frame, request, scenes, style, again);
         }
         frame
     }

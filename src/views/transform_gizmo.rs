@@ -6,7 +6,7 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape};
 use crate::geometry::{Angle, Ray};
 use crate::scene::Line;
 
-use super::gizmos::{SMALL_TYPE, SceneBuilder, circle};
+use super::gizmos::{GearBuilder, SMALL_TYPE, circle};
 use super::handles::Grip;
 use super::screen::Screen;
 use super::{GizmoPart, Palette, Request, TransformGizmo, Transforming, world_framing};
@@ -145,7 +145,7 @@ fn turned(gizmo: &TransformGizmo, axis: usize, length: f64, grip: &Grip<'_>) -> 
 
 /// Adds the gizmo, if there is one; nothing hides it. Its letters are those of the fields, T, R and S, which tells it
 /// from the axes of the world.
-pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let Some(gizmo) = request.hover.gizmo else { return };
     let letter = match gizmo.does {
         Transforming::Move => "T",
@@ -166,7 +166,7 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
                 (ring, named.unwrap_or(tip))
             }
         };
-        builder.scene.lines.push(Line { points, style });
+        builder.gear.lines.push(Line { points, style });
         if gizmo.does == Transforming::Scale {
             builder.mark_above(tip, MarkShape::Square, 4.5, color);
         }

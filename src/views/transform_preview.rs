@@ -8,12 +8,12 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba};
 use crate::geometry::Ray;
 use crate::scene::{Line, Object, ObjectPaint, primitives};
 
-use super::gizmos::{self, SMALL_TYPE, SceneBuilder};
+use super::gizmos::{self, GearBuilder, SMALL_TYPE};
 use super::{Palette, Request};
 use crate::figure::TransformPreview;
 
 /// Adds the objects that are shown where they are not.
-pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     for (k, preview) in request.shot.show.moved.iter().enumerate() {
         let color = if preview.wrong { palette.wrong } else { palette.ghost };
         bodies(builder, request, preview, color);
@@ -26,12 +26,12 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
 
 /// The objects as glass, and of those without faces their strokes; what is scaled to nothing has no faces to be seen.
 /// Where they stand already, there is nothing to add.
-fn bodies(builder: &mut SceneBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
+fn bodies(builder: &mut GearBuilder, request: &Request, preview: &TransformPreview, color: Rgba) {
     let mut add = |name: &str, mesh, world_from_object: DMat4| {
         if world_from_object.determinant().abs() <= f64::MIN_POSITIVE {
             return;
         }
-        builder.scene.objects.push(Object {
+        builder.gear.objects.push(Object {
             part_of: None,
             name: format!("{name} moved"),
             mesh,
@@ -65,7 +65,7 @@ fn bodies(builder: &mut SceneBuilder, request: &Request, preview: &TransformPrev
 }
 
 /// What has no faces: segments as strokes, points as marks.
-fn bare(builder: &mut SceneBuilder, object: &Object, world_from_object: DMat4, color: Rgba) {
+fn bare(builder: &mut GearBuilder, object: &Object, world_from_object: DMat4, color: Rgba) {
     let place = |i: &u32| object.mesh.positions.get(*i as usize).map(|p| world_from_object.transform_point3(*p));
     for ends in &object.mesh.edges {
         builder.line(ends.iter().filter_map(place).collect(), color, 1.6, Dash::Solid);
@@ -78,13 +78,13 @@ fn bare(builder: &mut SceneBuilder, object: &Object, world_from_object: DMat4, c
 }
 
 /// The columns of its matrix: where they begin, and as long as they are. Nothing hides them.
-fn axes(builder: &mut SceneBuilder, preview: &TransformPreview, number: usize, color: Rgba) {
+fn axes(builder: &mut GearBuilder, preview: &TransformPreview, number: usize, color: Rgba) {
     let origin = preview.world_from_frame.w_axis.truncate();
     let columns = [preview.world_from_frame.x_axis, preview.world_from_frame.y_axis, preview.world_from_frame.z_axis];
     for (column, name) in columns.into_iter().zip(["x", "y", "z"]) {
         let tip = origin + column.truncate();
         let style = LineStyle { color, width: 2.0, dash: Dash::Solid, hidden: HiddenLines::Shown, arrow: true };
-        builder.scene.lines.push(Line { points: vec![origin, tip], style });
+        builder.gear.lines.push(Line { points: vec![origin, tip], style });
         let toward = builder.screen.heading(origin, column.truncate());
         builder.text(tip, &format!("{name}_{number}"), toward, SMALL_TYPE, color);
     }
@@ -92,7 +92,7 @@ fn axes(builder: &mut SceneBuilder, preview: &TransformPreview, number: usize, c
 }
 
 /// About what it has turned last.
-fn about(builder: &mut SceneBuilder, axis: Ray, color: Rgba) {
+fn about(builder: &mut GearBuilder, axis: Ray, color: Rgba) {
     let reach = builder.screen.units_per_pixel(axis.origin) * 0.25 * builder.screen.extent().min_element();
     let ends = [-reach, reach].map(|t| axis.origin + axis.direction * t);
     builder.line(ends.to_vec(), color, 1.2, Dash::DashDot);

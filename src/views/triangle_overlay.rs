@@ -8,7 +8,7 @@ use crate::pipeline::project::displayed_ndc;
 use crate::scene::Line;
 
 use super::canonical_box::CanonicalBox;
-use super::gizmos::{SceneBuilder, TYPE, stroke};
+use super::gizmos::{GearBuilder, TYPE, stroke};
 use super::pixels::PixelRect;
 use super::{Palette, Request, TriangleOverlay};
 use crate::figure::TriangleStep;
@@ -32,15 +32,15 @@ fn shown(triangle: &TriangleOverlay) -> Vec<(char, DVec3)> {
 
 /// The sides, the corners and their names, at places of a picture.
 fn draw(
-    builder: &mut SceneBuilder,
+    builder: &mut GearBuilder,
     triangle: &TriangleOverlay,
     palette: Palette,
     place: impl Fn(DVec3) -> Option<DVec3>,
 ) {
-    let line = |builder: &mut SceneBuilder, points: &[DVec3], color: Rgba, width: f32, dash: Dash| {
+    let line = |builder: &mut GearBuilder, points: &[DVec3], color: Rgba, width: f32, dash: Dash| {
         // Whatever is before it.
         let style = stroke(color, width, dash, HiddenLines::Shown);
-        builder.scene.lines.push(Line { points: points.to_vec(), style });
+        builder.gear.lines.push(Line { points: points.to_vec(), style });
     };
     let closed = |points: Vec<DVec3>| points.iter().copied().chain(points.first().copied()).collect::<Vec<_>>();
     let whole: Option<Vec<DVec3>> = triangle.corners.iter().map(|&p| place(p)).collect();
@@ -69,7 +69,7 @@ fn draw(
 }
 
 /// In the world; in its first steps with the way from the eye to each corner.
-pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     draw(builder, triangle, palette, Some);
     if matches!(triangle.step, TriangleStep::View | TriangleStep::Divide) {
@@ -87,7 +87,7 @@ pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: P
 }
 
 /// In the canonical volume: what can be divided.
-pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_canonical(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     let canonical = CanonicalBox::of(request);
     let inside = |p: DVec3| displayed_ndc(&request.camera, p).filter(|p| p.abs().max_element() <= 1.0 + 1e-6);
@@ -95,7 +95,7 @@ pub(super) fn in_canonical(builder: &mut SceneBuilder, request: &Request, palett
 }
 
 /// In the image: its sides and corners as far as they are in it.
-pub(super) fn in_image(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_image(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     let Some(triangle) = &request.triangle else { return };
     draw(builder, triangle, palette, Some);
 }

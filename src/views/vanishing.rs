@@ -12,7 +12,7 @@ use crate::camera::{Camera, Projection};
 use crate::drawing::{Anchor, Drawing, Label, Mark, StrokeSet};
 use crate::geometry::Aabb;
 
-use super::gizmos::{SMALL_TYPE, SceneBuilder, stroke};
+use super::gizmos::{GearBuilder, SMALL_TYPE, stroke};
 use super::label_layout::Box2;
 use super::legend::LegendRow;
 use super::{Palette, Request};
@@ -32,7 +32,7 @@ pub(super) fn vanishing_point(camera: &Camera, direction: DVec3) -> Option<DVec2
 }
 
 /// In the world: the parallels through C, each up to the view plane.
-pub(super) fn in_world(builder: &mut SceneBuilder, request: &Request, palette: Palette) {
+pub(super) fn in_world(builder: &mut GearBuilder, request: &Request, palette: Palette) {
     /// Farther than so many windows from the middle of the window a point would pull the eye away from the scene.
     const FARTHEST: f64 = 2.5;
     let camera = &request.camera;

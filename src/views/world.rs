@@ -1,17 +1,18 @@
 //! The world: the scene, the camera in it, and the camera's view volume.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Texture};
 use crate::camera::Projection;
-use crate::pipeline::Frame;
+use crate::pipeline::{Frame, Scenes};
 use crate::scene::{Line, Mesh, Object, ObjectPaint, Scene};
 
 use super::camera_gizmo::Gear;
 use super::framing::Content;
-use super::gizmos::{self, SMALL_TYPE, SceneBuilder, TYPE};
+use super::gizmos::{self, GearBuilder, SMALL_TYPE, TYPE};
 use super::label_layout::Rules;
 use super::revealed_scene::PipelineReveal;
 use super::timed_pipeline::TimedPipeline;
@@ -31,12 +32,12 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         return pipeline.frame(request, &Scene::default(), &request.camera, target, style);
     };
     let mut revealed = if request.shot.look.world.section {
-        PipelineReveal::default()
+        PipelineReveal::plain(Cow::default())
     } else {
         revealed_scene::in_world(request, palette)
     };
     let (scene, style) = gizmos::wired(std::mem::take(&mut revealed.scene), style);
-    let builder = SceneBuilder { scene, screen: &screen, hidden: style.hidden_lines };
+    let builder = GearBuilder::new(&screen, style.hidden_lines);
     let mut world = World { request, palette, content, gear: Gear::new(&screen, &request.camera), on_window, builder };
     let names = if request.shot.look.world.section {
         world.section()
@@ -67,7 +68,7 @@ pub(super) fn frame_of(request: &Request, on_window: Option<&Arc<Texture>>, pipe
         triangle_overlay::in_world(&mut world.builder, request, palette);
         transform_gizmo::in_world(&mut world.builder, request, palette);
     }
-    let mut drawn = pipeline.frame(request, &world.builder.scene, screen.camera(), target, &style);
+    let mut drawn = pipeline.frame(request, Scenes::new(&scene, &world.builder.gear), screen.camera(), target, &style);
     revealed.rows.extend(revealed_scene::drawn_rows(&drawn, request, palette));
     let legend = revealed_scene::legend(request, revealed.rows, &target, palette);
     let rules = Rules {
@@ -92,14 +93,12 @@ struct World<'a> {
     palette: Palette,
     content: Content,
     gear: Gear,
-    builder: SceneBuilder<'a>,
+    builder: GearBuilder<'a>,
 }
 
 impl World<'_> {
     /// The section along **u**: lines alone, without the scene. The names of its planes, as they are written.
     fn section(&mut self) -> [String; 2] {
-        let lights = std::mem::take(&mut self.builder.scene).lights;
-        self.builder.scene = Scene { lights, ..Scene::default() };
         section::draw(&mut self.builder, self.request, self.palette, &self.content);
         self.camera();
         self.aim();
@@ -116,7 +115,7 @@ impl World<'_> {
             hidden: HiddenLines::Hidden,
             arrow: false,
         };
-        self.builder.scene.lines.extend(ground.lines().iter().map(|ends| Line { points: ends.to_vec(), style }));
+        self.builder.gear.lines.extend(ground.lines().iter().map(|ends| Line { points: ends.to_vec(), style }));
     }
 
     /// The view volume, from the corners that the matrices in use give.
@@ -185,7 +184,7 @@ impl World<'_> {
             Some(image) => {
                 let opacity = self.request.shot.look.world.window_opacity.unwrap_or_else(|| self.unobtrusive());
                 if opacity > 0.0 {
-                    self.builder.scene.objects.push(painted(near, image, opacity));
+                    self.builder.gear.objects.push(painted(near, image, opacity));
                 }
             }
             None => self.builder.sheer("window", &[near], self.palette.volume),
@@ -276,7 +275,7 @@ impl World<'_> {
         let camera = &self.request.camera;
         let (c, basis, gear) = (camera.position(), camera.basis(), self.gear);
         let edge = gizmos::stroke(self.palette.body_edge, 0.8, Dash::Solid, HiddenLines::Hidden);
-        self.builder.scene.objects.push(Object {
+        self.builder.gear.objects.push(Object {
             part_of: None,
             name: "camera".to_owned(),
             mesh: Arc::new(gizmos::camera_body()),

@@ -38,7 +38,7 @@ fn frame(near: f64, stage: Option<Stage>) -> Frame {
     let request = request(near);
     let target = Target { width: SIDE, height: SIDE, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
     let options = Options { shown: stage, ..Options::default() };
-    Pipeline::default().frame(&request.scene, &request.camera, target, &request.shot.look.style, options)
+    Pipeline::default().frame(&*request.scene, &request.camera, target, &request.shot.look.style, options)
 }
 
 fn report(frame: &Frame, stage: Stage) -> StageReport {
@@ -103,7 +103,7 @@ fn objects_that_are_dropped_are_named() {
     plain.scene = SharedScene::new(scene);
     let target = Target { width: SIDE, height: SIDE, scale: 1.0, background: Rgba::rgb(255, 255, 255) };
     let options = Options { shown: Some(Stage::CullObjects), ..Options::default() };
-    let frame = Pipeline::default().frame(&plain.scene, &plain.camera, target, &plain.shot.look.style, options);
+    let frame = Pipeline::default().frame(&*plain.scene, &plain.camera, target, &plain.shot.look.style, options);
     let work = frame.work.unwrap();
     assert_eq!(work.objects.len(), plain.scene.objects.len());
     let dropped: Vec<_> = work.objects.iter().filter(|o| matches!(o.containment, Containment::Outside(_))).collect();

@@ -1,0 +1,101 @@
+//! What is reported of a picture while it is made: counts and times, the work of the stage that is shown, rounding,
+//! and the triangle that is followed.
+
+use super::budget::OverBudget;
+use super::faces::Faces;
+use super::object_pass::{ObjectPass, PassContext};
+use super::plan_counts::Survey;
+use super::report::{FollowedTriangle, Frame, Meter};
+use super::rounding_check::Misplaced;
+use super::scenes::Scenes;
+use super::stage_work::Notes;
+use super::stages::ObjectReport;
+use crate::drawing::Drawing;
+use crate::stage::Stage;
+
+/// Watches the stages of one picture.
+pub(super) struct Recorder<'a> {
+    pub(super) meter: Meter,
+    /// What was done with each object.
+    objects: Vec<ObjectReport>,
+    followed: Option<FollowedTriangle>,
+    notes: Option<Notes<'a>>,
+    misplaced: Misplaced<'a>,
+    context: PassContext<'a>,
+}
+
+impl<'a> Recorder<'a> {
+    /// Begins when the plan is made.
+    pub(super) fn new(mut meter: Meter, misplaced: Misplaced<'a>, scenes: Scenes, context: PassContext<'a>) -> Self {
+        let PassContext { plan, projector, screen, options, .. } = context;
+        let mut notes = options.shown.map(|stage| Notes::new(stage, projector, screen));
+        if let Some(notes) = &mut notes {
+            notes.objects(scenes, plan);
+        }
+        meter.lap(Stage::Traverse);
+        let objects = plan.objects.iter().map(ObjectReport::new).collect();
+        Self { meter, objects, followed: None, notes, misplaced, context }
+    }
+
+    pub(super) fn transformed(&mut self, pass: &ObjectPass) {
+        if let Some(notes) = &mut self.notes {
+            notes.vertices(pass.object, &pass.vertices(), self.context.lights);
+        }
+        self.meter.lap(Stage::Transform);
+    }
+
+    pub(super) fn culled(&mut self, pass: &ObjectPass, faces: &Faces) {
+        if let Some(notes) = &mut self.notes {
+            notes.culled(&pass.vertices(), &pass.object.mesh.triangles, faces);
+        }
+        self.meter.lap(Stage::CullFaces);
+    }
+
+    /// `surface`: the place in the drawing of the first surface of this object.
+    pub(super) fn clipped(&mut self, pass: &ObjectPass, faces: &Faces, surface: usize) {
+        let vertices = pass.vertices();
+        if let Some(notes) = &mut self.notes {
+            notes.clipped(&vertices, faces);
+        }
+        self.meter.lap(Stage::Clip);
+        if let Some((_, triangle)) = self.context.options.followed.filter(|(of, _)| *of == pass.index) {
+            let its = (0..).zip(&faces.source).filter(|(_, source)| **source == triangle).map(|(i, _)| i);
+            self.followed = Some(FollowedTriangle { surface, triangles: its.collect() });
+        }
+        let done = &mut self.objects[pass.index];
+        done.triangles = faces.triangles.len();
+        done.lit = pass.plan.lit;
+        done.faces = pass.faces_done(faces);
+        self.meter.count(&vertices, faces, pass.object, done);
+    }
+
+    /// An object is drawn, and so many ends of its lines were transformed.
+    pub(super) fn drawn(&mut self, pass: &ObjectPass, ends: usize) {
+        if !pass.plan.faces {
+            self.meter.count_ends(ends);
+        }
+        self.meter.lap(Stage::Lines);
+        self.misplaced.look_at(pass.object, &pass.vertices());
+        self.meter.lap(Stage::Transform);
+    }
+
+    /// The picture with all that was recorded.
+    pub(super) fn frame(self, drawing: Drawing, scenes: Scenes) -> Frame {
+        let PassContext { plan, projector, style, .. } = self.context;
+        let done = Survey::of_done(scenes, &plan.objects, &self.objects, style);
+        let report = self.meter.report(plan, &done, style);
+        let ran = |stage| report.iter().any(|r| r.stage == stage && r.ran);
+        Frame {
+            drawing,
+            work: self.notes.map(|notes| notes.work).filter(|work| ran(work.stage)),
+            plan: plan.clone(),
+            objects: self.objects,
+            too_much: OverBudget::rounding(self.misplaced.found()),
+            depths: projector.depths,
+            dropped_faces: Vec::new(),
+            before: None,
+            followed: self.followed,
+            report,
+        }
+    }
+}

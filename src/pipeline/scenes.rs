@@ -1,0 +1,72 @@
+//! A scene, and the things that a picture adds to it, side by side: neither is copied to be drawn with the other.
+
+use crate::scene::{Light, Line, Object, PointMark, Scene, Text};
+
+/// A scene and the gear of a picture. Objects, lines, marks and texts of the scene come first.
+#[derive(Clone, Copy, Debug)]
+pub struct Scenes<'a> {
+    scene: &'a Scene,
+    gear: &'a Scene,
+    lights: &'a [Light],
+}
+
+static NOTHING: Scene = Scene {
+    objects: Vec::new(),
+    lights: Vec::new(),
+    lines: Vec::new(),
+    grids: Vec::new(),
+    marks: Vec::new(),
+    texts: Vec::new(),
+    notices: Vec::new(),
+};
+
+impl<'a> From<&'a Scene> for Scenes<'a> {
+    fn from(scene: &'a Scene) -> Self {
+        Self::new(scene, &NOTHING)
+    }
+}
+
+impl<'a> Scenes<'a> {
+    /// A scene with gear, which is lit by the lights of the scene.
+    #[must_use]
+    pub fn new(scene: &'a Scene, gear: &'a Scene) -> Self {
+        Self { scene, gear, lights: &scene.lights }
+    }
+
+    /// The same in the dark: everything shows its own colours.
+    #[must_use]
+    pub fn without_lights(self) -> Self {
+        Self { lights: &[], ..self }
+    }
+
+    pub(super) fn lights(self) -> &'a [Light] {
+        self.lights
+    }
+
+    pub(super) fn objects(self) -> impl Iterator<Item = &'a Object> {
+        self.scene.objects.iter().chain(&self.gear.objects)
+    }
+
+    pub(super) fn lines(self) -> impl Iterator<Item = &'a Line> {
+        self.scene.lines.iter().chain(&self.gear.lines)
+    }
+
+    pub(super) fn marks(self) -> impl Iterator<Item = &'a PointMark> {
+        self.scene.marks.iter().chain(&self.gear.marks)
+    }
+
+    pub(super) fn texts(self) -> impl Iterator<Item = &'a Text> {
+        self.scene.texts.iter().chain(&self.gear.texts)
+    }
+
+    /// How many objects there are.
+    pub(super) fn object_count(self) -> usize {
+        self.scene.objects.len() + self.gear.objects.len()
+    }
+
+    /// How many lines, marks and texts there are.
+    pub(super) fn line_count(self) -> usize {
+        let count = |scene: &Scene| scene.lines.len() + scene.marks.len() + scene.texts.len();
+        count(self.scene) + count(self.gear)
+    }
+}
