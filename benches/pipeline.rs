@@ -16,7 +16,7 @@ use camera_lab::camera::{Camera, Parameters};
 use camera_lab::clock;
 use camera_lab::figure::Figure;
 use camera_lab::i18n::{Lang, pictures};
-use camera_lab::picture::{Picture, Renderer};
+use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::pipeline::{Options, Pipeline, Stage, Target};
 use camera_lab::progress::{Progress, at_once};
 use camera_lab::raster::Rasterizer;
@@ -176,7 +176,7 @@ fn main() {
     for view in View::ALL {
         let name = format!("default figure, {}", view.name());
         if wanted(&name) {
-            let (mut renderer, mut picture) = (Renderer::default(), Picture::default());
+            let (mut renderer, mut picture) = (Renderer::default(), Pixels::default());
             renderer.measure(Some(clock::now));
             let size = Size { width: 640, height: 640, scale: 1.0 };
             let request = Request::of(&figure, view, &camera, &scene, labels, size);

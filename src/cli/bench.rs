@@ -10,7 +10,7 @@ use super::words::TableFormat;
 use super::{Failure, OpenFigure, print};
 use crate::clock;
 use crate::i18n::{Lang, command_line as texts, messages};
-use crate::picture::{Composite, Picture, Renderer};
+use crate::picture::{Composite, Pixels, Renderer};
 use crate::progress::at_once;
 use crate::views::{Request, Shot, View};
 
@@ -63,7 +63,7 @@ pub(super) fn run(args: &BenchArgs, lang: Lang) -> Result<(), Failure> {
 /// The times of the frames, shortest first, each made from scratch. `None` where pictures cannot be so large.
 fn measure(requests: &[Request], frames: usize) -> Option<Vec<Duration>> {
     let mut renderer = Renderer::default();
-    let mut pictures = vec![Picture::default(); requests.len()];
+    let mut pictures = vec![Pixels::default(); requests.len()];
     let mut times = Vec::with_capacity(frames);
     for frame in 0..WARM_UP + frames {
         let start = clock::now();

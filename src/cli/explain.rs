@@ -9,7 +9,7 @@ use super::words::TableFormat;
 use super::{Failure, OpenFigure, print};
 use crate::clock;
 use crate::i18n::{Lang, canvas, command_line as texts, pipeline};
-use crate::picture::{Picture, RenderReport, Renderer};
+use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::{Containment, ObjectReport, StageReport};
 use crate::progress::at_once;
 use crate::sanitize::escaped;
@@ -96,7 +96,7 @@ fn objects<'a>(scene: &'a Scene, account: &RenderReport, lang: Lang) -> Vec<Obje
 
 /// The picture is drawn twice: the first time, memory that is new to the process would be most of what is measured.
 fn account(request: &Request) -> Option<RenderReport> {
-    let (mut renderer, mut picture) = (Renderer::default(), Picture::default());
+    let (mut renderer, mut picture) = (Renderer::default(), Pixels::default());
     renderer.measure(Some(clock::now));
     at_once(renderer.pixels_into(request, &mut picture))?;
     renderer.forget();

@@ -9,7 +9,7 @@ use super::export::{Export, ExportError, ExportSource};
 use super::worker::{Work, Worker, one_by_one};
 use crate::clock;
 use crate::limits::MAX_COPIED_PIXELS;
-use crate::picture::{self, Crowded, Picture};
+use crate::picture::{self, Crowded, Pixels};
 use crate::progress::Progress;
 
 /// The small picture is drawn so many times as large as it is shown: thin strokes stay whole.
@@ -40,7 +40,7 @@ struct PreviewJob {
     factor: f32,
 }
 
-type Drawn = Result<(Picture, Option<Crowded>), ExportError>;
+type Drawn = Result<(Pixels, Option<Crowded>), ExportError>;
 
 impl std::fmt::Debug for Preview {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -117,7 +117,7 @@ pub(super) fn can_be_copied(export: &Export) -> bool {
     u64::from(export.width) * u64::from(export.height) <= MAX_COPIED_PIXELS
 }
 
-fn image(picture: &Picture) -> ColorImage {
+fn image(picture: &Pixels) -> ColorImage {
     let size = [picture.width() as usize, picture.height() as usize];
     ColorImage::from_rgba_premultiplied(size, picture.rgba())
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Composite, FileOptions, Picture, PictureError, PictureFile, Renderer, file, gap};
+use super::{Composite, FileOptions, PictureError, PictureFile, Pixels, Renderer, file, gap};
 use crate::appearance::Rgba;
 use crate::camera::Decomposition;
 use crate::export::animation::{AnimationError, AnimationFormat, TICK, animation};
@@ -113,7 +113,7 @@ impl Animation {
             if progress.is_cancelled() {
                 return None;
             }
-            let drawn: Option<Picture> = renderer.pixels(&self.at(time));
+            let drawn: Option<Pixels> = renderer.pixels(&self.at(time));
             let pixmap = drawn.and_then(|mut picture| picture.take_pixmap())?;
             progress.advance_and_pause(1).await;
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "about a second")]

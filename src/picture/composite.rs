@@ -1,10 +1,8 @@
 //! One picture, or all three on a sheet: which size each has, how they are arranged, and how far apart they stand.
 
-use std::sync::Arc;
-
 use crate::appearance::Rgba;
 use crate::limits::MAX_PIXELS;
-use crate::views::{Arrangement, Palette, Request, Shot, Size, View, Views, aspect_shown, used_area};
+use crate::views::{Arrangement, Palette, Picture, Request, Shot, Size, Views, aspect_shown, used_area};
 
 /// Room between two pictures on a sheet, in pixels at scale 1.
 const GAP: f32 = 4.0;
@@ -74,7 +72,7 @@ pub enum NoComposite {
     /// It would have more pixels than any picture.
     #[error("there is no memory for a picture of this size")]
     TooLarge,
-    /// Three pictures have no room on it.
+    /// All pictures have no room on it.
     #[error("three pictures have no room on a sheet of this size, with {gap} pixels between two of them")]
     NoRoom {
         /// Pixels between two of them.
@@ -85,7 +83,7 @@ pub enum NoComposite {
 /// Pictures that belong together, and how they stand on their sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Composite {
-    /// What is drawn, in the order of [`View::ALL`].
+    /// What is drawn, in the order of the shot.
     pub requests: Vec<Request>,
     /// How they share the sheet.
     pub arrangement: Arrangement,
@@ -98,37 +96,34 @@ pub struct Composite {
 }
 
 impl Composite {
-    /// What is drawn for `views`: `request` for each of them, seen by its observer. All three together are as large as
-    /// `request` says.
+    /// The first picture of a kind, or all pictures of a shot: `request` for each of them, seen by its observer. All
+    /// together are as large as `request` says.
     ///
     /// # Errors
-    /// [`NoComposite`] where there is no room for three, and where they would have more pixels than any picture.
+    /// [`NoComposite`] where there is no room for all, and where they would have more pixels than any picture.
     pub fn of(views: Views, request: &Request, shot: &Shot, paper: Option<&OnPaper>) -> Result<Self, NoComposite> {
         // Each of the three may be as large as a picture can be; the sheet of them may not be larger.
         let whole = request.size;
         if u64::from(whole.width) * u64::from(whole.height) > MAX_PIXELS {
             return Err(NoComposite::TooLarge);
         }
-        let (arrangement, mut sizes, crowded) = match views {
-            Views::One(_) => (Arrangement::Row, vec![whole], None),
+        let (pictures, arrangement) = match views {
+            Views::One(kind) => (vec![shot.picture(kind)], Arrangement::Row),
             Views::All => {
                 let arranged = paper.is_some_and(|paper| paper.arranged);
-                let arrangement = if arranged { best(request) } else { Arrangement::Row };
-                let no_room = NoComposite::NoRoom { gap: gap(whole.scale) };
-                // Gaps alone are no pictures.
-                let sizes = sizes(arrangement, whole).filter(|all| all.iter().all(|s| s.width > 0 && s.height > 0));
-                (arrangement, sizes.ok_or(no_room)?.to_vec(), None)
+                let arrangement = if arranged { best(&shot.pictures, request) } else { Arrangement::Row };
+                (shot.pictures.clone(), arrangement)
             }
         };
-        let crowded = match (views, paper) {
-            (Views::All, Some(paper)) => lettered(&mut sizes, paper),
-            _ => crowded,
-        };
-        let views: &[View] = match &views {
-            Views::One(view) => std::slice::from_ref(view),
-            Views::All => &View::ALL,
-        };
-        let requests = views.iter().zip(sizes).map(|(view, size)| of(request, *view, size, shot, paper));
+        let (mut sizes, mut crowded) = (vec![whole], None);
+        if views == Views::All {
+            // Gaps alone are no pictures.
+            let fit = |all: &Vec<Size>| all.iter().all(|s| s.width > 0 && s.height > 0);
+            let no_room = NoComposite::NoRoom { gap: gap(whole.scale) };
+            sizes = sizes_of(pictures.len(), arrangement, whole).filter(fit).ok_or(no_room)?;
+            crowded = paper.and_then(|paper| lettered(&mut sizes, paper));
+        }
+        let requests = pictures.iter().zip(sizes).map(|(picture, size)| of(request, picture, size, shot, paper));
         let ground = Palette::of(request.shot.look.style.theme).surround;
         let ground = if request.finish.transparent { ground.with_alpha(0) } else { ground };
         Ok(Self { requests: requests.collect(), arrangement, gap: gap(whole.scale), ground, crowded })
@@ -151,8 +146,10 @@ impl Composite {
 }
 
 /// One of the pictures.
-fn of(request: &Request, view: View, size: Size, shot: &Shot, paper: Option<&OnPaper>) -> Request {
-    let mut request = Request { view, shot: Arc::new(shot.seen_in(view)), size, ..request.clone() };
+fn of(request: &Request, picture: &Picture, size: Size, shot: &Shot, paper: Option<&OnPaper>) -> Request {
+    let Request { camera, scene, labels, .. } = request;
+    let Request { view, observer, camera, shot, .. } = Request::of_picture(shot, picture, camera, scene, labels, size);
+    let mut request = Request { view, observer, camera, shot, size, ..request.clone() };
     if let Some((paper, lines)) = paper.and_then(|paper| Some((paper, paper.lines?))) {
         #[expect(clippy::cast_possible_truncation, reason = "the width of a line")]
         let edges = paper.pixels(lines) as f32;
@@ -187,49 +184,46 @@ fn lettered(sizes: &mut [Size], paper: &OnPaper) -> Option<Crowded> {
     })
 }
 
-/// The arrangement in which the three pictures use most of a sheet.
-fn best(request: &Request) -> Arrangement {
-    let aspects = View::ALL.map(|view| aspect_shown(view, request.shot.look.image));
+/// The arrangement in which pictures use most of a sheet.
+fn best(pictures: &[Picture], request: &Request) -> Arrangement {
+    let aspects = || pictures.iter().map(|picture| aspect_shown(picture.kind, request.shot.look.image));
     #[expect(clippy::cast_precision_loss, reason = "pixels")]
     let used = |(size, aspect): (Size, f32)| used_area(size.width as f32, size.height as f32, aspect);
-    Arrangement::best(View::ALL.len(), |arrangement| {
-        sizes(arrangement, request.size).map_or(0.0, |sizes| sizes.into_iter().zip(aspects).map(used).sum())
+    Arrangement::best(pictures.len(), |arrangement| {
+        let sizes = sizes_of(pictures.len(), arrangement, request.size);
+        sizes.map_or(0.0, |sizes| sizes.into_iter().zip(aspects()).map(used).sum())
     })
 }
 
-/// The sizes of three pictures on a sheet; `None` where there is no room for them.
-fn sizes(arrangement: Arrangement, sheet: Size) -> Option<[Size; 3]> {
+/// The sizes of so many pictures on a sheet; `None` where there is no room for them.
+fn sizes_of(count: usize, arrangement: Arrangement, sheet: Size) -> Option<Vec<Size>> {
     let gap = gap(sheet.scale);
     let wide = |width| Size { width, ..sheet };
     let high = |height, of: Size| Size { height, ..of };
     Some(match arrangement {
-        Arrangement::Row => parts(sheet.width, gap)?.map(wide),
-        Arrangement::Column => parts(sheet.height, gap)?.map(|height| high(height, sheet)),
+        Arrangement::Row => parts(count, sheet.width, gap)?.map(wide).collect(),
+        Arrangement::Column => parts(count, sheet.height, gap)?.map(|height| high(height, sheet)).collect(),
         Arrangement::Above => {
             let [first, rest] = first_and_rest(sheet.height, gap, arrangement)?;
-            let [a, b] = parts(sheet.width, gap)?.map(|width| high(rest, wide(width)));
-            [high(first, sheet), a, b]
+            let others = parts(count.checked_sub(1)?, sheet.width, gap)?.map(|width| high(rest, wide(width)));
+            std::iter::once(high(first, sheet)).chain(others).collect()
         }
         Arrangement::Beside => {
             let [first, rest] = first_and_rest(sheet.width, gap, arrangement)?;
-            let [a, b] = parts(sheet.height, gap)?.map(|height| high(height, wide(rest)));
-            [wide(first), a, b]
+            let others = parts(count.checked_sub(1)?, sheet.height, gap)?.map(|height| high(height, wide(rest)));
+            std::iter::once(wide(first)).chain(others).collect()
         }
     })
 }
 
 /// Equal parts of a length with gaps between them; what does not divide goes to the first ones, a pixel each.
-fn parts<const N: usize>(length: u32, gap: u32) -> Option<[u32; N]> {
-    let count = u32::try_from(N).ok()?;
+fn parts(count: usize, length: u32, gap: u32) -> Option<impl Iterator<Item = u32>> {
+    let count = u32::try_from(count).ok()?;
     let room = length.checked_sub(count.checked_sub(1)?.checked_mul(gap)?)?;
-    let mut later = count;
-    Some([(); N].map(|()| {
-        later -= 1;
-        (room + later) / count
-    }))
+    Some((0..count).rev().map(move |later| (room + later) / count))
 }
 
-/// What the first picture has of a length, and what the two others have.
+/// What the first picture has of a length, and what the others have.
 fn first_and_rest(length: u32, gap: u32, arrangement: Arrangement) -> Option<[u32; 2]> {
     let room = length.checked_sub(gap)?;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of the room")]
@@ -254,7 +248,11 @@ mod tests {
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
     use crate::scene::Scene;
-    use crate::views::SharedScene;
+    use crate::views::{SharedScene, View};
+
+    fn three(arrangement: Arrangement, sheet: Size) -> [Size; 3] {
+        sizes_of(3, arrangement, sheet).unwrap().try_into().unwrap()
+    }
 
     /// A sheet of the figure that is there at first, so many pixels large.
     fn sheet(views: Views, [width, height]: [u32; 2], paper: Option<OnPaper>) -> Composite {
@@ -274,7 +272,7 @@ mod tests {
         {
             let (size, gap) = (Size { width, height, scale }, gap(scale));
             for arrangement in Arrangement::ALL {
-                let [a, b, c] = sizes(arrangement, size).unwrap().map(|size| [size.width, size.height]);
+                let [a, b, c] = three(arrangement, size).map(|size| [size.width, size.height]);
                 let (wide, high) = match arrangement {
                     Arrangement::Row => (a[0] + b[0] + c[0] + 2 * gap, [a[1], b[1], c[1]]),
                     Arrangement::Column => (a[0], [a[1] + b[1] + c[1] + 2 * gap; 3]),
@@ -283,11 +281,11 @@ mod tests {
                 };
                 assert_eq!((wide, high), (width, [height; 3]), "{arrangement:?}");
             }
-            let [a, b, c] = sizes(Arrangement::Row, size).unwrap().map(|size| size.width);
+            let [a, b, c] = three(Arrangement::Row, size).map(|size| size.width);
             assert!(a >= b && b >= c && a - c <= 1, "{a} {b} {c}");
         }
         for arrangement in Arrangement::ALL {
-            assert_eq!(sizes(arrangement, Size { width: 3, height: 3, scale: 1.0 }), None);
+            assert_eq!(sizes_of(3, arrangement, Size { width: 3, height: 3, scale: 1.0 }), None);
         }
     }
 

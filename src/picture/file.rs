@@ -1,6 +1,6 @@
 //! Pictures as files, in the format that is asked for.
 
-use super::{Composite, NoComposite, Picture, Renderer};
+use super::{Composite, NoComposite, Pixels, Renderer};
 use crate::camera::Ndc;
 use crate::export::animation::AnimationFormat;
 use crate::export::format::PictureFormat;
@@ -72,7 +72,7 @@ pub async fn assembled(
     sheet: &Composite,
     crop: bool,
     progress: &Progress,
-) -> Result<(Picture, Option<OverBudget>), PictureError> {
+) -> Result<(Pixels, Option<OverBudget>), PictureError> {
     let or_cancelled = |error| if progress.is_cancelled() { PictureError::Cancelled } else { error };
     let mut renderer = Renderer::default();
     renderer.watch(progress);

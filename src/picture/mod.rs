@@ -25,13 +25,13 @@ pub use triangle::{FollowedTriangle, Tested, TrianglePixels};
 
 /// A finished picture; without pixels until something has been drawn on it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Picture {
+pub struct Pixels {
     width: u32,
     height: u32,
     rgba: Vec<u8>,
 }
 
-impl Picture {
+impl Pixels {
     /// Pixels.
     #[must_use]
     pub fn width(&self) -> u32 {
@@ -106,7 +106,7 @@ impl Picture {
     }
 }
 
-impl From<Pixmap> for Picture {
+impl From<Pixmap> for Pixels {
     fn from(pixmap: Pixmap) -> Self {
         Self { width: pixmap.width(), height: pixmap.height(), rgba: pixmap.take() }
     }

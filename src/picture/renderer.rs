@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use tiny_skia::Pixmap;
 
-use super::{Composite, FollowedTriangle, Picture, RenderReport};
+use super::{Composite, FollowedTriangle, Pixels, RenderReport};
 use crate::appearance::Texture;
 use crate::pipeline::{Frame, OverBudget};
 use crate::progress::{Progress, at_once};
@@ -50,14 +50,14 @@ impl Renderer {
     }
 
     /// A picture. `None` where a side is 0, there is no memory for so many pixels, or it was cancelled.
-    pub fn pixels(&mut self, request: &Request) -> Option<Picture> {
-        let mut picture = Picture::default();
+    pub fn pixels(&mut self, request: &Request) -> Option<Pixels> {
+        let mut picture = Pixels::default();
         at_once(self.pixels_into(request, &mut picture)).map(|_| picture)
     }
 
     /// A picture as [`pixels`](Self::pixels) gives it, over another one, and how it came about. Where the result is
     /// `None`, the other one is lost too. It pauses where [`Rasterizer::paint_into`] does.
-    pub async fn pixels_into(&mut self, request: &Request, picture: &mut Picture) -> Option<RenderReport> {
+    pub async fn pixels_into(&mut self, request: &Request, picture: &mut Pixels) -> Option<RenderReport> {
         let now = self.clock.unwrap_or(|| Duration::ZERO);
         let start = now();
         let (frame, on_window) = self.timed_drawing(request).await?;
@@ -98,10 +98,10 @@ impl Renderer {
     /// The pictures of a sheet; of one, the picture itself; `crop`: each without the empty ground around what it shows.
     /// And what could not be done in any of them as it was asked for. `None` as for [`pixels`](Self::pixels), and
     /// without pictures.
-    pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Picture, Option<OverBudget>)> {
+    pub async fn sheet(&mut self, sheet: &Composite, crop: bool) -> Option<(Pixels, Option<OverBudget>)> {
         let (mut pictures, mut too_much) = (Vec::new(), None);
         for request in &sheet.requests {
-            let mut picture = Picture::default();
+            let mut picture = Pixels::default();
             let account = self.pixels_into(request, &mut picture).await?;
             too_much = too_much.or(account.too_much);
             pictures.push(if crop { picture.cropped(sheet.gap) } else { picture });
@@ -109,7 +109,7 @@ impl Renderer {
         let picture = if pictures.len() == 1 {
             pictures.pop()
         } else {
-            Picture::arranged(pictures, sheet.arrangement, sheet.gap, sheet.ground)
+            Pixels::arranged(pictures, sheet.arrangement, sheet.gap, sheet.ground)
         };
         Some((picture?, too_much))
     }
@@ -153,7 +153,7 @@ impl Renderer {
         if !self.rasterizer.paint_into(&frame.drawing, &mut pixmap).await || self.progress.is_cancelled() {
             return None;
         }
-        let picture = Picture::from(pixmap);
+        let picture = Pixels::from(pixmap);
         self.window_pipeline.stages.recycle(frame.drawing);
         let texture = Arc::new(picture.into_texture());
         self.on_window = Some((image, Arc::clone(&texture)));
@@ -218,7 +218,7 @@ mod tests {
                 |request: &Request| Request { finish: Finish { bare: true, ..Finish::default() }, ..request.clone() };
             let mut renderer = with_few_pieces();
             renderer.measure(Some(clock::now));
-            let mut picture = Picture::default();
+            let mut picture = Pixels::default();
             let account = at_once(renderer.pixels_into(&split, &mut picture)).unwrap();
             let OverBudget::Pieces { objects } = account.too_much.unwrap() else { panic!("pieces") };
             let mut names = objects.clone();
@@ -230,7 +230,7 @@ mod tests {
             assert_ne!(Some(&picture), renderer.pixels(&bare(&split)).as_ref());
             assert_eq!(renderer.pixels(&bare(&split)), Renderer::default().pixels(&bare(&tested)));
 
-            let mut picture = Picture::default();
+            let mut picture = Pixels::default();
             let account = at_once(Renderer::default().pixels_into(&split, &mut picture)).unwrap();
             assert_eq!(account.too_much, None);
         }
@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn each_picture_of_a_sheet_is_cropped_and_nothing_stands_between_pictures_without_ground() {
-        let pixel = |picture: &Picture, [x, y]: [u32; 2]| {
+        let pixel = |picture: &Pixels, [x, y]: [u32; 2]| {
             let at = 4 * (y * picture.width() + x) as usize;
             <[u8; 4]>::try_from(&picture.rgba()[at..at + 4]).unwrap()
         };
@@ -256,14 +256,14 @@ mod tests {
         assert_eq!((pixel(&whole, gap)[3], pixel(&clear, gap)), (255, [0; 4]));
 
         let (cropped, _) = at_once(Renderer::default().sheet(&sheet(false), true)).unwrap();
-        let each: Vec<Picture> = sheet(false)
+        let each: Vec<Pixels> = sheet(false)
             .requests
             .iter()
             .map(|request| Renderer::default().pixels(request).unwrap().cropped(sheet(false).gap))
             .collect();
-        let wide: u32 = each.iter().map(Picture::width).sum();
+        let wide: u32 = each.iter().map(Pixels::width).sum();
         assert_eq!(cropped.width(), wide + 2 * sheet(false).gap);
-        assert_eq!(cropped.height(), each.iter().map(Picture::height).max().unwrap());
+        assert_eq!(cropped.height(), each.iter().map(Pixels::height).max().unwrap());
         assert!(each.iter().all(|picture| picture.width() < first.width), "there was ground to crop");
     }
 

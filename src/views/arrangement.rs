@@ -10,9 +10,9 @@ pub enum Arrangement {
     Row,
     /// One above the other.
     Column,
-    /// The first above the two others.
+    /// The first above the others.
     Above,
-    /// The first to the left of the two others.
+    /// The first to the left of the others.
     Beside,
 }
 

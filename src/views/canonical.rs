@@ -76,7 +76,7 @@ fn revealed(request: &Request) -> PipelineReveal<'_> {
 
 /// The observer of the picture.
 pub(super) fn observer_of(request: &Request) -> Observer {
-    request.observer().unwrap_or_else(|| observer(request, Viewpoint::Iso))
+    request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
 /// Draws the canonical volume; an observer that is not a camera sees nothing.

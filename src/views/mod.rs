@@ -36,6 +36,7 @@ mod offscreen_arrows;
 pub mod palette;
 mod partial_paint;
 pub mod pick;
+mod picture;
 mod pixels;
 mod probe;
 mod request;
@@ -69,8 +70,9 @@ pub use hover::{
 pub use labels::Labels;
 use observer::Viewpoint;
 pub use palette::Palette;
+pub use picture::{MAX_PICTURES, Picture, observer_in};
 pub use pixels::{PixelRect, Size, image_frame};
-pub use request::{Finish, Normalizing, Request, SharedScene, observer_in};
+pub use request::{Finish, Normalizing, Request, SharedScene};
 pub use shot::{Look, Shot};
 pub use timed_pipeline::TimedPipeline;
 
@@ -111,7 +113,7 @@ impl Request {
     pub fn seen_from(&self) -> Option<Observer> {
         match self.view {
             View::World => Some(world_framing::seen_from(self)),
-            View::Canonical => self.observer().or_else(|| self.observer_from(Viewpoint::Iso)),
+            View::Canonical => self.observer.or_else(|| self.observer_from(Viewpoint::Iso)),
             View::Image => None,
         }
     }

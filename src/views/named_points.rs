@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Probe, Request, View, image, pick, world_framing};
+use super::{Request, View, image, pick, world_framing};
 use crate::camera::Projection;
 
 /// The figure's point whose mark is within `reach` of a place (pixels) of the world or of the image, by its place in
@@ -12,7 +12,7 @@ pub fn point_at(request: &Request, pointer: DVec2, reach: f64) -> Option<usize> 
     if request.view == View::Canonical {
         return None;
     }
-    let place = |p| pick::place(request, Probe::Point(p));
+    let place = pick::places(request)?;
     let distances = request.shot.points.iter().enumerate().filter_map(|(i, point)| {
         let distance = place(point.position)?.distance(pointer);
         (distance <= reach).then_some((i, distance))

@@ -1,5 +1,7 @@
 //! From a place in a picture to what is there.
 
+use std::borrow::Cow;
+
 use glam::{DVec2, DVec3};
 
 use crate::camera::Camera;
@@ -24,9 +26,8 @@ pub fn ray_in_world(request: &Request, pointer: DVec2) -> Option<Ray> {
 /// volume are.
 #[must_use]
 pub fn vertex(request: &Request, pointer: DVec2, reach: f64) -> Option<DVec3> {
-    let catch = Catch::of(request)?;
-    let shown = vertices(&request.scene).filter_map(|p| Some((catch.shown(request, p)?, p)));
-    nearest(shown, catch.faces(request), &catch.screen, pointer, reach)
+    let points = vertices(&request.scene).filter_map(|p| Some((shown(request, p)?, p)));
+    nearest(points, &faces(request), &screen(request)?, pointer, reach)
 }
 
 /// The name of the figure's object whose face a place (pixels) of a picture shows; `None` where there is none, and in
@@ -71,11 +72,11 @@ pub fn image_pixel(request: &Request, pointer: DVec2) -> Option<[u32; 2]> {
 /// nearest to the middle. Only vertices that can be seen. `None` where there is none.
 #[must_use]
 pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> Option<DVec3> {
-    let catch = Catch::of(request)?;
-    let of_shown = |p: DVec3| catch.screen.place_inside(catch.shown(request, p)?);
+    let (screen, faces) = (screen(request)?, faces(request));
+    let of_shown = |p: DVec3| screen.place_inside(shown(request, p)?);
     let start = match from {
         Some(p) => of_shown(p)?,
-        None => catch.screen.middle(),
+        None => screen.middle(),
     };
     // Straight on counts more than near: half the way to the side is as far as the way on.
     let far = |way: DVec2| if from.is_some() { way.length_squared() / way.dot(toward) } else { way.length() };
@@ -88,58 +89,56 @@ pub fn vertex_beside(request: &Request, from: Option<DVec3>, toward: DVec2) -> O
         .collect();
     next.sort_by(|a, b| a.0.total_cmp(&b.0));
     next.dedup_by(|a, b| a.1 == b.1);
-    let seen = |p: &DVec3| {
-        catch.shown(request, *p).is_some_and(|shown| can_be_seen(shown, catch.faces(request), catch.screen.camera()))
-    };
+    let seen = |p: &DVec3| shown(request, *p).is_some_and(|shown| can_be_seen(shown, &faces, screen.camera()));
     next.into_iter().map(|(_, p)| p).find(seen)
 }
 
-/// Where a picture shows what a probe is at (pixels): the point, or of a ray its first point of the scene, else that of
-/// the window. `None` where the picture does not show it.
+/// The point (world) that a probe is at: the point itself, or of a ray its first point of the scene, else that of the
+/// window.
 #[must_use]
-pub fn place(request: &Request, probe: Probe) -> Option<DVec2> {
-    let p = match probe {
+pub fn point_of(request: &Request, probe: Probe) -> DVec3 {
+    match probe {
         Probe::Point(p) => p,
         Probe::Window(point) => {
             let pixel = Pixel::new(request, point);
             pixel.hit.unwrap_or(pixel.window)
         }
-    };
-    let catch = Catch::of(request)?;
-    catch.screen.place_inside(catch.shown(request, p)?)
+    }
 }
 
-/// What vertices are caught by in a picture.
-struct Catch {
-    screen: Screen,
-    /// The faces that hide them, where these are not those of the scene.
-    contents: Option<Scene>,
+/// Where a picture shows points of the world (pixels), or that it does not; `None` for an observer that is not a
+/// camera. Nothing of the scene is looked at.
+#[must_use]
+pub fn places(request: &Request) -> Option<impl Fn(DVec3) -> Option<DVec2>> {
+    let screen = screen(request)?;
+    Some(move |p_world| screen.place_inside(shown(request, p_world)?))
 }
 
-impl Catch {
-    fn of(request: &Request) -> Option<Self> {
-        Some(match request.view {
-            View::World => Self { screen: world_framing::screen(request)?, contents: None },
-            View::Canonical => {
-                Self { screen: canonical::screen(request)?, contents: Some(canonical::contents(request)) }
-            }
-            View::Image => Self { screen: image::screen(request), contents: None },
-        })
+/// The screen of a picture; `None` for an observer that is not a camera.
+fn screen(request: &Request) -> Option<Screen> {
+    match request.view {
+        View::World => world_framing::screen(request),
+        View::Canonical => canonical::screen(request),
+        View::Image => Some(image::screen(request)),
     }
+}
 
-    fn faces<'a>(&'a self, request: &'a Request) -> &'a Scene {
-        self.contents.as_ref().unwrap_or(&request.scene)
+/// Where a vertex (world) is shown, in the space of the picture; in the canonical volume and in the image only those
+/// inside the view volume are.
+fn shown(request: &Request, p: DVec3) -> Option<DVec3> {
+    let inside = || displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0);
+    match request.view {
+        View::World => Some(p),
+        View::Canonical => inside().map(|shown| CanonicalBox::of(request).place(shown)),
+        View::Image => inside().map(|_| p),
     }
+}
 
-    /// Where a vertex (world) is shown, in the space of the picture; in the canonical volume and in the image only
-    /// those inside the view volume are.
-    fn shown(&self, request: &Request, p: DVec3) -> Option<DVec3> {
-        let inside = || displayed_ndc(&request.camera, p).filter(|n| n.abs().max_element() <= 1.0);
-        match request.view {
-            View::World => Some(p),
-            View::Canonical => inside().map(|shown| CanonicalBox::of(request).place(shown)),
-            View::Image => inside().map(|_| p),
-        }
+/// The faces that hide vertices in a picture.
+fn faces(request: &Request) -> Cow<'_, Scene> {
+    match request.view {
+        View::Canonical => Cow::Owned(canonical::contents(request)),
+        View::World | View::Image => Cow::Borrowed(&*request.scene),
     }
 }
 

@@ -4,9 +4,9 @@ use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 use super::pixels::image_frame;
-use super::{Hover, Labels, Look, ObjectTransform, Probe, Shot, Size, TriangleOverlay, View};
+use super::{Hover, Labels, Look, ObjectTransform, Picture, Probe, Shot, Size, TriangleOverlay, View};
 use crate::camera::{Camera, Decomposition};
-use crate::figure::{Figure, Measured, Observer, Observers, ShownStep};
+use crate::figure::{Figure, Measured, Observer, ShownStep};
 use crate::geometry::Aabb;
 use crate::pipeline::Output;
 use crate::scene::Scene;
@@ -14,12 +14,14 @@ use crate::scene::Scene;
 /// A picture to be made. "Has anything changed?" is `==`, which costs nothing that grows with the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// Which picture.
+    /// The kind of the picture.
     pub view: View,
-    /// What it shows: of all that pictures show, what is seen in this one.
-    pub shot: Arc<Shot>,
+    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture.
+    pub observer: Option<Observer>,
     /// The camera that the picture is about.
     pub camera: Camera,
+    /// What it shows: of all that pictures show, what is seen in this one.
+    pub shot: Arc<Shot>,
     /// What it looks at.
     pub scene: SharedScene,
     /// What only the pointer makes.
@@ -64,7 +66,7 @@ impl Request {
         Self::new(&Shot::of(figure), view, camera, scene, labels, size)
     }
 
-    /// A picture of a shot, with nothing pointed at.
+    /// The first picture of a kind of a shot, with nothing pointed at. The camera is the figure's.
     #[must_use]
     pub fn new(
         shot: &Shot,
@@ -74,10 +76,24 @@ impl Request {
         labels: &'static Labels,
         size: Size,
     ) -> Self {
+        Self::of_picture(shot, &shot.picture(view), camera, scene, labels, size)
+    }
+
+    /// A picture of a shot, with nothing pointed at. The camera is the figure's; the picture may have one of its own.
+    #[must_use]
+    pub fn of_picture(
+        shot: &Shot,
+        picture: &Picture,
+        camera: &Camera,
+        scene: &SharedScene,
+        labels: &'static Labels,
+        size: Size,
+    ) -> Self {
         Self {
-            view,
-            shot: Arc::new(shot.seen_in(view)),
-            camera: camera.clone(),
+            view: picture.kind,
+            observer: picture.observer.filter(|_| picture.kind != View::Image),
+            camera: picture.camera.as_ref().unwrap_or(camera).clone(),
+            shot: Arc::new(shot.seen_in(picture.kind)),
             scene: scene.clone(),
             hover: Hover::default(),
             finish: Finish::default(),
@@ -100,19 +116,7 @@ impl Request {
     /// The same picture seen from somewhere else; the image is seen by the camera alone.
     #[must_use]
     pub fn seen_by(self, observer: Option<Observer>) -> Self {
-        let view = self.view;
-        self.with_shot(|shot| match view {
-            View::World => shot.observers.world = observer,
-            View::Canonical => shot.observers.canonical = observer,
-            View::Image => {}
-        })
-    }
-
-    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image
-    /// is seen by the camera alone.
-    #[must_use]
-    pub fn observer(&self) -> Option<Observer> {
-        observer_in(&self.shot.observers, self.view)
+        Self { observer: observer.filter(|_| self.view != View::Image), ..self }
     }
 
     /// The canonical picture on its way from the world, step by step; `None`: there is no way that the camera can go,
@@ -150,9 +154,10 @@ impl Request {
         let frame = image_frame(Size { width: side, height: side, scale: 1.0 }, self.camera.window().aspect());
         // Points, and what is explained, are drawn in the world.
         let look = Look { undistorted: true, ..self.shot.look };
-        let shot = Shot { look, ndc: self.shot.ndc, ..Shot::default() };
+        let shot = Shot { look, ndc: self.shot.ndc, ..Shot::default().seen_in(View::Image) };
         Self {
             view: View::Image,
+            observer: None,
             shot: Arc::new(shot),
             hover: Hover::default(),
             finish: Finish { bare: true, stroke_factor: self.finish.stroke_factor, ..Finish::default() },
@@ -182,16 +187,6 @@ impl Normalizing {
         let ShownStep { way, at } = step;
         let end = camera.decomposed(way)?.len() as f64;
         Some(Self { decomposition: way, time: at.unwrap_or(end).clamp(0.0, end) })
-    }
-}
-
-/// What a figure says about the observer of a picture.
-#[must_use]
-pub fn observer_in(observers: &Observers, view: View) -> Option<Observer> {
-    match view {
-        View::World => observers.world,
-        View::Canonical => observers.canonical,
-        View::Image => None,
     }
 }
 

@@ -5,17 +5,17 @@ use std::sync::Arc;
 
 use glam::DMat4;
 
-use super::{ObjectTransform, View};
+use super::{ObjectTransform, Picture, View};
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Ndc, Viewport};
-use crate::figure::{Figure, NamedPoint, Observers, Outside, Reveal, Show, StagePicture, WorldLook};
+use crate::figure::{Figure, NamedPoint, Outside, Reveal, Show, StagePicture, WorldLook};
 use crate::scene::SceneSpec;
 use crate::scene::edit::{object_named, placements};
 use crate::scene::transform::Trs;
 use crate::stage::Stage;
 
 /// All that pictures show of a scene and a camera.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shot {
     /// How everything looks.
     pub look: Look,
@@ -23,14 +23,21 @@ pub struct Shot {
     pub points: Arc<[NamedPoint]>,
     /// Whose NDC the canonical volume and the numbers are in.
     pub ndc: Ndc,
-    /// From where the three-dimensional pictures are seen.
-    pub observers: Observers,
+    /// The pictures, each with its observer and its camera.
+    pub pictures: Vec<Picture>,
     /// What is explained in the pictures.
     pub show: Show,
     /// The second camera of `show`, which may know more than its parameters.
     pub answered: Option<Camera>,
     /// The transform of the object that `show` measures.
     pub measured_object: Option<ObjectTransform>,
+}
+
+/// The three pictures of a figure, with nothing explained in them.
+impl Default for Shot {
+    fn default() -> Self {
+        Self::of(&Figure::default())
+    }
 }
 
 impl Shot {
@@ -44,15 +51,22 @@ impl Shot {
             look: Look::of(figure),
             points: figure.points.as_slice().into(),
             ndc: Ndc::default(),
-            observers: figure.observers,
+            pictures: Picture::of_figure(&figure.observers),
             answered: show.answer.and_then(|parameters| Camera::new(&parameters).ok()),
             measured_object: object.and_then(|name| transform_of(&figure.scene, name)),
             show,
         }
     }
 
-    /// What is seen of it in one of the pictures: what belongs to the others is at its default, so that it changes
-    /// nothing here.
+    /// The first picture of a kind; where there is none, one of the figure's camera.
+    #[must_use]
+    pub fn picture(&self, kind: View) -> Picture {
+        let there = self.pictures.iter().find(|picture| picture.kind == kind);
+        there.cloned().unwrap_or_else(|| Picture::new(kind, None))
+    }
+
+    /// What is seen of it in a picture of a kind: what belongs to others is at its default, so that it changes nothing
+    /// here. The pictures are left out: a request has its own.
     #[must_use]
     pub fn seen_in(&self, view: View) -> Self {
         let show = &self.show;
@@ -69,21 +83,19 @@ impl Shot {
             look,
             points: Arc::clone(&self.points),
             ndc: self.ndc,
-            observers: Observers::default(),
+            pictures: Vec::new(),
             show: everywhere,
             answered: None,
             measured_object: None,
         };
         match view {
             View::World => Self {
-                observers: Observers { world: self.observers.world, ..Observers::default() },
                 show: Show { measure: show.measure.clone(), moved: show.moved.clone(), ..seen.show },
                 answered: self.answered.clone(),
                 measured_object: self.measured_object,
                 ..seen
             },
             View::Canonical => Self {
-                observers: Observers { canonical: self.observers.canonical, ..Observers::default() },
                 // Steps end in the convention of those who take them.
                 ndc: show.step.map_or(self.ndc, |step| step.way.ndc()),
                 show: Show { step: show.step, ..seen.show },

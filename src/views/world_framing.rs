@@ -61,7 +61,7 @@ pub(super) fn seen_from(request: &Request) -> Observer {
     if request.shot.look.world.section {
         return section::observer(request);
     }
-    request.observer().unwrap_or_else(|| observer(request, Viewpoint::Iso))
+    request.observer.unwrap_or_else(|| observer(request, Viewpoint::Iso))
 }
 
 /// The observer's camera and its pixels; `None` for an observer that is not a camera.

@@ -24,7 +24,7 @@ pub(crate) fn assert_picture(name: &str, pixmap: &Pixmap) {
 
 /// Holds a finished picture against `tests/images/NAME.png`.
 #[track_caller]
-pub(crate) fn assert_rendered(name: &str, picture: &camera_lab::picture::Picture) {
+pub(crate) fn assert_rendered(name: &str, picture: &camera_lab::picture::Pixels) {
     assert_same(name, picture.width(), picture.height(), picture.rgba());
 }
 

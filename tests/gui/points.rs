@@ -247,7 +247,7 @@ fn a_point_is_dragged_in_the_world_at_its_distance_from_the_eye() {
     let mut h = stage(|state| state.document.edit(|figure| followed(figure, P)));
     let in_world = |h: &Harness<'_, Stage>, p: DVec3| {
         let rect = place(h, WORLD);
-        let at = pick::place(&world(h, rect), Probe::Point(p)).unwrap();
+        let at = pick::places(&world(h, rect)).unwrap()(p).unwrap();
         rect.min + vec2(at.x as f32, at.y as f32)
     };
     let camera = h.state().state.document.camera().clone();

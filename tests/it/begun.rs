@@ -6,7 +6,7 @@ use camera_lab::appearance::{Shading, Visibility};
 use camera_lab::camera::Camera;
 use camera_lab::figure::{Depth, Figure};
 use camera_lab::i18n::{Lang, pictures::labels};
-use camera_lab::picture::{Picture, Renderer};
+use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::scene::Preset;
 use camera_lab::views::{Finish, Request, SharedScene, Size, View, scene_of};
 
@@ -24,7 +24,7 @@ fn request(visibility: Visibility, depth: Depth) -> Request {
 }
 
 /// Pixels that are not the paper's.
-fn painted(picture: &Picture) -> usize {
+fn painted(picture: &Pixels) -> usize {
     let paper: [u8; 4] = picture.rgba()[..4].try_into().unwrap();
     picture.rgba().chunks_exact(4).filter(|pixel| *pixel != paper).count()
 }

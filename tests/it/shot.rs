@@ -10,7 +10,7 @@ use camera_lab::figure::{
 };
 use camera_lab::geometry::Angle;
 use camera_lab::i18n::{Lang, pictures::labels};
-use camera_lab::picture::{Picture, Renderer};
+use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::scene::{Preset, no_files};
 use camera_lab::share;
 use camera_lab::stage::Stage;

@@ -7,7 +7,7 @@ use camera_lab::camera::Camera;
 use camera_lab::clock;
 use camera_lab::figure::{Depth, Figure, StagePicture};
 use camera_lab::i18n::{Lang, pictures::labels};
-use camera_lab::picture::{Picture, Renderer};
+use camera_lab::picture::{Pixels, Renderer};
 use camera_lab::pipeline::{Containment, Frame, Options, Pipeline, Stage, StageReport, Target};
 use camera_lab::progress::at_once;
 use camera_lab::scene::Preset;
@@ -111,7 +111,7 @@ fn objects_that_are_dropped_are_named() {
 }
 
 /// The pixels of one half, away from the line in the middle and from what is written beside it.
-fn half(picture: &Picture, right: bool) -> Vec<[u8; 4]> {
+fn half(picture: &Pixels, right: bool) -> Vec<[u8; 4]> {
     let (side, half) = (SIDE as usize, SIDE as usize / 2);
     let columns = if right { half + 4..side } else { 0..half - 4 };
     let pixel = |i: usize| <[u8; 4]>::try_from(&picture.rgba()[4 * i..4 * i + 4]).unwrap();
@@ -172,7 +172,7 @@ fn faces_that_show_a_stage_are_counted_by_none_also_where_depths_are_shown() {
         let accounts = |request: &Request| {
             let mut renderer = Renderer::default();
             renderer.measure(Some(clock::now));
-            let mut picture = Picture::default();
+            let mut picture = Pixels::default();
             let account = at_once(renderer.pixels_into(request, &mut picture)).unwrap();
             account.stages.iter().map(|report| (report.stage, report.ran, report.counts)).collect::<Vec<_>>()
         };

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Pos2, Rect, Vec2, vec2};
 
-use crate::views::{Arrangement, View, used_area};
+use crate::views::{Arrangement, used_area};
 
 /// Room between two pictures, in points: the bar that is dragged.
 pub(super) const GAP: f32 = 5.0;
@@ -80,7 +80,8 @@ impl Shares {
 /// A picture to be laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Framed {
-    pub(super) view: View,
+    /// Its place among the pictures of the shot.
+    pub(super) picture: usize,
     /// Width by height of what it shows.
     pub(super) aspect: f32,
 }
@@ -91,7 +92,7 @@ pub(super) fn arrange(
     pictures: &[Framed],
     wanted: Option<Arrangement>,
     shares: &Shares,
-) -> (Vec<(View, Rect)>, Vec<Bar>) {
+) -> (Vec<(usize, Rect)>, Vec<Bar>) {
     let arrangement = match (wanted, pictures.len()) {
         (None, _) => best(room, pictures),
         (Some(Arrangement::Above), 0..=2) => Arrangement::Column,
@@ -99,7 +100,7 @@ pub(super) fn arrange(
         (Some(wanted), _) => wanted,
     };
     let (rects, bars) = lay_out(room, pictures.len(), arrangement, shares);
-    (pictures.iter().map(|picture| picture.view).zip(rects).collect(), bars)
+    (pictures.iter().map(|framed| framed.picture).zip(rects).collect(), bars)
 }
 
 /// The places of so many pictures.
@@ -170,7 +171,7 @@ mod tests {
     }
 
     fn framed(count: usize) -> Vec<Framed> {
-        View::ALL[..count].iter().map(|view| Framed { view: *view, aspect: 4.0 / 3.0 }).collect()
+        (0..count).map(|picture| Framed { picture, aspect: 4.0 / 3.0 }).collect()
     }
 
     #[test]

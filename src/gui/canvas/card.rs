@@ -1,6 +1,7 @@
 //! The card with the coordinates of what is pinned: where it stands, and its buttons.
 
 use eframe::egui::{Context, Id, Pos2, Rect, Ui, Vec2, Window, vec2};
+use glam::DVec3;
 
 use super::readout::Cell;
 use super::status::{line_height, table};
@@ -9,7 +10,7 @@ use crate::gui::state::State;
 use crate::gui::tooltip::Explained;
 use crate::i18n::canvas::CanvasTexts;
 use crate::i18n::explain_point;
-use crate::views::{Hover, Probe, Request, pick};
+use crate::views::{Hover, Request, pick};
 
 /// The room that a card takes before it has been shown, in points.
 const USUAL: Vec2 = vec2(250.0, 190.0);
@@ -71,27 +72,36 @@ pub(super) fn show(
 impl Canvas {
     /// Where the card of a probe that has just been pinned stands: in the corner of the pictures that is farthest from
     /// all that they show of it. `None` for one that has its card.
-    pub(super) fn place_of_card(&mut self, ctx: &Context, state: &State, panes: &[Pane], room: Rect) -> Option<Pos2> {
+    pub(super) fn place_of_card(
+        &mut self,
+        ctx: &Context,
+        state: &State,
+        panes: &[Pane],
+        point: Option<DVec3>,
+        room: Rect,
+    ) -> Option<Pos2> {
         /// In its first frame a card does not know its size yet.
         const FRAMES: u8 = 3;
         if state.pinned() != self.on_card {
             (self.on_card, self.card_settles) = (state.pinned(), FRAMES);
         }
-        let probe = state.pinned().filter(|_| self.card_settles > 0)?;
+        // In a heavy scene the point is not known at once.
+        let point = point.filter(|_| self.card_settles > 0)?;
         self.card_settles -= 1;
         ctx.request_repaint();
-        let shown: Vec<Pos2> = panes.iter().filter_map(|pane| self.place_on_screen(state, pane, probe)).collect();
+        let shown: Vec<Pos2> = panes.iter().filter_map(|pane| place_on_screen(pane, point)).collect();
         let size = ctx.memory(|memory| memory.area_rect(id())).map_or(USUAL, |rect| rect.size());
         Some(farthest_corner(room, size, &shown))
     }
+}
 
-    fn place_on_screen(&self, state: &State, pane: &Pane, probe: Probe) -> Option<Pos2> {
-        let request = self.request(state, pane.view, pane.rect.size);
-        let pixel = pick::place(&Request { hover: Hover::default(), ..request }, probe)?;
-        #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
-        let [x, y] = pixel.to_array().map(|v| v as f32);
-        Some(pane.rect.rect_of(x, y, 0.0, 0.0).min)
-    }
+/// Where a pane shows a point of the world, in points.
+fn place_on_screen(pane: &Pane, p_world: DVec3) -> Option<Pos2> {
+    let request = Request { hover: Hover::default(), ..pane.request.clone() };
+    let pixel = pick::places(&request)?(p_world)?;
+    #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+    let [x, y] = pixel.to_array().map(|v| v as f32);
+    Some(pane.rect.rect_of(x, y, 0.0, 0.0).min)
 }
 
 /// Where a card of a size has its upper left corner, in the corner of the room that is farthest from all places; of

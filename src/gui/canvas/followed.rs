@@ -8,7 +8,7 @@ use crate::gui::handle_drag;
 use crate::gui::state::State;
 use crate::i18n::explain_point;
 use crate::sanitize::escaped;
-use crate::views::{Request, View, named_points};
+use crate::views::{Request, named_points};
 
 /// A point that is held.
 pub(super) struct PointDrag {
@@ -25,11 +25,6 @@ impl PointDrag {
         let index = named_points::point_at(&pressed, from, pane.rect.pixels(handle_drag::REACH))?;
         let before = pressed.shot.points.get(index)?.position;
         Some(Self { index, before, pressed, from })
-    }
-
-    /// In which picture it is held.
-    pub(super) fn view(&self) -> View {
-        self.pressed.view
     }
 
     /// The point goes where the pointer is (pixels).

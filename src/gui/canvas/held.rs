@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::followed::PointDrag;
 use super::status::Status;
 use super::{Canvas, Pane, orbit};
-use crate::figure::{Observer, Observers};
+use crate::figure::Observer;
 use crate::gui::handle_drag::{self, HandleDrag};
 use crate::gui::selection_gizmo::Movable;
 use crate::gui::state::State;
@@ -18,7 +18,7 @@ use crate::numbers::power_of_ten;
 use crate::scene::SceneSpec;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::{part_at, pull};
-use crate::views::{GizmoPart, Transforming, View, observer_in};
+use crate::views::{GizmoPart, Picture, Transforming, View};
 
 /// How near the pointer must come to a part of the gizmo, in points.
 pub(super) const GIZMO_REACH: f32 = 7.0;
@@ -26,15 +26,15 @@ pub(super) const GIZMO_REACH: f32 = 7.0;
 /// What is held with the pointer.
 pub(super) enum Drag {
     /// The eye of a three-dimensional picture turns.
-    Orbit { view: View, pressed: Observers },
+    Orbit { picture: usize, pressed: Vec<Option<Observer>> },
     /// The eye of a three-dimensional picture moves.
-    Pan { view: View, pressed: Observer },
+    Pan { picture: usize, pressed: Observer },
     /// Something in the world is moved.
-    Handle(Box<HandleDrag>),
+    Handle(usize, Box<HandleDrag>),
     /// What is selected is moved, turned or scaled.
-    Gizmo(Box<GizmoDrag>),
+    Gizmo(usize, Box<GizmoDrag>),
     /// A point that is followed is moved.
-    Point(Box<PointDrag>),
+    Point(usize, Box<PointDrag>),
 }
 
 /// A part of the gizmo that is held.
@@ -50,11 +50,11 @@ pub(super) struct GizmoDrag {
 }
 
 impl Drag {
-    pub(super) fn view(&self) -> View {
+    /// In which picture.
+    pub(super) fn picture(&self) -> usize {
         match self {
-            Self::Orbit { view, .. } | Self::Pan { view, .. } => *view,
-            Self::Handle(_) | Self::Gizmo(_) => View::World,
-            Self::Point(held) => held.view(),
+            Self::Orbit { picture, .. } | Self::Pan { picture, .. } => *picture,
+            Self::Handle(picture, _) | Self::Gizmo(picture, _) | Self::Point(picture, _) => *picture,
         }
     }
 }
@@ -67,7 +67,7 @@ impl Canvas {
         {
             self.drag = self.taken(ui, state, pane, origin);
         }
-        if self.drag.as_ref().is_none_or(|drag| drag.view() != pane.view) {
+        if self.drag.as_ref().is_none_or(|drag| drag.picture() != pane.picture) {
             return;
         }
         if ui.input(|i| i.key_pressed(Key::Escape)) {
@@ -84,67 +84,68 @@ impl Canvas {
 
     /// What a press at `origin` takes.
     fn taken(&self, ui: &Ui, state: &State, pane: &Pane, origin: Pos2) -> Option<Drag> {
-        let view = pane.view;
+        let Pane { picture, view, request, .. } = pane;
+        let picture = *picture;
         let (modifiers, primary) = ui.input(|i| (i.modifiers, i.pointer.button_down(PointerButton::Primary)));
         let from = pane.rect.pixel(origin);
-        let point = || PointDrag::taken(self.request(state, view, pane.rect.size), from, pane);
-        if view == View::Image {
-            return primary.then(point)?.map(|held| Drag::Point(Box::new(held)));
+        let point = || PointDrag::taken(request.clone(), from, pane);
+        if *view == View::Image {
+            return primary.then(point)?.map(|held| Drag::Point(picture, Box::new(held)));
         }
-        if view == View::World && primary {
-            let request = self.request(state, pane.view, pane.rect.size);
-            if let Some(handle) = handle_at(&request, from, pane.rect.pixels(handle_drag::REACH)) {
-                return Some(Drag::Handle(Box::new(HandleDrag::new(handle, request, from, modifiers))));
+        if *view == View::World && primary {
+            if let Some(handle) = handle_at(request, from, pane.rect.pixels(handle_drag::REACH)) {
+                let held = HandleDrag::new(handle, request.clone(), from, modifiers);
+                return Some(Drag::Handle(picture, Box::new(held)));
             }
             if let Some(movable) = Movable::selected(state)
-                && let Some(part) = part_at(&request, from, pane.rect.pixels(GIZMO_REACH))
+                && let Some(part) = part_at(request, from, pane.rect.pixels(GIZMO_REACH))
             {
-                let (observer, before) = (request.observer(), state.document.figure().scene.clone());
+                let (observer, before) = (request.observer, state.document.figure().scene.clone());
                 let held = GizmoDrag { movable, before, part, observer, from, is_sheared: false };
-                return Some(Drag::Gizmo(Box::new(held)));
+                return Some(Drag::Gizmo(picture, Box::new(held)));
             }
             if let Some(held) = point() {
-                return Some(Drag::Point(Box::new(held)));
+                return Some(Drag::Point(picture, Box::new(held)));
             }
         }
         Some(if primary && !modifiers.shift {
-            Drag::Orbit { view, pressed: self.seen }
+            Drag::Orbit { picture, pressed: self.shot.pictures.iter().map(|picture| picture.observer).collect() }
         } else {
-            Drag::Pan { view, pressed: observer_in(&self.seen, view)? }
+            Drag::Pan { picture, pressed: self.seen(picture)? }
         })
     }
 
     fn follow(&mut self, ui: &Ui, state: &mut State, pane: &Pane, origin: Pos2, pointer: Pos2) {
         let motion = pointer - origin;
-        let request = self.request(state, pane.view, pane.rect.size);
+        let request = &pane.request;
         match &mut self.drag {
             None => {}
-            Some(Drag::Orbit { view, pressed }) => {
-                let (view, pressed) = (*view, *pressed);
-                for other in turning_with(view, state) {
-                    if let Some(pressed) = observer_in(&pressed, other) {
+            Some(Drag::Orbit { picture, pressed }) => {
+                let (picture, pressed) = (*picture, pressed.clone());
+                for other in self.turning_with(picture, state) {
+                    if let Some(pressed) = pressed.get(other).copied().flatten() {
                         self.turn(state, other, orbit::orbited(pressed, motion));
                     }
                 }
             }
-            Some(Drag::Pan { view, pressed }) => {
-                let (view, pressed) = (*view, *pressed);
+            Some(Drag::Pan { picture, pressed }) => {
+                let (picture, pressed) = (*picture, *pressed);
                 let motion = pane.rect.pixel(pointer) - pane.rect.pixel(origin);
                 let height = f64::from(pane.rect.size.height);
-                self.turn(state, view, pressed.pan(motion.x, motion.y, height));
+                self.turn(state, picture, pressed.pan(motion.x, motion.y, height));
             }
-            Some(Drag::Handle(held)) => {
+            Some(Drag::Handle(_, held)) => {
                 let modifiers = ui.input(|i| i.modifiers);
-                let moved = held.moved(&request, pane.rect.pixel(pointer), modifiers);
+                let moved = held.moved(request, pane.rect.pixel(pointer), modifiers);
                 if let Some(parameters) = moved.filter(|p| p != state.document.draft()) {
                     state.document.set_parameters(parameters);
                     ui.request_repaint();
                 }
             }
-            Some(Drag::Point(held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
-            Some(Drag::Gizmo(held)) => {
+            Some(Drag::Point(_, held)) => held.follow(state, pane.rect.pixel(pointer), ui.ctx()),
+            Some(Drag::Gizmo(_, held)) => {
                 let GizmoDrag { movable, before, part, observer, from, is_sheared } = held.as_mut();
-                let request = request.seen_by(*observer);
+                let request = request.clone().seen_by(*observer);
                 let Some(pulled) = pull(&request, &movable.gizmo, *part, *from, pane.rect.pixel(pointer)) else {
                     return;
                 };
@@ -160,21 +161,28 @@ impl Canvas {
         }
     }
 
+    /// The pictures whose observers turn with that of one.
+    pub(super) fn turning_with(&self, picture: usize, state: &State) -> Vec<usize> {
+        let turns =
+            |(i, other): &(usize, &Picture)| *i == picture || (state.layout.linked && other.kind != View::Image);
+        self.shot.pictures.iter().enumerate().filter(turns).map(|(i, _)| i).collect()
+    }
+
     /// Puts back what was there before the press.
     pub(super) fn give_up(&mut self, state: &mut State) {
         match self.drag.take() {
             None => {}
-            Some(Drag::Orbit { pressed, view }) => {
-                for other in turning_with(view, state) {
-                    if let Some(pressed) = observer_in(&pressed, other) {
+            Some(Drag::Orbit { pressed, picture }) => {
+                for other in self.turning_with(picture, state) {
+                    if let Some(pressed) = pressed.get(other).copied().flatten() {
                         self.turn(state, other, pressed);
                     }
                 }
             }
-            Some(Drag::Pan { view, pressed }) => self.turn(state, view, pressed),
-            Some(Drag::Handle(held)) => state.document.set_camera(held.before()),
-            Some(Drag::Gizmo(held)) => state.document.edit(|figure| figure.scene = held.before),
-            Some(Drag::Point(held)) => held.give_up(state),
+            Some(Drag::Pan { picture, pressed }) => self.turn(state, picture, pressed),
+            Some(Drag::Handle(_, held)) => state.document.set_camera(held.before()),
+            Some(Drag::Gizmo(_, held)) => state.document.edit(|figure| figure.scene = held.before),
+            Some(Drag::Point(_, held)) => held.give_up(state),
         }
     }
 
@@ -182,8 +190,8 @@ impl Canvas {
         let digits = state.settings.digits.min(6);
         match &self.drag {
             None => {}
-            Some(Drag::Orbit { view, .. }) => {
-                let Some(Observer { azimuth, elevation, .. }) = observer_in(&self.seen, *view) else { return };
+            Some(Drag::Orbit { picture, .. }) => {
+                let Some(Observer { azimuth, elevation, .. }) = self.seen(*picture) else { return };
                 let angles = [azimuth, elevation].map(|a| texts.lang.mark().number(a, 4));
                 status.message = format!("{}: {}° · {}°", texts.turning, angles[0], angles[1]);
                 ui.set_cursor_icon(CursorIcon::Grabbing);
@@ -192,7 +200,7 @@ impl Canvas {
                 texts.moving.clone_into(&mut status.message);
                 ui.set_cursor_icon(CursorIcon::Move);
             }
-            Some(Drag::Handle(held)) => {
+            Some(Drag::Handle(_, held)) => {
                 self.hover.hovered = Some(held.handle());
                 let camera = state.document.camera();
                 let mut lines = vec![handle_drag::readout(held.handle(), camera, digits, texts)];
@@ -208,13 +216,13 @@ impl Canvas {
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
-            Some(Drag::Point(held)) => {
+            Some(Drag::Point(_, held)) => {
                 let lines = held.lines(state);
                 status.message = lines.join(" · ");
                 tooltip(ui, &lines);
                 ui.set_cursor_icon(handle_drag::cursor(true));
             }
-            Some(Drag::Gizmo(held)) => {
+            Some(Drag::Gizmo(_, held)) => {
                 if let Some(gizmo) = &mut self.hover.gizmo {
                     gizmo.hovered = Some(held.part);
                 }
@@ -229,12 +237,6 @@ impl Canvas {
             }
         }
     }
-}
-
-/// The pictures whose observers turn with that of `view`.
-pub(super) fn turning_with(view: View, state: &State) -> impl Iterator<Item = View> + use<> {
-    let linked = state.layout.linked;
-    [View::World, View::Canonical].into_iter().filter(move |other| *other == view || linked)
 }
 
 /// A note beside the pointer.

@@ -3,8 +3,8 @@
 use eframe::egui::{Event, EventFilter, Key, Modifiers, PointerButton, Ui, Vec2};
 use glam::DVec2;
 
-use super::held::{GIZMO_REACH, gizmo_lines, tooltip, turning_with};
-use super::keyboard_probe::Probing;
+use super::held::{GIZMO_REACH, gizmo_lines, tooltip};
+use super::keyboard_probe::{ProbeStep, Probing};
 use super::picking::{self, PickQuery, PickRequest};
 use super::status::Status;
 use super::{Canvas, Pane, followed, orbit, readout, toggle_maximized};
@@ -15,7 +15,7 @@ use crate::gui::{explain, handle_drag};
 use crate::i18n::canvas::CanvasTexts;
 use crate::views::handles::handle_at;
 use crate::views::transform_gizmo::part_at;
-use crate::views::{Handle, Hover, Probe, Request, Transforming, View, observer_in, pick};
+use crate::views::{Handle, Hover, Probe, Request, Transforming, View, pick};
 
 /// Logarithm of the zoom for one point of the wheel.
 const ZOOM_PER_POINT: f64 = 0.004;
@@ -36,7 +36,7 @@ impl Canvas {
         texts: &'static CanvasTexts,
     ) -> Status {
         let mut status = Status::default();
-        if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|drag| drag.view() == pane.view)) {
+        if !panes.iter().any(|pane| self.drag.as_ref().is_some_and(|drag| drag.picture() == pane.picture)) {
             self.drag = None;
         }
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
@@ -46,6 +46,7 @@ impl Canvas {
             }
             state.pin(None);
             self.probing = None;
+            self.probe_steps.clear();
         }
         let mut hovered = None;
         self.hover.hovered = None;
@@ -104,9 +105,8 @@ impl Canvas {
     fn choose_triangle(&self, state: &mut State, pane: &Pane) -> bool {
         let shows = state.shows_stages() && pane.view == View::Image;
         let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| shows) else { return false };
-        let request = self.request(state, pane.view, pane.rect.size);
         pane.response.ctx.request_repaint();
-        explain::clicked(state, &request, pane.rect.pixel(pointer))
+        explain::clicked(state, &pane.request, pane.rect.pixel(pointer))
     }
 
     /// While the tree of the scene is open, selects the object that was clicked; with `beside`, beside what is
@@ -116,9 +116,8 @@ impl Canvas {
         let is_there = pane.view != View::Canonical || !state.is_on_the_way();
         let Some(pointer) = pane.response.interact_pointer_pos().filter(|_| is_open && is_there) else { return };
         let pointer = pane.rect.pixel(pointer);
-        let request = self.request(state, pane.view, pane.rect.size);
-        let selected =
-            pick::object(&request, pointer).and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
+        let selected = pick::object(&pane.request, pointer)
+            .and_then(|name| Selected::of_object(&state.document.figure().scene, &name));
         if selected.is_some() {
             state.select(selected, beside);
             pane.response.ctx.request_repaint();
@@ -133,11 +132,11 @@ impl Canvas {
         let factor = (wheel * ZOOM_PER_POINT).exp() * pinch;
         if factor != 1.0
             && let Some(pointer) = pane.response.hover_pos()
-            && let Some(seen) = observer_in(&self.seen, pane.view)
+            && let Some(seen) = self.seen(pane.picture)
         {
             let at = pane.rect.pixel(pointer);
             let observer = orbit::zoomed_at(seen, factor, at, pane.rect.size);
-            self.turn(state, pane.view, observer);
+            self.turn(state, pane.picture, observer);
         }
     }
 
@@ -153,11 +152,11 @@ impl Canvas {
         texts: &'static CanvasTexts,
     ) -> Option<Probe> {
         let pointer = pane.rect.pixel(pane.response.hover_pos()?);
-        let request = self.request(state, pane.view, pane.rect.size);
+        let request = &pane.request;
         let (camera, digits) = (state.document.camera(), state.settings.digits.min(6));
         status.aside = format!("{} × {} px", pane.rect.size.width, pane.rect.size.height);
         if pane.view == View::World
-            && let Some(handle) = handle_at(&request, pointer, pane.rect.pixels(handle_drag::REACH))
+            && let Some(handle) = handle_at(request, pointer, pane.rect.pixels(handle_drag::REACH))
         {
             let lines =
                 [handle_drag::readout(handle, camera, digits, texts), handle_drag::hint(handle, camera, digits, texts)];
@@ -168,7 +167,7 @@ impl Canvas {
             return probed(handle, state);
         }
         if pane.view == View::World
-            && let Some(part) = part_at(&request, pointer, pane.rect.pixels(GIZMO_REACH))
+            && let Some(part) = part_at(request, pointer, pane.rect.pixels(GIZMO_REACH))
         {
             let lines = gizmo_lines(state, digits);
             tooltip(ui, &lines);
@@ -179,14 +178,14 @@ impl Canvas {
             }
             return None;
         }
-        if let Some((p, lines)) = followed::hovered(&request, pointer, pane, state) {
+        if let Some((p, lines)) = followed::hovered(request, pointer, pane, state) {
             tooltip(ui, &lines);
             status.message = lines.join(" · ");
             ui.set_cursor_icon(handle_drag::cursor(false));
             return Some(Probe::Point(p));
         }
         status.message = match pane.view {
-            View::Image => match pick::window_point_in_image(&request, pointer) {
+            View::Image => match pick::window_point_in_image(request, pointer) {
                 Some(point) => {
                     let image = state.document.figure().image;
                     let pixel = readout::pair(picking::pixel_of(image, camera, point), 17, texts.lang.mark());
@@ -209,7 +208,7 @@ impl Canvas {
             return None;
         }
         let what = PickQuery::Under { pointer, reach: pane.rect.pixels(picking::REACH) };
-        let request = Request { hover: Hover::default(), ..request };
+        let request = Request { hover: Hover::default(), ..request.clone() };
         self.picker.ask(ui.ctx(), PickRequest { request, what }).probe
     }
 
@@ -233,7 +232,7 @@ impl Canvas {
         });
         for (key, modifiers) in pressed {
             if !self.probe_by_key(state, pane, key, modifiers) {
-                self.key(state, pane.view, key, modifiers);
+                self.key(state, pane, key, modifiers);
             }
             ui.request_repaint();
         }
@@ -241,45 +240,44 @@ impl Canvas {
 
     /// Lets the keys move the probe, once they were asked to; true where this key did.
     fn probe_by_key(&mut self, state: &mut State, pane: &Pane, key: Key, modifiers: Modifiers) -> bool {
-        let request = Request { hover: Hover::default(), ..self.request(state, pane.view, pane.rect.size) };
+        let step = |probing, arrow| ProbeStep { probing, from: None, arrow, fast: modifiers.shift };
         if let Some(asked) = Probing::asked(key, pane.view) {
             // The same key again ends it.
-            let is_on = self.probing == Some((pane.view, asked));
-            self.probing = (!is_on).then_some((pane.view, asked));
-            state.pin(if is_on { None } else { asked.first(&request) });
+            let is_on = self.probing == Some((pane.picture, asked));
+            self.probing = (!is_on).then_some((pane.picture, asked));
+            self.probe_steps.clear();
+            if is_on {
+                state.pin(None);
+            } else {
+                self.probe_steps.push_back((pane.picture, step(asked, DVec2::ZERO)));
+            }
             return true;
         }
         let arrow = arrow_of(key);
-        let Some((view, probing)) = self.probing.filter(|_| arrow != DVec2::ZERO) else { return false };
-        if view != pane.view {
-            return false;
-        }
-        let pinned = state.pinned();
-        state.pin(match pinned {
-            Some(now) => probing.moved(&request, now, arrow, modifiers).or(pinned),
-            None => probing.first(&request),
-        });
-        true
+        let probing = self.probing.filter(|(picture, _)| *picture == pane.picture && arrow != DVec2::ZERO);
+        self.probe_steps.extend(probing.map(|(picture, probing)| (picture, step(probing, arrow))));
+        probing.is_some()
     }
 
-    fn key(&mut self, state: &mut State, view: View, key: Key, modifiers: Modifiers) {
+    fn key(&mut self, state: &mut State, pane: &Pane, key: Key, modifiers: Modifiers) {
+        let (picture, view) = (pane.picture, pane.view);
         let arrow = arrow_of(key);
         match (key, view) {
             (Key::Plus | Key::Equals | Key::Minus, _) => {
                 let factor = if key == Key::Minus { STEP_FACTOR.recip() } else { STEP_FACTOR };
                 if view == View::Image {
                     state.operate(Operation::Zoom(factor));
-                } else if let Some(seen) = observer_in(&self.seen, view) {
-                    self.turn(state, view, seen.zoom(factor));
+                } else if let Some(seen) = self.seen(picture) {
+                    self.turn(state, picture, seen.zoom(factor));
                 }
             }
-            (Key::Home, View::World | View::Canonical) => self.asked = Some((view, ObserverChange::Fit)),
+            (Key::Home, View::World | View::Canonical) => self.asked = Some((picture, ObserverChange::Fit)),
             (Key::PageUp, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR)),
             (Key::PageDown, View::World | View::Image) => state.operate(Operation::Dolly(STEP_FACTOR.recip())),
             (Key::T, View::World) => state.tree.transforming = Transforming::Move,
             (Key::R, View::World) => state.tree.transforming = Transforming::Turn,
             (Key::S, View::World) => state.tree.transforming = Transforming::Scale,
-            _ if arrow != DVec2::ZERO => self.arrow(state, view, arrow, modifiers),
+            _ if arrow != DVec2::ZERO => self.arrow(state, pane, arrow, modifiers),
             _ => {}
         }
     }
@@ -287,13 +285,14 @@ impl Canvas {
     /// Turns the camera about PF as the eye expects: up raises it, right moves it to the right. By the right-hand rule
     /// a positive elevation lowers it, by the signs of VTK it raises it. In the canonical volume, and with Shift in the
     /// world, the observer turns instead.
-    fn arrow(&mut self, state: &mut State, view: View, arrow: DVec2, modifiers: Modifiers) {
+    fn arrow(&mut self, state: &mut State, pane: &Pane, arrow: DVec2, modifiers: Modifiers) {
+        let view = pane.view;
         if view == View::Canonical || (view == View::World && modifiers.shift) {
             let step = STEP / orbit::DEGREES_PER_POINT;
             #[expect(clippy::cast_possible_truncation, reason = "a few steps")]
             let motion = Vec2::new(-(arrow.x * step) as f32, (arrow.y * step) as f32);
-            for other in turning_with(view, state) {
-                if let Some(seen) = observer_in(&self.seen, other) {
+            for other in self.turning_with(pane.picture, state) {
+                if let Some(seen) = self.seen(other) {
                     self.turn(state, other, orbit::orbited(seen, motion));
                 }
             }

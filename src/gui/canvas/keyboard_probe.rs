@@ -1,11 +1,13 @@
 //! Probing without a pointer: the arrow keys move the probe from pixel to pixel, or from vertex to vertex.
 
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::{Context, Key};
 use glam::DVec2;
 
-use super::picking;
+use super::picking::{self, PickQuery, PickRequest};
+use super::{Canvas, Pane};
 use crate::camera::ImageSize;
-use crate::views::{Probe, Request, View, pick};
+use crate::gui::state::State;
+use crate::views::{Hover, Probe, Request, View, pick};
 
 /// Pixels for one press of an arrow key with Shift.
 const FAST: f64 = 10.0;
@@ -30,7 +32,7 @@ impl Probing {
     }
 
     /// Where the probe begins: at the middle of the image, or at the vertex nearest to the middle of the picture.
-    pub(super) fn first(self, request: &Request) -> Option<Probe> {
+    fn first(self, request: &Request) -> Option<Probe> {
         let ImageSize { width, height } = request.shot.look.image;
         match self {
             Self::Pixels => Some(at_pixel(request, DVec2::new(f64::from(width / 2), f64::from(height / 2)))),
@@ -40,13 +42,13 @@ impl Probing {
 
     /// Where it goes from `now` with an arrow key (`arrow`: x right, y up); stays at the border, and where there is no
     /// vertex on.
-    pub(super) fn moved(self, request: &Request, now: Probe, arrow: DVec2, modifiers: Modifiers) -> Option<Probe> {
+    fn moved(self, request: &Request, now: Probe, arrow: DVec2, fast: bool) -> Option<Probe> {
         let down = DVec2::new(arrow.x, -arrow.y);
         match (self, now) {
             (Self::Pixels, Probe::Window(point)) => {
                 let ImageSize { width, height } = request.shot.look.image;
                 let last = DVec2::new(f64::from(width), f64::from(height)) - 1.0;
-                let step = down * if modifiers.shift { FAST } else { 1.0 };
+                let step = down * if fast { FAST } else { 1.0 };
                 let pixel = picking::pixel_of(request.shot.look.image, &request.camera, point);
                 Some(at_pixel(request, (pixel + step).clamp(DVec2::ZERO, last)))
             }
@@ -54,6 +56,46 @@ impl Probing {
                 Some(Probe::Point(pick::vertex_beside(request, Some(p), down).unwrap_or(p)))
             }
             (Self::Pixels, Probe::Point(_)) | (Self::Vertices, Probe::Window(_)) => self.first(request),
+        }
+    }
+}
+
+/// A key that moves the probe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ProbeStep {
+    pub(super) probing: Probing,
+    /// From where; `None`: it begins.
+    pub(super) from: Option<Probe>,
+    /// x right, y up.
+    pub(super) arrow: DVec2,
+    /// By several pixels.
+    pub(super) fast: bool,
+}
+
+impl ProbeStep {
+    /// Where the probe is then; `None` where there is nothing to probe.
+    pub(super) fn taken(self, request: &Request) -> Option<Probe> {
+        match self.from {
+            Some(now) => self.probing.moved(request, now, self.arrow, self.fast).or(Some(now)),
+            None => self.probing.first(request),
+        }
+    }
+}
+
+impl Canvas {
+    /// Takes the steps that keys have asked for, one from where the other has led. In a heavy scene they take a while,
+    /// beside the window's thread.
+    pub(super) fn take_probe_steps(&mut self, ctx: &Context, state: &mut State, panes: &[Pane]) {
+        while let Some((picture, step)) = self.probe_steps.front().copied() {
+            if let Some(pane) = panes.iter().find(|pane| pane.picture == picture) {
+                let step = ProbeStep { from: state.pinned().filter(|_| step.arrow != DVec2::ZERO), ..step };
+                let request = Request { hover: Hover::default(), ..pane.request.clone() };
+                let pick = PickRequest { request, what: PickQuery::Step(step) };
+                let Some(found) = self.key_picker.found(ctx, &pick) else { return };
+                state.pin(found.probe);
+                ctx.request_repaint();
+            }
+            self.probe_steps.pop_front();
         }
     }
 }

@@ -31,8 +31,10 @@ impl LongWork {
             .scene_cache
             .running()
             .map(|(path, running)| (format!("{} {}", scenes::texts(lang).loading, sanitize::escaped(path)), running));
-        let picture =
-            canvas.rendering.running().map(|(view, running)| (words::texts(lang).view(view).to_owned(), running));
+        let picture = canvas.rendering.running().and_then(|running| {
+            let view = canvas.shot.pictures.get(running.slot)?.kind;
+            Some((words::texts(lang).view(view).to_owned(), running))
+        });
         let exports = state
             .file_flow
             .running()
@@ -55,7 +57,7 @@ impl Canvas {
         }
         if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
             let is_long = |running: Running| running.time >= PATIENCE;
-            if self.rendering.running().is_some_and(|(_, running)| is_long(running)) {
+            if self.rendering.running().is_some_and(is_long) {
                 self.rendering.cancel();
             }
             if state.scene_cache.running().is_some_and(|(_, running)| is_long(running)) {

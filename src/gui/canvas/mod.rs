@@ -24,17 +24,18 @@ mod title;
 mod touch;
 mod vertex_name;
 
+use std::collections::VecDeque;
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, CursorIcon, Id, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
+    Align2, CursorIcon, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, pos2,
 };
 
 use self::arrange::{Axis, Framed, Shares, arrange};
 use self::card::CardAction;
 use self::held::Drag;
-use self::keyboard_probe::Probing;
+use self::keyboard_probe::{ProbeStep, Probing};
 use self::long_work::LongWork;
 use self::orbit::Auto;
 use self::picking::{PickQuery, PickRequest, Picker};
@@ -46,7 +47,7 @@ use self::texture::{PictureRect, PictureTexture};
 use self::title::{Title, TitleAction};
 use self::vertex_name::VertexNames;
 use crate::appearance::Rgba;
-use crate::figure::{Depth, Observer, Observers};
+use crate::figure::{Depth, Observer};
 use crate::gui::coach::{self, Brief};
 use crate::gui::explain;
 use crate::gui::focus::{self, Region};
@@ -61,7 +62,7 @@ use crate::numbers::{DecimalMark, EXACT_DIGITS};
 use crate::picture::RenderReport;
 use crate::pipeline::OverBudget;
 use crate::views::image_frame;
-use crate::views::{Hover, Look, Palette, Probe, Request, Shot, Size, View, aspect_shown};
+use crate::views::{Hover, Look, MAX_PICTURES, Palette, Picture, Probe, Request, Shot, Size, View, aspect_shown};
 
 /// How long a frame waits for its pictures. What takes longer is shown when it is done.
 const PATIENCE: Duration = Duration::from_millis(30);
@@ -73,27 +74,19 @@ pub struct Canvas {
     /// How long a frame waits for its pictures; tests have more of it than a hand that drags.
     pub patience: Duration,
     rendering: Rendering,
-    textures: [PictureTexture; 3],
-    /// How the pictures on the screen came about.
-    accounts: [Option<RenderReport>; 3],
-    /// Why there is none, and what could not be done in it, by picture.
-    missing: [Option<Missing>; 3],
-    too_much: [Option<OverBudget>; 3],
+    /// The pictures of the shot, as they are on the screen.
+    pictures: Vec<ScreenPicture>,
     shares: Shares,
-    /// From where each picture is seen where the figure does not say, and in this frame.
-    autos: [Auto; 3],
-    seen: Observers,
-    /// What a button or a key has framed last, and for a picture of which size.
-    framed: [Option<(Observer, Size)>; 3],
-    /// What a title's button asked for.
-    asked: Option<(View, ObserverChange)>,
+    /// What a title's button asked for, by picture.
+    asked: Option<(usize, ObserverChange)>,
     /// What the pictures of this frame show, and what the pointer adds to it.
     shot: Shot,
     hover: Hover,
     highlight: Highlight,
-    /// What looks for what is pointed at, and for its depth.
+    /// What looks for what is pointed at, for what the probe is at, and for where keys move it.
     picker: Picker,
-    depth_picker: Picker,
+    probe_picker: Picker,
+    key_picker: Picker,
     drag: Option<Drag>,
     /// What the card speaks of.
     on_card: Option<Probe>,
@@ -103,9 +96,27 @@ pub struct Canvas {
     /// For a double-click, whose first click was not meant to pin.
     pinned_before: Option<Probe>,
     /// What the arrow keys move the probe over, and in which picture.
-    probing: Option<(View, Probing)>,
-    /// Where each picture is on the screen, in points.
-    places: [Option<Rect>; 3],
+    probing: Option<(usize, Probing)>,
+    /// Where the keys move it that have not been followed yet, by picture.
+    probe_steps: VecDeque<(usize, ProbeStep)>,
+}
+
+/// A picture on the screen, and what is kept of it from one frame to the next.
+#[derive(Default)]
+struct ScreenPicture {
+    texture: PictureTexture,
+    /// How it came about.
+    account: Option<RenderReport>,
+    /// Why there is none.
+    missing: Option<Missing>,
+    /// What could not be done in it.
+    too_much: Option<OverBudget>,
+    /// From where it is seen where the figure does not say.
+    auto: Auto,
+    /// What a button or a key has framed last, and for a picture of which size.
+    framed: Option<(Observer, Size)>,
+    /// Where it is, in points.
+    place: Option<Rect>,
 }
 
 impl Default for Canvas {
@@ -113,56 +124,61 @@ impl Default for Canvas {
         Self {
             patience: PATIENCE,
             rendering: Rendering::default(),
-            textures: Default::default(),
-            accounts: Default::default(),
-            missing: [None; 3],
-            too_much: Default::default(),
+            pictures: Vec::new(),
             shares: Shares::default(),
-            autos: Default::default(),
-            seen: Observers::default(),
-            framed: [None; 3],
             asked: None,
             shot: Shot::default(),
             hover: Hover::default(),
             highlight: Highlight::default(),
             picker: Picker::default(),
-            depth_picker: Picker::default(),
+            probe_picker: Picker::default(),
+            key_picker: Picker::default(),
             drag: None,
             on_card: None,
             card_settles: 0,
             vertex_names: VertexNames::default(),
             pinned_before: None,
             probing: None,
-            places: [None; 3],
+            probe_steps: VecDeque::new(),
         }
     }
 }
 
 /// A picture in this frame.
 struct Pane {
+    /// Its place among the pictures of the shot.
+    picture: usize,
+    /// Its kind.
     view: View,
     rect: PictureRect,
     response: Response,
+    /// All that it shows.
+    request: Request,
 }
 
 impl Canvas {
-    /// How often each picture has been drawn since the window was opened, in the order of [`View::ALL`].
+    /// How often each picture of the shot has been drawn since the window was opened.
     #[must_use]
-    pub fn drawn(&self) -> [u64; 3] {
+    pub fn drawn(&self) -> [u64; MAX_PICTURES] {
         self.rendering.drawn()
     }
 
-    /// Where each picture is on the screen, in points, in the order of [`View::ALL`].
-    #[must_use]
-    pub fn places(&self) -> [Option<Rect>; 3] {
-        self.places
+    /// Where each picture of the shot is on the screen, with its kind; points.
+    pub fn places(&self) -> impl Iterator<Item = (View, Rect)> {
+        self.shot.pictures.iter().zip(&self.pictures).filter_map(|(shown, screen)| Some((shown.kind, screen.place?)))
     }
 
-    /// A picture as it is now, seen from where it is seen in this frame, with the overlays that it shows.
-    fn request(&self, state: &State, view: View, size: Size) -> Request {
+    /// A picture of the shot with what the pointer adds to it.
+    fn request(&self, state: &State, picture: &Picture, size: Size) -> Request {
         let (camera, scene) = (state.document.drawn_camera(), state.scene_cache.scene());
-        let request = Request::new(&self.shot, view, camera, scene, labels(state.settings.lang), size);
-        Request { hover: self.hover.seen_in(view), ..request }
+        let request = Request::of_picture(&self.shot, picture, camera, scene, labels(state.settings.lang), size);
+        Request { hover: self.hover.seen_in(picture.kind), ..request }
+    }
+
+    /// The picture of a kind on the screen.
+    fn picture_of(&self, kind: View) -> Option<&ScreenPicture> {
+        let of_kind = self.shot.pictures.iter().zip(&self.pictures).find(|(shown, _)| shown.kind == kind);
+        of_kind.map(|(_, screen)| screen)
     }
 
     /// True where Esc would let go of something in a picture.
@@ -199,19 +215,21 @@ impl Canvas {
             gizmo: Movable::selected(state).map(|movable| movable.gizmo),
             ..Hover::default()
         };
-        self.shot = state.shot(self.seen);
-        let panes = self.panes(ui, pictures, state, texts);
-        self.places = [None; 3];
+        self.shot = state.shot(std::mem::take(&mut self.shot.pictures));
+        self.pictures.resize_with(self.shot.pictures.len(), ScreenPicture::default);
+        let mut panes = self.panes(ui, pictures, state, texts);
+        self.pictures.iter_mut().for_each(|picture| picture.place = None);
         for pane in &panes {
-            self.places[pane.view.index()] = Some(pane.rect.rect);
+            self.pictures[pane.picture].place = Some(pane.rect.rect);
             state.picture_sizes[pane.view.index()] = [pane.rect.size.width, pane.rect.size.height];
             state.screen_scale = pane.rect.size.scale;
         }
-        self.settle_observers(ui, state, &panes);
+        self.settle_observers(ui, state, &mut panes);
         let mut status = self.interact(ui, state, &panes, texts);
+        self.take_probe_steps(&ctx, state, &panes);
         state.probe = state.pinned().or(self.hover.probe);
-        state.seen = self.seen;
-        self.draw(ui, state, &panes);
+        state.seen = Picture::observers(&self.shot.pictures);
+        self.draw(ui, state, &mut panes);
         self.decorate(ui, state, &panes, texts);
 
         if state.layout.strip {
@@ -220,8 +238,7 @@ impl Canvas {
 
         // Below the titles, whose buttons a card would cover.
         let room = panes.iter().map(|pane| pane.rect.rect).reduce(|a, b| a.union(b)).unwrap_or(pictures);
-        let place = self.place_of_card(&ctx, state, &panes, room);
-        self.describe_probe((ui, room), place, state, &mut status, texts);
+        self.describe_probe((ui, room), &panes, state, &mut status, texts);
         self.say_why_empty(ui, state, &panes);
         status.coach = Brief::of(state);
         status.strip = state.layout.strip;
@@ -252,7 +269,8 @@ impl Canvas {
     /// In an empty image stands why it is empty.
     fn say_why_empty(&self, ui: &mut Ui, state: &mut State, panes: &[Pane]) {
         let image = panes.iter().find(|pane| pane.view == View::Image);
-        if let Some(pane) = image.filter(|_| self.drag.is_none() && self.missing[View::Image.index()].is_none()) {
+        let is_there = |pane: &&Pane| self.drag.is_none() && self.pictures[pane.picture].missing.is_none();
+        if let Some(pane) = image.filter(is_there) {
             coach::why_empty(ui, pane.rect.rect, state);
         }
     }
@@ -261,7 +279,7 @@ impl Canvas {
     fn strip(&self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) {
         let view = state.layout.strip_of;
         let hidden = !state.layout.is_shown(view);
-        let account = self.accounts[view.index()].as_ref().filter(|_| !hidden);
+        let account = self.picture_of(view).and_then(|picture| picture.account.as_ref()).filter(|_| !hidden);
         focus::region(ui, room, Region::Strip, texts.strip);
         let strip = Strip { lang: state.settings.lang, texts, view, account, hidden, shown: state.shown_stage() };
         match strip.show(ui, room) {
@@ -275,14 +293,12 @@ impl Canvas {
 
     /// Lays the pictures out, with their titles and the bars between them.
     fn panes(&mut self, ui: &mut Ui, room: Rect, state: &mut State, texts: &CanvasTexts) -> Vec<Pane> {
-        let visible: Vec<View> = match state.layout.maximized {
-            Some(view) => vec![view],
-            None => View::ALL.into_iter().filter(|p| state.layout.shown[p.index()]).collect(),
+        let visible = self.shot.pictures.iter().enumerate().filter(|(_, shown)| state.layout.is_shown(shown.kind));
+        let framed = |(picture, shown): (usize, &Picture)| Framed {
+            picture,
+            aspect: aspect_shown(shown.kind, state.document.figure().image),
         };
-        let framed: Vec<Framed> = visible
-            .iter()
-            .map(|view| Framed { view: *view, aspect: aspect_shown(*view, state.document.figure().image) })
-            .collect();
+        let framed: Vec<Framed> = visible.map(framed).collect();
         let (rects, bars) = arrange(room, &framed, state.layout.arrangement, &self.shares);
         for (i, bar) in bars.iter().enumerate() {
             let response = ui.interact(bar.rect, Id::unique(("between pictures", i)), Sense::CLICK | Sense::DRAG);
@@ -297,7 +313,8 @@ impl Canvas {
             }
         }
         let mut panes = Vec::new();
-        for (view, rect) in rects {
+        for (picture, rect) in rects {
+            let view = self.shot.pictures[picture].kind;
             let height = ui.spacing().interact_size.y + 4.0;
             let (title, below) = rect.split_top_bottom_at_y((rect.top() + height).min(rect.bottom()));
             let action = Title {
@@ -305,26 +322,27 @@ impl Canvas {
                 texts,
                 linked: state.layout.linked,
                 maximized: state.layout.maximized == Some(view),
-                can_hide: state.layout.maximized.is_none() && visible.len() > 1,
+                can_hide: state.layout.maximized.is_none() && framed.len() > 1,
                 undistorted: undistorted(state).filter(|_| view == View::Image),
                 section: (view == View::World).then_some(state.document.figure().world.section),
             }
             .show(ui, title);
-            self.take_action(ui, state, view, action);
+            self.take_action(ui, state, (picture, view), action);
             let pane_rect = PictureRect::in_room(below, ui.pixels_per_point(), state.settings.stroke_scale());
-            let response = ui.interact(pane_rect.rect, Id::unique(("picture", view)), Sense::click_and_drag());
+            let response = ui.interact(pane_rect.rect, Id::unique(("picture", picture)), Sense::click_and_drag());
             let description = describe(state, view);
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &description));
-            focus::note(ui.ctx(), Region::Picture(view.index()), response.id, rect);
-            panes.push(Pane { view, rect: pane_rect, response });
+            focus::note(ui.ctx(), Region::Picture(picture), response.id, rect);
+            let request = self.request(state, &self.shot.pictures[picture], pane_rect.size);
+            panes.push(Pane { picture, view, rect: pane_rect, response, request });
         }
         panes
     }
 
-    fn take_action(&mut self, ui: &Ui, state: &mut State, view: View, action: Option<TitleAction>) {
+    fn take_action(&mut self, ui: &Ui, state: &mut State, (picture, view): (usize, View), action: Option<TitleAction>) {
         match action {
             None => return,
-            Some(TitleAction::Observe(change)) => self.asked = Some((view, change)),
+            Some(TitleAction::Observe(change)) => self.asked = Some((picture, change)),
             Some(TitleAction::ToggleLink) => state.layout.linked = !state.layout.linked,
             Some(TitleAction::ToggleMaximized) => toggle_maximized(state, view),
             Some(TitleAction::Hide) => state.layout.shown[view.index()] = false,
@@ -337,47 +355,57 @@ impl Canvas {
     }
 
     /// Asks for the pictures that have changed, takes those that are done, and shows the newest of each.
-    fn draw(&mut self, ui: &Ui, state: &mut State, panes: &[Pane]) {
+    fn draw(&mut self, ui: &Ui, state: &mut State, panes: &mut [Pane]) {
         let ctx = ui.ctx();
         let (max_side, moving) = ui.input(|i| (i.max_texture_side, i.pointer.any_down()));
         let style = state.style();
         let scene = self.highlight.scene(state);
-        for pane in panes.iter().filter(|pane| pane.rect.size.width > 0 && pane.rect.size.height > 0) {
-            let request = Request { scene: scene.clone(), ..self.request(state, pane.view, pane.rect.size) };
-            let heavy = style.antialias > 1 && self.rendering.is_heavy(pane.view, self.patience);
+        for pane in panes.iter_mut() {
+            let Pane { picture, view, ref mut request, .. } = *pane;
+            // What pointer and keys have changed in this frame.
+            let shown = &self.shot.pictures[picture];
+            request.camera = shown.camera.as_ref().unwrap_or(state.document.drawn_camera()).clone();
+            (request.observer, request.hover) = (shown.observer, self.hover.seen_in(view));
+            if pane.rect.size.width == 0 || pane.rect.size.height == 0 {
+                continue;
+            }
+            let request = Request { scene: scene.clone(), ..pane.request.clone() };
+            let heavy = style.antialias > 1 && self.rendering.is_heavy(picture, self.patience);
             let accounted = state.accounts_for_stages() && state.layout.strip_of == pane.view;
             if !state.annotations.frozen {
-                self.rendering.ask(ctx, RenderJob { request, draft: moving && heavy, max_side, accounted });
+                self.rendering.ask(ctx, RenderJob { picture, request, draft: moving && heavy, max_side, accounted });
             }
         }
-        for (view, done) in View::ALL.into_iter().zip(self.rendering.collect(self.patience)) {
-            let Some(rendered) = done else { continue };
-            let i = view.index();
-            self.missing[i] = rendered.as_ref().err().copied();
+        for (i, done) in self.rendering.collect(self.patience).into_iter().enumerate() {
+            let (Some(rendered), Some(shown)) = (done, self.shot.pictures.get(i)) else { continue };
+            let missing = rendered.as_ref().err().copied();
             let (tiles, account, too_much) =
                 rendered.map_or((None, None, None), |r| (Some(r.tiles), r.account, r.too_much));
-            self.accounts[i] = account;
-            self.textures[i].set(ctx, words::texts(state.settings.lang).view(view), tiles);
             // Said when it comes up; as long as it is so, a note stands in the picture.
-            if let Some(too_much) = too_much.as_ref().filter(|_| !self.too_much.contains(&too_much)) {
+            let is_known =
+                |new: &OverBudget| self.pictures.iter().any(|picture| picture.too_much.as_ref() == Some(new));
+            if let Some(too_much) = too_much.as_ref().filter(|new| !is_known(new)) {
                 state.say(Message::OverBudget(too_much.clone()));
             }
-            self.too_much[i] = too_much;
+            let picture = &mut self.pictures[i];
+            picture.texture.set(ctx, words::texts(state.settings.lang).view(shown.kind), tiles);
+            (picture.missing, picture.account, picture.too_much) = (missing, account, too_much);
         }
         self.report(ctx, state);
         let palette = Palette::of(style.theme);
-        for pane in panes {
+        for pane in panes.iter() {
             let ground = if pane.view == View::Image { palette.surround } else { palette.paper };
             let Rgba { r, g, b, .. } = ground;
             ui.painter().rect_filled(pane.rect.rect, 0.0, eframe::egui::Color32::from_rgb(r, g, b));
-            self.textures[pane.view.index()].paint(ui, &pane.rect);
+            self.pictures[pane.picture].texture.paint(ui, &pane.rect);
         }
     }
 
     /// Tells the side of explanations how the picture came about.
     fn report(&self, ctx: &eframe::egui::Context, state: &mut State) {
         let of = state.layout.strip_of;
-        let account = self.accounts[of.index()].as_ref().filter(|_| state.shows_stages() && state.layout.is_shown(of));
+        let is_asked = state.shows_stages() && state.layout.is_shown(of);
+        let account = self.picture_of(of).and_then(|picture| picture.account.as_ref()).filter(|_| is_asked);
         let reports = account.map(|account| account.stages.as_slice()).unwrap_or_default();
         if state.explain.reports != reports {
             state.explain.reports = reports.to_vec();
@@ -395,9 +423,10 @@ impl Canvas {
                 let ring = Stroke::new(2.0, ui.visuals().hyperlink_color);
                 ui.painter().rect_stroke(rect, 0.0, ring, StrokeKind::Inside);
             }
-            if self.missing[pane.view.index()] == Some(Missing::Cancelled) {
+            let picture = &self.pictures[pane.picture];
+            if picture.missing == Some(Missing::Cancelled) {
                 note(ui, rect, texts.given_up);
-            } else if self.textures[pane.view.index()].failed() {
+            } else if picture.texture.failed() {
                 let font = TextStyle::Body.resolve(ui.style());
                 let color = ui.visuals().error_fg_color;
                 ui.painter().text(rect.center(), Align2::CENTER_CENTER, texts.not_drawn, font, color);
@@ -412,28 +441,29 @@ impl Canvas {
     fn describe_probe(
         &mut self,
         (ui, room): (&Ui, Rect),
-        place: Option<Pos2>,
+        panes: &[Pane],
         state: &mut State,
         status: &mut Status,
         texts: &'static CanvasTexts,
     ) {
         let ctx = ui.ctx();
         let Some(probe) = state.probe else {
-            status.note = texts.probe_hint;
+            (status.note, self.on_card) = (texts.probe_hint, None);
             return;
         };
         // What is found there does not depend on the size.
         let size = Size { width: 1, height: 1, scale: 1.0 };
-        let request = Request { hover: Hover::default(), ..self.request(state, View::Image, size) };
+        let request = self.request(state, &self.shot.picture(View::Image), size);
+        let request = Request { hover: Hover::default(), ..request };
         let digits = state.settings.digits;
         let asks = matches!(probe, Probe::Window(_)) && request.shot.look.reveal.depth != Depth::Off;
-        let depths = asks
-            .then(|| {
-                self.depth_picker
-                    .ask(ctx, PickRequest { request: request.clone(), what: PickQuery::Depths(probe) })
-                    .depths
-            })
-            .flatten();
+        let is_new = state.pinned().is_some() && (state.pinned() != self.on_card || self.card_settles > 0);
+        let at = (asks || is_new).then(|| {
+            let pick = PickRequest { request: request.clone(), what: PickQuery::At(probe) };
+            self.probe_picker.ask(ctx, pick)
+        });
+        let (depths, point) = at.map_or((None, None), |at| (at.depths, at.point));
+        let place = self.place_of_card(ctx, state, panes, point, room);
         let (mark, scene) = (texts.lang.mark(), state.scene_cache.scene());
         let vertex = match probe {
             Probe::Point(p) => self.vertex_names.at(p, scene, &state.document.figure().scene),

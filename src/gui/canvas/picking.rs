@@ -4,8 +4,9 @@
 use std::time::Duration;
 
 use eframe::egui;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
+use super::keyboard_probe::ProbeStep;
 use crate::camera::{Camera, ImageSize};
 use crate::clock;
 use crate::figure::Depth;
@@ -28,8 +29,10 @@ const PATIENCE: Duration = Duration::from_millis(4);
 pub(super) enum PickQuery {
     /// What is at a place (pixels), within reach (pixels).
     Under { pointer: DVec2, reach: f64 },
-    /// What the depth buffer holds where the probe is.
-    Depths(Probe),
+    /// What a probe is at: the first point of the scene behind a pixel, and what the depth buffer holds there.
+    At(Probe),
+    /// Where a key moves the probe.
+    Step(ProbeStep),
 }
 
 /// A pick, with all that its answer depends on.
@@ -54,9 +57,14 @@ impl PickRequest {
     fn find(&self) -> PickResult {
         match self.what {
             PickQuery::Under { pointer, reach } => {
-                PickResult { probe: probe_at(&self.request, pointer, reach), depths: None }
+                PickResult { probe: probe_at(&self.request, pointer, reach), ..PickResult::default() }
             }
-            PickQuery::Depths(probe) => PickResult { probe: None, depths: depths(probe, &self.request) },
+            PickQuery::At(probe) => PickResult {
+                probe: None,
+                depths: depths(probe, &self.request),
+                point: Some(pick::point_of(&self.request, probe)),
+            },
+            PickQuery::Step(step) => PickResult { probe: step.taken(&self.request), ..PickResult::default() },
         }
     }
 }
@@ -66,6 +74,8 @@ impl PickRequest {
 pub(super) struct PickResult {
     pub(super) probe: Option<Probe>,
     pub(super) depths: Option<Depths>,
+    /// The point of the world that the probe marks.
+    pub(super) point: Option<DVec3>,
 }
 
 /// What the depth buffer holds at a pixel, if anything.
@@ -126,10 +136,19 @@ impl Picker {
     /// What was found, or what was found last near it while this is being looked for; `ctx` is asked for a frame when
     /// it is found.
     pub(super) fn ask(&mut self, ctx: &egui::Context, pick: PickRequest) -> PickResult {
-        if !pick.is_heavy() {
-            return pick.find();
+        if let Some(found) = self.found(ctx, &pick) {
+            return found;
         }
-        if self.asked.as_ref() != Some(&pick) {
+        let near = self.last.as_ref().filter(|(last, _)| last.is_near(&pick));
+        near.map_or_else(PickResult::default, |(_, found)| *found)
+    }
+
+    /// What was found; `None` while it is being looked for.
+    pub(super) fn found(&mut self, ctx: &egui::Context, pick: &PickRequest) -> Option<PickResult> {
+        if !pick.is_heavy() {
+            return Some(pick.find());
+        }
+        if self.asked.as_ref() != Some(pick) {
             self.worker.ask(ctx, 0, pick.clone());
             self.asked = Some(pick.clone());
         }
@@ -137,8 +156,7 @@ impl Picker {
         if let Some(found) = done.and_then(|done| done.outcome) {
             self.last = Some(found);
         }
-        let near = self.last.as_ref().filter(|(last, _)| *last == pick || last.is_near(&pick));
-        near.map_or_else(PickResult::default, |(_, found)| *found)
+        self.last.as_ref().filter(|(last, _)| last == pick).map(|(_, found)| *found)
     }
 }
 

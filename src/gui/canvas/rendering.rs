@@ -7,14 +7,16 @@ use eframe::egui;
 use super::texture::Tiles;
 use crate::clock;
 use crate::gui::worker::{Running, Work, Worker, one_by_one};
-use crate::picture::{Picture, RenderReport, Renderer};
+use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
-use crate::views::{Hover, Request, View};
+use crate::views::{Hover, MAX_PICTURES, Request};
 
 /// A picture to draw. Two equal jobs make the same pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RenderJob {
+    /// Its place among the pictures of the shot.
+    pub(super) picture: usize,
     pub(super) request: Request,
     /// One sample per pixel, whatever the style says.
     pub(super) draft: bool,
@@ -56,16 +58,16 @@ struct DrawOutcome {
 
 /// Has pictures drawn, one slot for each.
 pub(super) struct Rendering {
-    worker: Worker<RenderJob, DrawOutcome, 3>,
+    worker: Worker<RenderJob, DrawOutcome, MAX_PICTURES>,
     /// What was asked for last, by picture.
-    asked: [Option<RenderJob>; 3],
+    asked: [Option<RenderJob>; MAX_PICTURES],
     /// What the user gave up, by picture.
-    given_up: [Option<RenderJob>; 3],
+    given_up: [Option<RenderJob>; MAX_PICTURES],
     /// How many pictures have been drawn, by picture.
-    drawn: [u64; 3],
+    drawn: [u64; MAX_PICTURES],
     /// What the last drawing of each picture took, and the last one that was not a draft.
-    cost: [Duration; 3],
-    full_cost: [Duration; 3],
+    cost: [Duration; MAX_PICTURES],
+    full_cost: [Duration; MAX_PICTURES],
 }
 
 impl Default for Rendering {
@@ -74,27 +76,27 @@ impl Default for Rendering {
             worker: Worker::new("pictures", clock::now, work),
             asked: Default::default(),
             given_up: Default::default(),
-            drawn: [0; 3],
-            cost: [Duration::ZERO; 3],
-            full_cost: [Duration::ZERO; 3],
+            drawn: [0; MAX_PICTURES],
+            cost: [Duration::ZERO; MAX_PICTURES],
+            full_cost: [Duration::ZERO; MAX_PICTURES],
         }
     }
 }
 
 fn work() -> Work<RenderJob, DrawOutcome> {
     let mut renderer = Renderer::default();
-    let mut pictures: [Picture; 3] = Default::default();
+    let mut pictures: [Pixels; MAX_PICTURES] = Default::default();
     one_by_one(async move |job: RenderJob, progress: &Progress| {
-        let RenderJob { mut request, draft, max_side, accounted } = job;
+        let RenderJob { picture, mut request, draft, max_side, accounted } = job;
         if draft {
             request = request.with_shot(|shot| shot.look.style.antialias = 1);
         }
         renderer.measure(accounted.then_some(clock::now));
         renderer.watch(progress);
-        let picture = &mut pictures[request.view.index()];
-        let account = renderer.pixels_into(&request, picture).await;
+        let pixels = &mut pictures[picture];
+        let account = renderer.pixels_into(&request, pixels).await;
         let rendered = account.map(|account| Rendered {
-            tiles: Tiles::of(picture, max_side),
+            tiles: Tiles::of(pixels, max_side),
             too_much: account.too_much.clone(),
             account: accounted.then_some(account),
         });
@@ -110,20 +112,20 @@ fn same_but_hover(one: &Request, other: &Request) -> bool {
 
 impl Rendering {
     /// How many pictures have been drawn, by picture.
-    pub(super) fn drawn(&self) -> [u64; 3] {
+    pub(super) fn drawn(&self) -> [u64; MAX_PICTURES] {
         self.drawn
     }
 
     /// True for a picture that takes longer than `patience`: while the hand moves, a draft of it is better than a late
     /// one.
-    pub(super) fn is_heavy(&self, view: View, patience: Duration) -> bool {
-        self.full_cost[view.index()] > patience
+    pub(super) fn is_heavy(&self, picture: usize, patience: Duration) -> bool {
+        self.full_cost[picture] > patience
     }
 
     /// Asks for a picture, unless it, or one of which it would be a draft, was asked for last. `ctx` is asked for a
     /// frame when it is done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, job: RenderJob) {
-        let i = job.request.view.index();
+        let i = job.picture;
         // A picture that is there needs no draft of itself, and no second drawing without the account that it has.
         let is_as_good = |last: &RenderJob| {
             (!last.draft || job.draft)
@@ -143,14 +145,13 @@ impl Rendering {
     }
 
     /// What is being drawn.
-    pub(super) fn running(&self) -> Option<(View, Running)> {
-        let running = self.worker.running()?;
-        Some((View::ALL[running.slot], running))
+    pub(super) fn running(&self) -> Option<Running> {
+        self.worker.running()
     }
 
     /// Gives up all pictures that are being drawn. What is pointed at does not begin them anew, only what they show.
     pub(super) fn cancel(&mut self) {
-        for i in (0..3).filter(|&i| self.worker.is_pending(i)) {
+        for i in (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i)) {
             self.given_up[i].clone_from(&self.asked[i]);
         }
         self.worker.cancel();
@@ -159,8 +160,8 @@ impl Rendering {
     /// The pictures that are done. Waits for them up to `patience`, so that a light scene is never a frame late; where
     /// the last drawings took longer than that, it does not wait at all, and the window gets a frame of its own when
     /// they are done.
-    pub(super) fn collect(&mut self, patience: Duration) -> [Option<Result<Rendered, Missing>>; 3] {
-        let expected: Duration = (0..3).filter(|&i| self.worker.is_pending(i)).map(|i| self.cost[i]).sum();
+    pub(super) fn collect(&mut self, patience: Duration) -> [Option<Result<Rendered, Missing>>; MAX_PICTURES] {
+        let expected: Duration = (0..MAX_PICTURES).filter(|&i| self.worker.is_pending(i)).map(|i| self.cost[i]).sum();
         let mut done = self.worker.take(if expected <= patience { patience } else { Duration::ZERO });
         std::array::from_fn(|i| {
             let done = done[i].take()?;
@@ -183,7 +184,7 @@ mod tests {
     use crate::camera::Camera;
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
-    use crate::views::{SharedScene, Size};
+    use crate::views::{SharedScene, Size, View};
 
     fn job(side: u32) -> RenderJob {
         let figure = Figure::default();
@@ -191,7 +192,7 @@ mod tests {
         let size = Size { width: side, height: side, scale: 1.0 };
         let labels = pictures::labels(Lang::En);
         let request = Request::of(&figure, View::Image, &camera, &SharedScene::default(), labels, size);
-        RenderJob { request, draft: false, max_side: 2048, accounted: false }
+        RenderJob { picture: 2, request, draft: false, max_side: 2048, accounted: false }
     }
 
     fn sized(job: &RenderJob, side: u32) -> RenderJob {
@@ -202,7 +203,7 @@ mod tests {
     #[test]
     fn what_took_long_is_not_waited_for() {
         let ctx = egui::Context::default();
-        let mut rendering = Rendering { cost: [Duration::from_secs(1); 3], ..Rendering::default() };
+        let mut rendering = Rendering { cost: [Duration::from_secs(1); MAX_PICTURES], ..Rendering::default() };
         rendering.ask(&ctx, job(40));
         let mut rendered = rendering.collect(Duration::from_millis(1));
         let start = clock::now();
@@ -211,7 +212,7 @@ mod tests {
             rendered = rendering.collect(Duration::ZERO);
         }
         assert_eq!(rendered[2].as_ref().unwrap().as_ref().unwrap().tiles.size, [40, 40]);
-        assert_eq!(rendering.drawn(), [0, 0, 1]);
+        assert_eq!(rendering.drawn()[..3], [0, 0, 1]);
     }
 
     #[test]
@@ -252,7 +253,7 @@ mod tests {
         while rendering.running().is_none() {
             std::thread::yield_now();
         }
-        assert_eq!(rendering.running().unwrap().0, View::Image);
+        assert_eq!(rendering.running().unwrap().slot, 2);
         rendering.cancel();
         assert!(matches!(rendering.collect(Duration::from_secs(60))[2], Some(Err(Missing::Cancelled))));
         let pointed_at = Hover { probe: Some(crate::views::Probe::Point(glam::DVec3::ZERO)), ..Hover::default() };

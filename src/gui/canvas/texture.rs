@@ -3,7 +3,7 @@
 use eframe::egui::{Color32, ColorImage, Context, Pos2, Rect, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2};
 use glam::DVec2;
 
-use crate::picture::Picture;
+use crate::picture::Pixels;
 use crate::views;
 
 /// One pixel of a picture is one pixel of the screen.
@@ -68,7 +68,7 @@ pub(super) struct Tiles {
 
 impl Tiles {
     /// Cuts a picture into tiles.
-    pub(super) fn of(picture: &Picture, max_side: usize) -> Self {
+    pub(super) fn of(picture: &Pixels, max_side: usize) -> Self {
         Self::cut([picture.width() as usize, picture.height() as usize], picture.rgba(), max_side)
     }
 

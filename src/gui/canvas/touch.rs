@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 
 use super::{Canvas, Pane, orbit};
 use crate::gui::state::State;
-use crate::views::{View, observer_in};
+use crate::views::View;
 
 impl Canvas {
     /// Lets two fingers move and zoom a three-dimensional picture; true while they are on it. What the first of them
@@ -18,13 +18,13 @@ impl Canvas {
         let height = f64::from(pane.rect.size.height);
         let moved = pane.rect.pixel(touch.center_pos) - pane.rect.pixel(touch.center_pos - touch.translation_delta);
         if pane.view != View::Image
-            && let Some(seen) = observer_in(&self.seen, pane.view)
+            && let Some(seen) = self.seen(pane.picture)
         {
             let at = pane.rect.pixel(touch.center_pos);
             let moved = seen.pan(moved.x, moved.y, height);
             let observer = orbit::zoomed_at(moved, f64::from(touch.zoom_delta), at, pane.rect.size);
             if observer != seen {
-                self.turn(state, pane.view, observer);
+                self.turn(state, pane.picture, observer);
             }
         }
         true

@@ -11,7 +11,7 @@ use crate::figure::points::{free_name, may_be_named};
 use crate::figure::{Figure, NamedPoint};
 use crate::i18n::{Lang, pictures};
 use crate::limits::MAX_NAMED_POINTS;
-use crate::picture::{Picture, Renderer};
+use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::scene::no_files;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
@@ -75,7 +75,7 @@ pub(super) fn target(ui: &Ui, mut figure: Figure, (theme, lang): (Theme, Lang)) 
     Some(texture)
 }
 
-fn draw(figure: &Figure, lang: Lang) -> Option<Picture> {
+fn draw(figure: &Figure, lang: Lang) -> Option<Pixels> {
     let camera = Camera::new(&figure.camera).ok()?;
     // The scenes of exercises name no files.
     let scene = SharedScene::new(scene_of(figure, &mut no_files, &Progress::default()).ok()?);

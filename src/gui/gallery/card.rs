@@ -14,7 +14,7 @@ use crate::gui::worker::{Work, one_by_one};
 use crate::i18n::{Lang, gallery, messages, pictures, window};
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
-use crate::picture::{Picture, Renderer};
+use crate::picture::{Pixels, Renderer};
 use crate::progress::Progress;
 use crate::views::{Request, SharedScene, Size, View, scene_of};
 
@@ -59,7 +59,7 @@ pub(super) enum CardOutcome {
 }
 
 /// A small picture, or why there is none.
-pub(super) type Drawn = Result<Picture, String>;
+pub(super) type Drawn = Result<Pixels, String>;
 
 /// What draws small pictures, and keeps them by what they show.
 pub(super) fn work() -> Work<CardJob, CardOutcome> {

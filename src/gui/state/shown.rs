@@ -8,7 +8,7 @@ use crate::figure::{Figure, Measured, Observers, Show, ShownProbe, ShownStep, St
 use crate::i18n::pictures::labels;
 use crate::stage::Stage;
 use crate::views::observer::Viewpoint;
-use crate::views::{Ghost, Look, Normalizing, Probe, Request, Shot, Size};
+use crate::views::{Ghost, Look, Normalizing, Picture, Probe, Request, Shot, Size};
 
 /// What the panels point at in a frame; each frame begins with nothing.
 #[derive(Clone, Debug, Default)]
@@ -31,9 +31,9 @@ pub(in crate::gui) struct OpenPanels {
 }
 
 impl State {
-    /// All that the pictures show in this frame; `seen` says from where they are seen.
+    /// All that `pictures` show in this frame.
     #[must_use]
-    pub fn shot(&self, seen: Observers) -> Shot {
+    pub fn shot(&self, pictures: Vec<Picture>) -> Shot {
         let shot = Shot::of(self.document.figure());
         let look = Look { style: self.style(), ..shot.look };
         let mut show = shot.show;
@@ -43,7 +43,7 @@ impl State {
         Shot {
             look,
             ndc: self.settings.conventions.ndc,
-            observers: seen,
+            pictures,
             answered: self.answered_camera().or(shot.answered),
             show,
             ..shot

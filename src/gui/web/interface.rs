@@ -14,7 +14,6 @@ use super::{Page, arrive};
 use crate::files::disk::page;
 use crate::gui::file_flow;
 use crate::share;
-use crate::views::View;
 
 /// Offers the object to the page.
 pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> {
@@ -52,8 +51,7 @@ pub(super) fn offer(window: &Window, runner: &WebRunner) -> Result<(), JsValue> 
 fn pictures(page: &Page) -> Result<Object, JsValue> {
     let all = Object::new();
     let zoom = page.app.state.settings.zoom;
-    for (view, place) in View::ALL.into_iter().zip(page.app.canvas.places()) {
-        let Some(place) = place else { continue };
+    for (view, place) in page.app.canvas.places() {
         let place = place * zoom;
         let one = Object::new();
         for (key, value) in

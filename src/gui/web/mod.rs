@@ -232,7 +232,7 @@ impl eframe::App for Page {
         }
         self.app.show(ui);
         self.follow_window();
-        if !self.told && self.app.canvas.drawn() != [0; 3] {
+        if !self.told && self.app.canvas.drawn().iter().any(|count| *count > 0) {
             self.told = true;
             interface::say_ready();
         }

@@ -1,0 +1,51 @@
+//! The pictures of a shot, as a list: three of a figure, or as many as something else asks for.
+
+use super::View;
+use crate::camera::Camera;
+use crate::figure::{Observer, Observers};
+
+/// The most pictures that are shown at a time.
+pub const MAX_PICTURES: usize = 8;
+
+/// One picture of a shot: its kind, from where it is seen, and the camera that it is about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// The world, the canonical volume, or the image.
+    pub kind: View,
+    /// From where a three-dimensional picture is seen; `None`: from a corner, with everything in the picture. The image
+    /// is seen by the camera alone.
+    pub observer: Option<Observer>,
+    /// The camera that it is about; `None`: that of the figure.
+    pub camera: Option<Camera>,
+}
+
+impl Picture {
+    /// A picture of the figure's camera.
+    #[must_use]
+    pub const fn new(kind: View, observer: Option<Observer>) -> Self {
+        Self { kind, observer, camera: None }
+    }
+
+    /// The three pictures of a figure, in the order of [`View::ALL`].
+    #[must_use]
+    pub fn of_figure(observers: &Observers) -> Vec<Self> {
+        View::ALL.into_iter().map(|kind| Self::new(kind, observer_in(observers, kind))).collect()
+    }
+
+    /// From where the first picture of each kind is seen.
+    #[must_use]
+    pub fn observers(pictures: &[Self]) -> Observers {
+        let of = |kind| pictures.iter().find(|picture| picture.kind == kind).and_then(|picture| picture.observer);
+        Observers { world: of(View::World), canonical: of(View::Canonical) }
+    }
+}
+
+/// The observer of a picture in a figure.
+#[must_use]
+pub fn observer_in(observers: &Observers, kind: View) -> Option<Observer> {
+    match kind {
+        View::World => observers.world,
+        View::Canonical => observers.canonical,
+        View::Image => None,
+    }
+}
