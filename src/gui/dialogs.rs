@@ -8,7 +8,7 @@ use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::about;
 use super::coach;
-use super::command::Command;
+use super::command::MENUS;
 use super::comparison::{Comparison, Whose};
 use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::export_dialog;
@@ -323,7 +323,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         }
         ui.spacing_mut().interact_size.y = 0.0;
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
-            for command in Command::all().filter(|command| command.is_there(state)) {
+            for command in MENUS.iter().flat_map(|menu| menu.groups(state)).flatten() {
                 ui.monospace(
                     command.keys(state).map(|keys| ui.ctx().format_shortcut(&keys)).collect::<Vec<_>>().join(", "),
                 );

@@ -39,6 +39,7 @@ pub mod menu;
 mod motion;
 pub mod native;
 pub mod number_field;
+mod number_tables;
 pub mod panels;
 mod plotting;
 pub mod preferences;
