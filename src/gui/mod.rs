@@ -26,6 +26,7 @@ pub mod explain;
 pub mod export;
 mod export_dialog;
 pub mod file_flow;
+mod file_kind;
 mod focus;
 pub mod gallery;
 mod handle_drag;
