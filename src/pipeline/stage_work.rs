@@ -11,7 +11,7 @@ use super::projector::{ClipPoint, Projector};
 use super::resample::VertexOrigin;
 use super::transform::{Screen, Vertices, off_grid};
 use crate::scene::{Object, Scene};
-use crate::stage::Stage;
+use crate::stage::{Stage, WorksOn};
 
 /// So many sides, vertices and faces are noted; of more, nobody could tell one from another.
 const MOST: usize = 20_000;
@@ -105,7 +105,7 @@ impl<'a> Notes<'a> {
 
     /// The boxes of objects: those of all go in, those that may be in view come out.
     pub(super) fn objects(&mut self, scene: &Scene, plan: &Plan) {
-        if !matches!(self.work.stage, Stage::Traverse | Stage::CullObjects) {
+        if self.work.stage.works_on() != WorksOn::Objects {
             return;
         }
         for (object, planned) in scene.objects.iter().zip(&plan.objects) {
@@ -133,9 +133,9 @@ impl<'a> Notes<'a> {
 
     /// The vertices of an object in view, and their normals.
     pub(super) fn vertices(&mut self, object: &Object, vertices: &Vertices, lights: &Lights) {
-        match self.work.stage {
-            Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport => {}
-            Stage::Normals => return self.normals(object, vertices, lights),
+        match self.work.stage.works_on() {
+            WorksOn::Vertices => {}
+            WorksOn::Normals => return self.normals(object, vertices, lights),
             _ => return,
         }
         for (i, &p) in (0..).zip(vertices.positions) {

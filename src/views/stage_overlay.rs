@@ -11,6 +11,7 @@ use crate::drawing::{Anchor, Area, Drawing, Label, Mark, Paint, StrokeSet, Surfa
 use crate::pipeline::{Containment, Frame, Stage, StageWork, VertexWork};
 use crate::sanitize;
 use crate::scene::Scene;
+use crate::stage::WorksOn;
 
 use super::gizmos::{SMALL_TYPE, stroke};
 use super::legend::LegendRow;
@@ -53,22 +54,8 @@ fn before(
         Stage::Light => again(&Scene { lights: Vec::new(), ..scene.clone() }, style),
         // One object over the other, as they come.
         Stage::HiddenSurfaces => again(scene, &Style { visibility: Visibility::DepthBuffer, ..*style }),
-        Stage::Fill
-        | Stage::Interpolate
-        | Stage::Texture
-        | Stage::Blend
-        | Stage::Antialias
-        | Stage::Lines
-        | Stage::Write => drawing.clone(),
-        Stage::Traverse
-        | Stage::CullObjects
-        | Stage::Normals
-        | Stage::Transform
-        | Stage::CullFaces
-        | Stage::Clip
-        | Stage::Oblique
-        | Stage::Divide
-        | Stage::Viewport => return None,
+        _ if stage.works_on() == WorksOn::Pixels => drawing.clone(),
+        _ => return None,
     };
     before.labels.clear();
     let palette = Palette::of(request.shot.look.style.theme);
