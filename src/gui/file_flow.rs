@@ -399,12 +399,11 @@ mod tests {
     use super::*;
     use crate::files::Overwrite;
     use crate::gui::export::{Export, Exported, Task};
-    use crate::gui::worker::{Work, one_by_one};
     use crate::i18n::Lang;
     use crate::progress::Progress;
 
     /// The window as it is while a picture is being written by `make`, and frames of it.
-    fn exporting(make: fn() -> Work<Task, Exported>) -> (egui::Context, State) {
+    fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {
         let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
         let export = Export::new([[4, 3]; 3], 1.0);
         let exporting = Exporting::with(
@@ -444,7 +443,7 @@ mod tests {
 
     #[test]
     fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
-        let (ctx, mut state) = exporting(|| one_by_one(async |_, _: &Progress| panic!("as a fault would")));
+        let (ctx, mut state) = exporting(|| async |_, _: &Progress| panic!("as a fault would"));
         until_done(&ctx, &mut state);
         let message = state.message.expect("said");
         let text = message.text(Lang::En);
@@ -454,11 +453,11 @@ mod tests {
     #[test]
     fn a_window_that_is_closed_waits_for_its_pictures() {
         static HELD: Mutex<()> = Mutex::new(());
-        fn make() -> Work<Task, Exported> {
-            one_by_one(async |_, _: &Progress| {
+        fn make() -> impl AsyncFnMut(Task, &Progress) -> Exported {
+            async |_, _: &Progress| {
                 let _wait = HELD.lock();
                 Ok(None)
-            })
+            }
         }
         let held = HELD.lock();
         let (ctx, mut state) = exporting(make);
@@ -471,7 +470,7 @@ mod tests {
         assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
 
         // One that could not be written is told, by a window that stays.
-        let (ctx, mut state) = exporting(|| one_by_one(async |_, _: &Progress| Err(ExportError::Panic)));
+        let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
         go_on(&ctx, &mut state, AfterSave::Quit);
         assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
         assert!(state.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());

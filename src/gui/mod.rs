@@ -36,6 +36,7 @@ mod key_repeat;
 pub mod launch_options;
 mod link_dialog;
 mod mathematics;
+mod memo;
 pub mod menu;
 mod motion;
 pub mod native;
