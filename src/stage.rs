@@ -64,49 +64,65 @@ impl Stage {
         Self::Write,
     ];
 
+    /// Its name in data that programs read, what it works on, and the stage in whose loop it runs.
+    const fn row(self) -> (&'static str, WorksOn, Option<Self>) {
+        match self {
+            Self::Traverse => ("traverse", WorksOn::Objects, None),
+            Self::CullObjects => ("cull-objects", WorksOn::Objects, Some(Self::Traverse)),
+            Self::Normals => ("normals", WorksOn::Normals, Some(Self::Light)),
+            Self::Light => ("light", WorksOn::Colors, None),
+            Self::Transform => ("transform", WorksOn::Vertices, None),
+            Self::CullFaces => ("cull-faces", WorksOn::Faces, None),
+            Self::Clip => ("clip", WorksOn::Pieces, None),
+            Self::Oblique => ("oblique-window", WorksOn::Vertices, Some(Self::Transform)),
+            Self::Divide => ("divide", WorksOn::Vertices, Some(Self::Transform)),
+            Self::Viewport => ("viewport", WorksOn::Vertices, Some(Self::Transform)),
+            Self::Fill => ("fill", WorksOn::Pixels, None),
+            Self::Interpolate => ("interpolate", WorksOn::Pixels, Some(Self::Fill)),
+            Self::HiddenSurfaces => ("hidden-surfaces", WorksOn::Pixels, Some(Self::Fill)),
+            Self::Texture => ("texture", WorksOn::Pixels, Some(Self::Fill)),
+            Self::Blend => ("blend", WorksOn::Pixels, Some(Self::Fill)),
+            Self::Antialias => ("antialias", WorksOn::Pixels, Some(Self::Fill)),
+            Self::Lines => ("lines", WorksOn::Pixels, None),
+            Self::Write => ("write", WorksOn::Pixels, Some(Self::Fill)),
+        }
+    }
+
     /// The name in data that programs read.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Traverse => "traverse",
-            Self::CullObjects => "cull-objects",
-            Self::Normals => "normals",
-            Self::Light => "light",
-            Self::Transform => "transform",
-            Self::CullFaces => "cull-faces",
-            Self::Clip => "clip",
-            Self::Oblique => "oblique-window",
-            Self::Divide => "divide",
-            Self::Viewport => "viewport",
-            Self::Fill => "fill",
-            Self::Interpolate => "interpolate",
-            Self::HiddenSurfaces => "hidden-surfaces",
-            Self::Texture => "texture",
-            Self::Blend => "blend",
-            Self::Antialias => "antialias",
-            Self::Lines => "lines",
-            Self::Write => "write",
-        }
+        self.row().0
+    }
+
+    /// On what it works.
+    #[must_use]
+    pub const fn works_on(self) -> WorksOn {
+        self.row().1
     }
 
     /// The stage in whose loop this one runs, so that it has no time of its own: what is done to a number while it is
     /// at hand costs less than a walk over all numbers for each stage.
     #[must_use]
-    pub fn timed_with(self) -> Option<Self> {
-        match self {
-            Self::CullObjects => Some(Self::Traverse),
-            Self::Normals => Some(Self::Light),
-            Self::Oblique | Self::Divide | Self::Viewport => Some(Self::Transform),
-            Self::Interpolate | Self::HiddenSurfaces | Self::Texture | Self::Blend | Self::Antialias | Self::Write => {
-                Some(Self::Fill)
-            }
-            Self::Traverse
-            | Self::Light
-            | Self::Transform
-            | Self::CullFaces
-            | Self::Clip
-            | Self::Fill
-            | Self::Lines => None,
-        }
+    pub const fn timed_with(self) -> Option<Self> {
+        self.row().2
     }
+}
+
+/// On what a stage works, and so how it shows in a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WorksOn {
+    /// Objects by their boxes.
+    Objects,
+    /// Vertices.
+    Vertices,
+    /// The normals of vertices.
+    Normals,
+    /// Triangles, whole.
+    Faces,
+    /// Triangles, which it cuts.
+    Pieces,
+    /// The colours of faces or vertices.
+    Colors,
+    /// What the rasterizer paints.
+    Pixels,
 }

@@ -6,22 +6,20 @@ use std::time::Duration;
 use eframe::egui::{self, ViewportCommand};
 
 use super::canvas::Canvas;
-use super::command::Command;
+use super::command::{Command, Run};
 use super::document::Document;
 use super::file_flow;
 use super::focus::{self, Focus, Region};
-use super::gallery::Part;
 use super::key_repeat::HeldKey;
 use super::launch_options::LaunchOptions;
 use super::motion;
 use super::panels::recovery::Decision;
 use super::preferences::Preferences;
 use super::session::{Keeping, Sessions};
-use super::state::{AfterSave, Dialog, ExplainTab, Message, PanelHover, Purpose, Side, State};
+use super::state::{AfterSave, PanelHover, Side, State};
 use super::tab_order::KeyOrder;
 use super::{context_help, dialogs, explain, menu, panels, presentation, sequence, text_field, theme, tooltip};
 use crate::appearance::Theme;
-use crate::i18n::Lang;
 use crate::i18n::window;
 use crate::sanitize;
 
@@ -287,96 +285,9 @@ impl App {
 
     /// Does what a menu or the keyboard asks for.
     fn perform(&mut self, ctx: &egui::Context, command: Command) {
-        let state = &mut self.state;
-        match command {
-            Command::New => file_flow::begin(ctx, state, AfterSave::New),
-            Command::Open => file_flow::begin(ctx, state, AfterSave::Open),
-            Command::Gallery => state.file_flow.dialog = Some(Dialog::Gallery),
-            Command::Recent => {
-                state.gallery.part = Part::Recent;
-                state.file_flow.dialog = Some(Dialog::Gallery);
-            }
-            Command::Save => file_flow::save(ctx, state, None),
-            Command::SaveAs => file_flow::ask(ctx, state, Purpose::Save(None)),
-            Command::Export => {
-                state.export.fit_screen(state.picture_sizes, state.screen_scale);
-                state.export.ndc = state.settings.conventions.ndc;
-                state.file_flow.dialog = Some(Dialog::Export(state.export));
-            }
-            Command::CopyLink => state.file_flow.dialog = Some(Dialog::Link),
-            Command::Quit => file_flow::begin(ctx, state, AfterSave::Quit),
-            Command::Undo => state.undo(),
-            Command::Redo => state.redo(),
-            Command::Reset => state.document.reset(),
-            Command::CopyNumbers => {
-                ctx.copy_text(panels::values::copy(state));
-                state.say(Message::NumbersCopied);
-            }
-            Command::Language => {
-                state.settings.lang = match state.settings.lang {
-                    Lang::En => Lang::PtBr,
-                    Lang::PtBr => Lang::En,
-                };
-            }
-            Command::Theme => {
-                let theme = &mut state.settings.theme;
-                *theme = if *theme == Theme::Dark { Theme::Light } else { Theme::Dark };
-            }
-            Command::SaveExplained => state.settings.saves_explained = !state.settings.saves_explained,
-            Command::ReduceMotion => state.settings.reduce_motion = !state.settings.reduce_motion,
-            Command::Presentation => {
-                state.settings.presentation = !state.settings.presentation;
-                ctx.send_viewport_cmd(ViewportCommand::Fullscreen(state.settings.presentation));
-                state.message = None;
-                state.annotations.keys_since = Some(ctx.input(|input| input.time));
-            }
-            Command::NextFigure => self.step(ctx, true),
-            Command::PreviousFigure => self.step(ctx, false),
-            Command::Pen => state.annotations.pen = !state.annotations.pen,
-            Command::Spot => state.annotations.spot = !state.annotations.spot,
-            Command::Freeze => state.annotations.frozen = !state.annotations.frozen,
-            Command::Blank => state.annotations.blank = !state.annotations.blank,
-            Command::ClearAnnotations => state.annotations.clear(),
-            Command::ZoomIn => state.settings.zoom = (state.settings.zoom + 0.1).min(3.0),
-            Command::ZoomOut => state.settings.zoom = (state.settings.zoom - 0.1).max(0.5),
-            Command::ZoomReset => state.settings.zoom = 1.0,
-            Command::ParametersPanel => state.settings.panels_mut().toggle(Side::Left),
-            Command::NumbersPanel => state.settings.panels_mut().toggle(Side::Right),
-            Command::Explain => state.settings.panels_mut().toggle(Side::Explain),
-            Command::Exercises if state.shows_exercises() && state.exercises.was_called => {
-                state.settings.panels_mut().toggle(Side::Explain);
-            }
-            Command::Exercises => {
-                state.show_explanation(ExplainTab::Exercises);
-                state.exercises.call();
-            }
-            Command::Tab(tab) => {
-                state.settings.tab = tab;
-                if !state.settings.panels().is_shown(Side::Left) {
-                    state.settings.panels_mut().toggle(Side::Left);
-                }
-            }
-            Command::Show(picture) => state.layout.toggle(picture),
-            Command::Arrange(arrangement) => {
-                state.layout.arrangement = arrangement;
-                state.layout.maximized = None;
-            }
-            Command::Observe(change) => state.observer_change = Some(change),
-            Command::ViewBack => {
-                let observers = state.views.back(state.document.figure().observers);
-                *state.document.observers_mut() = observers.unwrap_or(state.document.figure().observers);
-            }
-            Command::ViewForward => {
-                let observers = state.views.forward(state.document.figure().observers);
-                *state.document.observers_mut() = observers.unwrap_or(state.document.figure().observers);
-            }
-            Command::Help => state.file_flow.dialog = Some(Dialog::Help),
-            Command::About => state.file_flow.dialog = Some(Dialog::About),
-            Command::Pipeline => state.layout.strip = !state.layout.strip,
-            Command::Numerics => state.numerics.shown = !state.numerics.shown,
-            Command::Section => state.document.edit(|figure| figure.world.section ^= true),
-            Command::Dimensions => state.document.edit(|figure| figure.world.dimensions ^= true),
-            Command::LinkOrbits => state.layout.linked = !state.layout.linked,
+        match command.run() {
+            Run::Change(change) => change(&mut self.state, ctx),
+            Run::Step { forwards } => self.step(ctx, forwards),
         }
     }
 

@@ -8,13 +8,15 @@ use eframe::egui::{self, Id, Key, Modal, RichText};
 
 use super::about;
 use super::coach;
-use super::command::Command;
+use super::command::MENUS;
 use super::comparison::{Comparison, Whose};
 use super::dialog_buttons::{CANCEL, Pressed, buttons};
 use super::export_dialog;
 use super::file_flow;
+use super::file_kind::FileKind;
 use super::gallery::{self, Chosen, Source};
 use super::link_dialog;
+use super::native::Wanted;
 use super::panels::{complaint, scene};
 use super::state::{AfterSave, Agreed, Changed, Dialog, Purpose, State};
 use super::text_field::TextField;
@@ -235,23 +237,11 @@ fn compared(ui: &mut egui::Ui, t: &Texts, comparison: &Comparison) {
 }
 
 fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Purpose, mut path: String, first: bool) {
-    let (title, action) = match &purpose {
-        Purpose::Open => (t.open_title, t.open_action),
-        Purpose::Save(_) => (t.save_title, t.save_action),
-        Purpose::Export(_) | Purpose::Animation(_) => (t.export_title, t.save_action),
-        Purpose::Progress => (exercise_window::texts(state.settings.lang).export_title, t.save_action),
-        Purpose::Exercises => (exercise_window::texts(state.settings.lang).own_open, t.open_action),
-        Purpose::Folder => (crate::i18n::gallery::texts(state.settings.lang).choose, t.open_action),
-        Purpose::Mesh(_) => {
-            let t = scenes::texts(state.settings.lang);
-            (t.mesh_title, t.mesh_action)
-        }
-    };
-    ui.heading(title);
+    let kind = FileKind::of(state, &purpose);
+    ui.heading(kind.title);
     ui.add_space(6.0);
-    let is_folder = matches!(purpose, Purpose::Folder | Purpose::Exercises);
     let words = sharing::texts(state.settings.lang);
-    let (which, hint) = match (is_folder, state.in_browser) {
+    let (which, hint) = match (kind.wanted == Wanted::Folder, state.in_browser) {
         (true, _) => (crate::i18n::gallery::texts(state.settings.lang).which_folder, t.path_hint),
         (false, true) => (words.name_text, words.name_hint),
         (false, false) => (t.path_text, t.path_hint),
@@ -268,7 +258,7 @@ fn ask_path(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, purpose: Pu
         complaint(ui, &error.text(state.settings.lang));
     }
     ui.add_space(10.0);
-    let pressed = buttons(ui, t.cancel, &[action], None);
+    let pressed = buttons(ui, t.cancel, &[kind.action], None);
     let go = (enter || matches!(pressed, Pressed::Action(_))) && !path.trim().is_empty();
     if matches!(pressed, Pressed::Cancel) {
         return;
@@ -323,7 +313,7 @@ fn help(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, first: bool) {
         }
         ui.spacing_mut().interact_size.y = 0.0;
         egui::Grid::new("commands").num_columns(2).spacing([16.0, 2.0]).show(ui, |ui| {
-            for command in Command::all().filter(|command| command.is_there(state)) {
+            for command in MENUS.iter().flat_map(|menu| menu.groups(state)).flatten() {
                 ui.monospace(
                     command.keys(state).map(|keys| ui.ctx().format_shortcut(&keys)).collect::<Vec<_>>().join(", "),
                 );

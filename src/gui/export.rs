@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
-use super::worker::{Running, Work, Worker, one_by_one};
+use super::worker::{Running, Worker};
 use crate::appearance::Theme;
 use crate::camera::{Camera, CameraError, Decomposition, Ndc};
 use crate::clock;
@@ -306,13 +306,13 @@ impl Exporting {
     }
 
     /// As [`start`](Self::start), by other means of drawing and writing.
-    pub(super) fn with(
+    pub(super) fn with<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(
         ctx: &egui::Context,
         (document, shown): (&Document, Figure),
         lang: Lang,
         export: Export,
         (path, overwrite): (PathBuf, Overwrite),
-        make: fn() -> Work<Task, Exported>,
+        make: impl Fn() -> W + Send + Sync + 'static,
     ) -> Self {
         let subject = ExportSource::of(document, shown, lang, export.theme);
         let source = document.source().to_owned();
@@ -360,8 +360,8 @@ impl Exporting {
     }
 }
 
-fn export_work() -> Work<Task, Exported> {
-    one_by_one(async |task: Task, progress: &Progress| task.run(progress).await)
+fn export_work() -> impl AsyncFnMut(Task, &Progress) -> Exported {
+    async |task: Task, progress: &Progress| task.run(progress).await
 }
 
 impl Task {

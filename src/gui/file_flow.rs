@@ -11,8 +11,9 @@ use eframe::egui::{self, ViewportCommand};
 
 use super::document::Document;
 use super::export::{ExportError, Exporting};
+use super::file_kind::FileKind;
 use super::gallery::Source;
-use super::native::{FileAnswer, FileQuestion, OpenFileDialog, Wanted};
+use super::native::{FileAnswer, OpenFileDialog, Wanted};
 use super::sequence::source_of;
 use super::state::{
     AfterSave, Agreed, Changed, Dialog, MESH_ENDINGS, MeshFor, Message, NotExported, Purpose, State, Tab, Theirs,
@@ -20,9 +21,6 @@ use super::state::{
 use crate::export::format::PictureFormat;
 use crate::figure::{Figure, update};
 use crate::files::{self, FileChange, disk};
-use crate::i18n::window::{self, Texts};
-use crate::i18n::{exercise_window, explain, gallery, scenes};
-use crate::picture::FilmFormat;
 use crate::scene::Shape;
 use crate::share;
 
@@ -71,8 +69,7 @@ pub fn close(ctx: &egui::Context, state: &mut State) {
 
 /// Saves to the figure's own file; asks for one where there is none.
 pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
-    let t = window::texts(state.settings.lang);
-    let named = || state.in_browser.then(|| PathBuf::from(proposal(t, state, &Purpose::Save(None))));
+    let named = || state.in_browser.then(|| FileKind::of(state, &Purpose::Save(None)).proposal());
     match state.document.path().cloned().or_else(named) {
         Some(path) => write(ctx, state, &path, then, Agreed::default()),
         None => ask(ctx, state, Purpose::Save(then)),
@@ -82,115 +79,23 @@ pub fn save(ctx: &egui::Context, state: &mut State, then: Option<AfterSave>) {
 /// Asks for a file: with the dialog of the system, or with a field where it has none. A page in a browser has no places
 /// where files go: there, only the name of a figure is asked for.
 pub fn ask(ctx: &egui::Context, state: &mut State, purpose: Purpose) {
-    let t = window::texts(state.settings.lang);
-    let writes = matches!(purpose, Purpose::Save(_) | Purpose::Export(_) | Purpose::Animation(_) | Purpose::Progress);
-    if state.in_browser && writes && !matches!(purpose, Purpose::Save(_)) {
-        let path = PathBuf::from(proposal(t, state, &purpose));
-        chosen(ctx, state, purpose, path);
-    } else if state.file_flow.native && !(state.in_browser && writes) {
-        let question = question(t, state, &purpose);
-        state.file_flow.asking = Some((purpose, OpenFileDialog::start(ctx, question)));
+    let kind = FileKind::of(state, &purpose);
+    let hands_out = state.in_browser && kind.wanted == Wanted::NewFile;
+    if hands_out && !matches!(purpose, Purpose::Save(_)) {
+        chosen(ctx, state, purpose, kind.proposal());
+    } else if state.file_flow.native && !hands_out {
+        state.file_flow.asking = Some((purpose, OpenFileDialog::start(ctx, kind.question())));
     } else {
-        let text = proposal(t, state, &purpose);
+        let text = kind.proposal().display().to_string();
         state.file_flow.refused = None;
         state.file_flow.dialog = Some(Dialog::Path(purpose, text));
     }
 }
 
-fn question(t: &'static Texts, state: &State, purpose: &Purpose) -> FileQuestion {
-    let folder = state.document.folder().map(Path::to_owned).filter(|folder| !folder.as_os_str().is_empty());
-    let name = Path::new(&proposal(t, state, purpose)).file_name().unwrap_or_default().to_string_lossy().into_owned();
-    match purpose {
-        Purpose::Open => FileQuestion {
-            wanted: Wanted::File,
-            title: t.open_title,
-            filters: vec![(t.figure_filter.to_owned(), &["toml", "png"][..])],
-            name: String::new(),
-            folder,
-        },
-        Purpose::Save(_) => {
-            let filters = vec![(t.figure_filter.to_owned(), &["toml"][..])];
-            FileQuestion { wanted: Wanted::NewFile, title: t.save_title, filters, name, folder }
-        }
-        Purpose::Export(export) => {
-            let mut formats = PictureFormat::ALL;
-            formats.sort_by_key(|format| *format != export.format);
-            let filters = formats.map(|format| (format!("{} {}", t.picture_filter, format.name()), format.endings()));
-            FileQuestion { wanted: Wanted::NewFile, title: t.export_title, filters: filters.to_vec(), name, folder }
-        }
-        Purpose::Animation(_) => {
-            let texts = explain::texts(state.settings.lang);
-            let endings = |format: PictureFormat| (format!("{} {}", texts.strip, format.name()), format.endings());
-            let filters = vec![
-                (format!("{} GIF", texts.animation), &["gif"][..]),
-                (format!("{} APNG", texts.animation), &["apng"][..]),
-                endings(PictureFormat::Png),
-                endings(PictureFormat::WebP),
-                endings(PictureFormat::Jpeg),
-            ];
-            FileQuestion { wanted: Wanted::NewFile, title: t.export_title, filters, name, folder }
-        }
-        Purpose::Progress => {
-            let title = exercise_window::texts(state.settings.lang).export_title;
-            let filters = vec![("CSV".to_owned(), &["csv"][..])];
-            FileQuestion { wanted: Wanted::NewFile, title, filters, name, folder }
-        }
-        Purpose::Folder | Purpose::Exercises => {
-            let title = match purpose {
-                Purpose::Folder => gallery::texts(state.settings.lang).choose,
-                _ => exercise_window::texts(state.settings.lang).own_open,
-            };
-            FileQuestion { wanted: Wanted::Folder, title, filters: Vec::new(), name: String::new(), folder }
-        }
-        Purpose::Mesh(_) => {
-            let t = scenes::texts(state.settings.lang);
-            let name = String::new();
-            FileQuestion {
-                wanted: Wanted::File,
-                title: t.mesh_title,
-                filters: vec![(t.mesh_filter.to_owned(), MESH_ENDINGS)],
-                name,
-                folder,
-            }
-        }
-    }
-}
-
-/// The path that stands in the field at first.
-fn proposal(t: &Texts, state: &State, purpose: &Purpose) -> String {
-    let folder = state.document.folder().map(Path::to_owned).unwrap_or_default();
-    let stem = state.document.name().map_or_else(|| PathBuf::from(t.untitled_file), PathBuf::from);
-    match purpose {
-        Purpose::Open | Purpose::Mesh(_) | Purpose::Folder | Purpose::Exercises => folder.display().to_string(),
-        Purpose::Save(_) => folder.join(stem).with_extension("toml").display().to_string(),
-        Purpose::Progress => {
-            let name = exercise_window::texts(state.settings.lang).progress_file;
-            folder.join(name).display().to_string()
-        }
-        Purpose::Animation(decomposition) => {
-            let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            folder.join(format!("{stem}-{}.gif", decomposition.name())).display().to_string()
-        }
-        Purpose::Export(export) => {
-            let stem = stem.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let ending = export.format.ending();
-            folder.join(format!("{stem}-{}.{ending}", export.what.name())).display().to_string()
-        }
-    }
-}
-
 /// Goes on with the file that was chosen; asks before a file is replaced.
 pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path: PathBuf) {
-    let path = files::whole(&path);
-    let path = match &purpose {
-        Purpose::Open | Purpose::Mesh(_) | Purpose::Folder | Purpose::Exercises => path,
-        Purpose::Save(_) => with_ending(path, "toml"),
-        Purpose::Progress => with_ending(path, "csv"),
-        Purpose::Export(_) if PictureFormat::of(&path).is_some() => path,
-        Purpose::Export(export) => with_ending(path, export.format.ending()),
-        Purpose::Animation(_) if FilmFormat::of(&path).is_some() => path,
-        Purpose::Animation(_) => with_ending(path, "gif"),
-    };
+    let kind = FileKind::of(state, &purpose);
+    let path = kind.with_ending(files::whole(&path));
     if let Purpose::Export(export) = &mut purpose {
         export.transparent = export.is_without_ground();
         export.format = PictureFormat::of(&path).unwrap_or(export.format);
@@ -200,23 +105,11 @@ pub fn chosen(ctx: &egui::Context, state: &mut State, mut purpose: Purpose, path
         }
     }
     let own = state.document.path() == Some(&path);
-    let reads = matches!(purpose, Purpose::Open | Purpose::Mesh(_) | Purpose::Folder | Purpose::Exercises);
-    if !reads && !own && disk::exists(&path) {
+    if kind.wanted == Wanted::NewFile && !own && disk::exists(&path) {
         state.file_flow.dialog = Some(Dialog::Overwrite(purpose, path));
     } else {
         confirmed(ctx, state, purpose, &path, Agreed::default());
     }
-}
-
-/// Appends the ending unless the name has it.
-fn with_ending(path: PathBuf, ending: &str) -> PathBuf {
-    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending)) {
-        return path;
-    }
-    let mut name = path.into_os_string();
-    name.push(".");
-    name.push(ending);
-    name.into()
 }
 
 /// Opens or writes the file, over what the user has `agreed` to.
@@ -506,12 +399,11 @@ mod tests {
     use super::*;
     use crate::files::Overwrite;
     use crate::gui::export::{Export, Exported, Task};
-    use crate::gui::worker::{Work, one_by_one};
     use crate::i18n::Lang;
     use crate::progress::Progress;
 
     /// The window as it is while a picture is being written by `make`, and frames of it.
-    fn exporting(make: fn() -> Work<Task, Exported>) -> (egui::Context, State) {
+    fn exporting<W: AsyncFnMut(Task, &Progress) -> Exported + 'static>(make: fn() -> W) -> (egui::Context, State) {
         let (ctx, mut state) = (egui::Context::default(), State::new(crate::gui::Start::default()).expect("a camera"));
         let export = Export::new([[4, 3]; 3], 1.0);
         let exporting = Exporting::with(
@@ -551,7 +443,7 @@ mod tests {
 
     #[test]
     fn a_panic_while_a_picture_is_written_is_not_told_as_a_lack_of_memory() {
-        let (ctx, mut state) = exporting(|| one_by_one(async |_, _: &Progress| panic!("as a fault would")));
+        let (ctx, mut state) = exporting(|| async |_, _: &Progress| panic!("as a fault would"));
         until_done(&ctx, &mut state);
         let message = state.message.expect("said");
         let text = message.text(Lang::En);
@@ -561,11 +453,11 @@ mod tests {
     #[test]
     fn a_window_that_is_closed_waits_for_its_pictures() {
         static HELD: Mutex<()> = Mutex::new(());
-        fn make() -> Work<Task, Exported> {
-            one_by_one(async |_, _: &Progress| {
+        fn make() -> impl AsyncFnMut(Task, &Progress) -> Exported {
+            async |_, _: &Progress| {
                 let _wait = HELD.lock();
                 Ok(None)
-            })
+            }
         }
         let held = HELD.lock();
         let (ctx, mut state) = exporting(make);
@@ -578,16 +470,9 @@ mod tests {
         assert!(!frame(&ctx, &mut state, true).contains(&ViewportCommand::CancelClose));
 
         // One that could not be written is told, by a window that stays.
-        let (ctx, mut state) = exporting(|| one_by_one(async |_, _: &Progress| Err(ExportError::Panic)));
+        let (ctx, mut state) = exporting(|| async |_, _: &Progress| Err(ExportError::Panic));
         go_on(&ctx, &mut state, AfterSave::Quit);
         assert!(!until_done(&ctx, &mut state).contains(&ViewportCommand::Close));
         assert!(state.message.is_some_and(|message| message.is_error()) && state.file_flow.dialog.is_none());
-    }
-
-    #[test]
-    fn endings_are_appended_once() {
-        for (given, made) in [("a", "a.toml"), ("a.toml", "a.toml"), ("a.TOML", "a.TOML"), ("v1.2", "v1.2.toml")] {
-            assert_eq!(with_ending(PathBuf::from(given), "toml"), PathBuf::from(made));
-        }
     }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use glam::{DMat4, DVec3};
 
+use super::memo::Memo;
 use super::state::{Selected, State};
 use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Theme};
 use crate::geometry::{Aabb, try_unit};
@@ -14,16 +15,7 @@ use crate::views::{Palette, SharedScene};
 /// The scene with what is selected marked in it; it is made anew only when one of both has changed.
 #[derive(Debug, Default)]
 pub(super) struct Highlight {
-    kept: Option<MarkedScene>,
-}
-
-#[derive(Debug)]
-struct MarkedScene {
-    scene: SharedScene,
-    selected: Selected,
-    also: BTreeSet<String>,
-    theme: Theme,
-    marked: SharedScene,
+    marked: Memo<(SharedScene, Selected, BTreeSet<String>, Theme), SharedScene>,
 }
 
 /// An object with more edges is marked by its box.
@@ -34,38 +26,29 @@ impl Highlight {
     pub(super) fn scene(&mut self, state: &State) -> SharedScene {
         let (scene, figure) = (state.scene_cache.scene(), state.document.figure());
         let Some(selected) = state.tree.selected(&figure.scene) else {
-            self.kept = None;
+            self.marked.forget();
             return scene.clone();
         };
-        let (also, theme) = (state.tree.also(), state.settings.theme);
-        let is_same = |kept: &&MarkedScene| {
-            kept.scene == *scene && (&kept.selected, &kept.also, kept.theme) == (selected, also, theme)
-        };
-        if let Some(kept) = self.kept.as_ref().filter(is_same) {
-            return kept.marked.clone();
-        }
-        let color = Palette::of(theme).probe;
-        let mut marked = Scene::clone(scene);
-        for name in also {
-            mark_objects(&mut marked, &figure.scene, name, color);
-        }
-        match selected {
-            Selected::Object(name) | Selected::OfPreset(name) => mark_objects(&mut marked, &figure.scene, name, color),
-            Selected::Light(index) => {
-                if let Some(light) = figure.scene.lights.get(*index) {
-                    mark_light(&mut marked, *light, scene.bounds(), color);
+        let key = (scene.clone(), selected.clone(), state.tree.also().clone(), state.settings.theme);
+        let mark = |(scene, selected, also, theme): &(SharedScene, Selected, BTreeSet<String>, Theme)| {
+            let color = Palette::of(*theme).probe;
+            let mut marked = Scene::clone(scene);
+            for name in also {
+                mark_objects(&mut marked, &figure.scene, name, color);
+            }
+            match selected {
+                Selected::Object(name) | Selected::OfPreset(name) => {
+                    mark_objects(&mut marked, &figure.scene, name, color);
+                }
+                Selected::Light(index) => {
+                    if let Some(light) = figure.scene.lights.get(*index) {
+                        mark_light(&mut marked, *light, scene.bounds(), color);
+                    }
                 }
             }
-        }
-        let marked = scene.marked(marked);
-        self.kept = Some(MarkedScene {
-            scene: scene.clone(),
-            selected: selected.clone(),
-            also: also.clone(),
-            theme,
-            marked: marked.clone(),
-        });
-        marked
+            scene.marked(marked)
+        };
+        self.marked.of(key, mark).clone()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Button, RichText};
 
-use super::command::Command;
+use super::command::{Command, MENUS};
 use super::focus::with_room_before;
 use super::panels;
 use super::state::State;
@@ -65,53 +65,25 @@ pub fn bar(ui: &mut egui::Ui, state: &State) -> Option<Command> {
 
 /// The menus, one beside or below the other; the chosen command, if any.
 fn menus(ui: &mut egui::Ui, t: &Texts, state: &State) -> Option<Command> {
-    let menus = [
-        (t.menu_file, &Command::FILE[..]),
-        (t.menu_edit, &Command::EDIT),
-        (t.menu_view, &Command::VIEW),
-        (t.menu_window, &Command::WINDOW),
-        (t.menu_present, &Command::PRESENT),
-        (t.menu_help, &Command::HELP),
-    ];
     let mut chosen = None;
-    for (title, commands) in menus {
-        ui.menu_button(title, |ui| {
+    for menu in MENUS {
+        ui.menu_button((menu.title)(t), |ui| {
             ui.set_min_width(220.0);
-            for (place, command) in commands.iter().filter(|command| command.is_there(state)).enumerate() {
-                if place > 0 && is_first_of_group(*command) {
-                    ui.separator();
-                }
-                if item(ui, t, state, *command) {
-                    chosen = Some(*command);
-                    ui.close();
+            let mut is_first = true;
+            for group in menu.groups(state) {
+                for (place, command) in group.enumerate() {
+                    if place == 0 && !std::mem::take(&mut is_first) {
+                        ui.separator();
+                    }
+                    if item(ui, t, state, command) {
+                        chosen = Some(command);
+                        ui.close();
+                    }
                 }
             }
         });
     }
     chosen
-}
-
-fn is_first_of_group(command: Command) -> bool {
-    use super::state::ObserverChange;
-    use crate::views::observer::Viewpoint;
-    matches!(
-        command,
-        Command::Save
-            | Command::Export
-            | Command::Quit
-            | Command::Reset
-            | Command::CopyNumbers
-            | Command::Arrange(None)
-            | Command::Observe(ObserverChange::From(Viewpoint::Front))
-            | Command::Tab(super::state::Tab::Camera)
-            | Command::Pipeline
-            | Command::Theme
-            | Command::NextFigure
-            | Command::Pen
-            | Command::ClearAnnotations
-            | Command::ZoomIn
-            | Command::Language
-    )
 }
 
 fn item(ui: &mut egui::Ui, t: &Texts, state: &State, command: Command) -> bool {

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::export::{Export, ExportError, ExportSource};
-use super::worker::{Work, Worker, one_by_one};
+use super::worker::Worker;
 use crate::clock;
 use crate::limits::MAX_COPIED_PIXELS;
 use crate::picture::{self, Crowded, Pixels};
@@ -55,11 +55,11 @@ impl Default for Preview {
     }
 }
 
-fn work() -> Work<PreviewJob, Drawn> {
-    one_by_one(async |PreviewJob { subject, export, factor }, progress: &Progress| {
+fn work() -> impl AsyncFnMut(PreviewJob, &Progress) -> Drawn {
+    async |PreviewJob { subject, export, factor }, progress: &Progress| {
         let sheet = subject.sheet(&export, progress)?.reduced(factor);
         Ok((picture::assembled(&sheet, export.crop, progress).await?.0, sheet.crowded))
-    })
+    }
 }
 
 impl Preview {

@@ -10,7 +10,8 @@ use eframe::egui;
 
 use super::document::Document;
 use super::history::Revision;
-use super::worker::{Running, Worker, one_by_one};
+use super::memo::Latest;
+use super::worker::Running;
 use crate::appearance::{HiddenLines, Theme};
 use crate::clock;
 use crate::files::{FigureFiles, FileAccess};
@@ -87,9 +88,8 @@ impl MeshFile {
 /// Reads one file after the other.
 #[derive(Debug)]
 struct Reader {
-    worker: Worker<MeshFile, (MeshFile, BuiltScene)>,
-    /// The file that is being read, and those that come next.
-    reading: Option<MeshFile>,
+    read: Latest<MeshFile, BuiltScene>,
+    /// The files that come next.
     waiting: Vec<MeshFile>,
     /// How many bytes were read for each file that is in use.
     bytes: BTreeMap<String, usize>,
@@ -97,55 +97,52 @@ struct Reader {
 
 impl Default for Reader {
     fn default() -> Self {
-        let worker = Worker::new("meshes", clock::now, || {
-            one_by_one(async |file: MeshFile, progress: &Progress| {
-                let outcome = file.read(progress).await;
-                (file, outcome)
-            })
-        });
-        Self { worker, reading: None, waiting: Vec::new(), bytes: BTreeMap::new() }
+        let read = Latest::new("meshes", || async |file: &MeshFile, progress: &Progress| file.read(progress).await);
+        Self { read, waiting: Vec::new(), bytes: BTreeMap::new() }
     }
 }
 
 impl Reader {
     /// Has these files read, and no others.
     fn begin(&mut self, ctx: &egui::Context, files: Vec<MeshFile>) {
-        self.reading = None;
+        self.read.give_up();
         self.waiting = files;
         self.next(ctx);
     }
 
     fn next(&mut self, ctx: &egui::Context) {
-        if self.reading.is_none() && !self.waiting.is_empty() {
+        if !self.is_busy() && !self.waiting.is_empty() {
             let mut file = self.waiting.remove(0);
             file.spent = self.bytes.values().sum();
-            self.worker.ask(ctx, 0, file.clone());
-            self.reading = Some(file);
+            self.read.ask_again(ctx, file);
         }
     }
 
+    /// The file that is being read.
+    fn reading(&self) -> Option<&MeshFile> {
+        self.read.waiting()
+    }
+
     fn is_busy(&self) -> bool {
-        self.reading.is_some()
+        self.reading().is_some()
     }
 
     /// The next file that has been read. Waits for it up to `patience`.
     fn take(&mut self, ctx: &egui::Context, patience: Duration) -> Option<(String, BuiltScene)> {
-        let reading = self.reading.as_ref()?;
-        let [done] = self.worker.take(patience);
-        let Some((file, outcome)) = done?.outcome else {
-            // A panic; what is missing is asked for again with the next change.
-            self.reading = None;
-            self.next(ctx);
-            return self.take(ctx, patience);
-        };
-        // What was begun for another figure is not wanted any more.
-        if file != *reading {
-            return self.take(ctx, patience);
+        self.reading()?;
+        let read = self.read.take(patience);
+        if read.is_none() && self.is_busy() {
+            return None;
         }
-        self.reading = None;
-        self.bytes.insert(file.path.clone(), outcome.bytes);
+        if let Some((file, outcome)) = &read {
+            self.bytes.insert(file.path.clone(), outcome.bytes);
+        }
         self.next(ctx);
-        Some((file.path, outcome))
+        match read {
+            Some((file, outcome)) => Some((file.path, outcome)),
+            // A panic; what is missing is asked for again with the next change.
+            None => self.take(ctx, patience),
+        }
     }
 }
 
@@ -170,17 +167,17 @@ impl SceneCache {
     /// The files that are being read.
     #[must_use]
     pub fn loading(&self) -> Vec<&str> {
-        self.reader.reading.iter().chain(&self.reader.waiting).map(|file| file.path.as_str()).collect()
+        self.reader.reading().into_iter().chain(&self.reader.waiting).map(|file| file.path.as_str()).collect()
     }
 
     /// The file that is being read, and how far that has come.
     pub(in crate::gui) fn running(&self) -> Option<(&str, Running)> {
-        Some((self.reader.reading.as_ref()?.path.as_str(), self.reader.worker.running()?))
+        Some((self.reader.reading()?.path.as_str(), self.reader.read.running()?))
     }
 
     /// Gives up reading. The files count as such that cannot be read.
     pub(in crate::gui) fn cancel(&mut self) {
-        self.reader.worker.cancel();
+        self.reader.read.stop();
         self.broken.extend(self.reader.waiting.drain(..).map(|file| (file.path, MeshError::Cancelled)));
     }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui;
 
 use super::document::Document;
-use super::worker::{Worker, one_by_one};
+use super::worker::Worker;
 use crate::clock;
 use crate::files::{FileChange, Stamp, look};
 use crate::progress::Progress;
@@ -29,10 +29,10 @@ pub(in crate::gui) struct Watch {
 impl Default for Watch {
     fn default() -> Self {
         let worker = Worker::new("watch", clock::now, || {
-            one_by_one(async |Watched { path, source, stamp }, _: &Progress| {
+            async |Watched { path, source, stamp }, _: &Progress| {
                 let found = look(&path, source.as_bytes(), stamp);
                 (path, source, found)
-            })
+            }
         });
         Self { worker, same: None }
     }

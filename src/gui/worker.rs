@@ -17,14 +17,17 @@ use crate::progress::{Activity, Progress, at_once};
 use in_frames::InFrames;
 use shares::Shares;
 
-/// What does the jobs, one at a time: see [`one_by_one`].
-pub(super) type Work<Job, Outcome> = Box<dyn FnMut(Job, Progress) -> Slices<Outcome>>;
+/// Begins jobs, one at a time.
+type Work<Job, Outcome> = Box<dyn FnMut(Job, Progress) -> Slices<Outcome>>;
+
+/// Makes what does the jobs.
+type Make<Job, Outcome> = Arc<dyn Fn() -> Work<Job, Outcome> + Send + Sync>;
 
 /// A job that is being done, and that ends a slice where it [pauses](crate::progress::pause).
 type Slices<Outcome> = Pin<Box<dyn Future<Output = Option<Outcome>>>>;
 
 /// Work that is done by `work`, with what it keeps from one job to the next.
-pub(super) fn one_by_one<Job: 'static, Outcome: 'static>(
+fn one_by_one<Job: 'static, Outcome: 'static>(
     work: impl AsyncFnMut(Job, &Progress) -> Outcome + 'static,
 ) -> Work<Job, Outcome> {
     let kept = Rc::new(Cell::new(Some(work)));
@@ -48,7 +51,7 @@ pub(super) struct Worker<Job, Outcome, const SLOTS: usize = 1> {
     shared: Arc<Shared<Job, Outcome, SLOTS>>,
     place: Backend<Job, Outcome, SLOTS>,
     name: &'static str,
-    make: fn() -> Work<Job, Outcome>,
+    make: Make<Job, Outcome>,
     clock: fn() -> Duration,
 }
 
@@ -135,7 +138,11 @@ impl<Job, Outcome, const SLOTS: usize> Mailbox<Job, Outcome, SLOTS> {
 impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Job, Outcome, SLOTS> {
     /// `make` makes what does the jobs: on the thread, with the first job, and anew after a panic. `name` is the
     /// thread's.
-    pub(super) fn new(name: &'static str, clock: fn() -> Duration, make: fn() -> Work<Job, Outcome>) -> Self {
+    pub(super) fn new<W: AsyncFnMut(Job, &Progress) -> Outcome + 'static>(
+        name: &'static str,
+        clock: fn() -> Duration,
+        make: impl Fn() -> W + Send + Sync + 'static,
+    ) -> Self {
         let mailbox = Mailbox {
             wanted: std::array::from_fn(|_| None),
             busy: None,
@@ -150,7 +157,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             wake: Condvar::new(),
             done: Condvar::new(),
         });
-        Self { shared, place: Backend::Nowhere, name, make, clock }
+        Self { shared, place: Backend::Nowhere, name, make: Arc::new(move || one_by_one(make())), clock }
     }
 
     /// Does the jobs in the frames, as where there are no threads.
@@ -163,11 +170,12 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
     /// Asks for a job; `ctx` is asked for a frame when it is done.
     pub(super) fn ask(&mut self, ctx: &egui::Context, slot: usize, job: Job) {
         if matches!(self.place, Backend::Nowhere) {
-            let (shared, wake, make, clock) = (Arc::clone(&self.shared), ctx.clone(), self.make, self.clock);
+            let (shared, wake, clock) = (Arc::clone(&self.shared), ctx.clone(), self.clock);
+            let make = Arc::clone(&self.make);
             let thread = std::thread::Builder::new().name(self.name.to_owned());
-            self.place = match thread.spawn(move || work(&shared, &wake, make, clock)) {
+            self.place = match thread.spawn(move || work(&shared, &wake, &make, clock)) {
                 Ok(_) => Backend::Thread,
-                Err(_) => Backend::InFrames(InFrames::new(ctx, make())),
+                Err(_) => Backend::InFrames(InFrames::new(ctx, (self.make)())),
             };
         }
         let mut mailbox = self.shared.mailbox();
@@ -223,7 +231,7 @@ impl<Job: Send + 'static, Outcome: Send + 'static, const SLOTS: usize> Worker<Jo
             }
             Backend::InFrames(in_frames) => {
                 drop(mailbox);
-                in_frames.go_on(&self.shared, self.make, self.clock);
+                in_frames.go_on(&self.shared, &self.make, self.clock);
                 mailbox = self.shared.mailbox();
             }
         }
@@ -249,7 +257,7 @@ impl<Job, Outcome, const SLOTS: usize> fmt::Debug for Worker<Job, Outcome, SLOTS
 fn work<Job, Outcome, const SLOTS: usize>(
     shared: &Shared<Job, Outcome, SLOTS>,
     ctx: &egui::Context,
-    make: fn() -> Work<Job, Outcome>,
+    make: &Make<Job, Outcome>,
     clock: fn() -> Duration,
 ) {
     let mut work = make();
@@ -304,11 +312,11 @@ mod tests {
     fn doubling<const SLOTS: usize>() -> Worker<u32, (u32, u32), SLOTS> {
         Worker::new("doubling", clock::now, || {
             let mut count = 0;
-            one_by_one(async move |n, _: &Progress| {
+            async move |n, _: &Progress| {
                 count += 1;
                 assert_ne!(n, 0, "as the test wants it");
                 (2 * n, count)
-            })
+            }
         })
     }
 
@@ -351,10 +359,10 @@ mod tests {
             "waiting",
             || *NOW.lock().unwrap(),
             || {
-                one_by_one(async |job, _: &Progress| {
+                async |job, _: &Progress| {
                     *NOW.lock().unwrap() += Duration::from_millis(job);
                     job
-                })
+                }
             },
         )
         .without_thread(&ctx);
@@ -384,7 +392,7 @@ mod tests {
             "steps",
             || *NOW.lock().unwrap(),
             || {
-                one_by_one(async |job, progress: &Progress| {
+                async |job, progress: &Progress| {
                     progress.begin(Activity::Measuring, 4);
                     let mut done = job;
                     for _ in 0..4 {
@@ -396,7 +404,7 @@ mod tests {
                         progress.advance_and_pause(1).await;
                     }
                     done
-                })
+                }
             },
         )
         .without_thread(&ctx);
@@ -432,12 +440,12 @@ mod tests {
     #[test]
     fn what_is_given_up_ends_soon_and_what_is_asked_for_then_is_done() {
         let mut worker: Worker<bool, bool, 2> = Worker::new("waiting", clock::now, || {
-            one_by_one(async |waits, progress: &Progress| {
+            async |waits, progress: &Progress| {
                 while waits && !progress.is_cancelled() {
                     std::thread::yield_now();
                 }
                 progress.is_cancelled()
-            })
+            }
         });
         let ctx = egui::Context::default();
         worker.ask(&ctx, 0, true);

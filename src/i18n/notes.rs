@@ -310,25 +310,7 @@ pub const fn of_step(step: Step) -> &'static str {
 
 /// The note on a stage of the pipeline.
 #[must_use]
-pub const fn of_stage(stage: Stage) -> &'static str {
-    match stage {
-        Stage::Traverse => "stage-traverse",
-        Stage::CullObjects => "stage-cull-objects",
-        Stage::Normals => "stage-normals",
-        Stage::Light => "stage-light",
-        Stage::Transform => "stage-transform",
-        Stage::CullFaces => "stage-cull-faces",
-        Stage::Clip => "stage-clip",
-        Stage::Oblique => "stage-oblique-window",
-        Stage::Divide => "stage-divide",
-        Stage::Viewport => "stage-viewport",
-        Stage::Fill => "stage-fill",
-        Stage::Interpolate => "stage-interpolate",
-        Stage::HiddenSurfaces => "stage-hidden-surfaces",
-        Stage::Texture => "stage-texture",
-        Stage::Blend => "stage-blend",
-        Stage::Antialias => "stage-antialias",
-        Stage::Lines => "stage-lines",
-        Stage::Write => "stage-write",
-    }
+pub fn of_stage(stage: Stage) -> &'static str {
+    let of_it = |note: &&Note| note.id.strip_prefix("stage-") == Some(stage.name());
+    notes(Lang::En).iter().find(of_it).map(|note| note.id).unwrap_or_default()
 }

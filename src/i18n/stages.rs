@@ -1,6 +1,6 @@
 //! The tab of stages.
 
-use crate::pipeline::Stage;
+use crate::stage::{Stage, WorksOn};
 
 texts! {
     hint: "The image as far as it is painted: triangle by triangle, in the order in which they are painted.", "A imagem até onde foi pintada: triângulo por triângulo, na ordem em que são pintados.";
@@ -40,20 +40,12 @@ texts! {
 /// How a stage shows in a picture.
 #[must_use]
 pub const fn in_and_out(t: &Texts, stage: Stage) -> &'static str {
-    match stage {
-        Stage::Traverse | Stage::CullObjects => t.boxes,
-        Stage::Normals => t.normals,
-        Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport => t.vertices,
-        Stage::CullFaces => t.faces,
-        Stage::Clip => t.pieces,
-        Stage::Light
-        | Stage::Fill
-        | Stage::Interpolate
-        | Stage::HiddenSurfaces
-        | Stage::Texture
-        | Stage::Blend
-        | Stage::Antialias
-        | Stage::Lines
-        | Stage::Write => t.halves,
+    match stage.works_on() {
+        WorksOn::Objects => t.boxes,
+        WorksOn::Normals => t.normals,
+        WorksOn::Vertices => t.vertices,
+        WorksOn::Faces => t.faces,
+        WorksOn::Pieces => t.pieces,
+        WorksOn::Colors | WorksOn::Pixels => t.halves,
     }
 }

@@ -64,16 +64,7 @@ fn complete(report: &mut StageReport, drawing: &Drawing, work: Work, on_window: 
         Stage::Antialias => report.counts = Some((pixels * usize::from(drawing.antialias), pixels)),
         Stage::Write => report.counts = Some((pixels, pixels)),
         Stage::Lines => report.time = own(work.strokes),
-        Stage::Traverse
-        | Stage::CullObjects
-        | Stage::Normals
-        | Stage::Light
-        | Stage::Transform
-        | Stage::CullFaces
-        | Stage::Clip
-        | Stage::Oblique
-        | Stage::Divide
-        | Stage::Viewport
-        | Stage::HiddenSurfaces => {}
+        // The rest is the pipeline's.
+        _ => {}
     }
 }

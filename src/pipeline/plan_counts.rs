@@ -112,17 +112,7 @@ impl Survey {
             Stage::Normals | Stage::Light | Stage::Fill | Stage::Interpolate | Stage::Texture | Stage::Blend => {
                 Some(if self.faces == 0 { (false, Reason::NoFaceLeft) } else { self.with_faces(stage, style) })
             }
-            Stage::Traverse
-            | Stage::CullObjects
-            | Stage::Transform
-            | Stage::Clip
-            | Stage::Oblique
-            | Stage::Divide
-            | Stage::Viewport
-            | Stage::HiddenSurfaces
-            | Stage::Antialias
-            | Stage::Lines
-            | Stage::Write => None,
+            _ => None,
         }
     }
 
@@ -204,16 +194,7 @@ impl Survey {
             },
             Stage::Fill => (true, Reason::FacesInView { objects: self.faces }),
             // `stage` and `face_stage` do not ask about these.
-            Stage::HiddenSurfaces
-            | Stage::Traverse
-            | Stage::CullObjects
-            | Stage::Transform
-            | Stage::Clip
-            | Stage::Oblique
-            | Stage::Divide
-            | Stage::Viewport
-            | Stage::Lines
-            | Stage::Write => (true, Reason::Always),
+            _ => (true, Reason::Always),
         }
     }
 

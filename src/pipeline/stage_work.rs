@@ -12,7 +12,7 @@ use super::resample::VertexOrigin;
 use super::scenes::Scenes;
 use super::transform::{Screen, Vertices, off_grid};
 use crate::scene::Object;
-use crate::stage::Stage;
+use crate::stage::{Stage, WorksOn};
 
 /// So many sides, vertices and faces are noted; of more, nobody could tell one from another.
 const MOST: usize = 20_000;
@@ -106,7 +106,7 @@ impl<'a> Notes<'a> {
 
     /// The boxes of objects: those of all go in, those that may be in view come out.
     pub(super) fn objects(&mut self, scenes: Scenes, plan: &Plan) {
-        if !matches!(self.work.stage, Stage::Traverse | Stage::CullObjects) {
+        if self.work.stage.works_on() != WorksOn::Objects {
             return;
         }
         for (object, planned) in scenes.objects().zip(&plan.objects) {
@@ -134,9 +134,9 @@ impl<'a> Notes<'a> {
 
     /// The vertices of an object in view, and their normals.
     pub(super) fn vertices(&mut self, object: &Object, vertices: &Vertices, lights: &Lights) {
-        match self.work.stage {
-            Stage::Transform | Stage::Oblique | Stage::Divide | Stage::Viewport => {}
-            Stage::Normals => return self.normals(object, vertices, lights),
+        match self.work.stage.works_on() {
+            WorksOn::Vertices => {}
+            WorksOn::Normals => return self.normals(object, vertices, lights),
             _ => return,
         }
         for (i, &p) in (0..).zip(vertices.positions) {

@@ -175,24 +175,7 @@ impl Greys {
                 Stage::Normals | Stage::Light if !report.ran => report.reason = Reason::DepthsShown,
                 Stage::Lines if !marked => (report.ran, report.reason) = (false, Reason::DepthsShown),
                 Stage::Interpolate if painted => (report.ran, report.reason) = (true, Reason::DepthsShown),
-                Stage::Traverse
-                | Stage::CullObjects
-                | Stage::Normals
-                | Stage::Light
-                | Stage::Transform
-                | Stage::CullFaces
-                | Stage::Clip
-                | Stage::Oblique
-                | Stage::Divide
-                | Stage::Viewport
-                | Stage::Fill
-                | Stage::Interpolate
-                | Stage::HiddenSurfaces
-                | Stage::Texture
-                | Stage::Blend
-                | Stage::Antialias
-                | Stage::Lines
-                | Stage::Write => {}
+                _ => {}
             }
         }
     }

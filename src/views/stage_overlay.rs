@@ -10,6 +10,7 @@ use crate::appearance::{Dash, HiddenLines, LineStyle, MarkShape, Rgba, Style, Vi
 use crate::drawing::{Anchor, Area, Drawing, Label, Mark, Paint, StrokeSet, Surface};
 use crate::pipeline::{Containment, Frame, Scenes, Stage, StageWork, VertexWork};
 use crate::sanitize;
+use crate::stage::WorksOn;
 
 use super::gizmos::{SMALL_TYPE, stroke};
 use super::legend::LegendRow;
@@ -52,22 +53,8 @@ fn before(
         Stage::Light => again(scenes.without_lights(), style),
         // One object over the other, as they come.
         Stage::HiddenSurfaces => again(scenes, &Style { visibility: Visibility::DepthBuffer, ..*style }),
-        Stage::Fill
-        | Stage::Interpolate
-        | Stage::Texture
-        | Stage::Blend
-        | Stage::Antialias
-        | Stage::Lines
-        | Stage::Write => drawing.clone(),
-        Stage::Traverse
-        | Stage::CullObjects
-        | Stage::Normals
-        | Stage::Transform
-        | Stage::CullFaces
-        | Stage::Clip
-        | Stage::Oblique
-        | Stage::Divide
-        | Stage::Viewport => return None,
+        _ if stage.works_on() == WorksOn::Pixels => drawing.clone(),
+        _ => return None,
     };
     before.labels.clear();
     let palette = Palette::of(request.shot.look.style.theme);

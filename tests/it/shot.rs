@@ -30,7 +30,7 @@ fn scene(figure: &Figure) -> SharedScene {
     SharedScene::new(scene_of(figure, &mut no_files, &Default::default()).unwrap())
 }
 
-fn picture(figure: &Figure, view: View, renderer: &mut Renderer) -> Picture {
+fn picture(figure: &Figure, view: View, renderer: &mut Renderer) -> Pixels {
     let camera = Camera::new(&figure.camera).unwrap();
     let size = Size { width: 96, height: 72, scale: 1.0 };
     let request = Request::of(figure, view, &camera, &scene(figure), labels(Lang::En), size);

@@ -78,20 +78,19 @@ mod tests {
     use crate::files::Overwrite;
     use crate::gui::Start;
     use crate::gui::export::{Export, ExportError, Exported, Exporting, Task};
-    use crate::gui::worker::{Work, one_by_one};
     use crate::i18n::Lang;
     use crate::progress::{Activity, Progress};
 
     /// Paints, and does not come to an end by itself.
-    fn endless() -> Work<Task, Exported> {
-        one_by_one(async |_, progress: &Progress| {
+    fn endless() -> impl AsyncFnMut(Task, &Progress) -> Exported {
+        async |_, progress: &Progress| {
             progress.begin(Activity::Painting, 4);
             progress.advance(3);
             while !progress.is_cancelled() {
                 std::thread::yield_now();
             }
             Err(ExportError::Cancelled)
-        })
+        }
     }
 
     #[test]

@@ -8,9 +8,8 @@ use glam::{DVec2, DVec3};
 
 use super::keyboard_probe::ProbeStep;
 use crate::camera::{Camera, ImageSize};
-use crate::clock;
 use crate::figure::Depth;
-use crate::gui::worker::{Worker, one_by_one};
+use crate::gui::memo::Latest;
 use crate::progress::Progress;
 use crate::views::depth::{self, DepthReading};
 use crate::views::{Probe, Request, View, pick};
@@ -115,20 +114,12 @@ fn depths(probe: Probe, request: &Request) -> Option<Depths> {
 
 /// Answers one pick after the other; one that has not been begun is forgotten when the next comes.
 pub(super) struct Picker {
-    worker: Worker<PickRequest, (PickRequest, PickResult)>,
-    asked: Option<PickRequest>,
-    last: Option<(PickRequest, PickResult)>,
+    found: Latest<PickRequest, PickResult>,
 }
 
 impl Default for Picker {
     fn default() -> Self {
-        let worker = Worker::new("pointer", clock::now, || {
-            one_by_one(async |pick: PickRequest, _: &Progress| {
-                let found = pick.find();
-                (pick, found)
-            })
-        });
-        Self { worker, asked: None, last: None }
+        Self { found: Latest::new("pointer", || async |pick: &PickRequest, _: &Progress| pick.find()) }
     }
 }
 
@@ -139,7 +130,7 @@ impl Picker {
         if let Some(found) = self.found(ctx, &pick) {
             return found;
         }
-        let near = self.last.as_ref().filter(|(last, _)| last.is_near(&pick));
+        let near = self.found.newest().filter(|(last, _)| last.is_near(&pick));
         near.map_or_else(PickResult::default, |(_, found)| *found)
     }
 
@@ -148,15 +139,9 @@ impl Picker {
         if !pick.is_heavy() {
             return Some(pick.find());
         }
-        if self.asked.as_ref() != Some(pick) {
-            self.worker.ask(ctx, 0, pick.clone());
-            self.asked = Some(pick.clone());
-        }
-        let [done] = self.worker.take(PATIENCE);
-        if let Some(found) = done.and_then(|done| done.outcome) {
-            self.last = Some(found);
-        }
-        self.last.as_ref().filter(|(last, _)| last == pick).map(|(_, found)| *found)
+        self.found.ask(ctx, pick.clone());
+        self.found.poll(PATIENCE);
+        self.found.newest().filter(|(last, _)| *last == pick).map(|(_, found)| *found)
     }
 }
 
@@ -166,6 +151,7 @@ mod tests {
 
     use super::*;
     use crate::appearance::Style;
+    use crate::clock;
     use crate::figure::Figure;
     use crate::i18n::{Lang, pictures};
     use crate::scene::{ObjectSpec, Preset, SceneSpec, Shape, build, no_files};
@@ -189,7 +175,7 @@ mod tests {
         let light = pick(16, DVec2::new(200.0, 150.0));
         assert!(!light.is_heavy());
         assert_eq!(picker.ask(&ctx, light.clone()), light.find());
-        assert!(picker.asked.is_none(), "at once");
+        assert!(picker.found.waiting().is_none(), "at once");
         let heavy = pick(256, DVec2::new(200.0, 150.0));
         assert!(heavy.is_heavy());
         let wanted = heavy.find();
@@ -204,6 +190,6 @@ mod tests {
         assert!(picker.ask(&ctx, beside).probe.is_some());
         let near = crate::camera::Parameters { near: 2.0, ..*heavy.request.camera.parameters() };
         let other = PickRequest { request: Request { camera: Camera::new(&near).unwrap(), ..heavy.request }, ..heavy };
-        assert!(!other.is_near(&picker.last.as_ref().unwrap().0));
+        assert!(!other.is_near(&picker.found.newest().unwrap().0));
     }
 }

@@ -6,7 +6,7 @@ use eframe::egui;
 
 use super::texture::Tiles;
 use crate::clock;
-use crate::gui::worker::{Running, Work, Worker, one_by_one};
+use crate::gui::worker::{Running, Worker};
 use crate::picture::{Pixels, RenderReport, Renderer};
 use crate::pipeline::OverBudget;
 use crate::progress::Progress;
@@ -83,10 +83,10 @@ impl Default for Rendering {
     }
 }
 
-fn work() -> Work<RenderJob, DrawOutcome> {
+fn work() -> impl AsyncFnMut(RenderJob, &Progress) -> DrawOutcome {
     let mut renderer = Renderer::default();
     let mut pictures: [Pixels; MAX_PICTURES] = Default::default();
-    one_by_one(async move |job: RenderJob, progress: &Progress| {
+    async move |job: RenderJob, progress: &Progress| {
         let RenderJob { picture, mut request, draft, max_side, accounted } = job;
         if draft {
             request = request.with_shot(|shot| shot.look.style.antialias = 1);
@@ -101,7 +101,7 @@ fn work() -> Work<RenderJob, DrawOutcome> {
             account: accounted.then_some(account),
         });
         DrawOutcome { rendered: rendered.ok_or_else(|| Missing::of(progress)), draft }
-    })
+    }
 }
 
 /// True for pictures that differ at most in what is pointed at.
@@ -238,13 +238,13 @@ mod tests {
 
     #[test]
     fn what_was_given_up_is_begun_anew_by_another_picture_and_not_by_what_is_pointed_at() {
-        let waiting = || -> Work<RenderJob, DrawOutcome> {
-            one_by_one(async |job: RenderJob, progress: &Progress| {
+        let waiting = || {
+            async |job: RenderJob, progress: &Progress| {
                 while !progress.is_cancelled() {
                     std::thread::yield_now();
                 }
                 DrawOutcome { rendered: Err(Missing::of(progress)), draft: job.draft }
-            })
+            }
         };
         let ctx = egui::Context::default();
         let worker = Worker::new("pictures", clock::now, waiting);

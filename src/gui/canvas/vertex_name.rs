@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::gui::memo::Memo;
 use crate::gui::state::{Selected, preset_objects};
 use crate::scene::edit::placements;
 use crate::scene::{Scene, SceneSpec, ShapeData};
@@ -21,18 +22,13 @@ pub(super) struct VertexName {
 /// The name of the point that was asked for last: in a scene of millions of vertices it takes a while to find.
 #[derive(Debug, Default)]
 pub(super) struct VertexNames {
-    last: Option<(SharedScene, DVec3, Option<VertexName>)>,
+    last: Memo<(SharedScene, DVec3), Option<VertexName>>,
 }
 
 impl VertexNames {
     /// The vertex at a point of the world, if one is exactly there.
     pub(super) fn at(&mut self, p: DVec3, scene: &SharedScene, spec: &SceneSpec) -> Option<VertexName> {
-        if let Some((_, _, name)) = self.last.as_ref().filter(|(of, at, _)| of == scene && *at == p) {
-            return name.clone();
-        }
-        let name = of_mesh(p, scene, spec).or_else(|| of_list(p, spec));
-        self.last = Some((scene.clone(), p, name.clone()));
-        name
+        self.last.of((scene.clone(), p), |_| of_mesh(p, scene, spec).or_else(|| of_list(p, spec))).clone()
     }
 }
 

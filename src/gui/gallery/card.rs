@@ -10,7 +10,6 @@ use crate::appearance::Theme;
 use crate::camera::Camera;
 use crate::export::png::figure_bytes;
 use crate::files::{self, FigureFiles, FileAccess, FileError, Opened, ShippedFigure, figure_from};
-use crate::gui::worker::{Work, one_by_one};
 use crate::i18n::{Lang, gallery, messages, pictures, window};
 use crate::limits::MAX_FIGURE_BYTES;
 use crate::numbers::natural_order;
@@ -62,10 +61,10 @@ pub(super) enum CardOutcome {
 pub(super) type Drawn = Result<Pixels, String>;
 
 /// What draws small pictures, and keeps them by what they show.
-pub(super) fn work() -> Work<CardJob, CardOutcome> {
+pub(super) fn work() -> impl AsyncFnMut(CardJob, &Progress) -> CardOutcome {
     let mut renderer = Renderer::default();
     let mut kept: HashMap<u64, Drawn> = HashMap::new();
-    one_by_one(async move |job, progress: &Progress| match job {
+    async move |job, progress: &Progress| match job {
         CardJob::List(folder) => {
             let list = figures_in(&folder);
             CardOutcome::Listed(folder, list)
@@ -104,7 +103,7 @@ pub(super) fn work() -> Work<CardJob, CardOutcome> {
             }
             CardOutcome::Drawn(source, drawn)
         }
-    })
+    }
 }
 
 impl Source {
@@ -199,19 +198,17 @@ mod tests {
 
     #[test]
     fn every_figure_of_the_program_has_a_small_picture_and_a_broken_file_says_why() {
-        let mut work = work();
+        let (mut work, progress) = (work(), Progress::default());
         for figure in files::SHIPPED_FIGURES {
             let source = Source::Shipped(figure.name);
             let job = CardJob::Draw { source: source.clone(), theme: Theme::Light, lang: Lang::PtBr };
-            let Some(CardOutcome::Drawn(of, drawn)) = at_once(work(job, Progress::default())) else {
-                panic!("{}", figure.name)
-            };
+            let CardOutcome::Drawn(of, drawn) = at_once(work(job, &progress)) else { panic!("{}", figure.name) };
             let picture = drawn.map(|picture| [picture.width(), picture.height()]);
             assert_eq!((of, picture), (source, Ok([SIZE.width, SIZE.height])), "{}", figure.name);
         }
         let source = Source::File(PathBuf::from("/no/such/file.toml"));
         let job = CardJob::Draw { source, theme: Theme::Light, lang: Lang::En };
-        let Some(CardOutcome::Drawn(_, drawn)) = at_once(work(job, Progress::default())) else { panic!("a file") };
+        let CardOutcome::Drawn(_, drawn) = at_once(work(job, &progress)) else { panic!("a file") };
         assert!(drawn.is_err_and(|why| why.contains("no such file")));
     }
 }

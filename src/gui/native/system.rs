@@ -8,7 +8,7 @@ use eframe::egui;
 
 use super::{FileAnswer, FileQuestion, Wanted};
 use crate::clock;
-use crate::gui::worker::{Done, Worker, one_by_one};
+use crate::gui::worker::{Done, Worker};
 use crate::progress::Progress;
 
 /// Where no portal and no zenity runs, the answer comes at once (10 ms, on a busy machine some hundreds) and looks like
@@ -43,9 +43,7 @@ impl OpenFileDialog {
             Wanted::Folder => Box::pin(dialog.pick_folder()),
         };
         let mut worker = Worker::new("dialog", clock::now, || {
-            one_by_one(async |chosen: Chosen, _: &Progress| {
-                pollster::block_on(chosen).map(|file| file.path().to_owned())
-            })
+            async |chosen: Chosen, _: &Progress| pollster::block_on(chosen).map(|file| file.path().to_owned())
         });
         worker.ask(ctx, 0, chosen);
         Self { worker }

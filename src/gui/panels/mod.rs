@@ -2,7 +2,6 @@
 
 pub mod changed_file;
 mod conventions;
-mod number_tables;
 pub mod numerics;
 pub mod operations;
 pub mod parameters;

@@ -4,27 +4,18 @@ use std::sync::Arc;
 
 use eframe::egui::{self, RichText, TextFormat, text::LayoutJob};
 
-use super::number_tables::{GAP, Table, cells, lines, ndc_of, tables};
 use super::{TEXT_LINE, complaint, conventions, erratum, section};
-use crate::camera::{Camera, Ndc};
 use crate::explain::Matrix;
 use crate::gui::context_help::help_topic;
 use crate::gui::number_field::{NumberField, Step};
-use crate::gui::state::{Conventions, State};
+use crate::gui::number_tables::{self, GAP, Table, cells, ndc_of, report, tables};
+use crate::gui::state::State;
 use crate::gui::theme;
 use crate::gui::tooltip::Explained;
 use crate::i18n::conventions::differences;
 use crate::i18n::window::{self, Texts};
 use crate::i18n::{explain, notes};
 use crate::inspect::Report;
-use crate::numbers;
-
-/// The numbers of the figure in a convention of NDC.
-fn report(state: &State, ndc: Ndc) -> Option<Report> {
-    let figure = state.document.figure();
-    let space = state.document.camera().possible_clip_space(ndc);
-    Report::of(&space, figure.image, figure.viewport, &[], &[]).ok()
-}
 
 /// The numbers in the convention that is compared with, where there is one.
 fn compared(state: &State) -> Option<Report> {
@@ -37,7 +28,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     conventions::ui(ui, state);
     section(ui, t.numbers, "numbers", true, |ui| {
         let Some(report) = report(state, state.settings.conventions.ndc) else { return };
-        toolbar(ui, t, state, &report);
+        toolbar(ui, t, state);
         let (digits, inverse) = (state.settings.digits, state.settings.inverse);
         let shown = state.settings.conventions;
         let camera = state.document.camera();
@@ -66,7 +57,7 @@ pub fn ui(ui: &mut egui::Ui, state: &mut State) {
     }
 }
 
-fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Report) {
+fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State) {
     let error = ui.horizontal(|ui| {
         ui.label(t.digits).explained(t.digits_hint);
         let mut digits = state.settings.digits as f64;
@@ -77,7 +68,7 @@ fn toolbar(ui: &mut egui::Ui, t: &'static Texts, state: &mut State, report: &Rep
         state.settings.digits = digits;
         ui.checkbox(&mut state.settings.inverse, t.inverse).explained(t.inverse_hint);
         if ui.button(t.copy).explained(t.copy_numbers_hint).clicked() {
-            ui.ctx().copy_text(text(t, (state.document.camera(), report), state.settings.conventions));
+            ui.ctx().copy_text(number_tables::text(state));
         }
         output.error
     });
@@ -238,26 +229,4 @@ pub(in crate::gui) fn brackets(ui: &egui::Ui, place: egui::Rect) {
         let points = [(x + inwards, top), (x, top), (x, bottom), (x + inwards, bottom)];
         ui.painter().line(points.map(|(x, y)| egui::pos2(x, y)).to_vec(), stroke);
     }
-}
-
-/// All numbers as text with all their digits, as programs read them.
-fn text(t: &'static Texts, report: (&Camera, &Report), shown: Conventions) -> String {
-    let mut text = String::new();
-    let inverses = tables(t, report, true, shown).into_iter().filter(|table| table.symbol.contains('⁻'));
-    for table in tables(t, report, false, shown).into_iter().chain(inverses) {
-        let title = format!("{} {}", table.symbol, table.name);
-        text.push_str(title.trim());
-        text.push('\n');
-        text.push_str(&lines(&table.rows, |value| numbers::significant(value, numbers::EXACT_DIGITS)).join("\n"));
-        text.push_str("\n\n");
-    }
-    text
-}
-
-/// All numbers of the figure as text, every digit.
-#[must_use]
-pub fn copy(state: &State) -> String {
-    let t = window::texts(state.settings.lang);
-    let shown = state.settings.conventions;
-    report(state, shown.ndc).map(|report| text(t, (state.document.camera(), &report), shown)).unwrap_or_default()
 }

@@ -10,7 +10,7 @@ use crate::clock;
 use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError};
 use crate::gui::session::aside;
-use crate::gui::worker::{Worker, one_by_one};
+use crate::gui::worker::Worker;
 use crate::limits::MAX_KEPT_BYTES;
 use crate::progress::Progress;
 
@@ -72,7 +72,7 @@ pub(super) struct Writing<C: Change> {
 impl<C: Change> Writing<C> {
     /// `told`: it has been said already that the file cannot be used.
     pub(super) fn new(name: &'static str, told: bool) -> Self {
-        let worker = Worker::new(name, clock::now, || one_by_one(async |change: C, _: &Progress| change.write()));
+        let worker = Worker::new(name, clock::now, || async |change: C, _: &Progress| change.write());
         Self { worker, asked: None, told }
     }
 

@@ -13,7 +13,7 @@ use crate::files::disk::{self, Lock};
 use crate::files::{self, FileError, Overwrite};
 use crate::gui::document::Document;
 use crate::gui::history::Revision;
-use crate::gui::worker::{Worker, one_by_one};
+use crate::gui::worker::Worker;
 use crate::progress::Progress;
 
 /// How long is waited for what is being written before the window closes.
@@ -87,7 +87,7 @@ pub(super) struct Writer {
 
 impl Writer {
     pub(super) fn new(file: PathBuf, lock: Lock) -> Self {
-        let worker = Worker::new("session", clock::now, || one_by_one(async |job: WriteJob, _: &Progress| job.run()));
+        let worker = Worker::new("session", clock::now, || async |job: WriteJob, _: &Progress| job.run());
         Self { file, lock: Arc::new(lock), worker, asked: None }
     }
 

@@ -7,8 +7,7 @@ use eframe::egui;
 use super::State;
 use crate::appearance::Style;
 use crate::camera::{Camera, ImageSize, Parameters};
-use crate::clock;
-use crate::gui::worker::{Work, Worker, one_by_one};
+use crate::gui::memo::Latest;
 use crate::numerics::diagnosis::{Diagnosis, Repair, diagnose};
 use crate::numerics::health::{Health, health};
 use crate::progress::Progress;
@@ -37,49 +36,40 @@ pub struct Advice {
 /// The coach.
 #[derive(Debug)]
 pub struct Coach {
-    worker: Worker<HealthRequest, (HealthRequest, Advice)>,
-    asked: Option<HealthRequest>,
-    known: Option<(HealthRequest, Advice)>,
+    advice: Latest<HealthRequest, Advice>,
     /// How far apart two surfaces are, in scene units, of which is asked whether they can be told apart.
     pub gap: f64,
 }
 
 impl Default for Coach {
     fn default() -> Self {
-        let work = || -> Work<HealthRequest, (HealthRequest, Advice)> {
-            one_by_one(async |asked: HealthRequest, _: &Progress| {
-                let HealthRequest { camera, scene, style, image } = &asked;
-                let advice = Advice {
-                    camera: camera.clone(),
-                    diagnosis: diagnose(scene, camera, style, *image),
-                    health: health(camera, *image, scene.bounds()),
-                };
-                (asked, advice)
-            })
-        };
-        Self { worker: Worker::new("coach", clock::now, work), asked: None, known: None, gap: 0.01 }
+        let advice = Latest::new("coach", || {
+            async |HealthRequest { camera, scene, style, image }: &HealthRequest, _: &Progress| Advice {
+                camera: camera.clone(),
+                diagnosis: diagnose(scene, camera, style, *image),
+                health: health(camera, *image, scene.bounds()),
+            }
+        });
+        Self { advice, gap: 0.01 }
     }
 }
 
 impl Coach {
     /// Takes what has been found. Waits for it as long as `patience` says.
     pub fn take(&mut self, patience: Duration) {
-        let [done] = self.worker.take(patience);
-        if let Some(outcome) = done.and_then(|done| done.outcome) {
-            self.known = Some(outcome);
-        }
+        self.advice.poll(patience);
     }
 
     /// What there is to say of the figure as it was asked about last; `None` until it is known.
     #[must_use]
     pub fn advice(&self) -> Option<&Advice> {
-        self.known.as_ref().filter(|(of, _)| Some(of) == self.asked.as_ref()).map(|(_, advice)| advice)
+        self.advice.answer()
     }
 
     /// The same, or what was said last, while what has changed since is looked at.
     #[must_use]
     pub fn newest_advice(&self) -> Option<&Advice> {
-        self.known.as_ref().map(|(_, advice)| advice)
+        self.advice.newest().map(|(_, advice)| advice)
     }
 }
 
@@ -90,16 +80,15 @@ impl State {
         if ctx.input(|input| input.pointer.any_down()) || self.operations.motion.is_some() {
             return;
         }
-        let asked = HealthRequest {
-            camera: self.document.camera().clone(),
-            scene: self.scene_cache.scene().clone(),
-            style: self.document.figure().style,
-            image: self.document.figure().image,
-        };
-        // The scene is not whole yet.
-        if self.scene_cache.loading().is_empty() && self.coach.asked.as_ref() != Some(&asked) {
-            self.coach.asked = Some(asked.clone());
-            self.coach.worker.ask(ctx, 0, asked);
+        // Until then the scene is not whole.
+        if self.scene_cache.loading().is_empty() {
+            let request = HealthRequest {
+                camera: self.document.camera().clone(),
+                scene: self.scene_cache.scene().clone(),
+                style: self.document.figure().style,
+                image: self.document.figure().image,
+            };
+            self.coach.advice.ask(ctx, request);
         }
     }
 

@@ -181,17 +181,8 @@ impl FileFlow {
                 saves(purpose)
             }
             Some(Dialog::Changed(changed)) => changed.then.as_ref().is_some_and(closes),
-            Some(
-                Dialog::Export(_)
-                | Dialog::Help
-                | Dialog::About
-                | Dialog::Coach
-                | Dialog::Gallery
-                | Dialog::Delete { .. }
-                | Dialog::DeleteProgress
-                | Dialog::Link,
-            )
-            | None => false,
+            // Nothing comes after the answer to any other question.
+            Some(_) | None => false,
         };
         asked || self.may_close || self.asking.as_ref().is_some_and(|(purpose, _)| saves(purpose))
     }

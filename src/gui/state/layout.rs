@@ -114,6 +114,13 @@ impl Panels {
         }
     }
 
+    /// Shows a panel.
+    pub fn show(&mut self, side: Side) {
+        if !self.is_shown(side) {
+            self.toggle(side);
+        }
+    }
+
     /// Shows or hides a panel.
     pub fn toggle(&mut self, side: Side) {
         let shown = self.is_shown(side);

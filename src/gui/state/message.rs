@@ -1,7 +1,7 @@
 //! What is said at the bottom of the window, as values: the words are made when they are shown, in the language of that
 //! moment.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::camera::CameraError;
 use crate::files::FileError;
@@ -90,86 +90,79 @@ impl Message {
     /// Something went wrong.
     #[must_use]
     pub fn is_error(&self) -> bool {
-        match self {
-            Self::NumbersCopied
-            | Self::Step { .. }
-            | Self::FirstFigure
-            | Self::LastFigure
-            | Self::Opened(_)
-            | Self::FirstOfDropped(..)
-            | Self::Saved(_)
-            | Self::Downloaded(_)
-            | Self::LinkCopied(_)
-            | Self::LinkOpened
-            | Self::Exporting
-            | Self::WrittenOut(_)
-            | Self::Shear
-            | Self::Deleted { .. }
-            | Self::LightDeleted(_)
-            | Self::SelectedAlone
-            | Self::TooManyPoints
-            | Self::ProgressDeleted(_) => false,
-            Self::NotExported(_, NotExported(error)) => !matches!(error, ExportError::Cancelled),
-            Self::File(..)
-            | Self::NotOpened(..)
-            | Self::AndMore(..)
-            | Self::Camera(_)
-            | Self::Scene(_)
-            | Self::OverBudget(_)
-            | Self::SavedOtherwise(..) => true,
-        }
+        self.row(Lang::En).0 == Tone::Error
     }
 
     /// True for what has been read soon; false for what went wrong, and for what is still so.
     #[must_use]
     pub fn passes(&self) -> bool {
-        !self.is_error() && !matches!(self, Self::Exporting)
+        self.row(Lang::En).0 == Tone::News
     }
 
     /// The sentence.
     #[must_use]
     pub fn text(&self, lang: Lang) -> String {
-        let (t, scene) = (window::texts(lang), scenes::texts(lang));
-        let text = match self {
-            Self::NumbersCopied => t.copied.to_owned(),
-            Self::Step { number, of } => format!("{number} / {of}"),
-            Self::AndMore(first, more) => exercise_messages::and_more(lang, &first.text(lang), *more),
-            Self::FirstFigure => t.first_figure.to_owned(),
-            Self::LastFigure => t.last_figure.to_owned(),
-            Self::Opened(path) => format!("{} {}", t.opened, sanitize::path(path)),
-            Self::FirstOfDropped(path, count) => sessions::first_of_dropped(lang, &sanitize::path(path), *count),
-            Self::Saved(path) => format!("{} {}", t.saved, sanitize::path(path)),
-            Self::Downloaded(path) => format!("{} {}", sharing::texts(lang).downloaded, sanitize::path(path)),
-            Self::LinkCopied(characters) => {
-                format!("{} {characters} {}", sharing::texts(lang).copied, sharing::texts(lang).characters)
+        sanitize::printable(self.row(lang).1.trim())
+    }
+
+    /// How it is said, and the sentence.
+    fn row(&self, lang: Lang) -> (Tone, String) {
+        use Tone::{Error, Lasting, News};
+        let (t, scene, sharing) = (window::texts(lang), scenes::texts(lang), sharing::texts(lang));
+        let about = |words: &str, path: &Path| format!("{words} {}", sanitize::path(path));
+        match self {
+            Self::NumbersCopied => (News, t.copied.to_owned()),
+            Self::Step { number, of } => (News, format!("{number} / {of}")),
+            Self::AndMore(first, more) => (Error, exercise_messages::and_more(lang, &first.text(lang), *more)),
+            Self::FirstFigure => (News, t.first_figure.to_owned()),
+            Self::LastFigure => (News, t.last_figure.to_owned()),
+            Self::Opened(path) => (News, about(t.opened, path)),
+            Self::FirstOfDropped(path, count) => {
+                (News, sessions::first_of_dropped(lang, &sanitize::path(path), *count))
             }
-            Self::LinkOpened => sharing::texts(lang).opened.to_owned(),
-            Self::File(path, error) => messages::file(lang, &messages::opened(lang, path), error),
+            Self::Saved(path) => (News, about(t.saved, path)),
+            Self::Downloaded(path) => (News, about(sharing.downloaded, path)),
+            Self::LinkCopied(length) => (News, format!("{} {length} {}", sharing.copied, sharing.characters)),
+            Self::LinkOpened => (News, sharing.opened.to_owned()),
+            Self::File(path, error) => (Error, messages::file(lang, &messages::opened(lang, path), error)),
             Self::NotOpened(path, error) => {
-                format!("{}: {}", messages::opened(lang, path), messages::camera(lang, error))
+                (Error, format!("{}: {}", messages::opened(lang, path), messages::camera(lang, error)))
             }
-            Self::Camera(error) => faults::camera_error(lang, error),
-            Self::Scene(error) => messages::scene(lang, error),
-            Self::OverBudget(too_much) => messages::too_much(lang, too_much),
-            Self::Exporting => t.exporting.to_owned(),
+            Self::Camera(error) => (Error, faults::camera_error(lang, error)),
+            Self::Scene(error) => (Error, messages::scene(lang, error)),
+            Self::OverBudget(too_much) => (Error, messages::too_much(lang, too_much)),
+            Self::Exporting => (Lasting, t.exporting.to_owned()),
             Self::SavedOtherwise(path, too_much) => {
-                format!("{} {}; {}", t.saved, sanitize::path(path), messages::too_much(lang, too_much))
+                (Error, format!("{}; {}", about(t.saved, path), messages::too_much(lang, too_much)))
             }
-            Self::NotExported(path, NotExported(error)) => error.text(lang, &sanitize::path(path)),
-            Self::WrittenOut(preset) => format!("{} {}", scene.copied, scenes::lost(lang, *preset)),
-            Self::Shear => scene.shear.to_owned(),
+            Self::NotExported(path, NotExported(error)) => {
+                let tone = if matches!(error, ExportError::Cancelled) { News } else { Error };
+                (tone, error.text(lang, &sanitize::path(path)))
+            }
+            Self::WrittenOut(preset) => (News, format!("{} {}", scene.copied, scenes::lost(lang, *preset))),
+            Self::Shear => (News, scene.shear.to_owned()),
             Self::Deleted { name, others, shear } => {
                 let others = if *others > 0 { format!(" (+ {others})") } else { String::new() };
                 let shear = if *shear { scene.shear } else { "" };
-                format!("{} {}{others}. {shear}", scene.deleted, sanitize::escaped(name))
+                (News, format!("{} {}{others}. {shear}", scene.deleted, sanitize::escaped(name)))
             }
-            Self::LightDeleted(index) => format!("{} {} {}", scene.deleted, scene.light, index + 1),
-            Self::SelectedAlone => scene.selected_alone.to_owned(),
-            Self::ProgressDeleted(path) => exercise_messages::progress_deleted(lang, &sanitize::path(path)),
-            Self::TooManyPoints => explain_point::texts(lang).too_many.to_owned(),
-        };
-        sanitize::printable(text.trim())
+            Self::LightDeleted(index) => (News, format!("{} {} {}", scene.deleted, scene.light, index + 1)),
+            Self::SelectedAlone => (News, scene.selected_alone.to_owned()),
+            Self::ProgressDeleted(path) => (News, exercise_messages::progress_deleted(lang, &sanitize::path(path))),
+            Self::TooManyPoints => (News, explain_point::texts(lang).too_many.to_owned()),
+        }
     }
+}
+
+/// How something is said.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Tone {
+    /// It has been read soon.
+    News,
+    /// It is said as long as it is so.
+    Lasting,
+    /// Something went wrong.
+    Error,
 }
 
 /// What there is to say about a window that did not close, or about what is kept of this one.

@@ -318,9 +318,7 @@ impl State {
 
     /// Shows a tab of the side of explanations.
     pub(in crate::gui) fn show_explanation(&mut self, tab: ExplainTab) {
-        if !self.settings.panels().is_shown(Side::Explain) {
-            self.settings.panels_mut().toggle(Side::Explain);
-        }
+        self.settings.panels_mut().show(Side::Explain);
         self.explain.tab = tab;
     }
 
@@ -375,7 +373,7 @@ impl State {
     /// Shows why an entry of a matrix is what it is; the entry takes the keyboard.
     pub(in crate::gui) fn explain_entry(&mut self, matrix: Matrix, entry: [usize; 2]) {
         self.explain.matrices.go_to(matrix, entry);
-        self.show_explanations(ExplainTab::Matrices);
+        self.show_explanation(ExplainTab::Matrices);
     }
 
     /// True while the exercises are shown.
@@ -406,14 +404,7 @@ impl State {
     /// Shows a note, which takes the keyboard in the list of notes.
     pub(in crate::gui) fn explain_by_note(&mut self, id: &'static str) {
         self.explain.notes.go_to(id);
-        self.show_explanations(ExplainTab::Notes);
-    }
-
-    fn show_explanations(&mut self, tab: ExplainTab) {
-        self.explain.tab = tab;
-        if !self.settings.panels().is_shown(Side::Explain) {
-            self.settings.panels_mut().toggle(Side::Explain);
-        }
+        self.show_explanation(ExplainTab::Notes);
     }
 
     /// Says something at the bottom of the window.

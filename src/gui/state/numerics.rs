@@ -5,16 +5,10 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use crate::clock;
-use crate::gui::worker::{Running, Work, Worker, one_by_one};
+use crate::gui::memo::Latest;
+use crate::gui::worker::Running;
 use crate::numerics::{self, Effort, Findings, Study};
 use crate::progress::Progress;
-
-/// What a study is asked with, and the number of the request.
-type StudyRequest = (u64, Study, Effort);
-
-/// The number of the request, the study, and what was found, where it was not given up.
-type Measured = (u64, Study, Option<Findings>);
 
 /// The panel of studies.
 #[derive(Debug)]
@@ -32,22 +26,11 @@ pub struct Numerics {
     /// How much is tried.
     pub effort: Effort,
     found: BTreeMap<&'static str, Findings>,
-    worker: Worker<StudyRequest, Measured>,
-    /// The study that is being measured, with the number of its request: one that was given up may still come to its
-    /// end.
-    measuring: Option<(u64, Study)>,
-    requests: u64,
+    measured: Latest<(Study, Effort), Findings>,
 }
 
 impl Default for Numerics {
     fn default() -> Self {
-        let work = || -> Work<StudyRequest, Measured> {
-            one_by_one(async |(request, study, effort): StudyRequest, progress: &Progress| {
-                let findings = numerics::run(study, &effort, progress).await;
-                // What was cancelled is not whole.
-                (request, study, (!progress.is_cancelled()).then_some(findings))
-            })
-        };
         Self {
             shown: false,
             study: Study::VertexTransform,
@@ -56,9 +39,11 @@ impl Default for Numerics {
             parameter: None,
             effort: Effort { seed: 1, seconds: 3.0, thorough: true },
             found: BTreeMap::new(),
-            worker: Worker::new("numerics", clock::now, work),
-            measuring: None,
-            requests: 0,
+            measured: Latest::new("numerics", || {
+                async |(study, effort): &(Study, Effort), progress: &Progress| {
+                    numerics::run(*study, effort, progress).await
+                }
+            }),
         }
     }
 }
@@ -66,22 +51,20 @@ impl Default for Numerics {
 impl Numerics {
     /// Measures the study that is shown, beside the window's thread.
     pub fn measure(&mut self, ctx: &egui::Context) {
-        self.requests += 1;
-        self.measuring = Some((self.requests, self.study));
-        self.worker.ask(ctx, 0, (self.requests, self.study, self.effort));
+        self.measured.ask_again(ctx, (self.study, self.effort));
     }
 
     /// Gives up what is being measured.
     pub fn cancel(&mut self) {
-        self.worker.cancel();
-        self.measuring = None;
+        self.measured.stop();
+        self.measured.give_up();
     }
 
     /// The study that is being measured, and which share of it is done.
     #[must_use]
     pub fn measuring(&self) -> Option<(Study, Option<f32>)> {
-        let share = self.worker.running().and_then(|Running { now, .. }| now).and_then(|(_, share)| share);
-        self.measuring.map(|(_, study)| (study, share))
+        let share = self.measured.running().and_then(|Running { now, .. }| now).and_then(|(_, share)| share);
+        self.measured.waiting().map(|(study, _)| (*study, share))
     }
 
     /// What has been found about a study.
@@ -92,18 +75,8 @@ impl Numerics {
 
     /// Takes what has been measured. Waits for it as long as `patience` says.
     pub fn take(&mut self, patience: Duration) {
-        let [done] = self.worker.take(patience);
-        let Some(done) = done else { return };
-        // Where the work panicked nothing was found, and the button is there again.
-        if let Some((request, study, findings)) = done.outcome {
-            if let Some(findings) = findings {
-                self.found.insert(study.name(), findings);
-            }
-            if self.measuring == Some((request, study)) {
-                self.measuring = None;
-            }
-        } else {
-            self.measuring = None;
+        if let Some(((study, _), findings)) = self.measured.take(patience) {
+            self.found.insert(study.name(), findings);
         }
     }
 }

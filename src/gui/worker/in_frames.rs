@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use eframe::egui;
 
-use super::{Done, Running, Shared, Shares, Slices, Work};
+use super::{Done, Make, Running, Shared, Shares, Slices, Work};
 
 /// In a frame jobs are gone on with for so long: what people see moves on in between.
 const SLICE: Duration = Duration::from_millis(30);
@@ -64,7 +64,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
     pub(super) fn go_on(
         &mut self,
         shared: &Shared<Job, Outcome, SLOTS>,
-        make: fn() -> Work<Job, Outcome>,
+        make: &Make<Job, Outcome>,
         clock: fn() -> Duration,
     ) {
         let begin = clock();
@@ -108,7 +108,7 @@ impl<Job: 'static, Outcome: 'static, const SLOTS: usize> InFrames<Job, Outcome, 
     fn slice(
         &mut self,
         job: &mut UnderWay<Outcome>,
-        make: fn() -> Work<Job, Outcome>,
+        make: &Make<Job, Outcome>,
         clock: fn() -> Duration,
     ) -> Poll<Option<Outcome>> {
         let start = clock();

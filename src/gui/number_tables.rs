@@ -4,23 +4,47 @@ use std::borrow::Cow;
 
 use crate::camera::{Camera, Ndc};
 use crate::explain::{Matrix, projection_equation};
-use crate::gui::state::Conventions;
+use crate::gui::state::{Conventions, State};
 use crate::i18n::conventions;
-use crate::i18n::window::Texts;
+use crate::i18n::window::{self, Texts};
 use crate::inspect::Report;
-use crate::numbers::without_rests;
+use crate::numbers::{self, without_rests};
+
+/// The numbers of the figure in a convention of NDC.
+pub(in crate::gui) fn report(state: &State, ndc: Ndc) -> Option<Report> {
+    let figure = state.document.figure();
+    let space = state.document.camera().possible_clip_space(ndc);
+    Report::of(&space, figure.image, figure.viewport, &[], &[]).ok()
+}
+
+/// All numbers of the figure as text with all their digits, as programs read them.
+pub(in crate::gui) fn text(state: &State) -> String {
+    let (t, shown) = (window::texts(state.settings.lang), state.settings.conventions);
+    let Some(report) = report(state, shown.ndc) else { return String::new() };
+    let tables = |inverse: bool| tables(t, (state.document.camera(), &report), inverse, shown);
+    let inverses = tables(true).into_iter().filter(|table| table.symbol.contains('⁻'));
+    let mut text = String::new();
+    for table in tables(false).into_iter().chain(inverses) {
+        let title = format!("{} {}", table.symbol, table.name);
+        text.push_str(title.trim());
+        text.push('\n');
+        text.push_str(&lines(&table.rows, |value| numbers::significant(value, numbers::EXACT_DIGITS)).join("\n"));
+        text.push_str("\n\n");
+    }
+    text
+}
 
 /// A group of numbers: its symbol, its name with the equation, and its rows.
-pub(super) struct Table {
-    pub(super) symbol: Cow<'static, str>,
-    pub(super) name: String,
-    pub(super) rows: Vec<(String, Vec<f64>)>,
+pub(in crate::gui) struct Table {
+    pub(in crate::gui) symbol: Cow<'static, str>,
+    pub(in crate::gui) name: String,
+    pub(in crate::gui) rows: Vec<(String, Vec<f64>)>,
     /// Where the notes print something else: what, and what is right.
-    pub(super) erratum: Option<&'static str>,
+    pub(in crate::gui) erratum: Option<&'static str>,
     /// What rounding can have left of zero, beside its row, is shown as 0.
     rests: bool,
     /// It is other numbers in another convention of NDC.
-    pub(super) follows_ndc: bool,
+    pub(in crate::gui) follows_ndc: bool,
     /// The matrix whose entries these numbers are, by rows from its first.
     of: Option<Matrix>,
     /// Its rows are the matrix's columns.
@@ -53,7 +77,7 @@ impl Table {
     }
 
     /// The entry of a matrix that a number is; `None` for one that is not.
-    pub(super) fn entry(&self, row: usize, column: usize) -> Option<(Matrix, [usize; 2])> {
+    pub(in crate::gui) fn entry(&self, row: usize, column: usize) -> Option<(Matrix, [usize; 2])> {
         self.of.map(|matrix| (matrix, if self.transposed { [column, row] } else { [row, column] }))
     }
 
@@ -70,12 +94,12 @@ impl Table {
     }
 
     /// The rows of a matrix have no names.
-    pub(super) fn is_matrix(&self) -> bool {
+    pub(in crate::gui) fn is_matrix(&self) -> bool {
         self.rows.iter().all(|(name, _)| name.is_empty())
     }
 
     /// The rows as they are shown with so many digits.
-    pub(super) fn shown(&self, digits: usize) -> Vec<(String, Vec<f64>)> {
+    pub(in crate::gui) fn shown(&self, digits: usize) -> Vec<(String, Vec<f64>)> {
         let clean = |values: &[f64]| if self.rests { without_rests(values, digits) } else { values.to_vec() };
         self.rows.iter().map(|(name, values)| (name.clone(), clean(values))).collect()
     }
@@ -103,7 +127,7 @@ fn named<const N: usize>(rows: &[(&str, [f64; N])]) -> Vec<(String, Vec<f64>)> {
 }
 
 /// The tables of a report; `camera` is the one it is of.
-pub(super) fn tables(
+pub(in crate::gui) fn tables(
     t: &'static Texts,
     (camera, r): (&Camera, &Report),
     inverse: bool,
@@ -162,13 +186,13 @@ fn in_convention(t: &Texts, name: &str, equation: &str, report: &Report) -> Stri
 }
 
 /// The convention of a report.
-pub(super) fn ndc_of(report: &Report) -> Ndc {
+pub(in crate::gui) fn ndc_of(report: &Report) -> Ndc {
     Ndc::ALL.into_iter().find(|ndc| ndc.name() == report.ndc).unwrap_or_default()
 }
 
 /// The rows as aligned cells: in each column the decimal points stand below each other. Names come first, where there
 /// are any.
-pub(super) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<Vec<String>> {
+pub(in crate::gui) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<Vec<String>> {
     let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
     let halves = |v: &f64| {
@@ -194,12 +218,12 @@ pub(super) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) 
 }
 
 /// The rows as aligned text.
-pub(super) fn lines(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<String> {
+pub(in crate::gui) fn lines(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<String> {
     cells(rows, write).iter().map(|cells| cells.join(GAP).trim_end().to_owned()).collect()
 }
 
 /// Between two columns.
-pub(super) const GAP: &str = "  ";
+pub(in crate::gui) const GAP: &str = "  ";
 
 #[cfg(test)]
 mod tests {
@@ -238,7 +262,7 @@ mod tests {
     }
 
     fn window_texts() -> &'static Texts {
-        crate::i18n::window::texts(crate::i18n::Lang::En)
+        window::texts(crate::i18n::Lang::En)
     }
 
     #[test]
