@@ -22,25 +22,25 @@ pub struct FormulaError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FormulaProblem {
     /// No dollar sign ends it.
-    #[error("no dollar sign at its end")]
+    #[error("no closing dollar sign")]
     Open,
     /// Nothing stands in it.
-    #[error("nothing in it")]
+    #[error("no content")]
     Empty,
     /// A control word that is not one of mathematics.
-    #[error("{}, which is no word of mathematics", escaped(.0))]
+    #[error("{}, which is not a mathematical command", escaped(.0))]
     Word(String),
     /// An environment that is not one of mathematics.
     #[error("the environment {}", escaped(.0))]
     Environment(String),
     /// A character that stands for no mathematics.
-    #[error("{:?}, which is no sign of mathematics", .0)]
+    #[error("{:?}, which is not a mathematical symbol", .0)]
     Character(char),
     /// A brace, a `\left` or a `\begin` without its other half.
-    #[error("{} without its other half", escaped(.0))]
+    #[error("{} without a counterpart", escaped(.0))]
     Unbalanced(String),
     /// More, or deeper in each other, than anybody writes.
-    #[error("more than {} characters, or more than {} pairs in each other", MAX_FORMULA.0, MAX_FORMULA.1)]
+    #[error("more than {} characters, or more than {} nested pairs", MAX_FORMULA.0, MAX_FORMULA.1)]
     TooLong,
 }
 

@@ -22,7 +22,7 @@ const LEVEL: u8 = 10;
 pub enum ShareError {
     /// The link would have more characters than are passed on whole.
     #[error(
-        "the link to this figure would have {0} characters; allowed: at most {MAX_LINK_CHARACTERS}, which mail and chat programs pass on whole. Save the figure, and send the file"
+        "the link to this figure would have {0} characters; allowed: at most {MAX_LINK_CHARACTERS}, which mail and chat programs pass on whole. Save the figure and send the file instead"
     )]
     TooLong(usize),
     /// A part of the link is missing, or was changed.

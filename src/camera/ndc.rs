@@ -123,7 +123,7 @@ impl Ndc {
 /// A parallel projection has no matrices without a far plane: all depths would have the same z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "{} lets the far plane go to infinity, which in parallel projection gives all depths the same z; allowed: projection = \"perspective\", \
+    "{} moves the back plane to infinity, which in parallel projection gives all depths the same z; allowed: projection = \"perspective\", \
      or a convention without -infinite",
     .0.name()
 )]

@@ -208,7 +208,7 @@ pub enum CameraError {
     #[error("view_up is the zero vector; allowed: any other vector that is not collinear with focal_point − position")]
     ViewUpZero,
     /// VUP is collinear with DOP.
-    #[error("view_up is collinear with focal_point − position; allowed: any vector that points to another side")]
+    #[error("view_up is collinear with focal_point − position; allowed: any vector in another direction")]
     ViewUpCollinear,
     /// A value is out of its range.
     #[error("{key} is {value:?}; allowed: {allowed}")]

@@ -84,7 +84,7 @@ pub enum RecoveryError {
         cosine: f64,
     },
     /// A row that must have the length 1 has another one.
-    #[error("row {row} has the length {length}; the rows of a view matrix are unit vectors")]
+    #[error("row {row} has length {length}; the rows of a view matrix are unit vectors")]
     Length {
         /// From 1.
         row: usize,

@@ -29,14 +29,14 @@ pub struct WayBack {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NotProjectable {
     /// glDepthRange(n, n).
-    #[error("every depth is {depth}: with depth_near = depth_far the way back is lost")]
+    #[error("every depth is {depth}: with depth_near = depth_far there is no way back")]
     EmptyDepthRange {
         /// n = f
         depth: f64,
     },
     /// In perspective Z reaches a limit at infinity.
     #[error(
-        "depth {depth}: no point of the world is so far; from the front plane to infinity, depths go from {near} towards {infinity}"
+        "depth {depth}: no point of the world is that far; from the front plane to infinity, depths go from {near} towards {infinity}"
     )]
     BeyondInfinity {
         /// Z

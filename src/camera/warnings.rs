@@ -15,7 +15,7 @@ pub enum Warning {
     },
     /// The depth of far objects falls into few steps of a 24-bit depth buffer.
     #[error(
-        "far / near is {ratio:.3e}: a 24-bit depth buffer cannot tell depths apart that differ by {step:.3e} at the far plane; move near away from the camera"
+        "far / near is {ratio:.3e}: a 24-bit depth buffer cannot tell apart depths that differ by {step:.3e} at the back plane; move near away from the camera"
     )]
     DepthPrecision {
         /// B / F.
@@ -36,7 +36,7 @@ pub enum Warning {
         far: f64,
     },
     /// A perspective so wide that its borders are stretched.
-    #[error("the window spans {degrees:.6} degrees: towards its borders everything is stretched")]
+    #[error("the window spans {degrees:.6} degrees: everything is stretched towards its borders")]
     WideAngle {
         /// θ, or the angle that a given window spans.
         degrees: f64,

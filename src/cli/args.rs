@@ -46,27 +46,27 @@ pub(super) enum Command {
     Inspect(InspectArgs),
     /// Write a picture of a figure
     Render(RenderArgs),
-    /// Tell which stages of the pipeline a picture needs, which are left out, and why
+    /// Report which stages of the pipeline a picture needs, which are left out, and why
     Explain(ExplainArgs),
-    /// Redraw a picture many times from scratch and tell how long it takes
+    /// Redraw a picture many times from scratch and report how long it takes
     Bench(BenchArgs),
-    /// Measure the error and the run time of ways to compute what a camera does
+    /// Measure error and run time of several ways to compute what a camera does
     Accuracy(AccuracyArgs),
-    /// Tell how near a camera is to trouble with numbers, why a picture is empty, and what would repair it
+    /// Report how close a camera is to numerical trouble, why a picture is empty, and what would repair it
     Diagnose(DiagnoseArgs),
-    /// Write how the view volume becomes the canonical one, step by step: an animation or a strip of stills
+    /// Write an animation or a strip of stills of how the view volume becomes the canonical one, step by step
     Animate(AnimateArgs),
     /// Print the camera as code for a library
     Code(CodeArgs),
-    /// Exercises: list and show them, judge answers, write sheets
+    /// List and show exercises, check answers, write sheets
     Exercise(ExerciseArgs),
-    /// Write the manual pages, and what completes commands in bash, zsh, fish and PowerShell
+    /// Write the manual pages, and completion scripts for bash, zsh, fish and PowerShell
     Manual(ManualArgs),
 }
 
 #[derive(Debug, Args)]
 pub(super) struct ManualArgs {
-    /// The folder for them; it is made where there is none
+    /// Folder to write them to; created if missing
     pub(super) folder: PathBuf,
     /// Language of messages
     #[arg(long, value_enum)]
@@ -76,7 +76,7 @@ pub(super) struct ManualArgs {
 /// Without a command the window opens.
 #[derive(Debug, Args)]
 pub(super) struct WindowArgs {
-    /// Figure file, or a PNG that camera-lab wrote; without it, the window shows the primitives from their best side
+    /// Figure file, or a PNG that camera-lab wrote; without it, the window shows the standard primitives
     pub(super) figure: Option<PathBuf>,
     #[command(flatten)]
     pub(super) common: FigureArgs,
@@ -91,21 +91,21 @@ pub(super) struct InspectArgs {
     /// A world point to follow through every space
     #[arg(long = "point", value_name = "X,Y,Z", allow_hyphen_values = true)]
     points: Vec<String>,
-    /// Adds each point's whole arithmetic, step by step from the world to pixel and viewport
+    /// Add the arithmetic of each point, step by step from the world to pixel and viewport
     #[arg(long, requires = "points")]
     pub(super) trace: bool,
-    /// A pixel (column, row; 0,0 is the top left) whose ray is wanted
+    /// A pixel (column, row; 0,0 is the top left) to compute the ray of
     #[arg(long = "pixel", value_name = "I,J", allow_hyphen_values = true)]
     pixels: Vec<String>,
-    /// A pixel with a depth Z of (5.25): its centre is followed back to the world, step by step
+    /// A pixel with a depth Z of (5.25), to follow from its centre back to the world, step by step
     #[arg(long = "depth-pixel", value_name = "I,J,Z", allow_hyphen_values = true)]
     depth_pixels: Vec<String>,
     /// Whose normalised device coordinates: -reversed has near at 1 and far at 0 (for opengl too: glClipControl with
-    /// zero to one), -infinite lets the far plane go to infinity (in perspective). Vulkan's y points down; pixels,
+    /// zero to one), -infinite moves the back plane to infinity (in perspective). Vulkan's y points down; pixels,
     /// window and viewport are the same in all
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     pub(super) ndc: Ndc,
-    /// How the numbers are written
+    /// Output format
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
@@ -130,28 +130,28 @@ pub(super) struct RenderArgs {
     /// image
     #[arg(long, value_name = "CM", allow_hyphen_values = true, conflicts_with_all = ["size", "scale"])]
     width_cm: Option<String>,
-    /// Height in centimetres on paper; `all` then arranges the three so that they become as large as the paper allows
+    /// Height in centimetres on paper; `all` then arranges the three pictures to be as large as the paper allows
     #[arg(long, value_name = "CM", allow_hyphen_values = true, requires = "width_cm")]
     height_cm: Option<String>,
-    /// Pixels per inch on paper, 300 where it is not given; it is written into a PNG or JPEG where it or --width-cm is
+    /// Pixels per inch on paper, 300 by default; written into a PNG or JPEG where it or --width-cm is
     /// given
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     dpi: Option<String>,
     /// Height of the letters of names in points on paper; strokes are in proportion. On a sheet of all three they are
-    /// smaller, as long as they can be read (6 points), where a picture has no room for them
+    /// smaller where a picture has no room for them, but still legible (6 points)
     #[arg(long, value_name = "PT", allow_hyphen_values = true, conflicts_with = "scale")]
     letters: Option<String>,
     /// Width of the edges of solids in points on paper, other strokes in proportion; without it, in proportion to the
     /// letters
     #[arg(long, value_name = "PT", allow_hyphen_values = true)]
     lines: Option<String>,
-    /// Without ground; not for JPEG, which has no transparency
+    /// Transparent background; not for JPEG, which has no transparency
     #[arg(long)]
     pub(super) transparent: bool,
-    /// Each picture without the empty ground around what it shows
+    /// Crop the empty background around each picture
     #[arg(long)]
     pub(super) crop: bool,
-    /// Colours; without it, the figure's
+    /// Theme; without it, that of the figure
     #[arg(long, value_enum)]
     theme: Option<ThemeArg>,
     /// Run every stage of the pipeline, needed or not; the picture is the same
@@ -194,10 +194,10 @@ pub(super) struct BenchArgs {
     /// Width and height in pixels; without it, the figure's image size
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// How often it is drawn, 1 to 1000000
+    /// Number of frames to draw, 1 to 1000000
     #[arg(long, value_name = "N", default_value = "100", allow_hyphen_values = true)]
     frames: String,
-    /// Run every stage of the pipeline, needed or not: what the plan saves
+    /// Run every stage of the pipeline, needed or not, to see what the plan saves
     #[arg(long)]
     pub(super) force_all_stages: bool,
     /// A line to read, or JSON for programs
@@ -207,10 +207,10 @@ pub(super) struct BenchArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArgs {
-    /// Which study; may be given more than once. Without it, all
+    /// Study to run, may be repeated; without it, all
     #[arg(long = "study", value_enum, value_name = "NAME")]
     studies: Vec<Study>,
-    /// How long times are measured, in seconds, over all studies, 0 to 3600. Errors do not depend on it
+    /// Seconds to spend on measuring times, over all studies, 0 to 3600. Errors do not depend on it
     #[arg(long, value_name = "S", default_value = "20", allow_hyphen_values = true)]
     seconds: String,
     /// A whole number; the same seed gives the same inputs, and so the same errors
@@ -236,8 +236,8 @@ pub(super) struct DiagnoseArgs {
     /// Sentences to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
-    /// Write the figure, its operations applied, with the repair of the first finding to the file of -o; comments stay.
-    /// Where there is nothing to repair, or no repair, that is said, and the figure is written without one
+    /// Write the figure, with its operations and the repair of the first finding applied, to the file of -o; comments stay.
+    /// Without a repair, report so and write the figure without one
     #[arg(long, requires = "output")]
     pub(super) repair: bool,
     /// The figure file to write
@@ -259,10 +259,10 @@ pub(super) struct AnimateArgs {
     /// Width and height of each picture in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<String>,
-    /// How long a step takes in an animation, in seconds, 0.1 to 60
+    /// Duration of a step in an animation, in seconds, 0.1 to 60
     #[arg(long, value_name = "S", default_value = "2", allow_hyphen_values = true)]
     seconds: String,
-    /// The file to write; its ending says what: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)
+    /// File to write; its extension decides: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: PathBuf,
 }
@@ -273,7 +273,7 @@ pub(super) struct CodeArgs {
     pub(super) figure: PathBuf,
     #[command(flatten)]
     pub(super) common: FigureArgs,
-    /// For what
+    /// Library or language
     #[arg(long = "for", value_enum, value_name = "NAME")]
     pub(super) target: CodeTarget,
 }
@@ -287,7 +287,7 @@ pub(super) struct FigureArgs {
     /// `step={way="notes",at=2.5}`, `measure=["F","theta"]`; without a value, nothing
     #[arg(long = "show", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     show: Vec<String>,
-    /// Signs of the rotations: by the right-hand rule, or as VTK has them (elevation and roll the other way)
+    /// Signs of the rotations: right-hand rule, or as in VTK (elevation and roll the other way)
     #[arg(long, value_enum, default_value_t)]
     convention: ConventionArg,
     /// Let the figure name any file of this machine. Without it, what a mesh names (materials, buffers) must lie in the
@@ -541,13 +541,16 @@ fn plot_endings() -> String {
 }
 
 fn plot_help() -> String {
-    format!("A file for charts of errors over parameters and times; its ending says the format: {}", plot_endings())
+    format!(
+        "File to write charts to, of error against parameter and time; its extension decides the format: {}",
+        plot_endings()
+    )
 }
 
 fn output_help() -> String {
     let endings: Vec<_> =
         PictureFormat::ALL.iter().flat_map(|format| format.endings()).map(|e| format!(".{e}")).collect();
-    format!("The file to write; its ending says the format: {}", endings.join(", "))
+    format!("File to write; its extension decides the format: {}", endings.join(", "))
 }
 
 #[cfg(test)]

@@ -20,9 +20,9 @@ pub(super) struct ExerciseArgs {
 pub(super) enum ExerciseCommand {
     /// List the exercises: those of the notes, and families whose numbers come from a seed
     List(ListArgs),
-    /// Print an exercise: statement, figure, what is asked
+    /// Print an exercise: statement, figure, questions
     Show(ShowArgs),
-    /// Judge answers, and tell which known mistake explains a wrong one
+    /// Check answers, and report which known mistake explains a wrong one
     Check(CheckArgs),
     /// Write a sheet to hand out
     Sheet(SheetArgs),
@@ -33,7 +33,7 @@ pub(super) struct ListArgs {
     /// A table to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
-    /// A folder with exercises of one's own, which come after the others
+    /// A folder with your own exercises, listed after the others
     #[arg(long, value_name = "DIR")]
     pub(super) folder: Option<PathBuf>,
     /// Language of titles and messages
@@ -50,7 +50,7 @@ pub(super) struct NumbersArgs {
     /// A number that the exercise leaves open, such as F=3 or D=24
     #[arg(long = "with", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     with: Vec<String>,
-    /// A folder with exercises of one's own
+    /// A folder with your own exercises
     #[arg(long, value_name = "DIR")]
     pub(super) folder: Option<PathBuf>,
     /// Language of statements and messages
@@ -60,32 +60,32 @@ pub(super) struct NumbersArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct ShowArgs {
-    /// Its identifier, from `camera-lab exercise list`
+    /// Identifier of the exercise, from `camera-lab exercise list`
     pub(super) id: String,
     #[command(flatten)]
     pub(super) numbers: NumbersArgs,
-    /// With the answers and the way to them
+    /// Include the answers and their solutions
     #[arg(long)]
     pub(super) solution: bool,
     /// Text to read, or JSON for programs
     #[arg(long, value_enum, default_value_t)]
     pub(super) format: TableFormat,
-    /// Where the picture goes that is to be matched, of an exercise that has one: a .png
+    /// File to write the picture to match to, for an exercise that has one: .png
     #[arg(long, value_name = "OUT.png")]
     pub(super) picture: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
 pub(super) struct CheckArgs {
-    /// Its identifier, from `camera-lab exercise list`
+    /// Identifier of the exercise, from `camera-lab exercise list`
     pub(super) id: String,
     #[command(flatten)]
     pub(super) numbers: NumbersArgs,
     /// An answer: a number or an expression (1/sqrt(3), 45°), [a, b, c], [[…], […]], a choice, or key=value; … of
-    /// [camera]; ? for an entry that is not known
+    /// [camera]; ? for an unknown entry
     #[arg(long = "answer", value_name = "NAME=VALUE", allow_hyphen_values = true, required = true)]
     answers: Vec<String>,
-    /// How many hints the text gives for a wrong answer, 0 to 9; JSON has all
+    /// Number of hints in the text for a wrong answer, 0 to 9; JSON has all
     #[arg(long, value_name = "N", default_value = "1", allow_hyphen_values = true)]
     hints: String,
     /// Text to read, or JSON for programs
@@ -95,15 +95,15 @@ pub(super) struct CheckArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct SheetArgs {
-    /// Which exercises, in this order
+    /// Exercises of the sheet, in this order
     #[arg(long, value_name = "A,B,…", value_delimiter = ',', required = true)]
     pub(super) ids: Vec<String>,
     #[command(flatten)]
     pub(super) numbers: NumbersArgs,
-    /// With the answers and the way to them
+    /// Include the answers and their solutions
     #[arg(long)]
     pub(super) answers: bool,
-    /// The file to write: .md or .tex; pictures that are to be matched go beside it, as OUT-1.png where the first
+    /// File to write: .md or .tex; pictures to match go beside it, as OUT-1.png where the first
     /// exercise has one
     #[arg(short, long, value_name = "OUT")]
     pub(super) output: PathBuf,

@@ -96,7 +96,7 @@ pub enum ProgressError {
     #[error("{0}")]
     Toml(String),
     /// A key whose value is not what it should be.
-    #[error("{0} cannot be understood")]
+    #[error("{0} cannot be read")]
     Value(String),
 }
 

@@ -47,7 +47,7 @@ pub enum Damage {
     #[error("it ends early")]
     Truncated,
     /// A checksum does not fit: bytes have changed on the way.
-    #[error("a checksum does not fit")]
+    #[error("a checksum does not match")]
     Checksum,
     /// The text of the figure cannot be unpacked.
     #[error("its text cannot be unpacked")]

@@ -52,7 +52,7 @@ pub enum FileError {
     Network,
     /// Windows keeps the name for a device or for something inside of a file.
     #[error(
-        "has a name that Windows keeps for itself; allowed: names without \":\" other than CON, PRN, AUX, NUL, COM0 to COM9 and LPT0 to LPT9, whatever their ending"
+        "has a name that Windows reserves; allowed: names without \":\" other than CON, PRN, AUX, NUL, COM0 to COM9 and LPT0 to LPT9, whatever the extension"
     )]
     ReservedName,
     /// It is there and may not be written.
@@ -62,7 +62,7 @@ pub enum FileError {
     #[error("is larger than any figure or picture; allowed: at most {} GiB", MAX_FILE_BYTES >> 30)]
     TooLarge,
     /// A folder with more exercises than a lecture has.
-    #[error("has more exercises than there may be; allowed: at most {MAX_OWN_EXERCISES}")]
+    #[error("has too many exercises; allowed: at most {MAX_OWN_EXERCISES}")]
     TooManyExercises,
     /// A picture that holds no figure.
     #[error(transparent)]

@@ -194,7 +194,7 @@ pub(super) enum ExportError {
     #[error("cancelled")]
     Cancelled,
     /// What draws and writes has panicked.
-    #[error("a fault of this program")]
+    #[error("a bug in this program")]
     Panic,
 }
 

@@ -447,7 +447,7 @@ mod tests {
         until_done(&ctx, &mut state);
         let message = state.message.expect("said");
         let text = message.text(Lang::En);
-        assert!(message.is_error() && text.contains("fault of this program") && text.contains("a.png"));
+        assert!(message.is_error() && text.contains("bug in this program") && text.contains("a.png"));
     }
 
     #[test]

@@ -253,14 +253,14 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
             ),
         ),
         (Lang::En, Warning::DepthPrecision { ratio, step }) => english(format!(
-            "B/F is {ratio:.2e}: at the back a 24-bit depth buffer cannot tell depths apart that differ by less than {step:.2e}; move F away from the camera"
+            "B/F is {ratio:.2e}: at the back plane a 24-bit depth buffer cannot tell apart depths that differ by less than {step:.2e}; move F away from the camera"
         )),
         (Lang::PtBr, Warning::DepthPrecision { ratio, step }) => Wording::new(
             format!(
-                "far / near é {ratio:.3e}: um z-buffer de 24 bits não distingue profundidades que diferem menos de {step:.3e} no plano far; afaste near da câmera"
+                "far / near é {ratio:.3e}: um z-buffer de 24 bits não distingue profundidades que diferem menos de {step:.3e} no plano de fundo; afaste near da câmera"
             ),
             format!(
-                "B/F é {ratio}: um buffer de 24 bits não distingue, no fundo, profundidades a menos de {step}; afaste F da câmera",
+                "B/F é {ratio}: um z-buffer de 24 bits não distingue, no fundo, profundidades a menos de {step}; afaste F da câmera",
                 ratio = printed(format!("{ratio:.2e}")),
                 step = printed(format!("{step:.2e}"))
             ),
@@ -275,7 +275,7 @@ pub(super) fn warning_wording(lang: Lang, warning: &Warning) -> Wording {
             "PF não está entre F e B: o que a câmera olha é recortado",
         ),
         (Lang::En, Warning::WideAngle { degrees }) => {
-            english(format!("The window spans {degrees:.1}°: towards its borders everything is stretched"))
+            english(format!("The window spans {degrees:.1}°: everything is stretched towards its borders"))
         }
         (Lang::PtBr, Warning::WideAngle { degrees }) => Wording::new(
             format!("a janela abrange {degrees:.6} graus: perto das bordas tudo fica esticado"),

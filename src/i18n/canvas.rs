@@ -20,12 +20,12 @@ texts! {
     restore: "All pictures again (double-click)", "Todas as imagens de novo (clique duplo)";
     // A switch of the image, and its tooltip.
     undistorted: "undistorted", "sem distorção";
-    undistorted_hint: "As the eye would see it, with the aspect A of the view window. Off: the m × n image of (5.22), whose pixels are not square here; the numbers of pixels are its own in both", "Como o olho veria, com o aspecto A da janela de vista. Desligado: a imagem m × n de (5.22), cujos pixels aqui não são quadrados; os números dos pixels são dela em ambos";
+    undistorted_hint: "As the eye would see it, with the aspect A of the view window. Off: the m × n image of (5.22), whose pixels are not square here; pixel numbers are those of the image in both cases", "Como o olho veria, com o aspecto A da janela de vista. Desligado: a imagem m × n de (5.22), cujos pixels aqui não são quadrados; os números dos pixels são os da imagem nos dois casos";
     // Tooltip of a switch.
     section: "Section along u: similar triangles", "Corte ao longo de u: triângulos semelhantes";
-    link: "Turn world and canonical volume together", "Girar mundo e volume canônico juntos";
+    link: "Orbit world and canonical volume together", "Girar mundo e volume canônico juntos";
     // A menu, and its tooltip.
-    look: "View", "Vista";
+    look: "Viewpoint", "Ponto de vista";
     look_menu: "Look from…", "Ver de…";
     // From where to look.
     fit: "Fit all", "Enquadrar tudo";
@@ -33,13 +33,13 @@ texts! {
     top: "From the top (+y)", "De cima (+y)";
     side: "From the side (+x)", "De lado (+x)";
     iso: "From a corner", "De um canto";
-    along_u: "Along u: from the side, eye left, far right", "Ao longo de u: de lado, olho à esquerda, fundo à direita";
-    along_v: "Along v: from above, eye left, far right", "Ao longo de v: de cima, olho à esquerda, fundo à direita";
+    along_u: "Along u: from the side, eye left, back plane right", "Ao longo de u: de lado, olho à esquerda, fundo à direita";
+    along_v: "Along v: from above, eye left, back plane right", "Ao longo de v: de cima, olho à esquerda, fundo à direita";
     along_n: "Along n: as the camera looks", "Ao longo de n: como a câmera olha";
     // Tooltip of a menu.
-    arrange: "Arrange the pictures", "Arrumar as imagens";
+    arrange: "Arrange the pictures", "Dispor as imagens";
     // How the pictures share the room.
-    arrange_auto: "As suits the room", "Conforme o espaço";
+    arrange_auto: "To fit the window", "Conforme a janela";
     arrange_row: "Side by side", "Lado a lado";
     arrange_column: "One above the other", "Uma sobre a outra";
     arrange_above: "The world above the others", "O mundo acima das outras";
@@ -47,17 +47,17 @@ texts! {
     // Before the names of the pictures that can be shown again.
     hidden: "Hidden:", "Escondidas:";
     // What pointer and wheel do in the world and in the canonical volume.
-    pointer_in_space: "Drag: turn · Shift or right button: move · wheel: zoom", "Arrastar: girar · Shift ou botão direito: mover · roda: zoom";
+    pointer_in_space: "Drag: orbit · Shift or right button: pan · wheel: zoom", "Arrastar: girar · Shift ou botão direito: mover · roda: zoom";
     // What the pointer does in the image.
     pointer_in_image: "Click: pin the probe", "Clique: fixar a sonda";
     // Where nothing is pointed at: what can be done.
-    idle: "Drag C, PF, VUP and the planes of the world; elsewhere: turn the view", "Arraste C, PF, VUP e os planos do mundo; fora deles: girar a vista";
+    idle: "Drag C, PF, VUP and the planes in the world; elsewhere: orbit", "Arraste C, PF, VUP e os planos no mundo; fora deles: girar";
     // The same where the world is hidden.
-    idle_canonical: "Drag: turn the view", "Arraste: girar a vista";
+    idle_canonical: "Drag: orbit", "Arraste: girar";
     // What the keys do in the world.
-    keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: turn the view · + −: zoom the view · Home: fit all · V: probe vertices", "Setas: erguer e girar a câmera · Shift + setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo · V: sondar vértices";
+    keys_in_world: "Arrows: raise and turn the camera · Shift + arrows: orbit · + −: zoom the picture · Home: fit all · V: probe vertices", "Setas: erguer e girar a câmera · Shift + setas: girar a imagem · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
     // What the keys do in the canonical volume.
-    keys_in_canonical: "Arrows: turn the view · + −: zoom the view · Home: fit all · V: probe vertices", "Setas: girar a vista · + −: zoom da vista · Home: enquadrar tudo · V: sondar vértices";
+    keys_in_canonical: "Arrows: orbit · + −: zoom the picture · Home: fit all · V: probe vertices", "Setas: girar a imagem · + −: ampliar · Home: enquadrar tudo · V: sondar vértices";
     // What the keys do in the image.
     keys_in_image: "Arrows: raise and turn the camera · + −: zoom · Page ↑ ↓: nearer, farther · I, V: probe pixels, vertices", "Setas: erguer e girar a câmera · + −: zoom · Page ↑ ↓: perto, longe · I, V: sondar pixels, vértices";
     // Title of the strip of stages, and the button that shows it.
@@ -71,7 +71,7 @@ texts! {
     // Of a picture that is hidden.
     strip_hidden: "This picture is hidden: no stage runs for it.", "Esta imagem está escondida: nenhuma etapa é executada para ela.";
     // Before the time of all stages.
-    strip_total: "together", "ao todo";
+    strip_total: "in all", "ao todo";
     // Before the number of stages that ran.
     strip_ran: "ran:", "executadas:";
     // Before the number of those that did not.
@@ -79,12 +79,12 @@ texts! {
     // What can be done with the strip.
     strip_hint: "click a stage: what goes in, what comes out", "clique numa etapa: o que entra, o que sai";
     // Of a stage.
-    strip_reveal: "Click, Enter: show in the picture what goes in and what comes out · F1: the note on it", "Clique, Enter: mostrar na imagem o que entra e o que sai · F1: a nota sobre ela";
-    strip_unreveal: "Click, Enter, Esc: show it no more · F1: the note on it", "Clique, Enter, Esc: não mostrar mais · F1: a nota sobre ela";
+    strip_reveal: "Click, Enter: show in the picture what goes in and what comes out · F1: its note", "Clique, Enter: mostrar na imagem o que entra e o que sai · F1: sua nota";
+    strip_unreveal: "Click, Enter, Esc: stop showing it · F1: its note", "Clique, Enter, Esc: deixar de mostrar · F1: sua nota";
     // While the eye turns.
-    turning: "Turning the view", "Girando a vista";
+    turning: "Orbiting", "Girando a imagem";
     // While the picture is moved.
-    moving: "Moving the view", "Movendo a vista";
+    moving: "Panning", "Movendo a imagem";
     // How a point is dragged on the plane; what follows is its height.
     drag_on_plane: "Drag: on the plane y =", "Arrastar: no plano y =";
     // How a point is dragged up and down.
@@ -96,10 +96,10 @@ texts! {
     // Before the reason why a handle does not go on.
     stopped: "Stopped:", "Parado:";
     // Where a picture could not be drawn.
-    given_up: "Cancelled; this picture is drawn again when the figure changes.", "Cancelada; esta imagem é desenhada de novo quando a figura mudar.";
+    given_up: "Cancelled; this picture is redrawn when the figure changes.", "Cancelada; esta imagem é redesenhada quando a figura mudar.";
     not_drawn: "This picture could not be drawn.", "Esta imagem não pôde ser desenhada.";
     // Where nothing is pointed at.
-    probe_hint: "Point at a vertex or at a pixel of the image: its coordinates stand here.", "Aponte para um vértice ou um pixel da imagem: suas coordenadas ficam aqui.";
+    probe_hint: "Point at a vertex or at a pixel of the image to read its coordinates here.", "Aponte para um vértice ou um pixel da imagem para ler aqui suas coordenadas.";
     // While the probe is pinned.
     pinned: "pinned (Esc: release)", "fixada (Esc: soltar)";
     // Of a point outside the view volume.
@@ -174,10 +174,10 @@ impl Texts {
 pub fn describe_world(lang: Lang, position: &str, focal_point: &str) -> String {
     match lang {
         Lang::En => {
-            format!("World: the scene with the camera at {position}, which looks at {focal_point}, and its view volume")
+            format!("World: the scene, the camera at {position} looking at {focal_point}, and its view volume")
         }
         Lang::PtBr => {
-            format!("Mundo: a cena com a câmera em {position}, que olha para {focal_point}, e seu volume de vista")
+            format!("Mundo: a cena, a câmera em {position} olhando para {focal_point}, e seu volume de vista")
         }
     }
 }

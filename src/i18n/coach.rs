@@ -16,12 +16,12 @@ texts! {
     findings: "Findings", "Achados";
     as_it_should_be: "The picture is as it should be.", "A imagem está como deve ser.";
     repair: "Repair", "Conserto";
-    no_repair: "no change of the camera repairs this", "nenhuma mudança da câmera conserta isto";
-    nothing_repaired: "nothing to repair: the figure is written as it is", "nada a consertar: a figura é gravada como está";
-    cannot_repair: "no change of camera or style repairs this: the figure is written as it is", "nenhuma mudança da câmera ou do estilo conserta isto: a figura é gravada como está";
+    no_repair: "no change to the camera repairs this", "nenhuma mudança na câmera conserta isto";
+    nothing_repaired: "nothing to repair: the figure is written unchanged", "nada a consertar: a figura é gravada sem mudança";
+    cannot_repair: "no change to camera or style repairs this: the figure is written unchanged", "nenhuma mudança na câmera ou no estilo conserta isto: a figura é gravada sem mudança";
     // Of the window.
     coach: "Coach", "Orientador";
-    coach_hint: "How near the camera is to trouble with numbers, and why something is not in the picture", "Quão perto a câmera está de problemas com números, e por que algo não está na imagem";
+    coach_hint: "How close the camera is to numerical trouble, and why something is missing from the picture", "Quão perto a câmera está de problemas numéricos, e por que algo falta na imagem";
     camera_is: "Camera:", "Câmera:";
     image_empty: "Image empty: why?", "Imagem vazia: por quê?";
     one_finding: "1 finding", "1 achado";
@@ -31,15 +31,15 @@ texts! {
     looking: "Looking…", "Examinando…";
     too_large: "The image is too large to be drawn.", "A imagem é grande demais para ser desenhada.";
     depth: "Depth", "Profundidade";
-    depth_hint: "z_n over the distance from the eye, from F to B, in the convention that is worked in: in perspective, evenly as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância do olho, de F a B, na convenção de trabalho: em perspectiva, por igual como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
-    distance: "distance from the eye", "distância do olho";
+    depth_hint: "z_n against the distance from the eye, from F to B, in the convention in use: in perspective, linear as in parallel projection, and reversed (from 1 to 0). The thick curve is that of this camera", "z_n em função da distância ao olho, de F a B, na convenção em uso: em perspectiva, linear como na projeção paralela, e invertida (de 1 a 0). A curva grossa é a desta câmera";
+    distance: "distance from the eye", "distância ao olho";
     perspective: "perspective", "perspectiva";
     parallel: "parallel", "paralela";
     reversed: "reversed", "invertida";
     format: "format", "formato";
     step_here: "step at this depth", "passo nesta profundidade";
-    two_planes: "Two planes, so far apart:", "Dois planos, a esta distância:";
-    two_planes_hint: "In scene units: one tilted plane so far behind another, parallel to it, and drawn after it. Where a format keeps the same value for both, the farther one shows through", "Em unidades da cena: um plano inclinado a esta distância atrás de outro, paralelo a ele, e desenhado depois. Quando um formato guarda o mesmo valor para os dois, aparece o mais distante";
+    two_planes: "Two planes, this far apart:", "Dois planos, a esta distância:";
+    two_planes_hint: "In scene units: a tilted plane this far behind another, parallel to it and drawn after it. Where a format stores the same value for both, the farther one shows through", "Em unidades da cena: um plano inclinado a esta distância atrás de outro, paralelo a ele, e desenhado depois. Quando um formato guarda o mesmo valor para os dois, aparece o mais distante";
     scene_units: "scene units", "unidades da cena";
     nearer: "nearer", "o mais próximo";
     farther: "farther", "o mais distante";
@@ -110,10 +110,12 @@ pub fn health(lang: Lang, health: &Health, camera: &Camera) -> String {
             let ratio = n(health.value);
             match lang {
                 Lang::En => {
-                    format!("B/F is {ratio}; in parallel projection Z (5.25) grows evenly with depth, whatever B/F is.")
+                    format!(
+                        "B/F is {ratio}; in parallel projection Z (5.25) grows linearly with depth, whatever B/F is."
+                    )
                 }
                 Lang::PtBr => format!(
-                    "B/F é {ratio}; na projeção paralela Z (5.25) cresce por igual com a profundidade, qualquer que seja B/F."
+                    "B/F é {ratio}; na projeção paralela Z (5.25) cresce linearmente com a profundidade, qualquer que seja B/F."
                 ),
             }
         }
@@ -185,13 +187,13 @@ fn depth_resolution(lang: Lang, camera: &Camera) -> String {
         [camera.near(), camera.distance(), camera.far()].map(|z| length(lang, camera.depth_step(z)));
     match (camera.projection(), lang) {
         (Projection::Perspective, Lang::En) => format!(
-            "24 bits of Z (5.25) tell depths d apart that differ by d² (B − F) / (B F 2²⁴): by {at_near} at F, {at_focus} at PF, {at_far} at B."
+            "24 bits of Z (5.25) tell apart depths d that differ by d² (B − F) / (B F 2²⁴): by {at_near} at F, {at_focus} at PF, {at_far} at B."
         ),
         (Projection::Perspective, Lang::PtBr) => format!(
             "24 bits de Z (5.25) distinguem profundidades d que diferem de d² (B − F) / (B F 2²⁴): de {at_near} em F, {at_focus} em PF, {at_far} em B."
         ),
         (Projection::Parallel, Lang::En) => {
-            format!("24 bits of Z (5.25) tell depths apart that differ by (B − F) / 2²⁴ = {at_far}, at every depth.")
+            format!("24 bits of Z (5.25) tell apart depths that differ by (B − F) / 2²⁴ = {at_far}, at every depth.")
         }
         (Projection::Parallel, Lang::PtBr) => format!(
             "24 bits de Z (5.25) distinguem profundidades que diferem de (B − F) / 2²⁴ = {at_far}, em toda profundidade."
@@ -284,18 +286,18 @@ fn english(cause: Cause, partly: bool, diagnosis: &Diagnosis) -> String {
     let most = if partly { "most of it is " } else { "" };
     match cause {
         Cause::EmptyScene => String::new(),
-        Cause::CameraInsideObject => "the camera is inside, where all faces turn their backs to it.".to_owned(),
+        Cause::CameraInsideObject => "the camera is inside it, and all its faces are turned away.".to_owned(),
         Cause::BehindCamera => format!("{most}behind the camera, z_c ≥ 0 (5.7): it looks the other way."),
-        Cause::BeforeNear => format!("{most}nearer than the near plane, −z_c < F: clipping takes away what is there."),
-        Cause::BeyondFar => format!("{most}farther than the far plane, −z_c > B: clipping takes away what is there."),
+        Cause::BeforeNear => format!("{most}nearer than the front plane, −z_c < F: clipping removes what is there."),
+        Cause::BeyondFar => format!("{most}farther than the back plane, −z_c > B: clipping removes what is there."),
         Cause::OutsideLeft => format!("{most}to the left of the view window, x_p < l (5.9)."),
         Cause::OutsideRight => format!("{most}to the right of the view window, x_p > r (5.9)."),
         Cause::OutsideTop => format!("{most}above the view window, y_p > t (5.10)."),
         Cause::OutsideBottom => format!("{most}below the view window, y_p < b (5.10)."),
-        Cause::SmallerThanPixel => "smaller on the image than a pixel (5.22).".to_owned(),
-        Cause::FullyTransparent => "its colour has alpha 0: what is behind it shows through whole.".to_owned(),
-        Cause::HiddenByNearCut => "the near plane, −z_c = F, cuts its front away, and its inside is seen.".to_owned(),
-        Cause::FewPixels => format!("seen, but on only {} of the image.", percent(Lang::En, diagnosis)),
+        Cause::SmallerThanPixel => "smaller in the image than a pixel (5.22).".to_owned(),
+        Cause::FullyTransparent => "its colour has alpha 0: what is behind it shows through completely.".to_owned(),
+        Cause::HiddenByNearCut => "the front plane, −z_c = F, cuts its front away, and its inside is seen.".to_owned(),
+        Cause::FewPixels => format!("visible, but on only {} of the image.", percent(Lang::En, diagnosis)),
     }
 }
 

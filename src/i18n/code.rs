@@ -19,7 +19,7 @@ pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) ->
             )
         }
         (Lang::En, CodeConvention::ColumnMajor) => {
-            format!("{name} keeps matrices by columns: m[j][i] is row i, column j")
+            format!("{name} stores matrices by columns: m[j][i] is row i, column j")
         }
         (Lang::PtBr, CodeConvention::ColumnMajor) => {
             format!("{name} guarda matrizes por colunas: m[j][i] é a linha i, coluna j")
@@ -29,19 +29,19 @@ pub fn convention(lang: Lang, target: CodeTarget, convention: CodeConvention) ->
         (Lang::En, CodeConvention::Degrees) => "angles in degrees, vertical".to_owned(),
         (Lang::PtBr, CodeConvention::Degrees) => "ângulos em graus, verticais".to_owned(),
         (Lang::En, CodeConvention::WindowCentre) => {
-            "the window is not symmetric: its middle is moved in half windows (SetWindowCenter)".to_owned()
+            "the window is not symmetric: its centre is shifted in units of half windows (SetWindowCenter)".to_owned()
         }
         (Lang::PtBr, CodeConvention::WindowCentre) => {
-            "a janela não é simétrica: seu meio é deslocado em meias janelas (SetWindowCenter)".to_owned()
+            "a janela não é simétrica: seu centro é deslocado em unidades de meia janela (SetWindowCenter)".to_owned()
         }
         (Lang::En, CodeConvention::ByMatrix) => {
             format!(
-                "the window is not symmetric: {name} has no call for it, the matrix is set; updateProjectionMatrix would undo it"
+                "the window is not symmetric: {name} has no call for it, so the matrix is set; updateProjectionMatrix would undo it"
             )
         }
         (Lang::PtBr, CodeConvention::ByMatrix) => {
             format!(
-                "a janela não é simétrica: {name} não tem chamada para ela, define-se a matriz; updateProjectionMatrix a desfaria"
+                "a janela não é simétrica: {name} não tem chamada para ela, e a matriz é definida; updateProjectionMatrix a desfaria"
             )
         }
     }

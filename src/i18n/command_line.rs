@@ -19,7 +19,7 @@ pub fn arguments(lang: Lang, error: &clap::Error) -> String {
         error.kind() == ErrorKind::ArgumentConflict && error.get(ContextKind::InvalidSubcommand).is_some();
     let what = match lang {
         Lang::En if before_the_command => {
-            "an option stands before the command; allowed: camera-lab COMMAND FIGURE OPTIONS".to_owned()
+            "an option comes before the command; allowed: camera-lab COMMAND FIGURE OPTIONS".to_owned()
         }
         Lang::PtBr if before_the_command => {
             "há uma opção antes do comando; permitido: camera-lab COMANDO FIGURA OPÇÕES".to_owned()
@@ -189,11 +189,13 @@ pub fn pixel(lang: Lang, text: &str) -> String {
 pub fn animation_ending(lang: Lang, name: &str) -> String {
     match lang {
         Lang::En => {
-            format!("{name}: unknown ending; allowed: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)")
+            format!(
+                "{name}: unknown extension; allowed: .gif, .apng (animations), .png, .webp, .jpg (a strip of stills)"
+            )
         }
         Lang::PtBr => {
             format!(
-                "{name}: terminação desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)"
+                "{name}: extensão desconhecida; permitido: .gif, .apng (animações), .png, .webp, .jpg (uma tira de quadros)"
             )
         }
     }
@@ -205,11 +207,11 @@ pub fn no_steps(lang: Lang, decomposition: Decomposition) -> String {
     let source = decomposition.source();
     match (lang, decomposition) {
         (Lang::En, Decomposition::Scale) => {
-            format!("{source} has these steps in perspective, with a symmetric window, only")
+            format!("{source} has these steps only in perspective with a symmetric window")
         }
-        (Lang::En, _) => format!("{source} has these steps with a symmetric window only"),
+        (Lang::En, _) => format!("{source} has these steps only with a symmetric window"),
         (Lang::PtBr, Decomposition::Scale) => {
-            format!("{source} tem esses passos só em perspectiva, com janela simétrica")
+            format!("{source} tem esses passos só em perspectiva com janela simétrica")
         }
         (Lang::PtBr, _) => format!("{source} tem esses passos só com janela simétrica"),
     }
@@ -236,10 +238,10 @@ pub fn pixel_outside(lang: Lang, [i, j]: [i64; 2], image: ImageSize) -> String {
     let (right, bottom) = (i64::from(width) - 1, i64::from(height) - 1);
     match lang {
         Lang::En => format!(
-            "--pixel {i},{j} lies outside of the image, which has columns 0 to {right} and rows 0 to {bottom}; its ray is given all the same"
+            "--pixel {i},{j} lies outside the image, which has columns 0 to {right} and rows 0 to {bottom}; its ray is printed anyway"
         ),
         Lang::PtBr => format!(
-            "--pixel {i},{j} fica fora da imagem, que tem colunas de 0 a {right} e linhas de 0 a {bottom}; o raio é dado assim mesmo"
+            "--pixel {i},{j} fica fora da imagem, que tem colunas de 0 a {right} e linhas de 0 a {bottom}; o raio é impresso mesmo assim"
         ),
     }
 }
@@ -298,8 +300,8 @@ pub fn seed(lang: Lang, text: &str) -> String {
 #[must_use]
 pub fn plot_ending(lang: Lang, path: &str, endings: &str) -> String {
     match lang {
-        Lang::En => format!("{path}: the ending says no format of a plot; allowed: {endings}"),
-        Lang::PtBr => format!("{path}: a extensão não diz um formato de gráfico; permitido: {endings}"),
+        Lang::En => format!("{path}: its extension is not that of a plot format; allowed: {endings}"),
+        Lang::PtBr => format!("{path}: a extensão não é de um formato de gráfico; permitido: {endings}"),
     }
 }
 
@@ -356,10 +358,10 @@ pub fn bench(lang: Lang, what: &str, triangles: usize, frames: usize, [median, m
 pub fn no_room(lang: Lang, width: u64, height: u64, gap: u32) -> String {
     match lang {
         Lang::En => format!(
-            "{width} × {height} pixels have no room for three pictures and the {gap} pixels between two of them, which grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters"
+            "three pictures with gaps of {gap} pixels do not fit into {width} × {height} pixels; the gaps grow with --letters and --scale; allowed: a larger --size or --width-cm, or smaller letters"
         ),
         Lang::PtBr => format!(
-            "em {width} × {height} pixels não cabem três imagens e os {gap} pixels entre duas delas, que crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores"
+            "três imagens com intervalos de {gap} pixels não cabem em {width} × {height} pixels; os intervalos crescem com --letters e --scale; permitido: --size ou --width-cm maior, ou letras menores"
         ),
     }
 }
@@ -370,10 +372,10 @@ pub fn no_pixel(lang: Lang, [option, centimetres]: [&str; 2], dpi: f64) -> Strin
     let centimetres = escaped(centimetres);
     match lang {
         Lang::En => format!(
-            "{option} {centimetres} has less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi"
+            "{option} {centimetres} is less than one pixel at {dpi} pixels per inch; allowed: a larger {option} or --dpi"
         ),
         Lang::PtBr => format!(
-            "{option} {centimetres} tem menos de um pixel a {dpi} pixels por polegada; permitido: {option} ou --dpi maior"
+            "{option} {centimetres} é menos de um pixel a {dpi} pixels por polegada; permitido: {option} ou --dpi maior"
         ),
     }
 }

@@ -6,20 +6,20 @@ use crate::camera::{InfiniteParallel, Ndc};
 texts! {
     title: "Conventions", "Convenções";
     ndc: "NDC of", "NDC de";
-    ndc_hint: "Whose normalised device coordinates: M_p, what follows from it, the probe and the canonical volume are in them. Pixels and depths of the image stay the same", "De quem são as coordenadas normalizadas: M_p, o que vem dela, a sonda e o volume canônico as usam. Pixels e profundidades da imagem não mudam";
+    ndc_hint: "Whose normalised device coordinates M_p, the probe and the canonical volume use. Pixels and depths of the image stay the same", "De quem são as coordenadas normalizadas de dispositivo que M_p, a sonda e o volume canônico usam. Pixels e profundidades da imagem não mudam";
     compared: "compared with", "comparar com";
-    compared_hint: "The same matrices in another convention below; the entries that differ are marked", "As mesmas matrizes em outra convenção embaixo; as entradas que diferem ficam marcadas";
+    compared_hint: "The same matrices in another convention, below; entries that differ are marked", "As mesmas matrizes em outra convenção, embaixo; os elementos que diferem ficam marcados";
     nobody: "nothing", "nada";
     reversed: "reversed", "invertido";
     reversed_hint: "z_n is 1 at F and 0 at B: floating-point numbers are dense around 0, where perspective crowds the depths. In OpenGL by glClipControl with GL_ZERO_TO_ONE", "z_n é 1 em F e 0 em B: números de ponto flutuante são densos perto de 0, onde a perspectiva comprime as profundidades. No OpenGL, por glClipControl com GL_ZERO_TO_ONE";
     infinite: "B → ∞", "B → ∞";
-    infinite_hint: "The limit of the matrices where the far plane goes to infinity; in perspective only. The pictures are still clipped at B", "O limite das matrizes quando o plano de fundo vai ao infinito; só em perspectiva. As imagens ainda são recortadas em B";
-    row_vectors: "row vectors", "vetores-linha";
+    infinite_hint: "The limit of the matrices as the back plane goes to infinity; in perspective only. The pictures are still clipped at B", "O limite das matrizes quando o plano de fundo vai ao infinito; só em perspectiva. As imagens ainda são recortadas em B";
+    row_vectors: "row vectors", "vetores linha";
     row_vectors_hint: "As in texts that write p′ = p M", "Como em textos que escrevem p′ = p M";
     row_vectors_said: "Points are rows, p′ = p M: every matrix is transposed, and a product is read from the left.", "Pontos são linhas, p′ = p M: cada matriz é transposta, e um produto é lido da esquerda.";
-    left_handed: "left-handed view space", "espaço de vista canhoto";
+    left_handed: "left-handed view space", "espaço de vista de mão esquerda";
     left_handed_hint: "z_c grows along DOP, as in texts on Direct3D", "z_c cresce ao longo de DOP, como em textos sobre Direct3D";
-    left_handed_said: "z_c grows along DOP: the third row of M_v and the third column of M_p have the other sign, and their product is the same.", "z_c cresce ao longo de DOP: a terceira linha de M_v e a terceira coluna de M_p têm o outro sinal, e seu produto é o mesmo.";
+    left_handed_said: "z_c grows along DOP: the third row of M_v and the third column of M_p change sign, and their product stays the same.", "z_c cresce ao longo de DOP: a terceira linha de M_v e a terceira coluna de M_p trocam de sinal, e seu produto não muda.";
 }
 
 /// A convention in words, as in the pictures.
@@ -28,13 +28,13 @@ pub fn name(lang: Lang, ndc: Ndc) -> String {
     pictures::labels(lang).ndc_title(ndc)
 }
 
-/// Why what is shown has a far plane all the same.
+/// The reason why the pictures still have a back plane.
 #[must_use]
 pub fn finite_instead(lang: Lang, error: InfiniteParallel) -> String {
     let name = error.0.api.title();
     match lang {
         Lang::En => {
-            format!("B → ∞ gives all depths of a parallel projection the same z: {name} is shown with its far plane")
+            format!("B → ∞ gives all depths of a parallel projection the same z: {name} is shown with its back plane")
         }
         Lang::PtBr => {
             format!(
@@ -71,8 +71,8 @@ pub fn differences(lang: Lang, ndc: Ndc, compared: Ndc) -> String {
     if ndc.infinite != compared.infinite {
         reasons.push(
             match (lang, compared.infinite) {
-                (Lang::En, true) => "it has no far plane",
-                (Lang::En, false) => "it has a far plane",
+                (Lang::En, true) => "it has no back plane",
+                (Lang::En, false) => "it has a back plane",
                 (Lang::PtBr, true) => "não há plano de fundo",
                 (Lang::PtBr, false) => "há plano de fundo",
             }

@@ -7,18 +7,18 @@ use crate::sanitize::escaped;
 
 texts! {
     number_hint: "Sets the camera", "Define a câmera";
-    fixed_hint: "It follows from the others and cannot be set by itself", "Decorre dos outros e não pode ser definido sozinho";
+    fixed_hint: "Follows from the others and cannot be set by itself", "Decorre dos outros e não pode ser definido sozinho";
     pasted: "A matrix → its camera", "Uma matriz → sua câmera";
-    pasted_hint: "Paste sixteen numbers, row by row, as any program writes them. They are read in the convention of NDC that is chosen under Conventions.",
+    pasted_hint: "Paste sixteen numbers, row by row, as any program writes them. They are read in the NDC convention chosen under Conventions.",
         "Cole dezesseis números, linha por linha, como qualquer programa os escreve. São lidos na convenção de NDC escolhida em Convenções.";
     kind: "The matrix is", "A matriz é";
     kind_hint: "What the matrix does", "O que a matriz faz";
     transposed: "row vectors", "vetores linha";
     transposed_hint: "The matrix is written for row vectors, or by columns: it is transposed", "A matriz foi escrita para vetores linha, ou por colunas: é transposta";
-    try_transposed: "Transposed it is that of a camera: choose “row vectors”.", "Transposta, ela é a de uma câmera: escolha “vetores linha”.";
+    try_transposed: "Transposed, it is the matrix of a camera: choose “row vectors”.", "Transposta, é a matriz de uma câmera: escolha “vetores linha”.";
     read_as: "Read in the convention", "Lida na convenção";
     take: "Take this camera", "Usar esta câmera";
-    take_hint: "The figure gets the camera of the matrix; Ctrl+Z takes it back", "A figura recebe a câmera da matriz; Ctrl+Z desfaz";
+    take_hint: "The figure takes on the camera of the matrix; Ctrl+Z undoes it", "A figura recebe a câmera da matriz; Ctrl+Z desfaz";
 }
 
 /// The title of a vocabulary, and a name that no language changes.
@@ -39,10 +39,10 @@ pub fn title(lang: Lang, vocabulary: Vocabulary) -> (&'static str, &'static str)
 #[must_use]
 pub fn limitation(lang: Lang, limitation: Limitation) -> &'static str {
     match (lang, limitation) {
-        (Lang::En, Limitation::SymmetricOnly) => "It has words for symmetric windows only: this one is not.",
-        (Lang::PtBr, Limitation::SymmetricOnly) => "Só tem palavras para janelas simétricas: esta não é.",
-        (Lang::En, Limitation::PerspectiveOnly) => "It has words for perspective only.",
-        (Lang::PtBr, Limitation::PerspectiveOnly) => "Só tem palavras para a perspectiva.",
+        (Lang::En, Limitation::SymmetricOnly) => "It can express symmetric windows only: this one is not.",
+        (Lang::PtBr, Limitation::SymmetricOnly) => "Só exprime janelas simétricas: esta não é.",
+        (Lang::En, Limitation::PerspectiveOnly) => "It can express perspective only.",
+        (Lang::PtBr, Limitation::PerspectiveOnly) => "Só exprime a perspectiva.",
         (Lang::En, Limitation::NoClippingPlanes) => "F and B are not part of it: they stay as they are.",
         (Lang::PtBr, Limitation::NoClippingPlanes) => "F e B não fazem parte: ficam como estão.",
         (Lang::En, Limitation::NoFocalPoint) => "PF is not part of it: it stays at its distance D.",
@@ -87,40 +87,44 @@ pub fn kind(lang: Lang, kind: MatrixKind) -> &'static str {
 #[must_use]
 pub fn unknown(lang: Lang, unknown: Unknown) -> &'static str {
     match (lang, unknown) {
-        (Lang::En, Unknown::FocalDistance) => "D cannot be known: a direction has no length. PF keeps its distance.",
+        (Lang::En, Unknown::FocalDistance) => "D is unknown: a direction has no length. PF keeps its distance.",
         (Lang::PtBr, Unknown::FocalDistance) => {
-            "D não pode ser conhecido: uma direção não tem comprimento. PF mantém sua distância."
+            "D é desconhecido: uma direção não tem comprimento. PF mantém sua distância."
         }
-        (Lang::En, Unknown::ViewUp) => "VUP cannot be known, only v: the VUP that was there stays where it fits.",
-        (Lang::PtBr, Unknown::ViewUp) => "VUP não pode ser conhecido, só v: o VUP que estava lá fica, se servir.",
+        (Lang::En, Unknown::ViewUp) => "VUP is unknown, only v is known: the present VUP stays if it fits.",
+        (Lang::PtBr, Unknown::ViewUp) => "VUP é desconhecido, só se conhece v: o VUP atual fica, se servir.",
         (Lang::En, Unknown::PositionAlongNormal) => {
-            "In parallel projection C may lie anywhere along n: it is put where F stays as it was."
+            "In parallel projection C may lie anywhere along n: it is put where F does not change."
         }
         (Lang::PtBr, Unknown::PositionAlongNormal) => {
-            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto onde F fica como estava."
+            "Em projeção paralela C pode ficar em qualquer lugar ao longo de n: é posto onde F não muda."
         }
         (Lang::En, Unknown::WindowCentre) => {
-            "A window beside the axis and a C that lies sideways give the same matrix: the window is taken as symmetric."
+            "An off-axis window and a C shifted sideways give the same matrix: the window is taken as symmetric."
         }
         (Lang::PtBr, Unknown::WindowCentre) => {
-            "Uma janela ao lado do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."
+            "Uma janela fora do eixo e um C deslocado dão a mesma matriz: a janela é tomada como simétrica."
         }
-        (Lang::En, Unknown::Far) => "The far plane is at infinity: B stays as it was.",
+        (Lang::En, Unknown::Far) => "The back plane is at infinity: B stays as it was.",
         (Lang::PtBr, Unknown::Far) => "O plano de fundo está no infinito: B fica como estava.",
         (Lang::En, Unknown::Lens) => "Window, F and B are not in M_v: they stay as they were.",
         (Lang::PtBr, Unknown::Lens) => "Janela, F e B não estão em M_v: ficam como estavam.",
         (Lang::En, Unknown::Pose) => "C, PF and VUP are not in M_p: they stay as they were.",
         (Lang::PtBr, Unknown::Pose) => "C, PF e VUP não estão em M_p: ficam como estavam.",
         (Lang::En, Unknown::DepthDirection) => {
-            "z grows towards the viewer there, which no camera of [0] has: the volume is the same, z_n has the other sign."
+            "z grows towards the viewer there, as in no camera of [0]: the volume is the same, z_n changes sign."
         }
         (Lang::PtBr, Unknown::DepthDirection) => {
-            "Ali z cresce para o observador, o que nenhuma câmera de [0] tem: o volume é o mesmo, z_n tem o outro sinal."
+            "Ali z cresce rumo ao observador, como em nenhuma câmera de [0]: o volume é o mesmo, z_n troca de sinal."
         }
-        (Lang::En, Unknown::LeftHandedView) => "The axes are left-handed, as in [3]: n is turned around.",
+        (Lang::En, Unknown::LeftHandedView) => "The axes are left-handed, as in [3]: n is reversed.",
         (Lang::PtBr, Unknown::LeftHandedView) => "Os eixos são de mão esquerda, como em [3]: n é invertido.",
-        (Lang::En, Unknown::Rounded) => "Its rows are at right angles only up to their digits: they were straightened.",
-        (Lang::PtBr, Unknown::Rounded) => "Suas linhas só são perpendiculares até os seus dígitos: foram endireitadas.",
+        (Lang::En, Unknown::Rounded) => {
+            "Its rows are perpendicular only to within their digits: they were orthonormalised."
+        }
+        (Lang::PtBr, Unknown::Rounded) => {
+            "Suas linhas só são perpendiculares até os seus dígitos: foram ortonormalizadas."
+        }
     }
 }
 
@@ -153,7 +157,7 @@ pub fn recovery_error(lang: Lang, error: &RecoveryError) -> String {
     match (lang, error) {
         (_, RecoveryError::Camera(error)) => messages::camera(lang, error),
         (Lang::En, RecoveryError::Length { row, length }) => {
-            format!("row {row} has the length {}; the rows of a view matrix are unit vectors", number(*length))
+            format!("row {row} has length {}; the rows of a view matrix are unit vectors", number(*length))
         }
         (Lang::En, error) => error.to_string(),
         (Lang::PtBr, RecoveryError::NotFinite { row, column }) => {

@@ -10,9 +10,9 @@ texts! {
     understood: "understood as", "entendido como";
     hint: "Hint", "Dica";
     asked: "Asked", "Pede-se";
-    assumptions: "How it is read", "Como se entende";
+    assumptions: "Assumptions", "Hipóteses";
     answers: "Answers", "Respostas";
-    solution: "The way there", "O caminho";
+    solution: "Solution", "Resolução";
     not_answered: "Not answered yet", "Ainda sem resposta";
     read_as: "read as", "entendido";
     source: "Source", "Fonte";
@@ -20,7 +20,7 @@ texts! {
     name: "Name", "Nome";
     date: "Date", "Data";
     seed: "seed", "semente";
-    target: "This picture is to be matched", "Esta é a imagem a reproduzir";
+    target: "The picture to match", "Esta é a imagem a reproduzir";
 }
 
 /// An identifier that no exercise has.
@@ -33,7 +33,7 @@ pub fn unknown_exercise(lang: Lang, id: &str, near: Option<&str>) -> String {
         }
         (Lang::En, None) => format!("there is no exercise {id:?}; `camera-lab exercise list` lists them"),
         (Lang::PtBr, Some(near)) => {
-            format!("não há exercício {id:?}; seria {near:?}? `camera-lab exercise list` os lista")
+            format!("não há exercício {id:?}; você quis dizer {near:?}? `camera-lab exercise list` os lista")
         }
         (Lang::PtBr, None) => format!("não há exercício {id:?}; `camera-lab exercise list` os lista"),
     }
@@ -62,8 +62,8 @@ pub fn answered_twice(lang: Lang, name: &str) -> String {
 #[must_use]
 pub fn passed_over(lang: Lang, why: &str) -> String {
     match lang {
-        Lang::En => format!("passed over: {why}"),
-        Lang::PtBr => format!("deixado de lado: {why}"),
+        Lang::En => format!("skipped: {why}"),
+        Lang::PtBr => format!("ignorado: {why}"),
     }
 }
 
@@ -71,10 +71,10 @@ pub fn passed_over(lang: Lang, why: &str) -> String {
 #[must_use]
 pub fn and_more(lang: Lang, why: &str, more: usize) -> String {
     match (lang, more) {
-        (Lang::En, 1) => format!("{why} (and one more file was passed over)"),
-        (Lang::En, _) => format!("{why} (and {more} more files were passed over)"),
-        (Lang::PtBr, 1) => format!("{why} (e mais um arquivo foi deixado de lado)"),
-        (Lang::PtBr, _) => format!("{why} (e mais {more} arquivos foram deixados de lado)"),
+        (Lang::En, 1) => format!("{why} (and one more file was skipped)"),
+        (Lang::En, _) => format!("{why} (and {more} more files were skipped)"),
+        (Lang::PtBr, 1) => format!("{why} (e mais um arquivo foi ignorado)"),
+        (Lang::PtBr, _) => format!("{why} (e mais {more} arquivos foram ignorados)"),
     }
 }
 
@@ -88,8 +88,8 @@ pub fn answer_form(lang: Lang, text: &str) -> String {
 #[must_use]
 pub fn unreadable(lang: Lang, name: &str, why: &str) -> String {
     match lang {
-        Lang::En => format!("--answer {name}: {why}. Nothing has been judged"),
-        Lang::PtBr => format!("--answer {name}: {why}. Nada foi julgado"),
+        Lang::En => format!("--answer {name}: {why}. Nothing was checked"),
+        Lang::PtBr => format!("--answer {name}: {why}. Nada foi conferido"),
     }
 }
 
@@ -104,9 +104,11 @@ pub fn with(_lang: Lang, text: &str, why: &str) -> String {
 pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
     let name = escaped(name);
     match (lang, free.is_empty()) {
-        (Lang::En, true) => format!("--with: {id} leaves no number open, {name:?} neither"),
+        (Lang::En, true) => format!("--with: {id} leaves no number open, so {name:?} cannot be set"),
         (Lang::En, false) => format!("--with: {id} does not leave {name:?} open; it leaves open: {}", free.join(", ")),
-        (Lang::PtBr, true) => format!("--with: {id} não deixa nenhum número em aberto, nem {name:?}"),
+        (Lang::PtBr, true) => {
+            format!("--with: {id} não deixa nenhum número em aberto, e {name:?} não pode ser definido")
+        }
         (Lang::PtBr, false) => format!("--with: {id} não deixa {name:?} em aberto; deixa: {}", free.join(", ")),
     }
 }
@@ -116,7 +118,7 @@ pub fn not_free(lang: Lang, id: &str, name: &str, free: &[&str]) -> String {
 pub fn hints_range(lang: Lang, text: &str) -> String {
     let text = escaped(text);
     match lang {
-        Lang::En => format!("--hints {text}: a whole number from 0 to 9 is expected"),
+        Lang::En => format!("--hints {text}: expected a whole number from 0 to 9"),
         Lang::PtBr => format!("--hints {text}: esperava-se um número inteiro de 0 a 9"),
     }
 }
@@ -125,7 +127,7 @@ pub fn hints_range(lang: Lang, text: &str) -> String {
 #[must_use]
 pub const fn name_and_value(lang: Lang) -> &'static str {
     match lang {
-        Lang::En => "NAME=VALUE is expected",
+        Lang::En => "expected NAME=VALUE",
         Lang::PtBr => "esperava-se NOME=VALOR",
     }
 }
@@ -134,7 +136,7 @@ pub const fn name_and_value(lang: Lang) -> &'static str {
 #[must_use]
 pub const fn greater_than_zero(lang: Lang) -> &'static str {
     match lang {
-        Lang::En => "a number greater than 0 is expected",
+        Lang::En => "expected a number greater than 0",
         Lang::PtBr => "esperava-se um número maior que 0",
     }
 }
@@ -168,8 +170,8 @@ pub fn score(lang: Lang, right: usize, all: usize) -> String {
 #[must_use]
 pub fn sheet_ending(lang: Lang, path: &str) -> String {
     match lang {
-        Lang::En => format!("{path}: a sheet ends with .md or .tex"),
-        Lang::PtBr => format!("{path}: uma folha termina com .md ou .tex"),
+        Lang::En => format!("{path}: unknown extension; allowed: .md, .tex"),
+        Lang::PtBr => format!("{path}: extensão desconhecida; permitido: .md, .tex"),
     }
 }
 
@@ -177,7 +179,7 @@ pub fn sheet_ending(lang: Lang, path: &str) -> String {
 #[must_use]
 pub fn no_picture(lang: Lang, id: &str) -> String {
     match lang {
-        Lang::En => format!("--picture: {id} has no picture that is to be matched"),
+        Lang::En => format!("--picture: {id} has no picture to match"),
         Lang::PtBr => format!("--picture: {id} não tem imagem a reproduzir"),
     }
 }
@@ -186,8 +188,8 @@ pub fn no_picture(lang: Lang, id: &str) -> String {
 #[must_use]
 pub fn picture_ending(lang: Lang, path: &str) -> String {
     match lang {
-        Lang::En => format!("--picture {path}: the picture ends with .png"),
-        Lang::PtBr => format!("--picture {path}: a imagem termina em .png"),
+        Lang::En => format!("--picture {path}: unknown extension; allowed: .png"),
+        Lang::PtBr => format!("--picture {path}: extensão desconhecida; permitido: .png"),
     }
 }
 
@@ -197,15 +199,15 @@ pub fn why(lang: Lang, why: Why) -> String {
     match (lang, why) {
         (Lang::En, Why::Mistake(made, times)) => {
             let times = if times == 1 { "once".to_owned() } else { format!("{times} times") };
-            format!("It shows a mistake that you made {times}: {}", mistake(lang, made)[0])
+            format!("It practises a mistake that you made {times}: {}", mistake(lang, made)[0])
         }
         (Lang::PtBr, Why::Mistake(made, times)) => {
             let times = if times == 1 { "uma vez".to_owned() } else { format!("{times} vezes") };
-            format!("Ele mostra um erro que você cometeu {times}: {}", mistake(lang, made)[0])
+            format!("Ele exercita um erro que você cometeu {times}: {}", mistake(lang, made)[0])
         }
         (Lang::En, Why::NotSolved) => "It is the first that you have not solved.".to_owned(),
         (Lang::PtBr, Why::NotSolved) => "É o primeiro que você ainda não resolveu.".to_owned(),
-        (Lang::En, Why::LongestAgo) => "You have solved all; this is the one that you tried least recently.".to_owned(),
+        (Lang::En, Why::LongestAgo) => "You have solved them all; this is the one you tried longest ago.".to_owned(),
         (Lang::PtBr, Why::LongestAgo) => "Você já resolveu todos; este é o que você tentou há mais tempo.".to_owned(),
     }
 }
@@ -214,7 +216,7 @@ pub fn why(lang: Lang, why: Why) -> String {
 #[must_use]
 pub fn progress_deleted(lang: Lang, path: &str) -> String {
     match lang {
-        Lang::En => format!("Progress is deleted; what it was is in {path}."),
-        Lang::PtBr => format!("O progresso foi apagado; o que era está em {path}."),
+        Lang::En => format!("Progress deleted; the old file is now {path}."),
+        Lang::PtBr => format!("Progresso apagado; o arquivo antigo é agora {path}."),
     }
 }

@@ -139,7 +139,7 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     if let Some([row, column]) = diagnosis.entry {
         let (row, column) = (row + 1, column + 1);
         said.push(match lang {
-            Lang::En if beside => format!("Besides, the number in row {row}, column {column} is wrong."),
+            Lang::En if beside => format!("In addition, the number in row {row}, column {column} is wrong."),
             Lang::PtBr if beside => format!("Além disso, o número da linha {row}, coluna {column} está errado."),
             Lang::En => format!("It is the one in row {row}, column {column}."),
             Lang::PtBr => format!("É a da linha {row}, coluna {column}."),
@@ -150,8 +150,8 @@ pub fn diagnosis(lang: Lang, ask: &Ask, judged: &Judged) -> Option<String> {
     {
         let [asked, given] = [ask.shape(), [rows, columns]].map(shape);
         said.push(match lang {
-            Lang::En => format!("{asked} are asked for, {given} were given."),
-            Lang::PtBr => format!("Pedem-se {asked}, foram dados {given}."),
+            Lang::En => format!("Expected {asked} numbers, got {given}."),
+            Lang::PtBr => format!("Esperavam-se {asked} números, foram dados {given}."),
         });
     }
     Some(said.join(" "))
@@ -180,19 +180,19 @@ pub fn hints_without_diagnosis(lang: Lang, judged: &Judged, first_step: Option<&
     let mut hints = Vec::new();
     if !judged.conditions.is_empty() {
         hints.push(match lang {
-            Lang::En => format!("{right} of {all} conditions are fulfilled; begin with the first that is not."),
-            Lang::PtBr => format!("{right} de {all} condições são cumpridas; comece pela primeira que não é."),
+            Lang::En => format!("{right} of {all} conditions are met; begin with the first that is not."),
+            Lang::PtBr => format!("{right} de {all} condições são satisfeitas; comece pela primeira que não é."),
         });
     } else if all > 1 {
         hints.push(match lang {
-            Lang::En => format!("{right} of {all} numbers are right; look at the others once more."),
+            Lang::En => format!("{right} of {all} numbers are right; look at the others again."),
             Lang::PtBr => format!("{right} de {all} números estão certos; olhe os outros mais uma vez."),
         });
     }
     if let Some(step) = first_step {
         hints.push(match lang {
-            Lang::En => format!("The way begins with: {step}"),
-            Lang::PtBr => format!("O caminho começa por: {step}"),
+            Lang::En => format!("The solution begins with: {step}"),
+            Lang::PtBr => format!("A resolução começa por: {step}"),
         });
     }
     hints
@@ -325,14 +325,10 @@ pub fn answer_error(lang: Lang, error: &AnswerError) -> String {
         }
         (_, AnswerError::Camera(error)) => figure_files::without_line(lang, error),
         (Lang::En, AnswerError::Choice { given, choices }) => {
-            format!("“{}” cannot be chosen; choose one of: {}", escaped(given), list_of_choices(lang, choices))
+            format!("“{}” is not a choice; allowed: {}", escaped(given), list_of_choices(lang, choices))
         }
         (Lang::PtBr, AnswerError::Choice { given, choices }) => {
-            format!(
-                "“{}” não pode ser escolhido; escolha um destes: {}",
-                escaped(given),
-                list_of_choices(lang, choices)
-            )
+            format!("“{}” não é uma opção; permitido: {}", escaped(given), list_of_choices(lang, choices))
         }
         (Lang::En, AnswerError::Pair(text)) => format!("“{}” is not KEY=VALUE", escaped(text)),
         (Lang::PtBr, AnswerError::Pair(text)) => format!("“{}” não é CHAVE=VALOR", escaped(text)),

@@ -9,64 +9,64 @@ texts! {
     matrices: "Matrices", "Matrizes";
     matrices_hint: "Why each entry of each matrix is what it is", "Por que cada elemento de cada matriz é o que é";
     point: "Point", "Ponto";
-    point_hint: "One point through every space, with the whole arithmetic, and back", "Um ponto por todos os espaços, com a conta inteira, e de volta";
+    point_hint: "One point through every space, with all the arithmetic, and back", "Um ponto por todos os espaços, com a conta inteira, e de volta";
     homogeneous: "w", "w";
     homogeneous_hint: "What the fourth coordinate does: division, points behind the eye, ideal points, the middle of a segment, a floor", "O que faz a quarta coordenada: divisão, pontos atrás do olho, pontos ideais, o meio de um segmento, um piso";
     stages: "Stages", "Etapas";
-    stages_hint: "The image painted triangle by triangle: painter's order, BSP, depth buffer", "A imagem pintada triângulo por triângulo: ordem do pintor, BSP, buffer de profundidade";
-    no_inverse: "It has no inverse: something is multiplied by 0 (a scale, or a depth range from n to n), and cannot be found again.", "Não tem inversa: algo é multiplicado por 0 (uma escala, ou profundidades de n a n) e não pode ser recuperado.";
+    stages_hint: "The image painted triangle by triangle: painter's order, BSP, depth buffer", "A imagem pintada triângulo por triângulo: ordem do pintor, BSP, z-buffer";
+    no_inverse: "It has no inverse: something is multiplied by 0 (a scale, or a depth range from n to n), and cannot be recovered.", "Não tem inversa: algo é multiplicado por 0 (uma escala, ou profundidades de n a n) e não pode ser recuperado.";
     film: "Export…", "Exportar…";
-    film_hint: "Writes the way from the world to the canonical volume: an animation (GIF, APNG) or a strip of stills (PNG, WebP, JPEG), as the name's ending says", "Grava o caminho do mundo ao volume canônico: uma animação (GIF, APNG) ou uma tira de quadros (PNG, WebP, JPEG), conforme a terminação do nome";
+    film_hint: "Exports the way from the world to the canonical volume: an animation (GIF, APNG) or a strip of stills (PNG, WebP, JPEG), by the extension of the name", "Exporta o caminho do mundo ao volume canônico: uma animação (GIF, APNG) ou uma tira de quadros (PNG, WebP, JPEG), pela extensão do nome";
     animation: "Animation", "Animação";
     strip: "Strip of stills", "Tira de quadros";
     dialects: "Dialects", "Dialetos";
-    dialects_hint: "The camera in the words of other sources, whose numbers set it; and a pasted matrix → its camera", "A câmera nas palavras de outras fontes, cujos números a definem; e uma matriz colada → sua câmera";
+    dialects_hint: "The camera in the vocabularies of other sources, whose numbers set it; and the camera of a pasted matrix", "A câmera nos vocabulários de outras fontes, cujos números a definem; e a câmera de uma matriz colada";
     order: "Order", "Ordem";
     order_hint: "In which order translation, rotation and scale act on an object, and what another order does", "Em que ordem translação, rotação e escala agem num objeto, e o que outra ordem faz";
     code: "Code", "Código";
     code_hint: "The camera as code for a library", "A câmera como código para uma biblioteca";
     notes: "Notes", "Notas";
-    notes_hint: "A short text for each symbol, operation, equation, step and stage; F1 on one of them leads here", "Um texto curto para cada símbolo, operação, equação, passo e etapa; F1 sobre um deles traz até aqui";
+    notes_hint: "A short text on each symbol, operation, equation, step and stage; F1 on one of them opens it", "Um texto curto sobre cada símbolo, operação, equação, passo e etapa; F1 sobre um deles o abre";
     exercises: "Exercises", "Exercícios";
-    exercises_hint: "The notes' exercises and families with ever new numbers: answers are checked, and wrong ones explained", "Os exercícios das notas e famílias com números sempre novos: as respostas são conferidas, e as erradas explicadas";
+    exercises_hint: "Exercises of the notes, and families that draw new numbers each time: answers are checked, and wrong ones explained", "Os exercícios das notas, e famílias que sorteiam números novos a cada vez: as respostas são conferidas, e as erradas explicadas";
     search_notes: "Search the notes", "Procurar nas notas";
-    search_notes_hint: "Words, symbols or numbers of equations; accents and capitals do not matter. Enter reads the first", "Palavras, símbolos ou números de equações; acentos e maiúsculas não importam. Enter lê a primeira";
-    no_note: "No note says that.", "Nenhuma nota diz isso.";
-    note_before: "The note before", "A nota anterior";
+    search_notes_hint: "Words, symbols or numbers of equations; accents and capitals do not matter. Enter opens the first", "Palavras, símbolos ou números de equações; acentos e maiúsculas não importam. Enter abre a primeira";
+    no_note: "No note matches.", "Nenhuma nota corresponde.";
+    note_before: "Previous note", "Nota anterior";
     see_also: "See also", "Veja também";
     in_this_figure: "in this figure", "nesta figura";
     code_for: "Code for", "Código para";
     copy: "Copy", "Copiar";
     copy_code_hint: "Copies the code", "Copia o código";
     steps: "Steps", "Passos";
-    steps_hint: "How the view volume becomes the canonical one, step by step, as each source takes the steps", "Como o volume de vista vira o canônico, passo a passo, como cada fonte dá os passos";
-    steps_hidden: "The picture of the canonical volume, in which this is seen, is hidden (Ctrl+2).", "A imagem do volume canônico, em que isto se vê, está escondida (Ctrl+2).";
-    nothing_done: "No step is done: this is the world.", "Nenhum passo foi dado: este é o mundo.";
+    steps_hint: "How the view volume becomes the canonical one, step by step, in the decomposition of each source", "Como o volume de vista vira o canônico, passo a passo, na decomposição de cada fonte";
+    steps_hidden: "The picture of the canonical volume, which shows this, is hidden (Ctrl+2).", "A imagem do volume canônico, que mostra isto, está escondida (Ctrl+2).";
+    nothing_done: "No step is applied: this is the world.", "Nenhum passo foi aplicado: este é o mundo.";
     to_world: "To the world", "Ao mundo";
-    step_back: "A step back", "Um passo atrás";
+    step_back: "Step back", "Um passo atrás";
     play: "Play", "Reproduzir";
-    hold: "Hold", "Pausar";
-    step_forward: "A step forward", "Um passo à frente";
+    hold: "Pause", "Pausar";
+    step_forward: "Step forward", "Um passo à frente";
     to_cube: "To the canonical volume", "Ao volume canônico";
-    scrubber: "How many steps are done", "Quantos passos foram dados";
-    scrubber_hint: "How many steps are done. Left and right arrow: a tenth of a step; with Ctrl: to the whole step before or after",
-        "Quantos passos foram dados. Setas esquerda e direita: um décimo de passo; com Ctrl: ao passo inteiro anterior ou seguinte";
+    scrubber: "Steps applied", "Passos aplicados";
+    scrubber_hint: "Steps applied. Left and right arrow: a tenth of a step; with Ctrl: to the previous or next whole step",
+        "Passos aplicados. Setas esquerda e direita: um décimo de passo; com Ctrl: ao passo inteiro anterior ou seguinte";
     inverse: "inverse", "inversa";
     formulas: "formulas", "fórmulas";
     formulas_hint: "The entries with the symbols of the lecture notes [0]", "Os elementos com os símbolos das notas de aula [0]";
-    numbers: "numbers put in", "com números";
+    numbers: "with numbers", "com números";
     numbers_hint: "The same formulas with the numbers of this camera", "As mesmas fórmulas com os números desta câmera";
     values: "values", "valores";
-    values_hint: "What the formulas amount to: fractions and roots where they are exact, else decimals", "O que as fórmulas resultam: frações e raízes onde são exatas, senão decimais";
+    values_hint: "The values of the formulas: fractions and roots where they are exact, else decimals", "Os valores das fórmulas: frações e raízes onde são exatas, senão decimais";
     copy_latex: "Copy LaTeX", "Copiar LaTeX";
     copy_latex_hint: "The matrix as it is shown, as a bmatrix", "A matriz como é mostrada, como bmatrix";
     copy_text: "Copy text", "Copiar texto";
     copy_text_hint: "The matrix as it is shown, in rows and columns", "A matriz como é mostrada, em linhas e colunas";
     select_object: "M_m is the matrix of one object: select one in the world or in the scene (F6).", "M_m é a matriz de um objeto: selecione um no mundo ou na cena (F6).";
-    made_of: "made of (a click opens what a symbol is made of)", "feito de (um clique abre de que um símbolo é feito)";
+    made_of: "made of (click a symbol to open it)", "feito de (clique num símbolo para abri-lo)";
     parameter: "(parameter)", "(parâmetro)";
     constant: "It is the same for every camera of this kind.", "É o mesmo para toda câmera deste tipo.";
-    as_in_the_notes: "Here as in [0]: points are columns, and view space is right-handed.", "Aqui como em [0]: pontos são colunas, e o espaço de vista é destro.";
+    as_in_the_notes: "Here as in [0]: points are columns, and view space is right-handed.", "Aqui como em [0]: pontos são colunas, e o espaço de vista é de mão direita.";
 }
 
 /// Where an entry stands; rows and columns from 0.
@@ -83,8 +83,8 @@ pub fn entry(lang: Lang, matrix: &str, row: usize, column: usize) -> String {
 #[must_use]
 pub fn used_in(lang: Lang, point: &str, symbol: &str) -> String {
     match lang {
-        Lang::En => format!("on the way of {point} it is in the sum for {symbol}, as the term"),
-        Lang::PtBr => format!("no caminho de {point} está na soma de {symbol}, no termo"),
+        Lang::En => format!("for {point} it appears in the sum of {symbol}, in the term"),
+        Lang::PtBr => format!("para {point} aparece na soma de {symbol}, no termo"),
     }
 }
 
@@ -130,8 +130,8 @@ pub fn in_force(lang: Lang, formulas: &MatrixFormula) -> String {
         "(5.15)" => ("parallel, with any window", "paralela, com qualquer janela"),
         "(5.16)" => ("parallel, with a window symmetric about DOP", "paralela, com janela simétrica em torno de DOP"),
         "" => (
-            "[0] has no equation for it: it follows from those it has",
-            "[0] não tem equação para ela: decorre das que tem",
+            "[0] has no equation for it: it follows from the others",
+            "[0] não tem equação para ela: decorre das outras",
         ),
         _ => ("the equation of [0]", "a equação de [0]"),
     };
@@ -154,7 +154,7 @@ pub fn symbol(lang: Lang, symbol: Symbol) -> String {
     };
     match symbol {
         Symbol::Axis(Axis::U, c) => of(c, "u, to the right of the camera", "u, à direita da câmera"),
-        Symbol::Axis(Axis::V, c) => of(c, "v, upwards of the camera", "v, para cima da câmera"),
+        Symbol::Axis(Axis::V, c) => of(c, "v, upwards from the camera", "v, para cima da câmera"),
         Symbol::Axis(Axis::N, c) => of(c, "n, from PF towards C", "n, de PF para C"),
         Symbol::Position(c) => of(c, "C, the position", "C, a posição"),
         Symbol::FocalPoint(c) => of(c, "PF, the focal point", "PF, o ponto focal"),
@@ -233,7 +233,7 @@ pub fn product(lang: Lang, steps: usize) -> String {
 #[must_use]
 pub fn handedness(lang: Lang, hand: &str) -> String {
     match lang {
-        Lang::En => format!("from here on {hand}: z turns around"),
+        Lang::En => format!("from here on {hand}: z is reversed"),
         Lang::PtBr => format!("daqui em diante, {hand}: z se inverte"),
     }
 }
@@ -265,10 +265,10 @@ pub fn comparison(lang: Lang, decomposition: Decomposition, ratio: f64, rest: f6
             format!("O produto de todos os passos é M_p M_v ({convention}: z_n de {from} a {to}).")
         }
         (Lang::En, false) => format!(
-            "The product of all steps is {k} · M_p M_v ({convention}: z_n from {from} to {to}): the same points, since the division by w takes the factor out."
+            "The product of all steps is {k} · M_p M_v ({convention}: z_n from {from} to {to}): the same points, since the division by w cancels the factor."
         ),
         (Lang::PtBr, false) => format!(
-            "O produto de todos os passos é {k} · M_p M_v ({convention}: z_n de {from} a {to}): os mesmos pontos, pois a divisão por w elimina o fator."
+            "O produto de todos os passos é {k} · M_p M_v ({convention}: z_n de {from} a {to}): os mesmos pontos, pois a divisão por w cancela o fator."
         ),
     }
 }

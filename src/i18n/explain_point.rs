@@ -3,9 +3,9 @@
 texts! {
     no_points: "No point is followed. Add one, or pin a vertex in a picture and press Follow.", "Nenhum ponto é seguido. Acrescente um, ou fixe um vértice em uma imagem e aperte Seguir.";
     add: "Add", "Acrescentar";
-    add_hint: "Adds a point, at the vertex that is pointed at or at PF, and follows it", "Acrescenta um ponto, no vértice apontado ou em PF, e o segue";
+    add_hint: "Adds a point, at the vertex under the pointer or at PF, and follows it", "Acrescenta um ponto, no vértice sob o ponteiro ou em PF, e o segue";
     delete: "Delete", "Excluir";
-    delete_hint: "Deletes the point that is followed", "Exclui o ponto seguido";
+    delete_hint: "Deletes the followed point", "Exclui o ponto seguido";
     too_many: "No more points can be followed: there are 32.", "Não se podem seguir mais pontos: há 32.";
     name: "Name of the point", "Nome do ponto";
     name_hint: "As it is written in the pictures and in the figure file", "Como é escrito nas imagens e no arquivo da figura";
@@ -13,7 +13,7 @@ texts! {
     name_empty: "A point needs a name.", "Um ponto precisa de um nome.";
     // On the card of the probe.
     follow: "Follow", "Seguir";
-    follow_hint: "Follows this point through every space, in the side of explanations", "Segue este ponto por todos os espaços, no lado das explicações";
+    follow_hint: "Follows this point through every space, in the explanations", "Segue este ponto por todos os espaços, nas explicações";
     // The spaces.
     local: "local", "local";
     world: "world", "mundo";
@@ -24,26 +24,26 @@ texts! {
     pixel: "pixel", "pixel";
     viewport: "viewport", "viewport";
     homogeneous: "homogeneous", "homogêneas";
-    typed_hint: "Type in any space: the point goes where it has these coordinates", "Digite em qualquer espaço: o ponto vai para onde tem essas coordenadas";
+    typed_hint: "Type in any space: the point moves to these coordinates", "Digite em qualquer espaço: o ponto vai para essas coordenadas";
     local_of: "of the selected object", "do objeto selecionado";
-    window_and_depth: "and the distance from the eye", "e a distância do olho";
-    pixel_and_depth: "and Z of the depth buffer", "e Z do buffer de profundidade";
+    window_and_depth: "and the distance from the eye", "e a distância ao olho";
+    pixel_and_depth: "and Z of the depth buffer", "e Z do z-buffer";
     no_image: "no image", "sem imagem";
-    behind_pixel: "Beyond it lie the depths that the division makes of points behind the eye; clipping stops those, so that no pixel holds them. Such a point is typed in any other space, NDC among them.",
-        "Além dele estão as profundidades que a divisão faz de pontos atrás do olho; o recorte os detém, de modo que nenhum pixel as guarda. Tal ponto se digita em qualquer outro espaço, NDC entre eles.";
+    behind_pixel: "Beyond it lie the depths that the division gives to points behind the eye; clipping stops those, so no pixel holds them. Type such a point in any other space, NDC included.",
+        "Além dele estão as profundidades que a divisão dá a pontos atrás do olho; o recorte os detém, e nenhum pixel as guarda. Digite tal ponto em qualquer outro espaço, inclusive NDC.";
     // The arithmetic.
     forward: "Forward", "Ida";
     back: "Back", "Volta";
-    from_pixel: "From the centre of the pixel with its Z. (5.22) has rounded the place within the pixel away, so that it leads beside the point:", "Do centro do pixel com seu Z. (5.22) arredondou o lugar dentro do pixel, de modo que leva para o lado do ponto:";
+    from_pixel: "From the centre of the pixel with its Z. (5.22) has rounded away the position within the pixel, so the way back misses the point slightly:", "Do centro do pixel com seu Z. (5.22) arredondou a posição dentro do pixel, e a volta passa um pouco ao lado do ponto:";
     no_way_back: "There is no way back:", "Não há caminho de volta:";
-    outside: "It is outside the volume: clipping takes it away, and no pixel shows it.", "Está fora do volume: o recorte o retira, e nenhum pixel o mostra.";
-    behind: "w < 0: the point is behind the eye (w = −z_c). It has no image: clipping stops it before the division. What follows is what the division would make of it: where the line through it and C meets the window, upside down and on the other side. On the way back from NDC z_n tells it apart: it lies beyond the value to which depths tend before the eye.", "w < 0: o ponto está atrás do olho (w = −z_c). Não tem imagem: o recorte o detém antes da divisão. O que segue é o que a divisão faria dele: onde a reta por ele e por C encontra a janela, de cabeça para baixo e do outro lado. De volta de NDC, z_n o distingue: está além do valor a que tendem as profundidades à frente do olho.";
-    in_plane: "w = 0: the point is in the plane of the eye (z_c = 0). Its projector is parallel to the window and never meets it, so that (5.6) would divide by 0: the way ends here. Such clip coordinates are a direction, a point at infinity.", "w = 0: o ponto está no plano do olho (z_c = 0). Seu projetor é paralelo à janela e nunca a encontra, de modo que (5.6) dividiria por 0: o caminho acaba aqui. Essas coordenadas de recorte são uma direção, um ponto no infinito.";
+    outside: "It is outside the volume: clipping removes it, and no pixel shows it.", "Está fora do volume: o recorte o retira, e nenhum pixel o mostra.";
+    behind: "w < 0: the point is behind the eye (w = −z_c). It has no image: clipping stops it before the division. What follows is what the division would make of it: where the line through it and C meets the window, upside down and on the other side. On the way back from NDC, z_n tells it apart: it lies beyond the limit of the depths in front of the eye.", "w < 0: o ponto está atrás do olho (w = −z_c). Não tem imagem: o recorte o detém antes da divisão. O que segue é o que a divisão faria dele: onde a reta por ele e por C encontra a janela, de cabeça para baixo e do outro lado. De volta de NDC, z_n o distingue: está além do limite das profundidades à frente do olho.";
+    in_plane: "w = 0: the point is in the plane of the eye (z_c = 0). Its projector is parallel to the window and never meets it, so (5.6) would divide by 0: the way ends here. Such clip coordinates are a direction, a point at infinity.", "w = 0: o ponto está no plano do olho (z_c = 0). Seu projetor é paralelo à janela e nunca a encontra, de modo que (5.6) dividiria por 0: o caminho acaba aqui. Essas coordenadas de recorte são uma direção, um ponto no infinito.";
     copy_text: "Copy text", "Copiar texto";
     copy_latex: "Copy LaTeX", "Copiar LaTeX";
     copy_hint: "The whole way, forward and back", "O caminho inteiro, ida e volta";
     // In the pictures.
-    drag_point: "drag: moves it at its distance from the eye", "arrastar: move-o à sua distância do olho";
+    drag_point: "drag: moves it, keeping its distance from the eye", "arrastar: move-o, mantendo sua distância ao olho";
 }
 
 impl Texts {

@@ -71,7 +71,7 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
             }
         }
         Problem::Duplicate => match lang {
-            Lang::En => "is there twice; allowed: once".to_owned(),
+            Lang::En => "appears twice; allowed: once".to_owned(),
             Lang::PtBr => "aparece duas vezes; permitido: uma".to_owned(),
         },
         Problem::TooMany { count, limit } => match lang {
@@ -116,29 +116,29 @@ pub(super) fn problem(lang: Lang, problem: &Problem) -> String {
 fn formula(lang: Lang, FormulaError { formula, problem }: &FormulaError) -> String {
     let (limit, depth) = MAX_FORMULA;
     let why = match (lang, problem) {
-        (Lang::En, FormulaProblem::Open) => "no dollar sign ends it".to_owned(),
+        (Lang::En, FormulaProblem::Open) => "no dollar sign closes it".to_owned(),
         (Lang::PtBr, FormulaProblem::Open) => "nenhum cifrão a fecha".to_owned(),
-        (Lang::En, FormulaProblem::Empty) => "nothing is in it".to_owned(),
-        (Lang::PtBr, FormulaProblem::Empty) => "não há nada nela".to_owned(),
-        (Lang::En, FormulaProblem::Word(word)) => format!("{} is no word of mathematics", escaped(word)),
-        (Lang::PtBr, FormulaProblem::Word(word)) => format!("{} não é uma palavra da matemática", escaped(word)),
+        (Lang::En, FormulaProblem::Empty) => "it is empty".to_owned(),
+        (Lang::PtBr, FormulaProblem::Empty) => "está vazia".to_owned(),
+        (Lang::En, FormulaProblem::Word(word)) => format!("{} is not a mathematical command", escaped(word)),
+        (Lang::PtBr, FormulaProblem::Word(word)) => format!("{} não é um comando de matemática", escaped(word)),
         (Lang::En, FormulaProblem::Environment(name)) => {
-            format!("the environment {} is none of mathematics", escaped(name))
+            format!("the environment {} is not a mathematical one", escaped(name))
         }
         (Lang::PtBr, FormulaProblem::Environment(name)) => {
-            format!("o ambiente {} não é da matemática", escaped(name))
+            format!("o ambiente {} não é de matemática", escaped(name))
         }
-        (Lang::En, FormulaProblem::Character('\n')) => "a blank line is in it".to_owned(),
-        (Lang::PtBr, FormulaProblem::Character('\n')) => "há uma linha em branco nela".to_owned(),
+        (Lang::En, FormulaProblem::Character('\n')) => "it contains a blank line".to_owned(),
+        (Lang::PtBr, FormulaProblem::Character('\n')) => "contém uma linha em branco".to_owned(),
         (Lang::En, FormulaProblem::Character(c)) => format!("the character {} is not allowed there", named(*c)),
         (Lang::PtBr, FormulaProblem::Character(c)) => format!("o caractere {} não é permitido ali", named(*c)),
-        (Lang::En, FormulaProblem::Unbalanced(what)) => format!("{} has no other half", escaped(what)),
-        (Lang::PtBr, FormulaProblem::Unbalanced(what)) => format!("{} não tem a outra metade", escaped(what)),
+        (Lang::En, FormulaProblem::Unbalanced(what)) => format!("{} has no counterpart", escaped(what)),
+        (Lang::PtBr, FormulaProblem::Unbalanced(what)) => format!("{} não tem par", escaped(what)),
         (Lang::En, FormulaProblem::TooLong) => {
-            format!("it has more than {limit} characters, or more than {depth} pairs of braces in each other")
+            format!("it has more than {limit} characters, or more than {depth} nested pairs of braces")
         }
         (Lang::PtBr, FormulaProblem::TooLong) => {
-            format!("tem mais de {limit} caracteres, ou mais de {depth} pares de chaves um no outro")
+            format!("tem mais de {limit} caracteres, ou mais de {depth} pares de chaves aninhados")
         }
     };
     let formula = escaped(formula);
@@ -223,7 +223,7 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::PtBr => "\"#rrggbb\" ou \"#rrggbbaa\" com dígitos hexadecimais".to_owned(),
         },
         Allowed::Text => match lang {
-            Lang::En => "a text in quotes that is not empty".to_owned(),
+            Lang::En => "a non-empty text in quotes".to_owned(),
             Lang::PtBr => "um texto entre aspas, não vazio".to_owned(),
         },
         Allowed::Word { words, near } => {
@@ -253,9 +253,11 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             allowed_text(lang, allowed)
         }
         Allowed::Operations => match lang {
-            Lang::En => "a list of operations that this camera can do, such as [\"azimuth=30\", \"zoom=2\"]".to_owned(),
+            Lang::En => {
+                "a list of operations that this camera can perform, such as [\"azimuth=30\", \"zoom=2\"]".to_owned()
+            }
             Lang::PtBr => {
-                "uma lista de operações que esta câmera pode fazer, como [\"azimuth=30\", \"zoom=2\"]".to_owned()
+                "uma lista de operações que esta câmera pode executar, como [\"azimuth=30\", \"zoom=2\"]".to_owned()
             }
         },
         Allowed::Pixels => match lang {
@@ -263,7 +265,7 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             Lang::PtBr => "uma lista de pixels, [[i, j], …], em números inteiros".to_owned(),
         },
         Allowed::Numbers => match lang {
-            Lang::En => "a number or an expression, [a, b, …], or [[…], […], …] with rows of one length".to_owned(),
+            Lang::En => "a number or an expression, [a, b, …], or [[…], […], …] with rows of equal length".to_owned(),
             Lang::PtBr => {
                 "um número ou uma expressão, [a, b, …], ou [[…], […], …] com linhas de mesmo comprimento".to_owned()
             }
@@ -284,7 +286,7 @@ fn allowed(lang: Lang, allowed: &Allowed) -> String {
             choices.iter().map(|choice| format!("\"{}\"", escaped(choice))).collect::<Vec<_>>().join(", ")
         }
         Allowed::WrongAnswer => match lang {
-            Lang::En => "an answer that is wrong, which the message explains".to_owned(),
+            Lang::En => "a wrong answer, which the message explains".to_owned(),
             Lang::PtBr => "uma resposta errada, que a mensagem explica".to_owned(),
         },
         Allowed::Section => match lang {

@@ -21,10 +21,10 @@ texts! {
     close: "Close", "Fechar";
     // Where there is nothing to show.
     no_recent: "Nothing has been opened or saved yet.", "Nada foi aberto ou salvo ainda.";
-    no_folder: "No folder is chosen: that of the open figure, or one that you choose, stands here.", "Nenhuma pasta foi escolhida: aqui fica a da figura aberta, ou uma que você escolher.";
+    no_folder: "No folder is chosen: that of the open figure, or one that you choose, is listed here.", "Nenhuma pasta foi escolhida: a da figura aberta, ou uma que você escolher, aparece aqui.";
     empty_folder: "There are no figure files (.toml) in this folder.", "Não há arquivos de figura (.toml) nesta pasta.";
     // Of a file.
-    gone: "is not there any more", "não está mais lá";
+    gone: "no longer exists", "não existe mais";
     // Before the number of files that are not shown.
     more: "more files:", "outros arquivos:";
 }
@@ -34,12 +34,12 @@ texts! {
 pub fn shipped(lang: Lang, name: &str) -> (&'static str, &'static str) {
     let (en, pt) = match name {
         "primitives" => (
-            ("Primitives", "One of each shape on a table: the scene to try things with."),
-            ("Primitivas", "Uma de cada forma sobre uma mesa: a cena para experimentar."),
+            ("Primitives", "One of each shape on a table: a scene to try things out."),
+            ("Primitivas", "Uma de cada forma sobre uma mesa: uma cena para experimentar."),
         ),
         "house" => (
-            ("House", "A house that no mirror image equals: what is left and right, near and far?"),
-            ("Casa", "Uma casa diferente de qualquer imagem espelhada: o que é esquerda e direita, perto e longe?"),
+            ("House", "A house that differs from its mirror image: what is left and right, near and far?"),
+            ("Casa", "Uma casa diferente de sua imagem espelhada: o que é esquerda e direita, perto e longe?"),
         ),
         "corridor" => (
             ("Corridor", "Depth cues: parallel lines meet in a vanishing point, equal balls and tiles shrink."),
@@ -49,8 +49,8 @@ pub fn shipped(lang: Lang, name: &str) -> (&'static str, &'static str) {
             ),
         ),
         "teapot" => (
-            ("Teapot", "A mesh from a file, with the colours of its material, on a ground."),
-            ("Bule", "Uma malha de um arquivo, com as cores do seu material, sobre um chão."),
+            ("Teapot", "A mesh from a file, with the colours of its material, on the ground."),
+            ("Bule", "Uma malha de um arquivo, com as cores do seu material, sobre o chão."),
         ),
         "arm" => (
             ("Robot arm", "A tree of transforms: each part turns about the end of the one before."),
@@ -61,7 +61,7 @@ pub fn shipped(lang: Lang, name: &str) -> (&'static str, &'static str) {
             ("Cubo numerado", "Faces opostas somam 7: gire a câmera e diga onde ela está."),
         ),
         "ndc-cube" => (
-            ("NDC cube", "The view volume is exactly the cube of normalized device coordinates."),
+            ("NDC cube", "The view volume is exactly the cube of normalised device coordinates."),
             ("Cubo NDC", "O volume de vista é exatamente o cubo das coordenadas normalizadas de dispositivo."),
         ),
         "pyramid" => (
@@ -81,7 +81,7 @@ pub fn shipped(lang: Lang, name: &str) -> (&'static str, &'static str) {
             ("Exercício 5.3", "[0]: que câmera tem exatamente este cubo como volume de vista?"),
         ),
         "empty" => (
-            ("Empty scene", "Nothing but the camera: a place for objects of your own."),
+            ("Empty scene", "Nothing but the camera: a place for your own objects."),
             ("Cena vazia", "Nada além da câmera: um lugar para seus próprios objetos."),
         ),
         extreme => return extreme_figure(lang, extreme),
@@ -98,24 +98,27 @@ fn extreme_figure(lang: Lang, name: &str) -> (&'static str, &'static str) {
         "far-plane" => (
             (
                 "B = 1e12",
-                "In parallel projection NDC make the table a sheet on the near face; what hides what is still right.",
+                "In parallel projection NDC flatten the table onto the front face; hidden surfaces are still right.",
             ),
             (
                 "B = 1e12 (fundo)",
-                "Em projeção paralela, as NDC fazem da mesa uma folha na frente; quem oculta quem segue certo.",
+                "Em projeção paralela, as NDC achatam a mesa na face da frente; as faces ocultas seguem certas.",
             ),
         ),
         "far-near" => (
-            ("B / F = 1e15", "In perspective NDC make the table a sheet on the far face; the image is that of any F."),
+            (
+                "B / F = 1e15",
+                "In perspective NDC flatten the table onto the back face; the image is the same for any F.",
+            ),
             (
                 "B / F = 1e15 (razão)",
-                "Em perspectiva, as NDC fazem da mesa uma folha no fundo; a imagem é a de qualquer F.",
+                "Em perspectiva, as NDC achatam a mesa na face de fundo; a imagem é a mesma para qualquer F.",
             ),
         ),
         "thin-volume" => (
             (
                 "B − F = 1e-12",
-                "The volume is a sheet: it holds the fronts of three boxes, and of a fourth, just behind, nothing.",
+                "The volume is a sheet: it holds the fronts of three boxes, and nothing of a fourth, just behind.",
             ),
             (
                 "B − F = 1e-12 (folha)",
@@ -127,7 +130,10 @@ fn extreme_figure(lang: Lang, name: &str) -> (&'static str, &'static str) {
             ("θ = 1e-6° (tele)", "Uma casa vista a 3,6e8 unidades: no mundo, o volume é uma linha."),
         ),
         "wide-angle" => (
-            ("θ = 179.9999°", "Towers a million units aside fill the image; all that stands near the axis is a point."),
+            (
+                "θ = 179.9999°",
+                "Towers a million units to the side fill the image; everything near the axis is a point.",
+            ),
             ("θ = 179,9999°", "Torres a um milhão de unidades ao lado enchem a imagem; tudo perto do eixo é um ponto."),
         ),
         "wide-window" => (
@@ -138,25 +144,28 @@ fn extreme_figure(lang: Lang, name: &str) -> (&'static str, &'static str) {
             ),
         ),
         "tall-window" => (
-            ("A = 1e-6", "A slit that stands upright: in the world the volume is a sheet through the table."),
+            ("A = 1e-6", "An upright slit: in the world the volume is a sheet through the table."),
             ("A = 1e-6 (fenda)", "Uma fenda em pé: no mundo, o volume é uma folha que atravessa a mesa."),
         ),
         "aside" => (
-            ("Window far aside", "The window is a thousand widths beside the axis: the oblique terms are the largest."),
-            ("Janela muito ao lado", "A janela está mil larguras ao lado do eixo: os termos oblíquos são os maiores."),
+            ("Window far off-axis", "The window is a thousand widths off the axis: the oblique terms are the largest."),
+            (
+                "Janela muito fora do eixo",
+                "A janela está mil larguras fora do eixo: os termos oblíquos são os maiores.",
+            ),
         ),
         "far-position" => (
             (
                 "C at 1e12",
-                "Camera and objects far from the origin: C is subtracted first, so nothing of the picture is lost.",
+                "Camera and objects far from the origin: C is subtracted first, so the picture loses nothing.",
             ),
             ("C em 1e12", "Câmera e objetos longe da origem: C é subtraído primeiro, e nada da imagem se perde."),
         ),
         "small-distance" => (
-            ("D = 1e-9", "A camera for a world of a few atoms: grid, axes and the camera's body choose their scale."),
+            ("D = 1e-9", "A camera for a world of a few atoms: grid, axes and the camera's body adapt their scale."),
             (
                 "D = 1e-9 (átomos)",
-                "Uma câmera para um mundo de poucos átomos: grade, eixos e câmera escolhem sua escala.",
+                "Uma câmera para um mundo de poucos átomos: grade, eixos e câmera adaptam sua escala.",
             ),
         ),
         "large-distance" => (
@@ -170,11 +179,11 @@ fn extreme_figure(lang: Lang, name: &str) -> (&'static str, &'static str) {
             ),
         ),
         "steep-up" => (
-            ("VUP almost along DOP", "Only the ninth digit of VUP says what is above: the horizon lies aslant."),
+            ("VUP almost along DOP", "Only the ninth digit of VUP says which way is up: the horizon is tilted."),
             ("VUP quase sobre DOP", "Só o nono dígito de VUP diz o que é acima: o horizonte fica inclinado."),
         ),
         "zoomed-out" => (
-            ("H = 1e6", "A volume far wider than all else is drawn narrower, with broken sides."),
+            ("H = 1e6", "A volume far wider than everything else is drawn narrower, with broken sides."),
             (
                 "H = 1e6 (janela)",
                 "Um volume bem mais largo que o resto é desenhado mais estreito, com lados interrompidos.",

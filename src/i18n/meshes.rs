@@ -17,7 +17,7 @@ pub(super) fn mesh(lang: Lang, error: &MeshError) -> String {
         (Lang::PtBr, MeshError::Empty) => "não há nenhuma face nele".to_owned(),
         (Lang::PtBr, MeshError::TooLarge) => "ele tem vértices demais".to_owned(),
         (Lang::PtBr, MeshError::TooManyObjects) => {
-            format!("ele tem mais de {MAX_OBJECTS} objetos; permitido: no máximo isso")
+            format!("ele tem objetos demais; permitido: no máximo {MAX_OBJECTS}")
         }
         (Lang::PtBr, MeshError::Obj { line, fault }) => format!("linha {line}: {}", obj_in_portuguese(fault)),
         (Lang::PtBr, MeshError::Json { line, column, fault }) => {

@@ -17,18 +17,18 @@ texts! {
     nanos: "ns", "ns";
     // Buttons.
     measure: "Measure", "Medir";
-    measure_hint: "Runs all methods of this study on the same inputs, beside the window: some seconds", "Executa todos os métodos deste estudo nas mesmas entradas, ao lado da janela: alguns segundos";
+    measure_hint: "Runs all methods of this study on the same inputs, in the background: a few seconds", "Executa todos os métodos deste estudo nas mesmas entradas, em segundo plano: alguns segundos";
     cancel: "Cancel", "Cancelar";
     open: "open", "abrir";
-    open_hint: "Shows the camera on which this method was worst in the three pictures; the figure that is open is kept with its changes", "Mostra nas três imagens a câmera em que este método foi pior; a figura aberta é guardada com suas alterações";
+    open_hint: "Shows in the three pictures the camera on which this method was worst; the open figure is kept with its changes", "Mostra nas três imagens a câmera em que este método foi pior; a figura aberta é guardada com suas alterações";
     // Which chart.
-    over_parameter: "error over parameter", "erro por parâmetro";
+    over_parameter: "error against parameter", "erro contra parâmetro";
     over_time: "error against time", "erro contra tempo";
     // Hints.
     measuring: "Measuring:", "Medindo:";
     nothing_yet: "Not measured yet: “Measure” runs all its methods on the same inputs, against a reference of 512 bits.", "Ainda não medido: “Medir” executa todos os métodos nas mesmas entradas, contra uma referência de 512 bits.";
-    point_at: "Point at a dot to read it; a click opens its worst camera.", "Aponte para um ponto para lê-lo; um clique abre sua pior câmera.";
-    star: "* no other method is both as right and as fast", "* nenhum outro método é tão exato e tão rápido";
+    point_at: "Point at a dot to read it; click to open its worst camera.", "Aponte para um ponto para lê-lo; clique para abrir sua pior câmera.";
+    star: "* no other method is both as accurate and as fast", "* nenhum outro método é tão exato e tão rápido";
     // Below a table.
     front: "Pareto front", "frente de Pareto";
     time: "time of one item / ns", "tempo por item / ns";
@@ -45,9 +45,9 @@ pub const fn title(lang: Lang, study: Study) -> &'static str {
         (Lang::En, Study::RepeatedOperations) => "Many small azimuths, one after the other",
         (Lang::PtBr, Study::RepeatedOperations) => "Muitos azimutes pequenos, um após o outro",
         (Lang::En, Study::DepthBuffer) => "Formats of depth buffers: depths that cannot be told apart",
-        (Lang::PtBr, Study::DepthBuffer) => "Formatos de buffer de profundidade: profundidades que não se distinguem",
+        (Lang::PtBr, Study::DepthBuffer) => "Formatos de z-buffer: profundidades que não se distinguem",
         (Lang::En, Study::Visibility) => "Which surface is seen: painter, BSP, depth buffers",
-        (Lang::PtBr, Study::Visibility) => "Qual superfície se vê: pintor, BSP, buffers de profundidade",
+        (Lang::PtBr, Study::Visibility) => "Qual superfície se vê: pintor, BSP, z-buffers",
         (Lang::En, Study::Shading) => "Light on curved surfaces made of flat faces",
         (Lang::PtBr, Study::Shading) => "Luz em superfícies curvas feitas de faces planas",
         (Lang::En, Study::Antialiasing) => "Samples of a pixel against exact area",
@@ -67,7 +67,7 @@ pub const fn short_title(lang: Lang, study: Study) -> &'static str {
         (Lang::En, Study::RepeatedOperations) => "Many operations",
         (Lang::PtBr, Study::RepeatedOperations) => "Muitas operações",
         (Lang::En, Study::DepthBuffer) => "Depth buffers",
-        (Lang::PtBr, Study::DepthBuffer) => "Buffers de profundidade",
+        (Lang::PtBr, Study::DepthBuffer) => "Z-buffers",
         (Lang::En, Study::Visibility) => "What is seen",
         (Lang::PtBr, Study::Visibility) => "O que se vê",
         (Lang::En, Study::Shading) => "Light on curved surfaces",
@@ -121,7 +121,7 @@ pub const fn unit(lang: Lang, unit: Unit) -> &'static str {
         (Lang::PtBr, Unit::Radians) => "erro / rad",
         (Lang::En, Unit::Relative) => "relative error",
         (Lang::PtBr, Unit::Relative) => "erro relativo",
-        (Lang::En, Unit::Share) => "share that is wrong",
+        (Lang::En, Unit::Share) => "wrong share",
         (Lang::PtBr, Unit::Share) => "parcela errada",
         (Lang::En, Unit::Color) => "error / range of a channel",
         (Lang::PtBr, Unit::Color) => "erro / faixa de um canal",
@@ -170,8 +170,8 @@ const PORTUGUESE: &[(&str, &str)] = &[
     ("flat", "plana"),
     ("painter", "pintor"),
     ("bsp", "BSP"),
-    ("depth buffer 16", "buffer de profundidade 16"),
-    ("depth buffer 24", "buffer de profundidade 24"),
+    ("depth buffer 16", "z-buffer 16"),
+    ("depth buffer 24", "z-buffer 24"),
     ("sphere", "esfera"),
     ("torus", "toro"),
     ("sphere silhouette", "silhueta da esfera"),
@@ -234,7 +234,7 @@ pub fn table(lang: Lang, findings: &Findings) -> String {
     let mut table = format!("{} ({})\n", title(lang, findings.study), findings.study.name());
     table += &match lang {
         Lang::En => format!(
-            "Reference: {}. Times: median of warm passes over inputs of {} bytes. * no other method is both as right and as fast.\n",
+            "Reference: {}. Times: median of warm passes over inputs of {} bytes. * no other method is both as accurate and as fast.\n",
             findings.reference, findings.working_set
         ),
         Lang::PtBr => format!(
@@ -272,11 +272,11 @@ pub fn price(lang: Lang, price: &Price) -> String {
     let more = |cost: Cost| lang.mark().printed(&format!("{:.1}", 100.0 * (cost.camera_lab / cost.f64 - 1.0)));
     match lang {
         Lang::En => format!(
-            "What the camera model in double-double costs\n\n  numbers of a figure: {a} µs; textbook formulas in f64: {b} µs\n  a frame of the first scene: {c} µs; with the textbook formulas: {d} µs ({} % more)\n",
+            "The cost of the camera model in double-double\n\n  numbers of a figure: {a} µs; textbook formulas in f64: {b} µs\n  a frame of the first scene: {c} µs; with the textbook formulas: {d} µs ({} % more)\n",
             more(price.frame)
         ),
         Lang::PtBr => format!(
-            "O que custa o modelo de câmera em precisão dupla-dupla\n\n  números de uma figura: {a} µs; fórmulas do livro em f64: {b} µs\n  um quadro da primeira cena: {c} µs; com as fórmulas do livro: {d} µs ({} % a mais)\n",
+            "O custo do modelo de câmera em precisão dupla-dupla\n\n  números de uma figura: {a} µs; fórmulas do livro em f64: {b} µs\n  um quadro da primeira cena: {c} µs; com as fórmulas do livro: {d} µs ({} % a mais)\n",
             more(price.frame)
         ),
     }

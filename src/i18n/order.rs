@@ -7,33 +7,33 @@ texts! {
     object: "Object:", "Objeto:";
     example: "No object is selected: a cube, as an example.", "Nenhum objeto está selecionado: um cubo, como exemplo.";
     frame: "The frame moves", "O referencial se move";
-    frame_hint: "From left to right, as the program runs: each step moves the frame along and about the axes that it has by then", "Da esquerda para a direita, como o programa roda: cada passo move o referencial ao longo e em torno dos eixos que ele tem então";
+    frame_hint: "From left to right, as the program runs: each step moves the frame along and about its current axes", "Da esquerda para a direita, como o programa roda: cada passo move o referencial ao longo e em torno de seus eixos atuais";
     fixed: "The object moves", "O objeto se move";
     fixed_hint: "From right to left: each step moves the object along and about fixed axes, those of its parent", "Da direita para a esquerda: cada passo move o objeto ao longo e em torno de eixos fixos, os do pai";
     list: "Transforms, from left to right", "Transformações, da esquerda para a direita";
-    list_hint: "As in OpenGL: each multiplies the current matrix from the right. Drag a step by its dots, or Alt+↑ and Alt+↓. In the world grey, with axes x₁ y₁ z₁.", "Como em OpenGL: cada uma multiplica a matriz corrente pela direita. Arraste um passo pelos pontos, ou Alt+↑ e Alt+↓. No mundo em cinza, com eixos x₁ y₁ z₁.";
+    list_hint: "As in OpenGL: each multiplies the current matrix from the right. Drag a step by its dots, or Alt+↑ and Alt+↓. In the world in grey, with axes x₁ y₁ z₁.", "Como em OpenGL: cada uma multiplica a matriz corrente pela direita. Arraste um passo pelos pontos, ou Alt+↑ e Alt+↓. No mundo em cinza, com eixos x₁ y₁ z₁.";
     earlier: "Earlier", "Mais cedo";
     later: "Later", "Mais tarde";
     remove: "Remove", "Remover";
     add: "Add", "Acrescentar";
     add_hint: "A transform at the end, or push and pop", "Uma transformação no fim, ou push e pop";
-    again: "Begin again", "Recomeçar";
-    again_hint: "The object's own transform, T R S", "A transformação do próprio objeto, T R S";
-    done: "How many steps are done", "Quantos passos foram dados";
-    back: "A step back", "Um passo atrás";
-    forward: "A step forward", "Um passo à frente";
-    nothing: "No step is done: the frame is that of the parent.", "Nenhum passo foi dado: o referencial é o do pai.";
+    again: "Start over", "Recomeçar";
+    again_hint: "Restores the object's own transform, T R S", "Volta à transformação do próprio objeto, T R S";
+    done: "Steps applied", "Passos aplicados";
+    back: "Step back", "Um passo atrás";
+    forward: "Step forward", "Um passo à frente";
+    nothing: "No step is applied: the frame is that of the parent.", "Nenhum passo foi aplicado: o referencial é o do pai.";
     this_step: "The matrix of this step", "A matriz deste passo";
     so_far: "All steps so far", "Todos os passos até aqui";
     other: "In another order", "Em outra ordem";
     other_hint: "The same list with two steps exchanged; in the world in red, with axes x₂ y₂ z₂", "A mesma lista com dois passos trocados; no mundo em vermelho, com eixos x₂ y₂ z₂";
     first: "One step", "Um passo";
     second: "The other step", "O outro passo";
-    same: "= The same matrix: these two steps may change places.", "= A mesma matriz: estes dois passos podem trocar de lugar.";
+    same: "= The same matrix: these two steps commute.", "= A mesma matriz: estes dois passos comutam.";
     differs: "≠ Another matrix: the order matters.", "≠ Outra matriz: a ordem importa.";
-    so_far_same: "So far the same, in the end not: the order matters.", "Até aqui a mesma, no fim não: a ordem importa.";
-    take: "Take over", "Adotar";
-    take_hint: "The object in the figure gets the whole list; Ctrl+Z takes it back", "O objeto na figura recebe a lista inteira; Ctrl+Z desfaz";
+    so_far_same: "The same so far, but not in the end: the order matters.", "A mesma até aqui, mas não no fim: a ordem importa.";
+    take: "Apply", "Aplicar";
+    take_hint: "The object in the figure gets the whole list; Ctrl+Z undoes it", "O objeto na figura recebe a lista inteira; Ctrl+Z desfaz";
     take_nothing: "Select an object of the figure", "Selecione um objeto da figura";
     take_preset: "It belongs to the named scene: “Edit a copy” makes it an object of the figure", "Pertence à cena nomeada: “Editar uma cópia” faz dele um objeto da figura";
     is_form: "The list is T R S: the object itself can hold it.", "A lista é T R S: o próprio objeto pode guardá-la.";
@@ -54,10 +54,10 @@ pub fn kind(lang: Lang, call: Call) -> &'static str {
         (Lang::PtBr, Call::RotateZ(_)) => "girar em torno de z",
         (Lang::En, Call::Scale(_)) => "scale",
         (Lang::PtBr, Call::Scale(_)) => "escalar",
-        (Lang::En, Call::Push) => "push: keep the matrix",
-        (Lang::PtBr, Call::Push) => "push: guardar a matriz",
-        (Lang::En, Call::Pop) => "pop: bring it back",
-        (Lang::PtBr, Call::Pop) => "pop: trazê-la de volta",
+        (Lang::En, Call::Push) => "push: save the matrix",
+        (Lang::PtBr, Call::Push) => "push: salvar a matriz",
+        (Lang::En, Call::Pop) => "pop: restore it",
+        (Lang::PtBr, Call::Pop) => "pop: restaurá-la",
     }
 }
 
@@ -111,16 +111,16 @@ pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -
     }
     match (lang, reading, call) {
         (Lang::En, Reading::Frame, Call::Translate(t)) => {
-            format!("The frame goes by {} along its own axes.", vector(t))
+            format!("The frame moves by {} along its own axes.", vector(t))
         }
         (Lang::PtBr, Reading::Frame, Call::Translate(t)) => {
-            format!("O referencial anda {} ao longo de seus próprios eixos.", vector(t))
+            format!("O referencial se move {} ao longo de seus próprios eixos.", vector(t))
         }
         (Lang::En, Reading::Object, Call::Translate(t)) => {
-            format!("The object goes by {} along the fixed axes.", vector(t))
+            format!("The object moves by {} along the fixed axes.", vector(t))
         }
         (Lang::PtBr, Reading::Object, Call::Translate(t)) => {
-            format!("O objeto anda {} ao longo dos eixos fixos.", vector(t))
+            format!("O objeto se move {} ao longo dos eixos fixos.", vector(t))
         }
         (Lang::En, Reading::Frame, Call::Scale(s)) => {
             format!("The units of the frame's axes are multiplied by {}.", vector(s))
@@ -134,10 +134,10 @@ pub fn sentence(lang: Lang, reading: Reading, call: Call, number: impl Fn(f64) -
         (Lang::PtBr, Reading::Object, Call::Scale(s)) => {
             format!("O objeto é escalado por {} ao longo dos eixos fixos, a partir da origem do pai.", vector(s))
         }
-        (Lang::En, _, Call::Push) => "The current matrix is kept on the stack.".to_owned(),
-        (Lang::PtBr, _, Call::Push) => "A matriz corrente é guardada na pilha.".to_owned(),
-        (Lang::En, _, _) => "The matrix that was kept last is the current one again.".to_owned(),
-        (Lang::PtBr, _, _) => "A última matriz guardada é de novo a corrente.".to_owned(),
+        (Lang::En, _, Call::Push) => "The current matrix is saved on the stack.".to_owned(),
+        (Lang::PtBr, _, Call::Push) => "A matriz corrente é salva na pilha.".to_owned(),
+        (Lang::En, _, _) => "The matrix that was saved last becomes the current one again.".to_owned(),
+        (Lang::PtBr, _, _) => "A última matriz salva volta a ser a corrente.".to_owned(),
     }
 }
 
@@ -147,7 +147,7 @@ pub fn unbalanced(lang: Lang, Unbalanced { call }: Unbalanced) -> String {
     let number = call + 1;
     match lang {
         Lang::En => format!("Step {number} is a pop, and nothing was pushed before it."),
-        Lang::PtBr => format!("O passo {number} é um pop, e nada foi guardado antes dele."),
+        Lang::PtBr => format!("O passo {number} é um pop, e nada foi salvo na pilha antes dele."),
     }
 }
 
@@ -158,16 +158,16 @@ pub fn needs_groups(lang: Lang, (place, call): (usize, Call), groups: usize) -> 
     let (number, symbol) = (place + 1, call.symbol().replace('_', ""));
     match (lang, groups) {
         (Lang::En, 1) => format!(
-            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. A group above the object holds the steps before it, exactly."
+            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. A group above the object holds exactly the steps before it."
         ),
         (Lang::PtBr, 1) => format!(
-            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. Um grupo acima do objeto guarda os passos anteriores, exatamente."
+            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. Um grupo acima do objeto guarda exatamente os passos anteriores."
         ),
         (Lang::En, _) => format!(
-            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. {groups} groups above the object, one below the other, hold the rest, exactly."
+            "An object in a figure file is one T Rz Ry Rx S; step {number} ({symbol}) does not fit into that order. {groups} groups above the object, one below the other, hold exactly the rest."
         ),
         (Lang::PtBr, _) => format!(
-            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. {groups} grupos acima do objeto, um sob o outro, guardam o resto, exatamente."
+            "Um objeto no arquivo da figura é um só T Rz Ry Rx S; o passo {number} ({symbol}) não cabe nessa ordem. {groups} grupos acima do objeto, um sob o outro, guardam exatamente o resto."
         ),
     }
 }

@@ -23,8 +23,8 @@ texts! {
     outside_of: "outside", "fora";
     divided_first: "divided before clipping", "dividido antes do recorte";
     wrong: "wrong", "errado";
-    no_difference: "nothing wrong falls into the volume", "nada de errado cai no volume";
-    not_split: "too many pieces for BSP: depth buffer instead", "pedaços demais para o BSP: usa o buffer de profundidade";
+    no_difference: "nothing wrong inside the volume", "nada de errado dentro do volume";
+    not_split: "too many pieces for BSP: depth buffer instead", "pedaços demais para o BSP: usa o z-buffer";
     rounded: "vertices are off by rounding", "vértices deslocados pelo arredondamento";
     reversed: "reversed", "invertido";
     right_handed: "right-handed", "mão direita";
@@ -54,13 +54,13 @@ texts! {
     divide: "÷ w_r (5.6): what is far becomes small", "÷ w_r (5.6): o que está longe fica pequeno";
     to_box: "P: the frustum becomes a box", "P: o tronco de pirâmide vira uma caixa";
     centre: "T: the middle of the box moves to the origin", "T: o meio da caixa vai à origem";
-    scale: "S: the box becomes the cube, z turns around", "S: a caixa vira o cubo, z se inverte";
+    scale: "S: the box becomes the cube, z is reversed", "S: a caixa vira o cubo, z se inverte";
     pers: "M_{pers}: depth, and division by −z", "M_pers: profundidade e divisão por −z";
     xy_scale: "M_{xyscale}: width and height become 2", "M_xyscale: largura e altura viram 2";
     unit_slope: "S_{xy} (1-10): the sides become x = ±z, y = ±z", "S_xy (1-10): os lados viram x = ±z, y = ±z";
-    unit_depth: "S_z (1-12): the far plane comes to z = 1", "S_z (1-12): o plano de fundo vai a z = 1";
+    unit_depth: "S_z (1-12): the back plane moves to z = 1", "S_z (1-12): o plano de fundo vai a z = 1";
     canonical_box: "M_P (1-17), k = F/B: the frustum becomes the box", "M_P (1-17), k = F/B: o tronco vira a caixa";
-    near_to_origin: "T_{ort} (1-7): the near plane comes to z = 0", "T_ort (1-7): o plano da frente vai a z = 0";
+    near_to_origin: "T_{ort} (1-7): the front plane moves to z = 0", "T_ort (1-7): o plano da frente vai a z = 0";
     scale_ort: "S_{ort} (1-7): the box becomes the canonical one", "S_ort (1-7): a caixa vira a canônica";
 }
 
@@ -86,7 +86,7 @@ pub fn crowded(lang: Lang, crowded: &Crowded) -> String {
     let wanted = lang.mark().number(*wanted, 3);
     match lang {
         Lang::En => format!(
-            "the smallest of the three pictures is {smallest}, with letters of {letters} pt; letters of {wanted} pt want pictures of at least {room}"
+            "the smallest of the three pictures is {smallest}, with letters of {letters} pt; letters of {wanted} pt need pictures of at least {room}"
         ),
         Lang::PtBr => format!(
             "a menor das três imagens tem {smallest}, com letras de {letters} pt; letras de {wanted} pt pedem imagens de pelo menos {room}"

@@ -72,10 +72,10 @@ pub fn line(lang: Lang, report: &StageReport) -> String {
 pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
     match (lang, stage) {
         (Lang::En, Stage::Traverse) => {
-            "Walks through the tree of the scene, multiplies the transforms, and puts up what the picture shows besides. [3] §1.1, step 1"
+            "Walks through the tree of the scene, multiplies the transforms, and adds what the picture shows besides. [3] §1.1, step 1"
         }
         (Lang::PtBr, Stage::Traverse) => {
-            "Percorre a árvore da cena, multiplica as transformações e põe o que a imagem mostra além dela. [3] §1.1, passo 1"
+            "Percorre a árvore da cena, multiplica as transformações e acrescenta o que a imagem mostra além dela. [3] §1.1, passo 1"
         }
         (Lang::En, Stage::CullObjects) => {
             "Drops objects whose bounding box is outside one plane of the view volume. [3] §1.1"
@@ -84,10 +84,10 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
             "Descarta os objetos cuja caixa envolvente está fora de um plano do volume de vista. [3] §1.1"
         }
         (Lang::En, Stage::Normals) => {
-            "Takes the normals of vertices to view space, for the light. [3] §1.8; §1.1, step 2"
+            "Transforms the normals of vertices to view space, for lighting. [3] §1.8; §1.1, step 2"
         }
         (Lang::PtBr, Stage::Normals) => {
-            "Leva as normais dos vértices ao espaço de vista, para a luz. [3] §1.8; §1.1, passo 2"
+            "Leva as normais dos vértices ao espaço de vista, para a iluminação. [3] §1.8; §1.1, passo 2"
         }
         (Lang::En, Stage::Light) => {
             "The reflection model: ambient, diffuse and specular light. [2]; [3] §1.8; §1.1, step 2"
@@ -99,7 +99,7 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         (Lang::PtBr, Stage::Transform) => {
             "Mundo → vista, cada vértice das faces uma vez. [0] Eq. (5.7); [3] §1.1, passo 3"
         }
-        (Lang::En, Stage::CullFaces) => "Drops faces that turn their back to the eye. [3] §1.1, step 4",
+        (Lang::En, Stage::CullFaces) => "Drops faces that are turned away from the eye. [3] §1.1, step 4",
         (Lang::PtBr, Stage::CullFaces) => "Descarta as faces que dão as costas ao olho. [3] §1.1, passo 4",
         (Lang::En, Stage::Clip) => "Cuts what crosses a plane of the volume, before the divide. [2]; [3] §1.1, step 5",
         (Lang::PtBr, Stage::Clip) => "Corta o que cruza um plano do volume, antes da divisão. [2]; [3] §1.1, passo 5",
@@ -116,30 +116,28 @@ pub const fn purpose(lang: Lang, stage: Stage) -> &'static str {
         (Lang::En, Stage::Fill) => "Finds the pixels of each face. [3] §1.1, step 6",
         (Lang::PtBr, Stage::Fill) => "Encontra os pixels de cada face. [3] §1.1, passo 6",
         (Lang::En, Stage::Interpolate) => {
-            "Colours or normals between the vertices of a face, correct in perspective. [2]; [3] §1.1, step 7"
+            "Colours or normals between the vertices of a face, perspective-correct. [2]; [3] §1.1, step 7"
         }
         (Lang::PtBr, Stage::Interpolate) => {
-            "Cores ou normais entre os vértices de uma face, corretas em perspectiva. [2]; [3] §1.1, passo 7"
+            "Cores ou normais entre os vértices de uma face, com correção de perspectiva. [2]; [3] §1.1, passo 7"
         }
         (Lang::En, Stage::HiddenSurfaces) => "Decides which face is seen at a pixel. [2]; [3] §1.1, step 8",
         (Lang::PtBr, Stage::HiddenSurfaces) => "Decide qual face é vista em cada pixel. [2]; [3] §1.1, passo 8",
         (Lang::En, Stage::Texture) => "Pictures on surfaces. [3] §1.1, step 9",
         (Lang::PtBr, Stage::Texture) => "Imagens sobre superfícies. [3] §1.1, passo 9",
-        (Lang::En, Stage::Blend) => "Mixes translucent colours with what is behind them. [3] §1.1, step 9",
+        (Lang::En, Stage::Blend) => "Blends translucent colours with what is behind them. [3] §1.1, step 9",
         (Lang::PtBr, Stage::Blend) => "Mistura cores translúcidas com o que está atrás. [3] §1.1, passo 9",
-        (Lang::En, Stage::Antialias) => "Takes several samples for each pixel and their mean. [3] §1.1, step 10",
-        (Lang::PtBr, Stage::Antialias) => "Toma várias amostras de cada pixel e a média delas. [3] §1.1, passo 10",
+        (Lang::En, Stage::Antialias) => "Takes several samples of each pixel and averages them. [3] §1.1, step 10",
+        (Lang::PtBr, Stage::Antialias) => "Toma várias amostras de cada pixel e faz a média. [3] §1.1, passo 10",
         (Lang::En, Stage::Lines) => {
             "Edges, outlines of curved solids, lines, marks and texts, over the finished surfaces."
         }
         (Lang::PtBr, Stage::Lines) => {
             "Arestas, contornos de sólidos curvos, linhas, marcas e textos, sobre as superfícies prontas."
         }
-        (Lang::En, Stage::Write) => {
-            "Colours go to the memory of the image: only here z is left behind. [3] §1.1, step 11"
-        }
+        (Lang::En, Stage::Write) => "Colours go to image memory: only here is z dropped. [3] §1.1, step 11",
         (Lang::PtBr, Stage::Write) => {
-            "As cores vão para a memória de imagem: só aqui z fica para trás. [3] §1.1, passo 11"
+            "As cores vão para a memória de imagem: só aqui z é descartado. [3] §1.1, passo 11"
         }
     }
 }
@@ -221,7 +219,7 @@ pub fn object(lang: Lang, report: &ObjectReport) -> String {
             Lang::PtBr => "; os dois lados das faces podem ser vistos",
         },
         FacesDone::CutOpen => match lang {
-            Lang::En => "; the near plane cuts it open, so both sides of its faces may be seen",
+            Lang::En => "; the front plane cuts it open, so both sides of its faces may be seen",
             Lang::PtBr => "; o plano da frente o abre, e os dois lados das faces podem ser vistos",
         },
     };

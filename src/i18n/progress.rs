@@ -9,9 +9,9 @@ use crate::sanitize::escaped;
 
 texts! {
     reading: "reading a mesh", "lendo uma malha";
-    ordering: "putting faces in order", "ordenando as faces";
+    ordering: "sorting faces", "ordenando as faces";
     painting: "painting", "pintando";
-    encoding: "packing the file", "compactando o arquivo";
+    encoding: "encoding the file", "codificando o arquivo";
     measuring: "measuring", "medindo";
     cancel: "Esc cancels", "Esc cancela";
 }
@@ -39,11 +39,11 @@ pub fn too_much(lang: Lang, too_much: &OverBudget) -> String {
     match (lang, too_much) {
         (Lang::En, too_much) => too_much.to_string(),
         (Lang::PtBr, OverBudget::Pieces { objects }) => format!(
-            "as faces de {} se cruzam demais para serem divididas (mais de {MAX_PIECES} pedaços), e o buffer de profundidade decide; permitido: menos faces, ou visibility = \"depth-buffer\"",
+            "as faces de {} se cruzam demais para serem divididas (mais de {MAX_PIECES} pedaços), e o z-buffer decide; permitido: menos faces, ou visibility = \"depth-buffer\"",
             names(objects, "e outros")
         ),
         (Lang::PtBr, OverBudget::Strokes) => format!(
-            "os traços encontram faces demais, ou uns aos outros vezes demais, para serem desenhados sem buffer de profundidade (mais de {MAX_STROKE_STEPS} passos); permitido: menos arestas e linhas"
+            "os traços encontram faces demais, ou uns aos outros vezes demais, para serem desenhados sem z-buffer (mais de {MAX_STROKE_STEPS} passos); permitido: menos arestas e linhas"
         ),
         (Lang::PtBr, OverBudget::Rounding { vertices }) => format!(
             "{}: a imagem amplia mais do que as coordenadas têm dígitos; permitido: uma janela maior, ou cena e câmera mais perto da origem",
@@ -56,7 +56,7 @@ pub fn too_much(lang: Lang, too_much: &OverBudget) -> String {
 fn beside(vertices: &[MisplacedVertex]) -> String {
     let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
         let off = Lang::PtBr.mark().printed(&format!("{off:.1}"));
-        format!("o vértice {vertex} de {:?} é desenhado a {off} pixels do seu lugar", escaped(object))
+        format!("o vértice {vertex} de {:?} é desenhado com desvio de {off} px", escaped(object))
     };
     let first = vertices.first().map(one).unwrap_or_default();
     match vertices.len() {

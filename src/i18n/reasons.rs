@@ -6,33 +6,33 @@ use crate::pipeline::{PlaneSet, Reason};
 texts! {
     always: "every picture needs it", "toda imagem precisa dela";
     nothing_in_view: "nothing is in view", "não há nada no campo de visão";
-    something_in_view: "the vertices of what is in view must get to their pixels", "os vértices do que se vê precisam chegar a seus pixels";
-    forced: "not needed; it runs because all stages were asked for", "desnecessária; é executada porque todas foram pedidas";
+    something_in_view: "the vertices of what is in view must be mapped to pixels", "os vértices do que se vê precisam ser levados a pixels";
+    forced: "not needed; runs because all stages were requested", "desnecessária; é executada porque todas foram pedidas";
     no_objects: "there are no objects", "não há objetos";
     wireframe: "wireframe: only edges are drawn", "aramado: só as arestas são desenhadas";
     no_faces: "no object in view has faces", "nenhum objeto visível tem faces";
     no_light: "there is no light: faces show their own colour", "não há luz: as faces mostram a própria cor";
-    unlit: "no object in view takes light", "nenhum objeto visível recebe luz";
-    flat_shading: "flat shading: one light for each face needs no normals of vertices", "sombreamento constante: uma luz por face dispensa as normais dos vértices";
+    unlit: "no object in view is lit", "nenhum objeto visível recebe luz";
+    flat_shading: "flat shading: lighting each face once needs no vertex normals", "sombreamento constante: iluminar cada face uma vez dispensa as normais dos vértices";
     both_sides_seen: "both sides of all faces may be seen: they are two-sided or translucent", "os dois lados das faces podem ser vistos: são de dois lados ou translúcidas";
-    no_face_left: "no face is left: all were dropped or clipped away before", "não sobra nenhuma face: todas foram descartadas ou recortadas antes";
+    no_face_left: "no face is left: all were dropped or clipped before", "não sobra nenhuma face: todas foram descartadas ou recortadas antes";
     symmetric_window: "symmetric window: l = −r and b = −t, so these terms are 0", "janela simétrica: l = −r e b = −t, logo esses termos são 0";
-    oblique_window: "the axis of projection does not go through the middle of the window", "o eixo de projeção não passa pelo meio da janela";
+    oblique_window: "the axis of projection misses the centre of the window", "o eixo de projeção não passa pelo centro da janela";
     parallel_projection: "parallel projection: w is 1 everywhere", "projeção paralela: w vale 1 em toda parte";
     perspective_projection: "perspective: w is the distance from the eye", "perspectiva: w é a distância ao olho";
     one_color_a_face: "every face has one colour", "cada face tem uma só cor";
-    convex_alone: "a single convex closed object hides nothing of itself once its back faces are gone", "um só objeto convexo e fechado não esconde nada de si sem as faces de trás";
-    hides_itself: "depth buffer: an object that is not convex, or open, may hide itself", "buffer de profundidade: um objeto não convexo, ou aberto, pode se esconder";
-    lines_ask_for_depth: "depth buffer: hidden parts of lines, marks or texts are drawn otherwise", "buffer de profundidade: as partes ocultas de linhas, marcas ou textos são desenhadas de outro modo";
+    convex_alone: "a single closed convex object does not hide itself once its back faces are dropped", "um só objeto convexo e fechado não se esconde depois de descartadas as faces de trás";
+    hides_itself: "depth buffer: an object that is not convex, or open, may hide itself", "z-buffer: um objeto não convexo, ou aberto, pode se esconder";
+    lines_ask_for_depth: "depth buffer: hidden parts of lines, marks or texts are drawn differently", "z-buffer: as partes ocultas de linhas, marcas ou textos são desenhadas de outro modo";
     painted_by_centroid: "painter: from back to front by centroid", "pintor: de trás para a frente, pelo centroide";
     painted_by_splitting: "BSP: from back to front, split where faces cross each other's planes", "BSP: de trás para a frente, com as faces divididas pelos planos umas das outras";
-    no_depth_buffer: "BSP: the output has no depth buffer; from back to front, split where faces cross each other's planes", "BSP: a saída não tem buffer de profundidade; de trás para a frente, com as faces divididas pelos planos umas das outras";
-    no_texture: "no object has a picture on it", "nenhum objeto tem imagem sobre ele";
+    no_depth_buffer: "BSP: the output has no depth buffer; from back to front, split where faces cross each other's planes", "BSP: a saída não tem z-buffer; de trás para a frente, com as faces divididas pelos planos umas das outras";
+    no_texture: "no object has a texture", "nenhum objeto tem textura";
     all_opaque: "everything in view is opaque", "tudo que se vê é opaco";
     one_sample: "one sample for each pixel", "uma amostra por pixel";
     lines_in_view: "edges, outlines, lines, marks or texts are to be drawn", "há arestas, contornos, linhas, marcas ou textos a desenhar";
     depths_shown: "the picture shows depths instead of colours", "a imagem mostra profundidades em vez de cores";
-    divided_first: "after the divide, as asked for: too late, what is behind the eye has folded over", "depois da divisão, como foi pedido: tarde demais, o que está atrás do olho já dobrou para a frente";
+    divided_first: "after the divide, as requested: too late, what is behind the eye has folded over", "depois da divisão, como foi pedido: tarde demais, o que está atrás do olho já dobrou para a frente";
     no_lines: "nothing but faces is in view", "só há faces no campo de visão";
 }
 
@@ -93,7 +93,7 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         },
         Reason::LitVerticesAndPixels { vertices, pixels } => match lang {
             Lang::En => format!(
-                "{} with colours at the vertices: light there; at each pixel of {}",
+                "{} with colours at the vertices: lit there; lit at each pixel of {}",
                 objects(vertices),
                 objects(pixels)
             ),
@@ -110,7 +110,7 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::BothSidesSeen { .. } => t.both_sides_seen.to_owned(),
         Reason::CutOpen { objects: n, of } => match lang {
             Lang::En => {
-                format!("the near plane cuts {} open: the inside may be seen, so nothing is dropped", n_of(n, of))
+                format!("the front plane cuts {} open: the inside may be seen, so nothing is dropped", n_of(n, of))
             }
             Lang::PtBr => format!("o plano da frente abre {}: vê-se o interior, e nada é descartado", n_of(n, of)),
         },
@@ -141,7 +141,7 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
         Reason::ConvexAlone => t.convex_alone.to_owned(),
         Reason::SeveralObjects { objects: n } => match lang {
             Lang::En => format!("depth buffer: faces of {} may hide each other", objects(n)),
-            Lang::PtBr => format!("buffer de profundidade: faces de {} podem se esconder", objects(n)),
+            Lang::PtBr => format!("z-buffer: faces de {} podem se esconder", objects(n)),
         },
         Reason::HidesItself => t.hides_itself.to_owned(),
         Reason::LinesAskForDepth => t.lines_ask_for_depth.to_owned(),
@@ -153,13 +153,13 @@ pub fn reason(lang: Lang, reason: Reason) -> String {
                 format!("depth buffer instead of BSP: splitting stopped at {pieces} pieces, which are too many")
             }
             Lang::PtBr => {
-                format!("buffer de profundidade em vez de BSP: a divisão parou em {pieces} pedaços, que são demais")
+                format!("z-buffer em vez de BSP: a divisão parou em {pieces} pedaços, que são demais")
             }
         },
         Reason::NoTexture => t.no_texture.to_owned(),
         Reason::Textured { objects: n } => match lang {
-            Lang::En => format!("a picture on {}", objects(n)),
-            Lang::PtBr => format!("uma imagem sobre {}", objects(n)),
+            Lang::En => format!("a texture on {}", objects(n)),
+            Lang::PtBr => format!("uma textura sobre {}", objects(n)),
         },
         Reason::AllOpaque => t.all_opaque.to_owned(),
         Reason::Translucent { objects: n } => match lang {

@@ -31,19 +31,17 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
     match (lang, error) {
         (Lang::En, SceneError::DuplicateName { .. }) => english("another object has this name"),
         (Lang::PtBr, SceneError::DuplicateName { name }) => Wording::new(
-            format!("é \"{}\", como um objeto anterior; permitido: um nome próprio", escaped(name)),
+            format!("é \"{}\", como um objeto anterior; permitido: um nome único", escaped(name)),
             "outro objeto tem este nome",
         ),
         (Lang::En, SceneError::UnknownParent { parent, .. }) => {
             english(&format!("there is no object “{}”", escaped(parent)))
         }
         (Lang::PtBr, SceneError::UnknownParent { parent, .. }) => Wording::new(
-            format!("é \"{}\", e nenhum objeto se chama assim; permitido: o nome de um objeto", escaped(parent)),
+            format!("é \"{}\", que não é o nome de um objeto; permitido: o nome de um objeto", escaped(parent)),
             format!("não há objeto “{}”", escaped(parent)),
         ),
-        (Lang::En, SceneError::Cycle { chain }) => {
-            english(&format!("parents go round in a circle: {}", chain_text(chain)))
-        }
+        (Lang::En, SceneError::Cycle { chain }) => english(&format!("parents form a cycle: {}", chain_text(chain))),
         (Lang::PtBr, SceneError::Cycle { chain }) => {
             let chain = chain_text(chain);
             Wording::new(
@@ -52,7 +50,7 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             )
         }
         (Lang::En, SceneError::NotFinite { .. }) => {
-            english("in the world these numbers exceed their range (about 1e308)")
+            english("in the world these numbers exceed the range (about 1e308)")
         }
         (Lang::PtBr, SceneError::NotFinite { .. }) => Wording::new(
             "leva a números que não são finitos; permitido: transformações cujo produto fique abaixo de cerca de 1e308",
@@ -74,7 +72,7 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
         }
         (Lang::En, SceneError::TooManyObjects) => english(&format!("at most {MAX_OBJECTS} objects")),
         (Lang::PtBr, SceneError::TooManyObjects) => Wording::new(
-            format!("são mais de {MAX_OBJECTS}, com os de suas malhas; permitido: no máximo isso"),
+            format!("são demais, com os de suas malhas; permitido: no máximo {MAX_OBJECTS}"),
             format!("no máximo {MAX_OBJECTS} objetos"),
         ),
         (Lang::En, SceneError::TooManyLights { .. }) => english(&format!("at most {MAX_LIGHTS} lights")),
@@ -83,7 +81,7 @@ pub(super) fn scene_wording(lang: Lang, error: &SceneError) -> Wording {
             format!("no máximo {MAX_LIGHTS} luzes"),
         ),
         (Lang::En, SceneError::Light { key: "direction", .. }) => english("the direction must not be 0"),
-        (Lang::En, SceneError::Light { .. }) => english("a finite position is needed"),
+        (Lang::En, SceneError::Light { .. }) => english("the position must be finite"),
         (Lang::PtBr, SceneError::Light { key, .. }) => Wording::new(
             "deve ter três números finitos, nem todos 0 numa direção",
             if *key == "direction" { "a direção não pode ser nula" } else { "a posição tem de ser finita" },
@@ -162,7 +160,7 @@ mod tests {
         let error = read::parse(text).expect_err("a fault");
         assert_eq!(
             figure(Lang::En, &error),
-            "line 7: [[scene.objects]] parent is \"amr\", and no object is called so; allowed: the name of an object \
+            "line 7: [[scene.objects]] parent is \"amr\", which is not the name of an object; allowed: the name of an object \
              (did you mean arm?)"
         );
         assert!(figure(Lang::PtBr, &error).ends_with("o nome de um objeto (você quis dizer arm?)"));

@@ -8,8 +8,12 @@ use super::Lang;
 #[must_use]
 pub fn damaged(lang: Lang, path: &str) -> String {
     match lang {
-        Lang::En => format!("What a window left that did not close cannot be understood. It is kept in {path}"),
-        Lang::PtBr => format!("O que uma janela que não fechou deixou não pode ser entendido. Está guardado em {path}"),
+        Lang::En => format!(
+            "The unsaved changes of a window that did not close properly cannot be read. They are kept in {path}"
+        ),
+        Lang::PtBr => format!(
+            "As mudanças não salvas de uma janela que não fechou direito não podem ser lidas. Estão guardadas em {path}"
+        ),
     }
 }
 
@@ -18,10 +22,10 @@ pub fn damaged(lang: Lang, path: &str) -> String {
 pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
     match lang {
         Lang::En => format!(
-            "The last session is back, but this version does not know {keys}. All of it is kept in {path}; saving asks for another file."
+            "The last session is restored, but this version does not know {keys}. The whole is kept in {path}; saving asks for another file."
         ),
         Lang::PtBr => format!(
-            "A última sessão voltou, mas esta versão não conhece {keys}. Tudo está guardado em {path}; salvar pede outro arquivo."
+            "A última sessão foi restaurada, mas esta versão não conhece {keys}. Tudo está guardado em {path}; salvar pede outro arquivo."
         ),
     }
 }
@@ -32,21 +36,21 @@ pub fn in_part(lang: Lang, keys: &str, path: &str) -> String {
 pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &str) -> String {
     let not_remembered = match (lang, preferences, progress) {
         (_, false, false) => "",
-        (Lang::En, true, false) => "Preferences are not remembered",
-        (Lang::En, false, true) => "Progress with exercises is not remembered",
-        (Lang::En, true, true) => "Preferences and progress with exercises are not remembered",
-        (Lang::PtBr, true, false) => "As preferências não são lembradas",
-        (Lang::PtBr, false, true) => "O progresso nos exercícios não é lembrado",
-        (Lang::PtBr, true, true) => "As preferências e o progresso nos exercícios não são lembrados",
+        (Lang::En, true, false) => "Preferences are not saved",
+        (Lang::En, false, true) => "Progress in exercises is not saved",
+        (Lang::En, true, true) => "Preferences and progress in exercises are not saved",
+        (Lang::PtBr, true, false) => "As preferências não são salvas",
+        (Lang::PtBr, false, true) => "O progresso nos exercícios não é salvo",
+        (Lang::PtBr, true, true) => "As preferências e o progresso nos exercícios não são salvos",
     };
     match (lang, session, not_remembered) {
         (_, false, _) => format!("{not_remembered}: {why}"),
         (Lang::En, true, "") => {
-            format!("Changes of this window would be lost in a crash: {why}. It is tried again.")
+            format!("Changes in this window would be lost in a crash: {why}. Trying again.")
         }
-        (Lang::En, true, _) => format!("{not_remembered}, and changes of this window would be lost in a crash: {why}"),
+        (Lang::En, true, _) => format!("{not_remembered}, and changes in this window would be lost in a crash: {why}"),
         (Lang::PtBr, true, "") => {
-            format!("Mudanças desta janela se perderiam em uma queda: {why}. Tenta-se de novo.")
+            format!("Mudanças desta janela se perderiam em uma queda: {why}. Nova tentativa em andamento.")
         }
         (Lang::PtBr, true, _) => {
             format!("{not_remembered}, e mudanças desta janela se perderiam em uma queda: {why}")
@@ -59,10 +63,10 @@ pub fn not_kept(lang: Lang, [session, preferences, progress]: [bool; 3], why: &s
 pub const fn no_home(lang: Lang) -> &'static str {
     match lang {
         Lang::En => {
-            "Preferences and progress are not remembered, and changes would be lost in a crash: your account has no home folder"
+            "Preferences and progress are not saved, and changes would be lost in a crash: your account has no home folder"
         }
         Lang::PtBr => {
-            "Preferências e progresso não são lembrados, e mudanças se perderiam em uma queda: sua conta não tem pasta pessoal"
+            "Preferências e progresso não são salvos, e mudanças se perderiam em uma queda: sua conta não tem pasta pessoal"
         }
     }
 }
@@ -72,7 +76,7 @@ pub const fn no_home(lang: Lang) -> &'static str {
 pub fn no_slot(lang: Lang, slots: usize) -> String {
     match lang {
         Lang::En => format!(
-            "Changes of this window would be lost in a crash: there are {slots} unsaved windows already. Restore or discard what is listed."
+            "Changes in this window would be lost in a crash: there are already {slots} unsaved windows. Restore or discard what is listed."
         ),
         Lang::PtBr => format!(
             "Mudanças desta janela se perderiam em uma queda: já há {slots} janelas não salvas. Restaure ou descarte o que está na lista."
@@ -84,9 +88,9 @@ pub fn no_slot(lang: Lang, slots: usize) -> String {
 #[must_use]
 pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
     match lang {
-        Lang::En => format!("The preferences cannot be understood. They are kept in {path}; new ones are begun."),
+        Lang::En => format!("The preferences cannot be read. They are kept in {path}; new ones are started."),
         Lang::PtBr => {
-            format!("As preferências não podem ser entendidas. Estão guardadas em {path}; outras são começadas.")
+            format!("As preferências não podem ser lidas. Estão guardadas em {path}; outras são iniciadas.")
         }
     }
 }
@@ -96,10 +100,10 @@ pub fn preferences_set_aside(lang: Lang, path: &str) -> String {
 pub fn progress_set_aside(lang: Lang, path: &str) -> String {
     match lang {
         Lang::En => {
-            format!("Your progress with exercises cannot be understood. It is kept in {path}; a new one is begun.")
+            format!("Your progress in exercises cannot be read. It is kept in {path}; a new one is started.")
         }
         Lang::PtBr => {
-            format!("Seu progresso nos exercícios não pode ser entendido. Está guardado em {path}; outro é começado.")
+            format!("Seu progresso nos exercícios não pode ser lido. Está guardado em {path}; outro é iniciado.")
         }
     }
 }
@@ -108,8 +112,8 @@ pub fn progress_set_aside(lang: Lang, path: &str) -> String {
 #[must_use]
 pub fn first_of_dropped(lang: Lang, path: &str, count: usize) -> String {
     match lang {
-        Lang::En => format!("Of {count} files, the window takes one: {path}"),
-        Lang::PtBr => format!("De {count} arquivos, a janela recebe um: {path}"),
+        Lang::En => format!("Of {count} files, the window opens one: {path}"),
+        Lang::PtBr => format!("De {count} arquivos, a janela abre um: {path}"),
     }
 }
 

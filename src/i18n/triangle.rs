@@ -8,9 +8,9 @@ texts! {
     object: "Object", "Objeto";
     number: "Triangle, by its number in the mesh", "Triângulo, pelo seu número na malha";
     of: "of", "de";
-    release: "No triangle any more (Esc)", "Mais nenhum triângulo (Esc)";
+    release: "Release the triangle (Esc)", "Soltar o triângulo (Esc)";
     next: "Next step", "Próximo passo";
-    previous: "Step before", "Passo anterior";
+    previous: "Previous step", "Passo anterior";
     step_view: "local → world → view", "local → mundo → vista";
     step_facing: "front or back", "frente ou costas";
     step_outcodes: "clip coordinates, outcodes", "coordenadas de recorte, outcodes";
@@ -23,16 +23,16 @@ texts! {
     world: "world", "mundo";
     view: "view", "vista";
     is_front: "N · (C − a) > 0: its front is seen", "N · (C − a) > 0: vê-se a frente";
-    is_back: "N · (C − a) ≤ 0: it turns its back; culled where the object is closed or one-sided", "N · (C − a) ≤ 0: dá as costas; descartado onde o objeto é fechado ou de um lado só";
-    inside: "inside of all planes: 000000", "dentro de todos os planos: 000000";
+    is_back: "N · (C − a) ≤ 0: it faces away; culled where the object is closed or one-sided", "N · (C − a) ≤ 0: está de costas; descartado onde o objeto é fechado ou de um lado só";
+    inside: "inside all planes: 000000", "dentro de todos os planos: 000000";
     outside: "outside:", "fora:";
-    all_outside: "All corners are outside of one plane: dropped whole, without a cut.", "Todos os cantos estão fora de um mesmo plano: descartado inteiro, sem corte.";
-    no_cut: "No corner is outside of any plane: nothing is cut.", "Nenhum canto está fora de plano algum: nada é cortado.";
-    left: "left:", "fica:";
-    nothing_left: "nothing is left", "nada fica";
+    all_outside: "All corners are outside one plane: dropped whole, without a cut.", "Todos os cantos estão fora de um mesmo plano: descartado inteiro, sem corte.";
+    no_cut: "No corner is outside any plane: nothing is cut.", "Nenhum canto está fora de plano algum: nada é cortado.";
+    left: "remaining:", "resta:";
+    nothing_left: "nothing remains", "nada resta";
     covers: "pixels covered", "pixels cobertos";
     rows: "rows", "linhas";
-    too_large: "Nothing to be looked at: the object is not drawn, or the image is larger than 4 million pixels.", "Nada para olhar: o objeto não é desenhado, ou a imagem tem mais de 4 milhões de pixels.";
+    too_large: "Nothing to show: the object is not drawn, or the image is larger than 4 million pixels.", "Nada a mostrar: o objeto não é desenhado, ou a imagem tem mais de 4 milhões de pixels.";
     covers_none: "It covers the centre of no pixel.", "Não cobre o centro de nenhum pixel.";
     pixel: "pixel (i, j), from the top left", "pixel (i, j), do canto superior esquerdo";
     pixel_hint: "Type it, or click a pixel of the triangle in the image", "Digite-o, ou clique num pixel do triângulo na imagem";
@@ -40,9 +40,9 @@ texts! {
     z_own: "Z of the triangle (5.25)", "Z do triângulo (5.25)";
     z_before: "Z that was there", "Z que estava ali";
     z_nothing: "nothing was there", "nada estava ali";
-    kept: "nearer: kept, the buffer holds its Z now", "mais perto: mantido, o buffer guarda agora o seu Z";
-    rejected: "not nearer: thrown away, the buffer stays", "não está mais perto: rejeitado, o buffer fica como está";
-    before_hint: "Before it come the objects, and the triangles of its own object, that are drawn earlier.", "Antes dele vêm os objetos, e os triângulos do próprio objeto, desenhados mais cedo.";
+    kept: "nearer: kept, the buffer now holds its Z", "mais perto: mantido, o buffer agora guarda o seu Z";
+    rejected: "not nearer: discarded, the buffer stays", "não está mais perto: descartado, o buffer fica como está";
+    before_hint: "Before it are drawn other objects, and other triangles of its own object.", "Antes dele são desenhados outros objetos, e outros triângulos do próprio objeto.";
 }
 
 /// The name of a step.

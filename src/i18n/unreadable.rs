@@ -38,7 +38,7 @@ pub(super) fn read_problem(lang: Lang, problem: &ReadProblem) -> String {
         (Lang::PtBr, ReadProblem::Budget) => {
             let mib = MAX_SCENE_BYTES >> 20;
             format!(
-                "não foi lido, porque com ele os arquivos desta figura passam de {mib} MiB; permitido: no máximo isso para todos juntos"
+                "não foi lido, porque com ele os arquivos desta figura passam de {mib} MiB; permitido: menos que isso em todos juntos"
             )
         }
         (Lang::PtBr, ReadProblem::Network) => "está em outra máquina; permitido: arquivos desta".to_owned(),

@@ -70,10 +70,10 @@ pub struct Crowded {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoComposite {
     /// It would have more pixels than any picture.
-    #[error("there is no memory for a picture of this size")]
+    #[error("there is not enough memory for a picture of this size")]
     TooLarge,
-    /// All pictures have no room on it.
-    #[error("three pictures have no room on a sheet of this size, with {gap} pixels between two of them")]
+    /// All pictures do not fit on it.
+    #[error("three pictures with gaps of {gap} pixels do not fit on a sheet of this size")]
     NoRoom {
         /// Pixels between two of them.
         gap: u32,

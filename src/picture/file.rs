@@ -14,7 +14,7 @@ use crate::views::View;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PictureError {
     /// A side is 0, or there is no memory for so many pixels.
-    #[error("there is no memory for a picture of this size")]
+    #[error("there is not enough memory for a picture of this size")]
     TooLarge,
     /// There is no sheet.
     #[error(transparent)]

@@ -35,7 +35,7 @@ pub enum OverBudget {
 
 fn beside(vertices: &[MisplacedVertex]) -> String {
     let one = |MisplacedVertex { object, vertex, off }: &MisplacedVertex| {
-        format!("vertex {vertex} of {:?} is drawn {off:.1} pixels beside its place", escaped(object))
+        format!("vertex {vertex} of {:?} is drawn {off:.1} px off", escaped(object))
     };
     let first = vertices.first().map(one).unwrap_or_default();
     match vertices.len() {

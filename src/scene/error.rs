@@ -9,13 +9,13 @@ use crate::sanitize::escaped;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// Two objects have one name.
-    #[error("is \"{}\", as an object before it; allowed: a name of its own", escaped(name))]
+    #[error("is \"{}\", like an earlier object; allowed: a unique name", escaped(name))]
     DuplicateName {
         /// The name.
         name: String,
     },
     /// An object's parent does not exist.
-    #[error("is \"{}\", and no object is called so; allowed: the name of an object", escaped(parent))]
+    #[error("is \"{}\", which is not the name of an object; allowed: the name of an object", escaped(parent))]
     UnknownParent {
         /// The object.
         name: String,
@@ -23,7 +23,7 @@ pub enum SceneError {
         parent: String,
     },
     /// An object is its own ancestor.
-    #[error("goes round in a circle ({}); allowed: parents that form a tree", chain_text(chain))]
+    #[error("forms a cycle ({}); allowed: parents that form a tree", chain_text(chain))]
     Cycle {
         /// From the object over its ancestors back to itself.
         chain: Vec<String>,
@@ -70,7 +70,7 @@ pub enum SceneError {
         key: &'static str,
     },
     /// There are more objects than there may be, those of meshes among them.
-    #[error("are more than {MAX_OBJECTS}, with those of its meshes; allowed: at most that")]
+    #[error("are too many, with those of its meshes; allowed: at most {MAX_OBJECTS}")]
     TooManyObjects,
     /// There are more lights than there may be.
     #[error("are {found}; allowed: at most {MAX_LIGHTS}")]

@@ -11,19 +11,19 @@ pub enum MeshError {
     #[error(transparent)]
     Unreadable(Box<ReadError>),
     /// The ending of its name says nothing.
-    #[error("the format is not known; allowed: a name that ends with .obj, .gltf or .glb")]
+    #[error("the format is not known; allowed: a name that ends in .obj, .gltf or .glb")]
     Format,
     /// It is not wanted any more.
     #[error("reading was cancelled")]
     Cancelled,
     /// It has no faces.
-    #[error("there is no face in it")]
+    #[error("it has no faces")]
     Empty,
     /// It has more than 2³¹ corners.
     #[error("it has too many vertices")]
     TooLarge,
     /// It has more objects than a scene may.
-    #[error("it has more than {MAX_OBJECTS} objects; allowed: at most that")]
+    #[error("it has too many objects; allowed: at most {MAX_OBJECTS}")]
     TooManyObjects,
     /// A line of an OBJ file.
     #[error("line {line}: {fault}")]
@@ -141,7 +141,7 @@ pub enum MeshNotice {
         count: usize,
     },
     /// A material would make all that has it wholly invisible.
-    #[error("the material \"{material}\" is wholly transparent (Tr 1 or d 0); it is drawn opaque")]
+    #[error("the material \"{material}\" is fully transparent (Tr 1 or d 0); it is drawn opaque")]
     Invisible {
         /// Its name.
         material: String,
@@ -158,7 +158,7 @@ pub enum JsonFault {
     #[error("the JSON ends early")]
     End,
     /// A key that must be there is not.
-    #[error("the key \"{key}\" is missing in what ends here")]
+    #[error("the key \"{key}\" is missing in the object that ends here")]
     MissingKey {
         /// The key.
         key: String,
@@ -172,7 +172,7 @@ pub enum JsonFault {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GlbFault {
     /// The twelve bytes at its start.
-    #[error("its header is cut off, or gives a wrong length")]
+    #[error("its header is truncated or gives a wrong length")]
     Header,
     /// A version of the frame that is not 2.
     #[error("its version is not 2")]

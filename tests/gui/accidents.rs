@@ -84,7 +84,7 @@ fn of_a_thousand_files_one_is_taken_and_that_is_said() {
     window.drop_files(paths.iter().map(|path| &**path));
     assert_eq!(window.state().document.draft().far, 61.0);
     let said = window.state().message.as_ref().unwrap().text(Lang::En);
-    assert!(said.starts_with("Of 1000 files, the window takes one: ") && said.ends_with("0.toml"), "{said}");
+    assert!(said.starts_with("Of 1000 files, the window opens one: ") && said.ends_with("0.toml"), "{said}");
     // What is wrong with the one is more than how many there are.
     window.drop_files(paths[1..].iter().map(|path| &**path));
     assert!(window.says("1.toml cannot be read"));
@@ -136,7 +136,7 @@ fn a_folder_of_exercises_that_goes_or_changes_its_kind_takes_no_answer_along() {
     fs::create_dir_all(&lecture).unwrap();
     pipe(&lecture.join("a.toml"));
     window.click("Read it again");
-    window.click("Passed over in the folder: 1");
+    window.click("Skipped in the folder: 1");
     assert!(window.says("a.toml is a device, a pipe or a socket"));
     // A file in the place of the folder.
     fs::remove_dir_all(&lecture).unwrap();

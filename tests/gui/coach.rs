@@ -137,7 +137,7 @@ fn the_depth_panel_follows_the_convention_and_the_gap_of_two_planes() {
             window.harness.query_by(|node| node.label().is_some_and(|l| l.starts_with(&label))).is_some()
         };
         assert!(picture(&window, apart) && !picture(&window, flicker));
-        let field = if lang == Lang::En { "Two planes, so far apart:" } else { "Dois planos, a esta distância:" };
+        let field = if lang == Lang::En { "Two planes, this far apart:" } else { "Dois planos, a esta distância:" };
         window.enter(field, "1e-9");
         assert_eq!(window.state().coach.gap, 1e-9);
         assert!(picture(&window, flicker) && !picture(&window, apart));

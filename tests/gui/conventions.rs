@@ -92,7 +92,7 @@ fn rows_and_the_left_hand_are_said() {
     assert!(window.says("every matrix is transposed"));
     assert!(window.says("Mvᵀ Mpᵀ"));
     window.click("left-handed view space");
-    assert!(window.says("the third row of M_v and the third column of M_p have the other sign"));
+    assert!(window.says("the third row of M_v and the third column of M_p change sign"));
     assert!(shown(&window).row_vectors && shown(&window).left_handed);
 }
 

@@ -59,7 +59,7 @@ fn a_pasted_matrix_gives_its_camera_and_says_what_it_cannot_know() {
     assert!(window.says("6 números"));
     window.app_mut().state.explain.pasted.text = "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]".to_owned();
     window.run();
-    assert!(window.says("z_n tem o outro sinal") && window.says("ao longo de n"));
+    assert!(window.says("z_n troca de sinal") && window.says("ao longo de n"));
     window.click("Usar esta câmera");
     let camera = window.state().document.camera();
     let corners = camera.volume_corners();

@@ -110,7 +110,7 @@ fn the_export_dialog_shows_the_picture_as_it_will_be() {
     // What cannot be made has no picture, but a reason.
     window.enter("picture height", "16384");
     window.enter("picture width", "16384");
-    window.wait_for("no memory for a picture");
+    window.wait_for("not enough memory for a picture");
     window.key(Key::Escape);
     assert!(window.state().file_flow.preview.is_none(), "nothing is kept of it");
 }
@@ -191,7 +191,7 @@ fn enter_exports_also_after_a_checkbox_was_clicked_or_walked_to() {
         _ => None,
     };
     window.command_key(Key::E);
-    let at = window.harness.get_by_label("Crop to what is shown").rect().center();
+    let at = window.harness.get_by_label("Crop to content").rect().center();
     window.quick_click(at);
     assert!(window.export().crop);
     window.key(Key::Enter);
@@ -200,7 +200,7 @@ fn enter_exports_also_after_a_checkbox_was_clicked_or_walked_to() {
 
     // By the keyboard alone: the space bar switches.
     window.command_key(Key::E);
-    window.harness.get_by_label("Crop to what is shown").focus();
+    window.harness.get_by_label("Crop to content").focus();
     window.run();
     window.key(Key::Space);
     assert!(!window.export().crop);

@@ -122,7 +122,7 @@ fn an_axis_is_told_as_an_axis_and_its_camera_goes_when_it_is_changed() {
     window.run();
     assert!(window.state().exercises.described.is_none(), "another answer is another camera");
     assert!(answer(&mut window, "u", 2.0 * basis.u).is_err());
-    assert!(window.says("your vector has the length 2; an axis of a camera has the length 1"));
+    assert!(window.says("your vector has length 2; an axis of a camera has length 1"));
     assert!(answer(&mut window, "u", basis.n).is_err());
     assert!(window.says("your vector is not perpendicular to n: their scalar product is 1, not 0"));
 }
@@ -138,7 +138,7 @@ fn too_few_numbers_are_told_with_both_counts_and_a_whole_answer_is_marked_as_any
     window.harness.event(Event::Text("[1, 2]".to_owned()));
     window.run();
     window.command_key(Key::Enter);
-    assert!(window.says("3 are asked for, 2 were given."));
+    assert!(window.says("Expected 3 numbers, got 2."));
     let signs = |window: &Window, sign: &str| window.written().iter().filter(|(text, _)| text == sign).count();
     assert_eq!((signs(&window, "✗"), signs(&window, "✓")), (1, 0));
     window.command_key(Key::L);
@@ -182,12 +182,12 @@ fn other_files_of_a_folder_are_one_quiet_line_that_opens() {
     window.app_mut().state.exercises.look_into(folder.file("good.toml").parent().map(Into::into));
     window.click("Exercises");
     assert!(window.says("My own") && !window.says("figure.toml"));
-    window.click("Passed over in the folder: 3");
+    window.click("Skipped in the folder: 3");
     assert!(window.says("figure.toml, line 1: id is missing"));
     assert!(window.says("hostile.toml, line 3: statement has the formula") && window.says("\\input"));
     assert!(window.says("d.toml is a directory"));
     window.command_key(Key::L);
-    assert!(window.says("Deixados de lado na pasta: 3") && window.says("figure.toml, linha 1"));
+    assert!(window.says("Ignorados na pasta: 3") && window.says("figure.toml, linha 1"));
 }
 
 #[test]

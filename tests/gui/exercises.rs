@@ -120,7 +120,7 @@ fn a_wrong_view_matrix_is_explained_and_seen_and_then_put_right_with_the_mouse()
     assert!(window.says("‖") || window.says("n_x"), "a step of the way, set");
     fill(&mut window, "M_v", 4, &right(ask));
     window.click("Check: M_v");
-    assert!(window.says("✓ right") && window.says("All of it is right."));
+    assert!(window.says("✓ right") && window.says("Everything is right."));
     assert_eq!(window.state().exercises.stage("view-matrix"), Stage::Solved);
 
     window.click("Show the figure");
@@ -323,9 +323,9 @@ fn what_was_done_is_counted_told_written_as_a_table_and_deleted_when_agreed() {
     // The same family with new numbers, because of the mistake; and the reason is said.
     window.click("Practise next");
     assert_eq!(window.state().exercises.open, Some(Chosen { id: "view-matrix".to_owned(), seed: 2 }));
-    assert!(window.says("It shows a mistake that you made once"));
+    assert!(window.says("It practises a mistake that you made once"));
     window.command_key(Key::L);
-    assert!(window.says("Ele mostra um erro que você cometeu uma vez"));
+    assert!(window.says("Ele exercita um erro que você cometeu uma vez"));
     window.command_key(Key::L);
 
     window.click("Back to the list");
@@ -383,7 +383,7 @@ fn a_lecturers_own_exercises_stand_beside_the_others_and_a_faulty_file_is_told()
     window.click("Open a folder of exercises…");
     window.choose(&lecture);
     assert!(window.says("graphics course"), "the group has the folder's name");
-    window.click("Passed over in the folder: 1");
+    window.click("Skipped in the folder: 1");
     let told: Vec<String> = window.written().into_iter().map(|(text, _)| text).collect();
     let told = told.join(" ").split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(told.contains("faulty.toml") && told.contains("line 1: statement is missing"), "{told}");

@@ -369,11 +369,11 @@ fn the_fields_of_image_and_viewport_mark_what_depends_on_them() {
 #[test]
 fn an_entry_says_where_it_is_used_on_the_way_of_a_point() {
     let mut window = explaining(Lang::En);
-    assert!(!window.says("it is in the sum for"), "no point is followed");
+    assert!(!window.says("it appears in the sum of"), "no point is followed");
     let point = NamedPoint { name: "A".to_owned(), position: DVec3::new(0.5, 1.0, 0.25) };
     window.app_mut().state.document.edit(|figure| figure.points.push(point));
     window.run();
-    assert!(window.says("on the way of A it is in the sum for x_r, as the term"));
+    assert!(window.says("for A it appears in the sum of x_r, in the term"));
 }
 
 #[test]

@@ -63,7 +63,7 @@ fn the_scrubber_steps_by_keyboard_and_its_end_is_the_canonical_picture() {
         window.key(Key::ArrowLeft);
         assert!((time(&window) - 2.8).abs() < 1e-12);
         window.command_key(Key::ArrowLeft);
-        assert_eq!(time(&window), 2.0, "the whole step before");
+        assert_eq!(time(&window), 2.0, "the previous or next whole step");
         window.command_key(Key::ArrowLeft);
         assert_eq!(time(&window), 1.0);
         window.key(Key::ArrowRight);

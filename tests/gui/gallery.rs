@@ -93,7 +93,7 @@ fn files_used_last_are_offered_and_those_that_are_gone_are_said_to_be() {
     window.run();
     assert_eq!(window.state().gallery.part, Part::Recent);
     window.wait_for("here: What it is about.");
-    window.wait_for("gone.toml is not there any more");
+    window.wait_for("gone.toml no longer exists");
     let top = |label: &str| window.harness.get_by_label_contains(label).rect().left();
     assert!(top("here: ") < top("gone: "), "what is there comes first, although it was used before");
     window.key(Key::Enter);

@@ -60,7 +60,7 @@ fn the_panel_speaks_portuguese_and_goes_away_again() {
     let mut window = window(Lang::PtBr);
     window.click("Recorte por w = 0");
     measured(&mut window, "Medir");
-    for text in ["erro por parâmetro", "erro contra tempo", "f64 depois da divisão"] {
+    for text in ["erro contra parâmetro", "erro contra tempo", "f64 depois da divisão"] {
         assert!(window.harness.query_by_label_contains(text).is_some(), "{text}");
     }
     window.click("erro contra tempo");

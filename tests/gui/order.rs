@@ -93,7 +93,7 @@ fn the_list_begins_with_the_objects_own_transform_and_is_reordered_by_keyboard()
     assert_eq!(calls(&window).len(), 5);
     let after = Figure { show: before.show.clone(), ..window.state().document.figure().clone() };
     assert_eq!(after, before, "nothing of it is in the figure but what is shown");
-    window.click("Begin again");
+    window.click("Start over");
     assert_eq!(symbols(&window), ["T", "R_z", "R_y", "R_x", "S"]);
 }
 
@@ -207,7 +207,7 @@ fn another_order_is_taken_over_with_groups_that_lead_to_the_same_matrix() {
     assert_eq!(symbols(&window), ["S", "T", "R_z", "R_y", "R_x"]);
     assert!(window.says("step 2 (T) does not fit"));
     let wanted = placed(&window)[0];
-    window.click("Take over");
+    window.click("Apply");
     let scene = &window.state().document.figure().scene;
     let names: Vec<&str> = scene.objects.iter().map(|o| o.name.as_str()).collect();
     assert_eq!(names, ["arm", "group", "box"]);
@@ -223,9 +223,9 @@ fn push_and_pop_are_in_the_list_and_a_pop_alone_is_named() {
     let mut window = window(Lang::En, None);
     assert!(window.says("No object is selected"));
     assert_eq!(symbols(&window), ["T", "R_y", "S"]);
-    assert!(window.harness.get_by_label("Take over").accesskit_node().is_disabled());
+    assert!(window.harness.get_by_label("Apply").accesskit_node().is_disabled());
     assert!(window.state().shown().moved[0].objects.is_empty(), "a cube");
-    for entry in ["push: keep the matrix", "translate", "pop: bring it back"] {
+    for entry in ["push: save the matrix", "translate", "pop: restore it"] {
         window.click("+ Add");
         window.click(entry);
     }

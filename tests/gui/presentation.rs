@@ -67,7 +67,7 @@ fn what_lies_between_two_figures_is_passed_over_and_told() {
     fs::write(folder.file("2 exercise.toml"), "id = \"x\"\ntitle = \"T\"\n").expect("written");
     window.command_key(Key::PageDown);
     assert_eq!(name(&window), "9.toml");
-    assert!(window.says("2 exercise.toml, line 1") && !window.says("passed over"));
+    assert!(window.says("2 exercise.toml, line 1") && !window.says("were skipped"));
     window.command_key(Key::PageUp);
     fs::create_dir(folder.file("3.toml")).expect("made");
     #[cfg(unix)]
@@ -79,7 +79,7 @@ fn what_lies_between_two_figures_is_passed_over_and_told() {
     }
     window.command_key(Key::PageDown);
     assert_eq!(name(&window), "9.toml");
-    assert!(window.says("2 exercise.toml, line 1") && window.says("passed over"));
+    assert!(window.says("2 exercise.toml, line 1") && window.says("were skipped"));
     window.command_key(Key::L);
     window.command_key(Key::PageUp);
     assert_eq!(name(&window), "1.toml");

@@ -108,8 +108,8 @@ fn each_switch_shows_something_and_is_undone() {
     let mut window = window_with(Lang::En, View::World, [900.0, 700.0], |_| ());
     window.key(Key::F7);
     for (switch, reveal) in [
-        ("Vertices of clipping", Reveal { clipping: true, ..Reveal::default() }),
-        ("What is culled", Reveal { culled: true, ..Reveal::default() }),
+        ("Clipping vertices", Reveal { clipping: true, ..Reveal::default() }),
+        ("Culled parts", Reveal { culled: true, ..Reveal::default() }),
         ("Divide before clipping", Reveal { divide_first: true, ..Reveal::default() }),
     ] {
         let drawn = window.app_mut().canvas.drawn()[0];
@@ -126,7 +126,7 @@ fn each_switch_shows_something_and_is_undone() {
 #[test]
 fn a_vertex_says_its_outcode_and_its_distances() {
     for (lang, switch, planes, place, distances) in [
-        (Lang::En, "Vertices of clipping", "Outcode 000010 near", "(0, 0, 5)", "w + z, w − z −2.286, 10.29"),
+        (Lang::En, "Clipping vertices", "Outcode 000010 near", "(0, 0, 5)", "w + z, w − z −2.286, 10.29"),
         (Lang::PtBr, "Vértices do recorte", "Outcode 000010 frente", "(0; 0; 5)", "w + z, w − z −2,286; 10,29"),
     ] {
         // F = 4.5: the corner (1, 1, 1), 4 units before C, is cut off; seen from the front it lies to the right of the

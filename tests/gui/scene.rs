@@ -270,7 +270,7 @@ fn deleting_asks_what_becomes_of_the_children() {
     assert_eq!(window.objects()[1].parent.as_deref(), Some("group"), "it goes into the group that is selected");
     window.select("group");
     window.click("Delete");
-    window.click("Alone; its children go to its parent");
+    window.click("Alone; its children move to its parent");
     window.run();
     assert_eq!(window.names(), ["box"]);
     assert_eq!(window.objects()[0].parent, None);
@@ -283,13 +283,13 @@ fn deleting_asks_what_becomes_of_the_children() {
     assert_eq!(window.names(), ["group", "box"]);
     window.select("group");
     window.key(Key::Delete);
-    window.click("Alone; its children go to its parent");
+    window.click("Alone; its children move to its parent");
     window.run();
     assert_eq!(window.names(), ["box"]);
     window.command_key(Key::Z);
     window.select("group");
     window.key(Key::Delete);
-    window.click("With what hangs on it");
+    window.click("With all objects below it");
     window.run();
     assert!(window.names().is_empty());
     window.command_key(Key::Z);
@@ -343,7 +343,7 @@ fn what_cannot_be_selected_together_says_why() {
         window.harness.get_by_role_and_label(Role::TreeItem, row).click_modifiers(Modifiers::COMMAND);
         window.run();
     };
-    let why = "Only the figure's own objects are selected together";
+    let why = "Only the figure's own objects can be selected together";
     window.add("Add", "box");
     window.select("World");
     window.add("Add", "cone");

@@ -57,7 +57,7 @@ fn a_crashed_session_is_back_at_the_next_start() {
     window.app_mut().keep_session(&folder.0, true);
     window.run();
     assert_eq!(window.state().document.draft().position.x, 1.25);
-    assert!(window.says("The last session is back"));
+    assert!(window.says("The last session, which had not been saved"));
     assert!(window.state().document.is_changed());
 }
 
@@ -83,7 +83,7 @@ fn a_restored_figure_goes_to_its_own_file_and_not_over_a_newer_one() {
     assert_eq!(window.state().document.figure().camera.far, 75.0);
     assert!(window.says("a.toml was changed by another program; this window has changes too."));
     window.command_key(Key::S);
-    assert!(window.says("The file has been changed"));
+    assert!(window.says("The file has changed"));
     assert_eq!(fs::read_to_string(folder.file("a.toml")).expect("there"), newer);
     window.click("Replace");
     let text = fs::read_to_string(folder.file("a.toml")).expect("there");
@@ -154,7 +154,7 @@ fn what_cannot_be_understood_is_said_with_its_place() {
     let mut window = Window::new(Lang::PtBr);
     window.app_mut().keep_session(&folder.file("sessions"), true);
     window.run();
-    assert!(window.says("não pode ser entendido") && window.says("session-0.damaged"));
+    assert!(window.says("não podem ser lidas") && window.says("session-0.damaged"));
     // What is said at the bottom does not take its place: only the user does.
     window.key(Key::F11);
     window.key(Key::F11);
@@ -217,7 +217,7 @@ fn a_home_that_cannot_be_used_is_said_in_one_line_and_once() {
     window.app_mut().keep_session(&home.join(".local/share/camera-lab"), true);
     window.run();
     let told = |window: &Window| window.harness.query_all_by_label_contains("is not a directory").count();
-    assert!(window.says("not remembered, and changes of this window would be lost in a crash"));
+    assert!(window.says("not saved, and changes in this window would be lost in a crash"));
     assert_eq!((told(&window), closing_buttons(&mut window).len()), (1, 1));
     // What is written is written beside the window.
     let change = |window: &mut Window, x: &str| {

@@ -159,7 +159,7 @@ fn a_click_on_a_stage_shows_it_in_its_picture_and_a_second_click_or_escape_takes
     assert_eq!(window.state().shown_stage(), Some(Stage::Texture));
     window.harness.remove_cursor();
     window.run();
-    assert!(window.says("texture: left out – no object has a picture on it"));
+    assert!(window.says("texture: left out – no object has a texture"));
     window.key(Key::F10);
     assert_eq!(window.state().shown_stage(), None, "hidden, it is not shown");
     assert_eq!(*window.state().document.figure(), figure, "the figure stays as it is");

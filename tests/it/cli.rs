@@ -177,7 +177,7 @@ fn three_pictures_on_small_paper_are_arranged_and_said_to_be_small() {
         "{}",
         run.err
     );
-    assert!(run.err.contains("letters of 9 pt want pictures of at least 5.1 × 3.5 cm"), "{}", run.err);
+    assert!(run.err.contains("letters of 9 pt need pictures of at least 5.1 × 3.5 cm"), "{}", run.err);
     let (width, height, _) = pixels(&bench.read("a.png"));
     assert_eq!((width, height), (945, 709));
     let run = all(&["8", "--height-cm", "6", "--letters", "9", "--lang", "pt-BR"]);
@@ -403,7 +403,7 @@ fn an_option_before_the_command_is_told_where_to_stand() {
     for (arguments, found) in [
         (
             ["--allow-files", "render", "figure.toml"].as_slice(),
-            "an option stands before the command; allowed: camera-lab COMMAND",
+            "an option comes before the command; allowed: camera-lab COMMAND",
         ),
         (&["--lang", "pt-BR", "render", "figure.toml"], "há uma opção antes do comando; permitido: camera-lab COMANDO"),
     ] {

@@ -92,8 +92,8 @@ fn a_pixel_outside_of_the_image_has_a_ray_and_a_warning_beside_it() {
         assert_eq!(report["rays"][0]["direction"].as_array().unwrap().len(), 3, "{pixel}");
         assert_eq!(report["warnings"], serde_json::json!([]), "the report is as ever");
         let warning = format!(
-            "camera-lab: --pixel {pixel} lies outside of the image, which has columns 0 to 19 and rows 0 to 14; its ray is \
-             given all the same\n"
+            "camera-lab: --pixel {pixel} lies outside the image, which has columns 0 to 19 and rows 0 to 14; its ray is \
+             printed anyway\n"
         );
         assert_eq!(run.err, if outside { warning.as_str() } else { "" }, "{pixel}");
     }

@@ -333,7 +333,7 @@ fn a_cause_is_said_once_with_what_is_lost_whole_and_in_part() {
     let texts = [
         (
             Lang::En,
-            "lost: farther than the far plane, −z_c > B: clipping takes away what is there. in part: most of it is farther",
+            "lost: farther than the back plane, −z_c > B: clipping removes what is there. in part: most of it is farther",
         ),
         (
             Lang::PtBr,

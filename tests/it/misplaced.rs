@@ -62,7 +62,7 @@ fn a_vertex_that_is_drawn_beside_its_place_is_named() {
     assert_eq!(vertex.object, "box");
 
     let said = OverBudget::Rounding { vertices };
-    for (lang, words) in [(Lang::En, "is drawn 4.2 pixels beside"), (Lang::PtBr, "é desenhado a 4,2 pixels do")] {
+    for (lang, words) in [(Lang::En, "is drawn 4.2 px off"), (Lang::PtBr, "é desenhado com desvio de 4,2 px")] {
         let text = messages::too_much(lang, &said);
         assert!(text.contains(words) && text.contains("\"box\""), "{text}");
     }

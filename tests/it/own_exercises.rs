@@ -232,7 +232,7 @@ fn a_foreign_file_leaves_the_exercises_beside_it_usable_and_is_named() {
     let run = exercise(&["show", "nothing-of-this-name"]);
     assert!(run.refused(2).contains("nothing-of-this-name") && run.err.contains("figure.toml"), "{}", run.err);
     let run = exercise(&["list", "--lang", "pt-BR"]);
-    assert!(run.err.contains("deixado de lado: ") && run.err.contains("linha 4"), "{}", run.err);
+    assert!(run.err.contains("ignorado: ") && run.err.contains("linha 4"), "{}", run.err);
     // A folder that is none is refused as before.
     assert!(bench.run(&["exercise", "list", "--folder", "none"]).refused(2).contains("none"));
 }

@@ -118,7 +118,7 @@ impl Writer {
     /// What came of it, once.
     pub(super) fn take(&mut self) -> Option<Result<(), FileError>> {
         let [done] = self.worker.take(Duration::ZERO);
-        Some(done?.outcome.unwrap_or_else(|| Err(FileError::Write(std::io::Error::other("a fault of this program")))))
+        Some(done?.outcome.unwrap_or_else(|| Err(FileError::Write(std::io::Error::other("a bug in this program")))))
     }
 
     /// Waits until nothing is being written any more.
