@@ -33,12 +33,14 @@ impl Activity {
 /// How far one piece of work has come. A clone is of the same work. What is done never depends on it, but for being
 /// given up.
 #[derive(Clone, Debug, Default)]
-pub struct Progress(Arc<State>);
+pub struct Progress {
+    cancelled: Arc<AtomicBool>,
+    steps: Arc<Steps>,
+}
 
 /// Each value says something by itself: no order between them is needed.
 #[derive(Debug, Default)]
-struct State {
-    cancelled: AtomicBool,
+struct Steps {
     /// The index of what is being done, from 1; 0: nothing that is told.
     doing: AtomicU8,
     done: AtomicUsize,
@@ -48,33 +50,39 @@ struct State {
 impl Progress {
     /// The work is not wanted any more.
     pub fn cancel(&self) {
-        self.0.cancelled.store(true, Ordering::Relaxed);
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// A part of the work, which has steps of its own and is given up with the whole.
+    #[must_use]
+    pub fn part(&self) -> Self {
+        Self { cancelled: Arc::clone(&self.cancelled), steps: Arc::default() }
     }
 
     /// True where the work is to end soon; what comes of it is thrown away.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
-        self.0.cancelled.load(Ordering::Relaxed)
+        self.cancelled.load(Ordering::Relaxed)
     }
 
     /// Other work begins, and is wanted.
     pub fn begin_anew(&self) {
-        self.0.doing.store(0, Ordering::Relaxed);
-        self.0.cancelled.store(false, Ordering::Relaxed);
+        self.steps.doing.store(0, Ordering::Relaxed);
+        self.cancelled.store(false, Ordering::Relaxed);
     }
 
     /// Says what is done from now on, and how many steps that takes; 0: nobody knows.
     pub fn begin(&self, doing: Activity, steps: usize) {
-        self.0.of.store(0, Ordering::Relaxed);
-        self.0.done.store(0, Ordering::Relaxed);
-        self.0.of.store(steps, Ordering::Relaxed);
+        self.steps.of.store(0, Ordering::Relaxed);
+        self.steps.done.store(0, Ordering::Relaxed);
+        self.steps.of.store(steps, Ordering::Relaxed);
         let index = Activity::ALL.iter().position(|&d| d == doing).and_then(|i| u8::try_from(i + 1).ok());
-        self.0.doing.store(index.unwrap_or(0), Ordering::Relaxed);
+        self.steps.doing.store(index.unwrap_or(0), Ordering::Relaxed);
     }
 
     /// More steps are done.
     pub fn advance(&self, steps: usize) {
-        self.0.done.fetch_add(steps, Ordering::Relaxed);
+        self.steps.done.fetch_add(steps, Ordering::Relaxed);
     }
 
     /// More steps are done, and what is done in slices pauses here.
@@ -86,8 +94,8 @@ impl Progress {
     /// What is being done, and which share of it has been, where that is known.
     #[must_use]
     pub fn now(&self) -> Option<(Activity, Option<f32>)> {
-        let doing = *Activity::ALL.get(usize::from(self.0.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;
-        let (done, of) = (self.0.done.load(Ordering::Relaxed), self.0.of.load(Ordering::Relaxed));
+        let doing = *Activity::ALL.get(usize::from(self.steps.doing.load(Ordering::Relaxed)).checked_sub(1)?)?;
+        let (done, of) = (self.steps.done.load(Ordering::Relaxed), self.steps.of.load(Ordering::Relaxed));
         #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
         let share = (of > 0).then(|| (done as f32 / of as f32).min(1.0));
         Some((doing, share))
@@ -133,6 +141,18 @@ mod tests {
             assert_eq!(progress.now(), Some((Activity::Measuring, Some(f32::from(done) / 3.0))));
         }
         assert_eq!(slice(), Poll::Ready(whole));
+    }
+
+    #[test]
+    fn a_part_has_its_own_steps_and_is_given_up_with_the_whole() {
+        let whole = Progress::default();
+        let part = whole.part();
+        whole.begin(Activity::Encoding, 2);
+        part.begin(Activity::Painting, 4);
+        part.advance(4);
+        assert_eq!(whole.now(), Some((Activity::Encoding, Some(0.0))));
+        whole.cancel();
+        assert!(part.is_cancelled());
     }
 
     #[test]

@@ -175,8 +175,8 @@ impl Document {
         &mut self.figure.observers
     }
 
-    /// What is explained in the pictures: kept in the file as the observers are, and neither a change of the figure nor
-    /// an undo step.
+    /// What is explained in the pictures: kept in the file as the observers are, and no change of the figure. What is
+    /// chosen there (a stage, a triangle, what is measured) is an undo step.
     pub fn show_mut(&mut self) -> &mut Show {
         &mut self.figure.show
     }
@@ -240,12 +240,13 @@ impl Document {
     /// [`CameraError`] where the figure's camera is impossible; nothing has changed then.
     pub fn replace(&mut self, figure: Figure) -> Result<(), CameraError> {
         let camera = Camera::new(&figure.camera)?;
+        self.commit();
         self.draft = figure.camera;
         self.put_camera(camera);
         self.figure = figure;
         self.problem = None;
         self.has_scene(Revision::new());
-        self.commit();
+        self.history.replace((&self.figure, self.revision), &self.camera);
         Ok(())
     }
 
@@ -410,6 +411,42 @@ mod tests {
 
     fn azimuth(degrees: f64) -> Operation {
         Operation::Azimuth(Angle::from_degrees(degrees))
+    }
+
+    #[test]
+    fn undo_covers_what_was_chosen_to_be_shown_and_not_what_was_pointed_at_or_plays() {
+        use crate::figure::{ShownProbe, ShownStep};
+        use crate::stage::Stage;
+        use glam::DVec3;
+
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        document.show_mut().stage = Some(Stage::Clip);
+        document.commit();
+        assert!(document.can_undo() && !document.is_changed(), "a step, but nothing to save");
+        document.show_mut().probe = Some(ShownProbe::World(DVec3::ONE));
+        let step = ShownStep { way: crate::camera::Decomposition::Notes, at: Some(1.5) };
+        document.show_mut().step = Some(step);
+        document.commit();
+        document.undo();
+        let show = &document.figure().show;
+        assert_eq!((show.stage, show.probe, show.step), (None, Some(ShownProbe::World(DVec3::ONE)), Some(step)));
+        assert!(!document.can_undo(), "pointing and playing are no steps");
+        document.redo();
+        assert_eq!(document.figure().show.stage, Some(Stage::Clip));
+    }
+
+    #[test]
+    fn the_figure_that_another_one_has_replaced_comes_back_with_all_that_it_explained() {
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        document.show_mut().painted = Some(0.25);
+        let mut other = Figure::of_preset(crate::scene::Preset::Cube);
+        other.show.measure = vec![crate::figure::Measured::Dimension(crate::figure::Measure::Near)];
+        document.replace(other.clone()).unwrap();
+        assert_eq!(document.figure().show, other.show);
+        document.undo();
+        assert_eq!(document.figure().show.painted, Some(0.25));
+        document.redo();
+        assert_eq!(document.figure().show, other.show);
     }
 
     #[test]

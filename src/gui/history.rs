@@ -22,7 +22,8 @@ impl Revision {
     }
 }
 
-/// What one undo step brings back: everything but the observers and what is explained.
+/// What one undo step brings back: everything but the observers. Of what is explained, it brings back what was chosen;
+/// all of it where the figure was another one.
 #[derive(Clone, Debug)]
 struct Snapshot {
     scene: Arc<SceneSpec>,
@@ -37,6 +38,9 @@ struct Snapshot {
     /// With what it knows beyond the `f64`s of its parameters.
     camera: Camera,
     draft: Parameters,
+    show: Show,
+    /// This figure has taken the place of another one.
+    replaces: bool,
 }
 
 /// What is being edited, as undo and redo see it.
@@ -56,19 +60,8 @@ impl Snapshot {
         draft: &Parameters,
         before: Option<&Self>,
     ) -> Self {
-        let Figure {
-            camera: _,
-            image,
-            undistorted,
-            viewport,
-            scene,
-            points,
-            style,
-            reveal,
-            world,
-            observers: _,
-            show: _,
-        } = figure;
+        let Figure { camera: _, image, undistorted, viewport, scene, points, style, reveal, world, observers: _, show } =
+            figure;
         let shared = before.filter(|before| before.has_scene(scene, revision)).map(|before| &before.scene);
         Self {
             scene: shared.map_or_else(|| Arc::new(scene.clone()), Arc::clone),
@@ -82,6 +75,8 @@ impl Snapshot {
             world: *world,
             camera: camera.clone(),
             draft: *draft,
+            show: show.clone(),
+            replaces: false,
         }
     }
 
@@ -90,29 +85,33 @@ impl Snapshot {
     }
 
     fn is_of(&self, (figure, revision): (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
-        let Figure {
-            camera: _,
-            image,
-            undistorted,
-            viewport,
-            scene,
-            points,
-            style,
-            reveal,
-            world,
-            observers: _,
-            show: _,
-        } = figure;
+        let Figure { camera: _, image, undistorted, viewport, scene, points, style, reveal, world, observers: _, show } =
+            figure;
         (&self.image, &self.undistorted, &self.viewport) == (image, undistorted, viewport)
             && (&self.style, &self.reveal, &self.world) == (style, reveal, world)
             && (&self.camera, &self.draft) == (camera, draft)
             && self.points == *points
+            && chosen(&self.show) == chosen(show)
             && self.has_scene(scene, revision)
     }
 
-    fn moment(&self, observers: Observers, show: &Show) -> Moment {
-        let Self { scene, revision, points, image, undistorted, viewport, style, reveal, world, camera, draft } =
-            self.clone();
+    /// `show`: what is explained now; `all`: what was explained then takes its place as a whole.
+    fn moment(&self, observers: Observers, show: &Show, all: bool) -> Moment {
+        let Self {
+            scene,
+            revision,
+            points,
+            image,
+            undistorted,
+            viewport,
+            style,
+            reveal,
+            world,
+            camera,
+            draft,
+            show: then,
+            replaces: _,
+        } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
         let figure = Figure {
             camera: *camera.parameters(),
@@ -125,10 +124,22 @@ impl Snapshot {
             reveal,
             world,
             observers,
-            show: show.clone(),
+            show: if all { then } else { with_chosen(show, &then) },
         };
         Moment { figure, revision, camera, draft }
     }
+}
+
+/// What is explained because it was chosen, and not pointed at, played, or made by a panel.
+fn chosen(show: &Show) -> impl PartialEq {
+    let triangle = show.triangle.as_ref().map(|triangle| (&triangle.object, triangle.index));
+    (show.stage, show.stage_of, triangle, &show.measure, &show.measure_of)
+}
+
+/// What is explained now, with what was chosen then.
+fn with_chosen(now: &Show, then: &Show) -> Show {
+    let Show { stage, stage_of, triangle, measure, measure_of, .. } = then.clone();
+    Show { stage, stage_of, triangle, measure, measure_of, ..now.clone() }
 }
 
 /// The steps.
@@ -150,9 +161,24 @@ impl History {
         if self.now.is_of(of, camera, draft) {
             // Another number may have come to the same scene.
             self.now.revision = of.1;
+            if self.now.show != of.0.show {
+                self.now.show = of.0.show.clone();
+            }
             return;
         }
         let now = Snapshot::new(of, camera, draft, Some(&self.now));
+        self.push(now);
+    }
+
+    /// Makes a step of another figure that has taken the place of the one before.
+    pub(super) fn replace(&mut self, of: (&Figure, Revision), camera: &Camera) {
+        let now = Snapshot::new(of, camera, &of.0.camera, Some(&self.now));
+        if !self.now.is_of(of, camera, &of.0.camera) || self.now.show != of.0.show {
+            self.push(Snapshot { replaces: true, ..now });
+        }
+    }
+
+    fn push(&mut self, now: Snapshot) {
         self.past.push(std::mem::replace(&mut self.now, now));
         self.future.clear();
         let steps = self.affordable();
@@ -188,15 +214,17 @@ impl History {
     /// One step back; what is there then, seen by these observers.
     pub(super) fn undo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
         let earlier = self.past.pop()?;
-        self.future.push(std::mem::replace(&mut self.now, earlier));
-        Some(self.now.moment(observers, show))
+        let later = std::mem::replace(&mut self.now, earlier);
+        let all = later.replaces;
+        self.future.push(later);
+        Some(self.now.moment(observers, show, all))
     }
 
     /// One step forward.
     pub(super) fn redo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
         let later = self.future.pop()?;
         self.past.push(std::mem::replace(&mut self.now, later));
-        Some(self.now.moment(observers, show))
+        Some(self.now.moment(observers, show, self.now.replaces))
     }
 }
 

@@ -67,7 +67,7 @@ impl Animation {
     }
 
     /// The file: an animation, a step of it in so many seconds, or a strip, with a figure file in it where the format
-    /// can carry one. It pauses after each picture.
+    /// can carry one. It pauses after each picture, and within one.
     ///
     /// # Errors
     /// [`PictureError`].
@@ -89,7 +89,7 @@ impl Animation {
     }
 
     /// The animation, a step in so many seconds; each whole step stands still for a moment. It pauses after each
-    /// picture.
+    /// picture, and within one.
     ///
     /// # Errors
     /// [`PictureError`].
@@ -102,9 +102,9 @@ impl Animation {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few seconds")]
         let per_step = (seconds * f64::from(PER_SECOND)).round().clamp(1.0, 10_000.0) as u32;
         let pictures = self.steps() * per_step + 1;
-        // Each picture is drawn in a moment: what is told is how many there are, and between two of them it may be
-        // given up.
+        // How many pictures there are is told; a picture that takes long is given up too.
         let mut renderer = Renderer::default();
+        renderer.watch(&progress.part());
         let size = [self.request.size.width, self.request.size.height];
         progress.begin(Activity::Encoding, pictures as usize);
         let made = animation(format, size, pictures, async |picture| {
@@ -113,8 +113,9 @@ impl Animation {
             if progress.is_cancelled() {
                 return None;
             }
-            let drawn: Option<Pixels> = renderer.pixels(&self.at(time));
-            let pixmap = drawn.and_then(|mut picture| picture.take_pixmap())?;
+            let mut drawn = Pixels::default();
+            renderer.pixels_into(&self.at(time), &mut drawn).await?;
+            let pixmap = drawn.take_pixmap()?;
             progress.advance_and_pause(1).await;
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "about a second")]
             let ticks = if still { REST / TICK } else { 1.0 / f64::from(PER_SECOND) / TICK }.round() as u16;

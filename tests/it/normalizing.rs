@@ -3,11 +3,16 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
+
 use camera_lab::camera::{Camera, Decomposition, Parameters, Projection, ViewWindow};
+use camera_lab::export::animation::AnimationFormat;
 use camera_lab::figure::Figure;
 use camera_lab::figure::ShownStep;
 use camera_lab::i18n::{Lang, pictures::labels};
-use camera_lab::picture::{Animation, Renderer};
+use camera_lab::picture::{Animation, PictureError, Renderer};
+use camera_lab::progress::{Activity, Progress};
 use camera_lab::views::{Request, SharedScene, Size, View, scene_of};
 use glam::{DMat4, DVec3, DVec4};
 use proptest::prelude::*;
@@ -137,6 +142,23 @@ fn times_beyond_the_way_are_its_ends() {
     let step = ShownStep { way: Decomposition::Notes, at: Some(1.0) };
     let other = film.request.clone().with_shot(|shot| shot.show.step = Some(step));
     assert_eq!(other, film.at(1.0));
+}
+
+#[test]
+fn an_animation_is_given_up_within_a_picture() {
+    let figure = Figure::default();
+    let camera = Camera::new(&figure.camera).unwrap();
+    let scene = SharedScene::new(scene_of(&figure, &mut camera_lab::scene::no_files, &Default::default()).unwrap());
+    let size = Size { width: 640, height: 480, scale: 1.0 };
+    let request = Request::of(&figure, View::Canonical, &camera, &scene, labels(Lang::En), size);
+    let film = Animation { request, decomposition: Decomposition::Notes };
+    let progress = Progress::default();
+    let mut work = pin!(film.animation(AnimationFormat::Gif, 0.1, &progress));
+    let mut slice = || work.as_mut().poll(&mut Context::from_waker(Waker::noop()));
+    assert!(slice().is_pending());
+    assert_eq!(progress.now(), Some((Activity::Encoding, Some(0.0))), "the first picture is not done");
+    progress.cancel();
+    assert!(matches!(slice(), Poll::Ready(Err(PictureError::Cancelled))));
 }
 
 #[test]

@@ -42,7 +42,9 @@ impl Canvas {
         if self.drag.is_none() && ui.input(|i| i.key_pressed(Key::Escape)) {
             // One thing after the other.
             if state.pinned().is_none() && self.probing.is_none() {
-                release_shown(ui, state);
+                if state.release_shown() {
+                    ui.request_repaint();
+                }
             }
             state.pin(None);
             self.probing = None;
@@ -309,18 +311,6 @@ impl Canvas {
             state.operate(Operation::Azimuth(Angle::from_degrees(STEP * arrow.x)));
         }
     }
-}
-
-/// Takes away the stage that is shown; without one, the triangle that is followed.
-fn release_shown(ui: &Ui, state: &mut State) {
-    if state.shown_stage().is_some() {
-        state.release_stage();
-    } else if state.shown().triangle.is_some() {
-        state.document.show_mut().triangle = None;
-    } else {
-        return;
-    }
-    ui.request_repaint();
 }
 
 /// The direction of an arrow key: x right, y up; zero for any other.

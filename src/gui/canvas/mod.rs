@@ -184,10 +184,7 @@ impl Canvas {
     /// True where Esc would let go of something in a picture.
     #[must_use]
     pub fn holds_something(&self, state: &State) -> bool {
-        self.drag.is_some()
-            || state.pinned().is_some()
-            || state.shown_stage().is_some()
-            || state.shown().triangle.is_some()
+        self.drag.is_some() || state.pinned().is_some() || state.can_release_shown()
     }
 
     /// Fills the room that is left in `ui` with the pictures, and lets the pointer and the keys act on them.

@@ -159,6 +159,44 @@ impl State {
         (show.stage, show.stage_of) = (None, StagePicture::default());
     }
 
+    /// What Esc lets go of: the stage that is shown, then the triangle; then all else that no open panel shows, but a
+    /// file or another window has brought. The first of them that there is, as it is without it.
+    fn without_shown(&self) -> Option<Show> {
+        let (show, open) = (self.shown(), self.open_panels);
+        if show.stage.is_some() {
+            return Some(Show { stage: None, stage_of: StagePicture::default(), ..show.clone() });
+        }
+        if show.triangle.is_some() {
+            return Some(Show { triangle: None, ..show.clone() });
+        }
+        if self.settings.presentation {
+            // Esc ends it; what a figure was made to explain stays.
+            return None;
+        }
+        let rest = Show {
+            painted: show.painted.filter(|_| open.painting),
+            step: show.step.filter(|_| open.steps),
+            moved: if open.order { show.moved.clone() } else { Vec::new() },
+            measure: Vec::new(),
+            measure_of: None,
+            answer: None,
+            ..show.clone()
+        };
+        (rest != *show).then_some(rest)
+    }
+
+    /// True where [`release_shown`](Self::release_shown) would let go of something.
+    pub(in crate::gui) fn can_release_shown(&self) -> bool {
+        self.without_shown().is_some()
+    }
+
+    /// Lets go of something that is explained, as Esc does; false where there is nothing.
+    pub(in crate::gui) fn release_shown(&mut self) -> bool {
+        let Some(rest) = self.without_shown() else { return false };
+        *self.document.show_mut() = rest;
+        true
+    }
+
     /// What is pinned.
     #[must_use]
     pub fn pinned(&self) -> Option<Probe> {
