@@ -3,19 +3,18 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::appearance::Style;
-use crate::camera::{Camera, ImageSize, Parameters, Viewport};
-use crate::figure::{Figure, NamedPoint, Observers, Reveal, Show, WorldLook};
+use crate::camera::{Camera, Parameters};
+use crate::figure::{Figure, Observers, Show};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
-/// Which scene: where two numbers are the same, so are the scenes, which can be large. Of other numbers nothing is
-/// said.
+/// Which scene, or which document: where two numbers are the same, so is what they stand for, which can be large. Of
+/// other numbers nothing is said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Revision(u64);
 
 impl Revision {
-    /// One that no scene has.
+    /// One that nothing has.
     pub(super) fn new() -> Self {
         static LAST: AtomicU64 = AtomicU64::new(0);
         Self(LAST.fetch_add(1, Ordering::Relaxed))
@@ -27,13 +26,8 @@ impl Revision {
 struct Snapshot {
     scene: Arc<SceneSpec>,
     revision: Revision,
-    points: Vec<NamedPoint>,
-    image: ImageSize,
-    undistorted: bool,
-    viewport: Option<Viewport>,
-    style: Style,
-    reveal: Reveal,
-    world: WorldLook,
+    /// The figure without its scene.
+    rest: Figure,
     /// With what it knows beyond the `f64`s of its parameters.
     camera: Camera,
     draft: Parameters,
@@ -56,30 +50,11 @@ impl Snapshot {
         draft: &Parameters,
         before: Option<&Self>,
     ) -> Self {
-        let Figure {
-            camera: _,
-            image,
-            undistorted,
-            viewport,
-            scene,
-            points,
-            style,
-            reveal,
-            world,
-            observers: _,
-            show: _,
-        } = figure;
-        let shared = before.filter(|before| before.has_scene(scene, revision)).map(|before| &before.scene);
+        let shared = before.filter(|before| before.has_scene(&figure.scene, revision)).map(|before| &before.scene);
         Self {
-            scene: shared.map_or_else(|| Arc::new(scene.clone()), Arc::clone),
+            scene: shared.map_or_else(|| Arc::new(figure.scene.clone()), Arc::clone),
             revision,
-            points: points.clone(),
-            image: *image,
-            undistorted: *undistorted,
-            viewport: *viewport,
-            style: *style,
-            reveal: *reveal,
-            world: *world,
+            rest: figure.without_scene(),
             camera: camera.clone(),
             draft: *draft,
         }
@@ -90,43 +65,15 @@ impl Snapshot {
     }
 
     fn is_of(&self, (figure, revision): (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
-        let Figure {
-            camera: _,
-            image,
-            undistorted,
-            viewport,
-            scene,
-            points,
-            style,
-            reveal,
-            world,
-            observers: _,
-            show: _,
-        } = figure;
-        (&self.image, &self.undistorted, &self.viewport) == (image, undistorted, viewport)
-            && (&self.style, &self.reveal, &self.world) == (style, reveal, world)
-            && (&self.camera, &self.draft) == (camera, draft)
-            && self.points == *points
-            && self.has_scene(scene, revision)
+        (&self.camera, &self.draft) == (camera, draft)
+            && self.rest == figure.without_scene()
+            && self.has_scene(&figure.scene, revision)
     }
 
     fn moment(&self, observers: Observers, show: &Show) -> Moment {
-        let Self { scene, revision, points, image, undistorted, viewport, style, reveal, world, camera, draft } =
-            self.clone();
+        let Self { scene, revision, rest, camera, draft } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
-        let figure = Figure {
-            camera: *camera.parameters(),
-            image,
-            undistorted,
-            viewport,
-            scene,
-            points,
-            style,
-            reveal,
-            world,
-            observers,
-            show: show.clone(),
-        };
+        let figure = Figure { camera: *camera.parameters(), scene, observers, show: show.clone(), ..rest };
         Moment { figure, revision, camera, draft }
     }
 }
