@@ -67,6 +67,37 @@ impl Figure {
         let scene = SceneSpec { preset, ..SceneSpec::default() };
         Self { camera: recommended_camera(preset), scene, ..Self::default() }
     }
+
+    /// What one edits, without its scene, which can be large: neither from where it is seen nor what is explained in it.
+    #[must_use]
+    pub fn without_scene(&self) -> Self {
+        let Self {
+            camera,
+            image,
+            undistorted,
+            viewport,
+            scene: _,
+            points,
+            style,
+            reveal,
+            world,
+            observers: _,
+            show: _,
+        } = self;
+        Self {
+            camera: *camera,
+            image: *image,
+            undistorted: *undistorted,
+            viewport: *viewport,
+            scene: SceneSpec::default(),
+            points: points.clone(),
+            style: *style,
+            reveal: *reveal,
+            world: *world,
+            observers: Observers::default(),
+            show: Show::default(),
+        }
+    }
 }
 
 /// The observers of the two three-dimensional pictures.

@@ -26,6 +26,11 @@ pub struct Document {
     /// Which scene the figure has, and whether it is another one than the one that was saved.
     revision: Revision,
     scene_is_changed: bool,
+    /// Which document it is, from wherever it is seen and whatever is explained in it, and which one the last step was
+    /// made of.
+    version: Revision,
+    committed: Option<Revision>,
+    is_changed: bool,
     opened: Parameters,
     history: History,
     /// The file that stays alone while another figure is shown.
@@ -46,7 +51,7 @@ struct DetachedFile {
 
 /// True where figures are the same, from wherever they are seen and whatever is explained in them.
 fn same(a: &Figure, b: &Figure) -> bool {
-    Figure { observers: b.observers, show: b.show.clone(), ..a.clone() } == *b
+    a.without_scene() == b.without_scene() && a.scene == b.scene
 }
 
 impl Document {
@@ -69,6 +74,9 @@ impl Document {
             history: History::new(&figure, revision, &camera),
             revision,
             scene_is_changed: false,
+            version: Revision::new(),
+            committed: None,
+            is_changed: false,
             drawn: camera.clone(),
             camera,
             draft: figure.camera,
@@ -148,6 +156,7 @@ impl Document {
             }
             Err(error) => self.problem = Some(error),
         }
+        self.note_change();
     }
 
     /// Changes anything but the camera; what `change` does to `figure.camera` is ignored.
@@ -162,6 +171,21 @@ impl Document {
     fn has_scene(&mut self, revision: Revision) {
         self.revision = revision;
         self.scene_is_changed = self.figure.scene != self.saved.scene;
+        self.note_change();
+    }
+
+    /// Notes that the document is another one now.
+    fn note_change(&mut self) {
+        self.version = Revision::new();
+        self.is_changed = self.scene_is_changed
+            || self.draft != self.saved.camera
+            || self.figure.without_scene() != self.saved.without_scene();
+    }
+
+    /// A number that says which document it is, without a look at it: not from where it is seen, nor what is explained
+    /// in it.
+    pub(super) fn version(&self) -> Revision {
+        self.version
     }
 
     /// A number that says which scene the figure has, without a look at it.
@@ -205,7 +229,10 @@ impl Document {
     /// Makes an undo step of what has changed since the last one. Call it when no pointer or key is held, so that a
     /// drag is one step.
     pub fn commit(&mut self) {
-        self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
+        let is_another = self.committed.replace(self.version) != Some(self.version);
+        if is_another || self.history.shows_other(&self.figure.show) {
+            self.history.commit((&self.figure, self.revision), &self.camera, &self.draft);
+        }
     }
 
     /// True where there is something to undo.
@@ -243,10 +270,10 @@ impl Document {
         self.commit();
         self.draft = figure.camera;
         self.put_camera(camera);
-        self.figure = figure;
+        let before = std::mem::replace(&mut self.figure, figure);
         self.problem = None;
         self.has_scene(Revision::new());
-        self.history.replace((&self.figure, self.revision), &self.camera);
+        self.history.replace(before.show, (&self.figure, self.revision), &self.camera);
         Ok(())
     }
 
@@ -263,6 +290,7 @@ impl Document {
             let (path, shipped) = (self.path.take(), self.shipped.take());
             let source = std::mem::take(&mut self.source);
             self.aside = Some(DetachedFile { path, shipped, source, own, lent: self.figure.clone() });
+            self.note_change();
         }
         Ok(())
     }
@@ -284,6 +312,7 @@ impl Document {
         self.figure.camera = self.draft;
         self.put_camera(camera);
         self.problem = None;
+        self.note_change();
     }
 
     /// Does an operation to the camera.
@@ -353,6 +382,7 @@ impl Document {
     /// Lets the figure name any file of this machine: the user has said so.
     pub fn allow_files(&mut self) {
         self.reach = FileAccess::Anywhere;
+        self.note_change();
     }
 
     /// The text of the file as it was read or written last, with its comments; empty without a file.
@@ -369,36 +399,20 @@ impl Document {
         self.source = source;
         self.saved = self.figure.clone();
         self.scene_is_changed = false;
+        self.note_change();
     }
 
     /// Leaves the file alone from now on: saving asks for one.
     pub fn forget_file(&mut self) {
         self.path = None;
+        self.note_change();
     }
 
     /// True where closing would lose something. From where the pictures are seen does not count, nor what is explained
     /// in them.
     #[must_use]
     pub fn is_changed(&self) -> bool {
-        let Figure {
-            camera,
-            image,
-            undistorted,
-            viewport,
-            scene: _,
-            points,
-            style,
-            reveal,
-            world,
-            observers: _,
-            show: _,
-        } = &self.figure;
-        let saved = &self.saved;
-        (camera, image, undistorted, viewport) != (&saved.camera, &saved.image, &saved.undistorted, &saved.viewport)
-            || (style, reveal, world) != (&saved.style, &saved.reveal, &saved.world)
-            || self.scene_is_changed
-            || *points != saved.points
-            || self.draft != saved.camera
+        self.is_changed
     }
 }
 
@@ -486,6 +500,35 @@ mod tests {
         assert!(!document.is_changed());
         document.replace(Figure::default()).unwrap();
         assert!(document.is_changed());
+    }
+
+    #[test]
+    fn every_change_makes_another_document_and_how_it_is_seen_does_not() {
+        let mut document = Document::new(Figure::default(), None).unwrap();
+        let other = Figure::of_preset(crate::scene::Preset::Empty);
+        let shown = Figure { image: crate::camera::ImageSize { width: 9, height: 9 }, ..other.clone() };
+        let changes: [&dyn Fn(&mut Document); 10] = [
+            &|document| document.set_parameters(Parameters { aspect: 2.0, ..*document.draft() }),
+            &|document| document.set_parameters(Parameters { near: 1e9, ..*document.draft() }),
+            &|document| document.edit(|figure| figure.image.width = 7),
+            &|document| document.undo(),
+            &|document| document.redo(),
+            &|document| document.replace(other.clone()).unwrap(),
+            &|document| document.mark_saved(PathBuf::from("/a.toml"), "a".to_owned()),
+            &|document| document.show_without_file(shown.clone()).unwrap(),
+            &|document| document.operate(azimuth(1.0), Convention::RightHand).unwrap(),
+            &|document| document.allow_files(),
+        ];
+        for (i, change) in changes.into_iter().enumerate() {
+            let before = document.version();
+            change(&mut document);
+            assert_ne!(document.version(), before, "change {i}");
+            document.commit();
+        }
+        let version = document.version();
+        *document.observers_mut() = Observers::default();
+        document.show_mut().painted = Some(0.5);
+        assert_eq!(document.version(), version);
     }
 
     #[test]

@@ -3,19 +3,18 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::appearance::Style;
-use crate::camera::{Camera, ImageSize, Parameters, Viewport};
-use crate::figure::{Figure, NamedPoint, Observers, Reveal, Show, WorldLook};
+use crate::camera::{Camera, Parameters};
+use crate::figure::{Figure, Observers, Show};
 use crate::limits::{MAX_UNDO_BYTES, MAX_UNDO_STEPS};
 use crate::scene::{LightSpec, ObjectSpec, SceneSpec, Shape, ShapeData};
 
-/// Which scene: where two numbers are the same, so are the scenes, which can be large. Of other numbers nothing is
-/// said.
+/// Which scene, or which document: where two numbers are the same, so is what they stand for, which can be large. Of
+/// other numbers nothing is said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Revision(u64);
 
 impl Revision {
-    /// One that no scene has.
+    /// One that nothing has.
     pub(super) fn new() -> Self {
         static LAST: AtomicU64 = AtomicU64::new(0);
         Self(LAST.fetch_add(1, Ordering::Relaxed))
@@ -28,13 +27,8 @@ impl Revision {
 struct Snapshot {
     scene: Arc<SceneSpec>,
     revision: Revision,
-    points: Vec<NamedPoint>,
-    image: ImageSize,
-    undistorted: bool,
-    viewport: Option<Viewport>,
-    style: Style,
-    reveal: Reveal,
-    world: WorldLook,
+    /// The figure without its scene.
+    rest: Figure,
     /// With what it knows beyond the `f64`s of its parameters.
     camera: Camera,
     draft: Parameters,
@@ -60,22 +54,14 @@ impl Snapshot {
         draft: &Parameters,
         before: Option<&Self>,
     ) -> Self {
-        let Figure { camera: _, image, undistorted, viewport, scene, points, style, reveal, world, observers: _, show } =
-            figure;
-        let shared = before.filter(|before| before.has_scene(scene, revision)).map(|before| &before.scene);
+        let shared = before.filter(|before| before.has_scene(&figure.scene, revision)).map(|before| &before.scene);
         Self {
-            scene: shared.map_or_else(|| Arc::new(scene.clone()), Arc::clone),
+            scene: shared.map_or_else(|| Arc::new(figure.scene.clone()), Arc::clone),
             revision,
-            points: points.clone(),
-            image: *image,
-            undistorted: *undistorted,
-            viewport: *viewport,
-            style: *style,
-            reveal: *reveal,
-            world: *world,
+            rest: figure.without_scene(),
             camera: camera.clone(),
             draft: *draft,
-            show: show.clone(),
+            show: figure.show.clone(),
             replaces: false,
         }
     }
@@ -85,47 +71,18 @@ impl Snapshot {
     }
 
     fn is_of(&self, (figure, revision): (&Figure, Revision), camera: &Camera, draft: &Parameters) -> bool {
-        let Figure { camera: _, image, undistorted, viewport, scene, points, style, reveal, world, observers: _, show } =
-            figure;
-        (&self.image, &self.undistorted, &self.viewport) == (image, undistorted, viewport)
-            && (&self.style, &self.reveal, &self.world) == (style, reveal, world)
-            && (&self.camera, &self.draft) == (camera, draft)
-            && self.points == *points
-            && chosen(&self.show) == chosen(show)
-            && self.has_scene(scene, revision)
+        (&self.camera, &self.draft) == (camera, draft)
+            && self.rest == figure.without_scene()
+            && chosen(&self.show) == chosen(&figure.show)
+            && self.has_scene(&figure.scene, revision)
     }
 
     /// `show`: what is explained now; `all`: what was explained then takes its place as a whole.
     fn moment(&self, observers: Observers, show: &Show, all: bool) -> Moment {
-        let Self {
-            scene,
-            revision,
-            points,
-            image,
-            undistorted,
-            viewport,
-            style,
-            reveal,
-            world,
-            camera,
-            draft,
-            show: then,
-            replaces: _,
-        } = self.clone();
+        let Self { scene, revision, rest, camera, draft, show: then, replaces: _ } = self.clone();
         let scene = Arc::unwrap_or_clone(scene);
-        let figure = Figure {
-            camera: *camera.parameters(),
-            image,
-            undistorted,
-            viewport,
-            scene,
-            points,
-            style,
-            reveal,
-            world,
-            observers,
-            show: if all { then } else { with_chosen(show, &then) },
-        };
+        let show = if all { then } else { with_chosen(show, &then) };
+        let figure = Figure { camera: *camera.parameters(), scene, observers, show, ..rest };
         Moment { figure, revision, camera, draft }
     }
 }
@@ -161,17 +118,20 @@ impl History {
         if self.now.is_of(of, camera, draft) {
             // Another number may have come to the same scene.
             self.now.revision = of.1;
-            if self.now.show != of.0.show {
-                self.now.show = of.0.show.clone();
-            }
             return;
         }
         let now = Snapshot::new(of, camera, draft, Some(&self.now));
         self.push(now);
     }
 
-    /// Makes a step of another figure that has taken the place of the one before.
-    pub(super) fn replace(&mut self, of: (&Figure, Revision), camera: &Camera) {
+    /// True where something else was chosen to be explained than at the last step.
+    pub(super) fn shows_other(&self, show: &Show) -> bool {
+        chosen(&self.now.show) != chosen(show)
+    }
+
+    /// Makes a step of another figure that has taken the place of the one before, which explained `before`.
+    pub(super) fn replace(&mut self, before: Show, of: (&Figure, Revision), camera: &Camera) {
+        self.now.show = before;
         let now = Snapshot::new(of, camera, &of.0.camera, Some(&self.now));
         if !self.now.is_of(of, camera, &of.0.camera) || self.now.show != of.0.show {
             self.push(Snapshot { replaces: true, ..now });
@@ -214,6 +174,7 @@ impl History {
     /// One step back; what is there then, seen by these observers.
     pub(super) fn undo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
         let earlier = self.past.pop()?;
+        self.now.show = show.clone();
         let later = std::mem::replace(&mut self.now, earlier);
         let all = later.replaces;
         self.future.push(later);
@@ -223,6 +184,7 @@ impl History {
     /// One step forward.
     pub(super) fn redo(&mut self, observers: Observers, show: &Show) -> Option<Moment> {
         let later = self.future.pop()?;
+        self.now.show = show.clone();
         self.past.push(std::mem::replace(&mut self.now, later));
         Some(self.now.moment(observers, show, self.now.replaces))
     }

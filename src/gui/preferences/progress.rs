@@ -4,45 +4,34 @@
 //! A window writes what was done in it into what the file holds by then: of two windows nothing is lost.
 
 use std::collections::BTreeMap;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
 
 use eframe::egui;
 use toml_edit::{DocumentMut, Value};
 
 use super::answers::{self, NOTHING};
-use super::shared_file::{Change, PATIENCE, Writing, locked, read};
+use super::shared_file::{Change, PATIENCE, SharedFile};
 use crate::exercises::Progress;
-use crate::files::{self, FileError, Overwrite, disk};
 use crate::gui::session::{Keeping, News};
 use crate::gui::state::{Done, Message, State};
 
 /// What one window has done.
 #[derive(Clone, Debug)]
 struct ProgressJob {
-    file: PathBuf,
     /// What was typed: keys with their values as TOML.
     changed: BTreeMap<String, String>,
     done: Vec<Done>,
 }
 
-/// What came of it.
-#[derive(Debug)]
-struct ProgressWritten {
-    /// What all windows have done.
-    progress: Progress,
-    /// Where the file went that could not be understood.
-    set_aside: Option<PathBuf>,
-}
-
-/// The file as its two readers understand it.
-fn understood(text: &str) -> Option<(DocumentMut, Progress)> {
-    Some((text.parse().ok()?, Progress::read(text).ok()?))
-}
-
 impl Change for ProgressJob {
-    type Written = ProgressWritten;
+    /// As its two readers understand it.
+    type Content = (DocumentMut, Progress);
+    type Merged = Progress;
+
+    fn understood(text: &str) -> Option<Self::Content> {
+        Some((text.parse().ok()?, Progress::read(text).ok()?))
+    }
 
     fn is_empty(&self) -> bool {
         self.changed.is_empty() && self.done.is_empty()
@@ -53,9 +42,7 @@ impl Change for ProgressJob {
         self.changed == other.changed && self.done.len() == other.done.len()
     }
 
-    fn write(&self) -> Result<ProgressWritten, FileError> {
-        let _lock = locked(&self.file)?;
-        let ((before, mut progress), set_aside) = read(&self.file, understood)?;
+    fn merge(&self, (_, mut progress): Self::Content) -> (String, Progress) {
         self.done.iter().for_each(|done| done.note(&mut progress));
         let mut document: DocumentMut = progress.to_toml().parse().unwrap_or_default();
         for (key, value) in &self.changed {
@@ -65,38 +52,26 @@ impl Change for ProgressJob {
                 Err(_) => {}
             }
         }
-        let text = document.to_string();
-        if text != before.to_string() {
-            files::save(&self.file, text.as_bytes(), Overwrite::Writable)?;
-        }
-        Ok(ProgressWritten { progress, set_aside })
+        (document.to_string(), progress)
     }
 }
 
 /// The file of progress, and what of this window is in it.
 pub(super) struct KeptProgress {
-    file: PathBuf,
-    writing: Writing<ProgressJob>,
+    file: SharedFile<ProgressJob>,
     /// What was typed in this window, as it is in the file.
     kept: BTreeMap<String, String>,
-    news: Vec<News>,
 }
 
 impl KeptProgress {
     /// Takes up what the file in `folder` keeps, and what `preferences` kept before there was one.
     pub(super) fn begin(folder: &Path, state: &mut State, preferences: &DocumentMut) -> Self {
-        let file = folder.join("progress.toml");
-        let mut news = Vec::new();
-        let result = read(&file, understood);
-        let writing = Writing::new("progress", result.is_err());
-        match result {
-            Ok(((document, progress), set_aside)) => {
-                state.exercises.progress = progress;
-                let typed = answers::read(&document).map(|(chosen, table)| (chosen, answers::typed(table)));
-                state.exercises.typed.extend(typed);
-                news.extend(set_aside.map(News::ProgressSetAside));
-            }
-            Err(error) => news.push(News::not_kept(Keeping::Progress, file.clone(), error)),
+        let (file, content) =
+            SharedFile::open(folder.join("progress.toml"), "progress", (Keeping::Progress, News::ProgressSetAside));
+        if let Some((document, progress)) = content {
+            state.exercises.progress = progress;
+            let typed = answers::read(&document).map(|(chosen, table)| (chosen, answers::typed(table)));
+            state.exercises.typed.extend(typed);
         }
         let kept = answers::values(state).collect();
         for (chosen, table) in answers::read(preferences) {
@@ -105,8 +80,8 @@ impl KeptProgress {
             }
             state.exercises.typed.entry(chosen).or_insert_with(|| answers::typed(table));
         }
-        state.exercises.file = Some(file.clone());
-        Self { file, writing, kept, news }
+        state.exercises.file = Some(file.path.clone());
+        Self { file, kept }
     }
 
     /// Writes down what was done, beside the window's thread. What cannot be written is tried again with what is done
@@ -117,19 +92,15 @@ impl KeptProgress {
             self.forget(state);
             ctx.request_repaint();
         }
-        if !self.writing.is_busy() {
-            self.writing.ask(ctx, self.job(state));
-        }
+        self.file.ask(ctx, self.job(state));
     }
 
     /// Writes down what has not been yet, before the window closes.
     pub(super) fn finish(&mut self, state: &mut State) {
         self.take(state, PATIENCE);
         let job = self.job(state);
-        if !job.is_empty()
-            && let Ok(written) = job.write()
-        {
-            self.took(state, job, written);
+        if let Some(progress) = self.file.finish(&job) {
+            self.took(state, job, progress);
         }
     }
 
@@ -140,51 +111,46 @@ impl KeptProgress {
 
     /// True while it cannot be kept.
     pub(super) fn is_failing(&self) -> bool {
-        self.writing.is_failing()
+        self.file.is_failing()
     }
 
     /// What there is to say about it, each once.
     pub(super) fn news(&mut self) -> Vec<News> {
-        std::mem::take(&mut self.news)
+        self.file.news()
     }
 
     /// What is not in the file yet.
     fn job(&self, state: &State) -> ProgressJob {
         let mut changed: BTreeMap<String, String> = answers::values(state).collect();
         changed.retain(|key, value| self.kept.get(key).map_or(NOTHING, String::as_str) != value);
-        ProgressJob { file: self.file.clone(), changed, done: state.exercises.unwritten.clone() }
+        ProgressJob { changed, done: state.exercises.unwritten.clone() }
     }
 
     /// Takes what came of writing.
     pub(super) fn take(&mut self, state: &mut State, patience: Duration) {
-        match self.writing.take(patience) {
-            Some(Ok((job, written))) => self.took(state, job, written),
-            Some(Err(error)) => self.news.push(News::not_kept(Keeping::Progress, self.file.clone(), error)),
-            None => {}
+        if let Some((job, progress)) = self.file.take(patience) {
+            self.took(state, job, progress);
         }
     }
 
-    fn took(&mut self, state: &mut State, job: ProgressJob, ProgressWritten { progress, set_aside }: ProgressWritten) {
+    fn took(&mut self, state: &mut State, job: ProgressJob, progress: Progress) {
         self.kept.extend(job.changed);
         let exercises = &mut state.exercises;
         exercises.unwritten.drain(..job.done.len().min(exercises.unwritten.len()));
         exercises.progress = progress;
         exercises.unwritten.iter().for_each(|done| done.note(&mut exercises.progress));
-        self.news.extend(set_aside.map(News::ProgressSetAside));
     }
 
     /// Forgets all of it. The file stays under another name, until that is done once more.
     fn forget(&mut self, state: &mut State) {
         self.take(state, PATIENCE);
-        let aside = self.file.with_extension("bak");
-        let moved = locked(&self.file).and_then(|_lock| disk::rename(&self.file, &aside).map_err(FileError::Write));
-        match moved {
-            Err(FileError::Write(error)) if error.kind() == io::ErrorKind::NotFound => {}
-            Err(error) => return state.say(Message::File(self.file.clone(), error)),
-            Ok(()) => state.say(Message::ProgressDeleted(aside)),
+        let aside = self.file.path.with_extension("bak");
+        match self.file.put_aside(&aside) {
+            Err(error) => return state.say(Message::File(self.file.path.clone(), error)),
+            Ok(true) => state.say(Message::ProgressDeleted(aside)),
+            Ok(false) => {}
         }
         state.exercises.forget();
         self.kept.clear();
-        self.writing.forget();
     }
 }

@@ -8,9 +8,9 @@ use eframe::egui;
 use toml_edit::{Array, DocumentMut, Value};
 
 use super::progress::KeptProgress;
-use super::shared_file::{Change, PATIENCE, Writing, locked, read};
+use super::shared_file::{Change, PATIENCE, SharedFile};
 use super::{RECENT, answers, apply, recent, values};
-use crate::files::{self, FileError, Overwrite};
+use crate::files;
 use crate::gui::launch_options::LaunchOptions;
 use crate::gui::session::{Keeping, News};
 use crate::gui::state::{State, merged};
@@ -18,7 +18,6 @@ use crate::gui::state::{State, merged};
 /// What one window has changed.
 #[derive(Clone, Debug, PartialEq)]
 struct SettingsJob {
-    file: PathBuf,
     /// Keys with their values as TOML.
     changed: BTreeMap<String, String>,
     /// The files that were opened in it, the latest first.
@@ -27,17 +26,14 @@ struct SettingsJob {
     answers_moved: bool,
 }
 
-/// What came of it.
-#[derive(Debug)]
-struct SettingsWritten {
-    /// All files that are remembered now.
-    recent: Vec<PathBuf>,
-    /// Where the file went that could not be understood.
-    set_aside: Option<PathBuf>,
-}
-
 impl Change for SettingsJob {
-    type Written = SettingsWritten;
+    type Content = DocumentMut;
+    /// All files that are remembered.
+    type Merged = Vec<PathBuf>;
+
+    fn understood(text: &str) -> Option<DocumentMut> {
+        text.parse().ok()
+    }
 
     fn is_empty(&self) -> bool {
         self.changed.is_empty() && self.opened.is_empty() && !self.answers_moved
@@ -47,10 +43,7 @@ impl Change for SettingsJob {
         self == other
     }
 
-    fn write(&self) -> Result<SettingsWritten, FileError> {
-        let _lock = locked(&self.file)?;
-        let (mut document, set_aside) = read(&self.file, document)?;
-        let before = document.to_string();
+    fn merge(&self, mut document: DocumentMut) -> (String, Vec<PathBuf>) {
         if self.answers_moved {
             answers::remove(&mut document);
         }
@@ -65,27 +58,17 @@ impl Change for SettingsJob {
             list.extend(recent.iter().filter_map(|path| path.to_str()));
             document[RECENT] = list.into();
         }
-        let text = document.to_string();
-        if text != before {
-            files::save(&self.file, text.as_bytes(), Overwrite::Writable)?;
-        }
-        Ok(SettingsWritten { recent, set_aside })
+        (document.to_string(), recent)
     }
-}
-
-fn document(text: &str) -> Option<DocumentMut> {
-    text.parse().ok()
 }
 
 /// The preferences of a window, and the file in which they are kept.
 pub struct Preferences {
-    file: PathBuf,
-    writing: Writing<SettingsJob>,
+    file: SharedFile<SettingsJob>,
     /// The keys of this window as they are in the file, or were when it was read.
     kept: BTreeMap<String, String>,
     /// The keys that stand in the file.
     remembered: BTreeSet<String>,
-    news: Vec<News>,
     progress: KeptProgress,
     /// What was typed for exercises stands in the file of preferences still.
     has_answers: bool,
@@ -96,26 +79,22 @@ impl Preferences {
     /// remembered.
     #[must_use]
     pub fn begin(folder: &Path, state: &mut State, asked: LaunchOptions) -> Self {
-        let file = folder.join("preferences.toml");
         files::remove_left_over(folder);
-        let mut news = Vec::new();
-        let mut kept_before = DocumentMut::new();
-        let result = read(&file, document);
-        let writing = Writing::new("preferences", result.is_err());
-        match result {
-            Ok((document, set_aside)) => {
-                apply(&document, state);
-                kept_before = document;
-                news.extend(set_aside.map(News::PreferencesSetAside));
-            }
-            Err(error) => news.push(News::not_kept(Keeping::Preferences, file.clone(), error)),
+        let (file, content) = SharedFile::open(
+            folder.join("preferences.toml"),
+            "preferences",
+            (Keeping::Preferences, News::PreferencesSetAside),
+        );
+        if let Some(document) = &content {
+            apply(document, state);
         }
+        let kept_before = content.unwrap_or_default();
         asked.apply(state);
         let progress = KeptProgress::begin(folder, state, &kept_before);
         let has_answers = answers::read(&kept_before).next().is_some();
         let remembered = kept_before.iter().map(|(key, _)| key.to_owned()).collect();
         let kept = values(state);
-        Self { file, writing, kept, remembered, news, progress, has_answers }
+        Self { file, kept, remembered, progress, has_answers }
     }
 
     /// Sets a key as the system wants it, unless the user has chosen otherwise; that is not remembered.
@@ -136,32 +115,26 @@ impl Preferences {
     pub fn keep(&mut self, ctx: &egui::Context, state: &mut State) {
         self.progress.keep(ctx, state);
         self.take(state, Duration::ZERO);
-        if !self.writing.is_busy() {
-            self.writing.ask(ctx, self.job(state));
-        }
+        self.file.ask(ctx, self.job(state));
     }
 
     /// Writes down what has not been yet, before the window closes.
     pub fn finish(&mut self, state: &mut State) {
         self.progress.finish(state);
         self.take(state, PATIENCE);
-        let job = self.job(state);
-        if !job.is_empty() {
-            // There is nobody left to be told.
-            let _ = job.write();
-        }
+        self.file.finish(&self.job(state));
     }
 
     /// What there is to say about them, each once.
     pub fn news(&mut self) -> Vec<News> {
-        let mut news = std::mem::take(&mut self.news);
+        let mut news = self.file.news();
         news.extend(self.progress.news());
         news
     }
 
     /// Those of them that can be kept, as far as is known.
     pub fn kept(&self) -> impl Iterator<Item = Keeping> {
-        let kept = [(Keeping::Preferences, self.writing.is_failing()), (Keeping::Progress, self.progress.is_failing())];
+        let kept = [(Keeping::Preferences, self.file.is_failing()), (Keeping::Progress, self.progress.is_failing())];
         kept.into_iter().filter(|(_, fails)| !fails).map(|(what, _)| what)
     }
 
@@ -170,22 +143,17 @@ impl Preferences {
         let mut changed = values(state);
         changed.retain(|key, value| self.kept.get(key) != Some(value));
         let answers_moved = self.has_answers && self.progress.is_written(state);
-        SettingsJob { file: self.file.clone(), changed, opened: state.recent.new.clone(), answers_moved }
+        SettingsJob { changed, opened: state.recent.new.clone(), answers_moved }
     }
 
     /// Takes what came of writing.
     fn take(&mut self, state: &mut State, patience: Duration) {
-        match self.writing.take(patience) {
-            Some(Ok((SettingsJob { changed, opened, answers_moved, .. }, SettingsWritten { recent, set_aside }))) => {
-                self.has_answers &= !answers_moved;
-                self.remembered.extend(changed.keys().cloned());
-                self.kept.extend(changed);
-                state.recent.new.retain(|path| !opened.contains(path));
-                state.recent.files = merged(&state.recent.new, &recent);
-                self.news.extend(set_aside.map(News::PreferencesSetAside));
-            }
-            Some(Err(error)) => self.news.push(News::not_kept(Keeping::Preferences, self.file.clone(), error)),
-            None => {}
+        if let Some((SettingsJob { changed, opened, answers_moved }, recent)) = self.file.take(patience) {
+            self.has_answers &= !answers_moved;
+            self.remembered.extend(changed.keys().cloned());
+            self.kept.extend(changed);
+            state.recent.new.retain(|path| !opened.contains(path));
+            state.recent.files = merged(&state.recent.new, &recent);
         }
     }
 }

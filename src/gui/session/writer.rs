@@ -31,22 +31,18 @@ struct Note {
 }
 
 impl Note {
-    fn is_of(&self, document: &Document, restoring: bool) -> bool {
-        self.restoring == restoring
-            && self.place == SessionPlace::of(document)
+    fn is_of(&self, document: &Document) -> bool {
+        let figure = document.figure();
+        self.place == SessionPlace::of(document)
             && self.source == document.source()
-            && self.has_figure_of(document)
+            && self.figure.without_scene() == figure.without_scene()
+            && (self.revision == document.revision() || self.figure.scene == figure.scene)
     }
 
-    fn has_figure_of(&self, document: &Document) -> bool {
-        let Figure { camera, image, undistorted, viewport, scene, points, style, reveal, world, observers, show } =
-            document.figure();
-        let own = &self.figure;
-        (camera, image, undistorted, viewport) == (&own.camera, &own.image, &own.undistorted, &own.viewport)
-            && (style, reveal, world, observers) == (&own.style, &own.reveal, &own.world, &own.observers)
-            && *points == own.points
-            && *show == own.show
-            && (self.revision == document.revision() || *scene == own.scene)
+    /// True where it says how a document is seen.
+    fn is_seen_as(&self, document: &Document) -> bool {
+        let figure = document.figure();
+        (self.figure.observers, &self.figure.show) == (figure.observers, &figure.show)
     }
 }
 
@@ -83,18 +79,31 @@ pub(super) struct Writer {
     worker: Worker<WriteJob, Result<(), FileError>>,
     /// What was asked for last; `None` before anything was.
     asked: Option<Option<Arc<Note>>>,
+    /// Which document that was.
+    version: Option<Revision>,
 }
 
 impl Writer {
     pub(super) fn new(file: PathBuf, lock: Lock) -> Self {
         let worker = Worker::new("session", clock::now, || async |job: WriteJob, _: &Progress| job.run());
-        Self { file, lock: Arc::new(lock), worker, asked: None }
+        Self { file, lock: Arc::new(lock), worker, asked: None, version: None }
     }
 
     /// True where what was asked for last is still what is wanted.
-    pub(super) fn is_up_to_date(&self, document: &Document, restoring: bool) -> bool {
+    pub(super) fn is_up_to_date(&mut self, document: &Document, restoring: bool) -> bool {
         match &self.asked {
-            Some(Some(note)) => is_worth_keeping(document) && note.is_of(document, restoring),
+            Some(Some(note)) => {
+                let version = Some(document.version());
+                let is_same = is_worth_keeping(document)
+                    && note.restoring == restoring
+                    && note.is_seen_as(document)
+                    && (self.version == version || note.is_of(document));
+                if is_same {
+                    // Another number may have come to the same document.
+                    self.version = version;
+                }
+                is_same
+            }
             Some(None) => !is_worth_keeping(document),
             None => false,
         }
@@ -111,7 +120,7 @@ impl Writer {
                 restoring,
             })
         });
-        self.asked = Some(note.clone());
+        (self.asked, self.version) = (Some(note.clone()), Some(document.version()));
         self.worker.ask(ctx, 0, WriteJob { file: self.file.clone(), note, _lock: Arc::clone(&self.lock) });
     }
 
