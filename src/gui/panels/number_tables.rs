@@ -15,11 +15,11 @@ pub(super) struct Table {
     pub(super) symbol: Cow<'static, str>,
     pub(super) name: String,
     pub(super) rows: Vec<(String, Vec<f64>)>,
-    /// Where the notes print something else: what, and what is right.
+    /// The erratum of the notes, and its correction.
     pub(super) erratum: Option<&'static str>,
-    /// What rounding can have left of zero, beside its row, is shown as 0.
+    /// A number that can be a rounding error of zero, relative to its row, is shown as 0.
     rests: bool,
-    /// It is other numbers in another convention of NDC.
+    /// Its numbers depend on the convention of NDC.
     pub(super) follows_ndc: bool,
     /// The matrix whose entries these numbers are, by rows from its first.
     of: Option<Matrix>,
@@ -34,7 +34,7 @@ impl Table {
         Self { symbol, name: name.to_owned(), rows, erratum, rests: false, follows_ndc: false, of, transposed: false }
     }
 
-    /// A matrix. `left_handed` says what another sign of z_c does to it.
+    /// A matrix. `left_handed`: the effect of the other sign of z_c.
     fn matrix(matrix: Matrix, name: &str, mut rows: [[f64; 4]; 4], left_handed: Mirrored, shown: Conventions) -> Self {
         if shown.left_handed {
             match left_handed {
@@ -74,21 +74,21 @@ impl Table {
         self.rows.iter().all(|(name, _)| name.is_empty())
     }
 
-    /// The rows as they are shown with so many digits.
+    /// The rows with this number of digits.
     pub(super) fn shown(&self, digits: usize) -> Vec<(String, Vec<f64>)> {
         let clean = |values: &[f64]| if self.rests { without_rests(values, digits) } else { values.to_vec() };
         self.rows.iter().map(|(name, values)| (name.clone(), clean(values))).collect()
     }
 }
 
-/// What of a matrix has the other sign where z_c grows along DOP.
+/// The part of a matrix that changes sign where z_c grows along DOP.
 #[derive(Clone, Copy)]
 enum Mirrored {
     /// Its third row: it leads to view space.
     Row,
     /// Its third column: it comes from view space.
     Column,
-    /// It does neither.
+    /// No part.
     Nothing,
 }
 
@@ -166,8 +166,7 @@ pub(super) fn ndc_of(report: &Report) -> Ndc {
     Ndc::ALL.into_iter().find(|ndc| ndc.name() == report.ndc).unwrap_or_default()
 }
 
-/// The rows as aligned cells: in each column the decimal points stand below each other. Names come first, where there
-/// are any.
+/// The rows as aligned cells: in each column the decimal points are aligned. Names come first, where there are any.
 pub(super) fn cells(rows: &[(String, Vec<f64>)], write: impl Fn(f64) -> String) -> Vec<Vec<String>> {
     let names = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     let columns = rows.iter().map(|(_, values)| values.len()).max().unwrap_or(0);

@@ -14,11 +14,11 @@ use crate::gui::worker::{Worker, one_by_one};
 use crate::limits::MAX_KEPT_BYTES;
 use crate::progress::Progress;
 
-/// How long is waited for what is being written before the window closes.
+/// The longest wait for a running write before the window closes.
 pub(super) const PATIENCE: Duration = Duration::from_secs(5);
 
-/// The file as it is, empty where there is none; what cannot be understood, or is far too large, is set aside under
-/// another name.
+/// Reads the file, empty where there is none; one that cannot be read, or is far too large, is set aside under another
+/// name.
 pub(super) fn read<T: Default>(
     file: &Path,
     understood: fn(&str) -> Option<T>,
@@ -37,22 +37,22 @@ pub(super) fn read<T: Default>(
     Ok((T::default(), Some(aside)))
 }
 
-/// Keeps other windows from writing the file as long as what it gives lives. The folder is made where there is none.
+/// Locks the file against other windows as long as the returned lock lives. The folder is made where there is none.
 pub(super) fn locked(file: &Path) -> Result<Lock, FileError> {
     disk::create_folder(file.parent().unwrap_or(Path::new(""))).map_err(FileError::Write)?;
-    // Where there are no locks, two windows that write in the same moment may lose a key.
+    // Without locks, two windows that write at the same moment may lose a key.
     disk::lock(&file.with_extension("lock")).map_err(FileError::Write)
 }
 
-/// What a window has changed, to be written into what the file holds by then.
+/// Changes of a window, to be merged into the present content of the file.
 pub(super) trait Change: Clone + Send + 'static {
-    /// What came of it.
+    /// The result of a write.
     type Written: Send + 'static;
 
     /// True where nothing is to be written.
     fn is_empty(&self) -> bool;
 
-    /// True where nothing was added since `other` was asked for.
+    /// Whether nothing was added since `other`.
     fn is_same(&self, other: &Self) -> bool;
 
     /// Writes it.
@@ -63,14 +63,14 @@ pub(super) trait Change: Clone + Send + 'static {
 /// change.
 pub(super) struct Writing<C: Change> {
     worker: Worker<C, Result<C::Written, FileError>>,
-    /// What is being written, or could not be.
+    /// The changes being written, or not yet written.
     asked: Option<C>,
-    /// It has been said that the file cannot be used.
+    /// The failure of the file has been reported.
     told: bool,
 }
 
 impl<C: Change> Writing<C> {
-    /// `told`: it has been said already that the file cannot be used.
+    /// `told`: the failure of the file has been reported already.
     pub(super) fn new(name: &'static str, told: bool) -> Self {
         let worker = Worker::new(name, clock::now, || one_by_one(async |change: C, _: &Progress| change.write()));
         Self { worker, asked: None, told }
@@ -81,7 +81,7 @@ impl<C: Change> Writing<C> {
         self.told
     }
 
-    /// True while something is being written: what is asked for waits until then.
+    /// Whether a write is running: new changes wait until it ends.
     pub(super) fn is_busy(&self) -> bool {
         self.worker.is_pending(0)
     }
@@ -94,7 +94,7 @@ impl<C: Change> Writing<C> {
         }
     }
 
-    /// What was written, and what came of it, once there is any; the first time that it cannot be, why.
+    /// The changes written and the result, once there is one; the first failure with its reason.
     pub(super) fn take(&mut self, patience: Duration) -> Option<Result<(C, C::Written), FileError>> {
         let [Some(done)] = self.worker.take(patience) else { return None };
         match done.outcome? {
@@ -106,7 +106,7 @@ impl<C: Change> Writing<C> {
         }
     }
 
-    /// What was asked for does not count any more.
+    /// Drops the changes not yet written.
     pub(super) fn forget(&mut self) {
         self.asked = None;
     }
